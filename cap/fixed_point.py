@@ -1,0 +1,183 @@
+"""A non-sticking fixed point of the stroboscopic map, from a float guess to tight enclosures.
+
+The functions here choose boxes, windows and preconditioners; all that they choose is proved by
+`cap.flow` and `cap.krawczyk`, so no choice needs trust.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from cap import interval, matrix
+from cap.errors import NotProved
+from cap.flow import BALLS, TAYLOR_MODELS, Enclosure, NoCertainHit, Orbit, over, strobe
+from cap.interval import Ball
+from cap.krawczyk import Box, Preconditioner, contract, minus_identity, operator
+from cap.model import Oscillator
+from cap.scalar import S
+from cap.taylor_model import Domain, TaylorModel
+
+Windows = tuple[Ball, ...]
+
+
+@dataclass(frozen=True)
+class Start:
+    """A guess: the state at t = 0 and the hit times, as floats."""
+
+    x: float
+    v: float
+    hit_times: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class FixedPoint:
+    """A proved fixed point P*: the only one in the square S of half-width ``radius`` around m.
+
+    m is the centre of ``hint``.  P* lies in ``box``; ``orbit`` encloses the orbits from there.
+    """
+
+    hint: Preconditioner
+    radius: Fraction
+    box: Box
+    orbit: Orbit[Ball]
+
+
+def existence(
+    osc: Oscillator[Ball], hint: Preconditioner, radius: Fraction, windows: Windows
+) -> tuple[Box, Orbit[Ball], Box]:
+    """Prove that Φ has exactly one fixed point in the square S of half-width ``radius`` around m.
+
+    Returns a box in the interior of S that contains it, the orbits from S, and Φ(m).
+    """
+    box = hint.box(radius)
+    orbit = strobe(osc, box, windows, BALLS)
+    image = strobe(osc, hint.point, tuple(hit.time for hit in orbit.hits), BALLS).end
+    return contract(hint, image, orbit.monodromy, box), orbit, image
+
+
+def prove(osc: Oscillator[Ball], start: Start, places: int) -> FixedPoint:
+    """Prove that a fixed point exists near ``start``; enclose it to about ``places`` decimals."""
+    hint, times = _refined(osc, start, places)
+    radius = Fraction(100, 10**places)
+    windows = find_windows(osc, hint.box(radius), times, BALLS)
+    box, orbit, image = existence(osc, hint, radius, windows)
+    while True:  # P* in box implies P* in K(box): again, until nothing is gained
+        orbit = strobe(osc, box, tuple(hit.time for hit in orbit.hits), BALLS)
+        k = operator(hint, image, orbit.monodromy, box)
+        tighter = interval.intersection(k[0], box[0]), interval.intersection(k[1], box[1])
+        if not any(10 * new.rad() < 9 * old.rad() for new, old in zip(tighter, box, strict=True)):
+            return FixedPoint(hint, radius, box, orbit)
+        box = tighter
+
+
+def _refined(osc: Oscillator[Ball], start: Start, places: int) -> tuple[Preconditioner, Windows]:
+    """Return a point of ``places`` decimals close to a fixed point, with C and hit times.
+
+    Newton's iteration on midpoints, from the guess; nothing is proved here.
+    """
+    centre = Fraction(start.x), Fraction(start.v)
+    times: Windows = tuple(interval.ball(Fraction(t)) for t in start.hit_times)
+    for _ in range(places.bit_length() + 4):
+        point = interval.ball(centre[0]), interval.ball(centre[1])
+        windows = find_windows(osc, point, times, BALLS)
+        orbit = strobe(osc, point, windows, BALLS)
+        times = tuple(interval.point(hit.time) for hit in orbit.hits)
+        (a, b), (c, d) = matrix.inverse(minus_identity(orbit.monodromy))
+        g, h = orbit.end[0] - point[0], orbit.end[1] - point[1]
+        step = interval.midpoint(a * g + b * h), interval.midpoint(c * g + d * h)
+        centre = round(centre[0] - step[0], places), round(centre[1] - step[1], places)
+        if max(map(abs, step)) < Fraction(1, 10**places):
+            break
+    rows = (_short(a), _short(b)), (_short(c), _short(d))
+    return Preconditioner(centre, rows), times
+
+
+def _short(x: Ball) -> Fraction:
+    """Return a decimal with about ten digits near ``x``."""
+    return Fraction(f"{float(x.mid()):.9e}")
+
+
+def find_windows(
+    osc: Oscillator[S], state: tuple[S, S], times: Sequence[Ball], kind: Enclosure[S]
+) -> Windows:
+    """Return time windows, near ``times``, for which `strobe` succeeds; it only steers.
+
+    A window that does not contain its Newton image is widened to hold it (epsilon inflation).
+    """
+    windows = list(times)
+    for _ in range(20 * len(windows) + 20):
+        try:
+            orbit = strobe(osc, state, tuple(windows), kind)
+        except NoCertainHit as miss:
+            windows[miss.number - 1] = _inflated(interval.hull(miss.window, miss.newton))
+        else:
+            return tuple(_inflated(kind.bound(hit.time)) for hit in orbit.hits)
+    raise NotProved("windows", "the hit times vary too much on the box", {"windows": windows})
+
+
+def _inflated(window: Ball) -> Ball:
+    """Return a ball a little larger than ``window``, even if that is a point."""
+    tenth = interval.symmetric(window - interval.point(window)) / 10
+    return window + tenth + interval.symmetric(window) * interval.rounding()
+
+
+@dataclass(frozen=True)
+class Neighbourhood:
+    """The rectangle of half-widths ``reach`` around m holds one fixed point only.
+
+    All orbits from there are non-sticking on [0, T] and make their hits in ``windows``.
+    """
+
+    reach: tuple[Fraction, Fraction]
+    windows: Windows
+
+
+def neighbourhood(
+    osc: Oscillator[Ball], point: FixedPoint, reach: tuple[Fraction, Fraction]
+) -> Neighbourhood:
+    """Prove that Φ has exactly one fixed point in the rectangle of half-widths ``reach`` around m.
+
+    Over Taylor models of order two, which hardly overestimate Φ' even on large boxes.
+    """
+    models, hint = over(osc, TaylorModel), point.hint
+    x, v = Domain((interval.ball(reach[0]), interval.ball(reach[1])), 2).variables(hint.point)
+    times = tuple(hit.time for hit in point.orbit.hits)
+    windows = find_windows(models, (x, v), times, TAYLOR_MODELS)
+    (a, b), (c, d) = strobe(models, (x, v), windows, TAYLOR_MODELS).monodromy
+    slope = (a.bound(), b.bound()), (c.bound(), d.bound())
+    image = strobe(osc, hint.point, windows, BALLS).end
+    contract(hint, image, slope, (x.bound(), v.bound()))
+    return Neighbourhood(reach, windows)
+
+
+def largest_neighbourhood(
+    osc: Oscillator[Ball], point: FixedPoint, scale: tuple[Fraction, Fraction]
+) -> Neighbourhood:
+    """Return the largest rectangle found, of half-widths a multiple of ``scale``.
+
+    The multiple is 2^k for the largest k that succeeds, times at most 2, by bisection.
+    """
+
+    def attempt(factor: Fraction) -> Neighbourhood | None:
+        try:
+            return neighbourhood(osc, point, (factor * scale[0], factor * scale[1]))
+        except NotProved:
+            return None
+
+    factor = Fraction(1, 2**7)
+    best = attempt(factor)
+    while best is None:
+        factor /= 2
+        if factor < Fraction(1, 2**60):
+            raise NotProved("neighbourhood", "no rectangle around the fixed point succeeded", {})
+        best = attempt(factor)
+    upper = 2 * factor
+    while factor < 1 and (larger := attempt(upper)):
+        best, factor, upper = larger, upper, 2 * upper
+    for _ in range(4):
+        middle = (factor + upper) / 2
+        if better := attempt(middle):
+            best, factor = better, middle
+        else:
+            upper = middle
+    return best

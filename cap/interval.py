@@ -1,0 +1,132 @@
+"""Balls: the one module that knows python-flint.
+
+A ball is a set of reals.  Every operation returns a ball that contains the exact results for
+all points of its operands.  A comparison such as ``x > 0`` is True only when it holds for all
+points; False means "not certain", never "no".  A ball that is not finite compares False to
+everything, so tests written as ``if not x > 0: raise NotProved`` are safe.
+
+Precision is scoped: build every ball inside ``with workprec(bits)``.
+"""
+
+from fractions import Fraction
+
+from flint import acb, arb, ctx, fmpq
+
+from cap.errors import NotProved
+
+Ball = arb
+ComplexBall = acb
+workprec = ctx.workprec
+
+
+def ball(value: Fraction | int) -> arb:
+    """Return a ball that contains the rational ``value``."""
+    value = Fraction(value)
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def around(centre: Fraction, radius: Fraction) -> arb:
+    """Return a ball that contains [centre - radius, centre + radius]."""
+    return arb(0, ball(radius)) + ball(centre)
+
+
+def between(lower: Fraction, upper: Fraction) -> arb:
+    """Return a ball that contains [lower, upper]."""
+    return ball(lower).union(ball(upper))
+
+
+def pi() -> arb:
+    """Return an enclosure of π at the current precision."""
+    return arb.pi()
+
+
+def rounding() -> arb:
+    """Return a number somewhat larger than the relative rounding error of one operation."""
+    return arb((1, 10 - ctx.prec))
+
+
+def point(x: arb) -> arb:
+    """Return the midpoint of ``x`` as an exact ball."""
+    return x.mid()
+
+
+def symmetric(x: arb) -> arb:
+    """Return the ball [-|x|, |x|] of all numbers at most as large as ``x``."""
+    return arb(0, x.abs_upper())
+
+
+def rational(x: arb) -> Fraction:
+    """Return the exact value of a ball of radius zero."""
+    q = x.fmpq()
+    return Fraction(int(q.p), int(q.q))
+
+
+def ends(x: arb) -> tuple[Fraction, Fraction]:
+    """Return the exact lower and upper end of a finite ball."""
+    if not x.is_finite():
+        raise NotProved("evaluation", "an enclosure is not finite", {"value": x})
+    mid, rad = rational(x.mid()), rational(x.rad())
+    return mid - rad, mid + rad
+
+
+def midpoint(x: arb) -> Fraction:
+    """Return the exact middle of ``x``; it only steers, nothing is proved with it."""
+    return rational(x.mid())
+
+
+def radius(x: arb) -> float:
+    """Return a float near the radius of ``x``; it only steers."""
+    return float(x.rad())
+
+
+def subset_interior(x: arb, y: arb) -> bool:
+    """Return True only if the ball ``x`` lies in the interior of the ball ``y``."""
+    return bool(x.is_finite() and y.is_finite() and y.contains_interior(x))
+
+
+def subset(x: arb, y: arb) -> bool:
+    """Return True only if the ball ``x`` lies in the ball ``y``."""
+    return bool(x.is_finite() and y.is_finite() and y.contains(x))
+
+
+def intersection(x: arb, y: arb) -> arb:
+    """Return a ball that contains the common points of ``x`` and ``y``, of which there are some."""
+    return x.intersection(y)
+
+
+def hull(x: arb, y: arb) -> arb:
+    """Return a ball that contains both ``x`` and ``y``."""
+    return x.union(y)
+
+
+def least(x: arb, y: arb) -> arb:
+    """Return a ball that contains the smaller of any two points of ``x`` and ``y``."""
+    return x.min(y)
+
+
+def outward(x: arb, places: int) -> tuple[str, str]:
+    """Return decimals (lower, upper) with ``places`` digits after the point, enclosing ``x``."""
+    lower, upper = ends(x)
+    scale = 10**places
+    floor, ceiling = (lower * scale).__floor__(), (upper * scale).__ceil__()
+    return decimal(Fraction(floor, scale), places), decimal(Fraction(ceiling, scale), places)
+
+
+def decimal(value: Fraction, places: int) -> str:
+    """Return ``value``, a multiple of 10^-places, as an exact decimal string."""
+    scaled = value * 10**places
+    if scaled.denominator != 1:
+        raise ValueError(f"{value} has more than {places} decimal places")
+    digits = str(abs(scaled.numerator)).zfill(places + 1)
+    sign = "-" if scaled < 0 else ""
+    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
+
+
+def short(value: Fraction) -> Fraction:
+    """Return a decimal fraction of two digits at most ``value`` > 0, and more than nine tenths."""
+    scale = Fraction(1)
+    while value * scale < 10:
+        scale *= 10
+    while value * scale >= 100:
+        scale /= 10
+    return Fraction(value * scale // 1) / scale

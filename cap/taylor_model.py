@@ -1,0 +1,171 @@
+"""Taylor models: a polynomial and a remainder over a box, closed under arithmetic.
+
+A Taylor model (p, I) on the domain D = {δ : |δ_i| <= reach_i} encloses every function g with
+g(δ) - q(δ) in I for all δ in D, for some polynomial q whose coefficients lie in those of p
+(Makino and Berz 1996; Joldes 2011, Definition 2.1.3).  Operations keep this: they drop what exceeds
+the order into the remainder, bounded over D.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from cap.interval import Ball, symmetric
+from cap.jet import Jet, Space
+
+
+class Domain:
+    """The symmetric box |δ_i| <= ``reach[i]``, and the ranges of the monomials on it."""
+
+    def __init__(self, reach: Sequence[Ball], order: int) -> None:
+        self.space = Space(len(reach), order)
+        self.reach = [symmetric(r) for r in reach]
+        self.monomials = [self._range(exponent) for exponent in self.space.exponents]
+
+    def _range(self, exponent: tuple[int, ...]) -> Ball:
+        result = Ball(1)
+        for reach, power in zip(self.reach, exponent, strict=True):
+            for _ in range(power):
+                result = result * reach
+        even = all(power % 2 == 0 for power in exponent)
+        return result.abs_upper().union(0) if even and any(exponent) else result
+
+    def variables(self, centre: Sequence[Ball]) -> tuple[TaylorModel, ...]:
+        """Return the Taylor models of the coordinates ``centre[i]`` + δ_i."""
+        return tuple(
+            TaylorModel(self, jet, Ball(0)) for jet in Jet.variables(centre, self.space.order)
+        )
+
+
+class TaylorModel:
+    """A ``polynomial`` (jet over balls) and a ``remainder`` (ball) on a ``domain``."""
+
+    __slots__ = ("domain", "polynomial", "remainder")
+
+    def __init__(self, domain: Domain, polynomial: Jet, remainder: Ball) -> None:
+        self.domain, self.polynomial, self.remainder = domain, polynomial, remainder
+
+    def degree_ranges(self) -> list[Ball]:
+        """Return enclosures on the domain of the homogeneous parts of the polynomial."""
+        ranges = [Ball(0)] * (self.domain.space.order + 1)
+        terms = zip(
+            self.domain.space.exponents,
+            self.polynomial.coefficients,
+            self.domain.monomials,
+            strict=True,
+        )
+        for exponent, coefficient, monomial in terms:
+            ranges[sum(exponent)] = ranges[sum(exponent)] + monomial * coefficient
+        return ranges
+
+    def bound(self) -> Ball:
+        """Return a ball that contains all values on the domain."""
+        return sum(self.degree_ranges(), self.remainder)
+
+    def widened(self, by: Ball) -> TaylorModel:
+        """Return the model whose functions differ from those of this one by values in ``by``."""
+        return TaylorModel(self.domain, self.polynomial, self.remainder + by)
+
+    def __add__(self, other: Any) -> TaylorModel:
+        """Return the sum with a Taylor model on the same domain or with a scalar."""
+        if isinstance(other, TaylorModel):
+            polynomial = self.polynomial + other.polynomial
+            return TaylorModel(self.domain, polynomial, self.remainder + other.remainder)
+        return TaylorModel(self.domain, self.polynomial + other, self.remainder)
+
+    def __radd__(self, other: Any) -> TaylorModel:
+        """Return the sum with a scalar."""
+        return self.__add__(other)
+
+    def __neg__(self) -> TaylorModel:
+        """Return the negative."""
+        return TaylorModel(self.domain, -self.polynomial, -self.remainder)
+
+    def __sub__(self, other: Any) -> TaylorModel:
+        """Return the difference."""
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> TaylorModel:
+        """Return other - self."""
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> TaylorModel:
+        """Return the product with a Taylor model on the same domain, or the multiple."""
+        if not isinstance(other, TaylorModel):
+            return TaylorModel(self.domain, self.polynomial * other, self.remainder * other)
+        p, q = self.degree_ranges(), other.degree_ranges()
+        order = self.domain.space.order
+        dropped = sum(
+            (p[i] * q[j] for i in range(1, order + 1) for j in range(order + 1 - i, order + 1)),
+            Ball(0),
+        )
+        mixed = sum(p, self.remainder) * other.remainder + sum(q, Ball(0)) * self.remainder
+        return TaylorModel(self.domain, self.polynomial * other.polynomial, dropped + mixed)
+
+    def __rmul__(self, other: Any) -> TaylorModel:
+        """Return the multiple by a scalar."""
+        return self.__mul__(other)
+
+    def __truediv__(self, other: Any) -> TaylorModel:
+        """Return the quotient; its remainder is indeterminate if the divisor may vanish."""
+        if isinstance(other, TaylorModel):
+            return self.__mul__(other.reciprocal())
+        return TaylorModel(self.domain, self.polynomial / other, self.remainder / other)
+
+    def __rtruediv__(self, other: Any) -> TaylorModel:
+        """Return other / self."""
+        return self.reciprocal().__mul__(other)
+
+    def series(self, taylor: Callable[[Ball, int], Sequence[Ball]]) -> TaylorModel:
+        """Return g(self), where ``taylor(c, n)`` encloses g⁽ᵏ⁾(ξ)/k! for k <= n and all ξ in c.
+
+        With c the constant term and h the rest, g(c + h) is its Taylor polynomial in h plus
+        g⁽ⁿ⁺¹⁾(ξ)/(n+1)! hⁿ⁺¹ for some ξ between c and c + h (Lagrange).
+        """
+        order = self.domain.space.order
+        constant = self.polynomial.coefficients[0] + Ball(0)
+        h = TaylorModel(self.domain, self.polynomial.without_constant(), self.remainder)
+        size = h.bound()
+        coefficients = taylor(constant, order)
+        last = Jet.constant(coefficients[order], self.domain.space)
+        result = TaylorModel(self.domain, last, Ball(0))
+        for coefficient in reversed(coefficients[:order]):
+            result = result * h + coefficient
+        lagrange = taylor((constant + size).union(constant), order + 1)[order + 1]
+        for _ in range(order + 1):
+            lagrange = lagrange * size
+        return result.widened(lagrange)
+
+    def reciprocal(self) -> TaylorModel:
+        """Return 1/self."""
+        return self.series(_reciprocal_series)
+
+    def sin_cos(self) -> tuple[TaylorModel, TaylorModel]:
+        """Return the Taylor models of sine and cosine."""
+        return self.series(_sin_series), self.series(_cos_series)
+
+
+def _reciprocal_series(c: Ball, order: int) -> list[Ball]:
+    taylor = [1 / c]
+    for _ in range(order):
+        taylor.append(-taylor[-1] / c)
+    return taylor
+
+
+def _sin_series(c: Ball, order: int) -> list[Ball]:
+    sin, cos = c.sin_cos()
+    return _over_factorials([sin, cos, -sin, -cos], order)
+
+
+def _cos_series(c: Ball, order: int) -> list[Ball]:
+    sin, cos = c.sin_cos()
+    return _over_factorials([cos, -sin, -cos, sin], order)
+
+
+def _over_factorials(cycle: list[Ball], order: int) -> list[Ball]:
+    taylor, factorial = [], 1
+    for k in range(order + 1):
+        taylor.append(cycle[k % 4] / factorial)
+        factorial *= k + 1
+    return taylor

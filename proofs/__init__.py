@@ -1,0 +1,1 @@
+"""One module for each theorem, reading like its proof on paper."""

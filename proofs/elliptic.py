@@ -1,0 +1,182 @@
+"""Theorem (elliptic).  Let the stroboscopic map Φ of
+
+    x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
+
+be given at rational parameters, and let a non-sticking T-periodic orbit be guessed.  If the lemmas
+below succeed, then
+
+ (i)   Φ has exactly one fixed point P* in an explicit box; all orbits from the box are non-sticking,
+       with the same sequence of transverse wall hits, so Φ is analytic and preserves area there;
+ (ii)  P* is elliptic, with enclosed multipliers e^{±iΘ}, and without resonance of order <= 4;
+ (iii) its first Birkhoff coefficient τ_1 is enclosed and is not zero;
+ (iv)  hence, by Moser's twist theorem, every neighbourhood of P* contains closed curves around P*,
+       invariant under Φ, on which Φ is conjugate to a rotation; they have density one at P*,
+       which is stable.
+
+At the paper's parameters this is Theorem CAP-elliptic, and Proposition CAP-KAM without condition.
+Lemmas 1 and 2 (`proofs.non_sticking`) give (i), Lemma 3 gives (ii), Lemma 4 gives (iii).  Lemma 5
+bounds, on an explicit disk, how far Φ is from its Taylor polynomial.
+"""
+
+from fractions import Fraction
+from typing import Any
+
+from cap import certificate, interval, normal_form
+from cap.errors import NotProved
+from cap.fixed_point import FixedPoint, Neighbourhood
+from cap.flow import TAYLOR_MODELS, oscillator, over, strobe, strobe_jet
+from cap.interval import Ball
+from cap.jet import Jet
+from cap.model import Oscillator
+from cap.taylor_model import Domain, TaylorModel
+from proofs import non_sticking
+from proofs.non_sticking import KRAWCZYK, Setting
+
+MOSER = {
+    "theorem": "Moser twist theorem",
+    "reference": "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
+    "Theorem kam of the paper",
+    "hypotheses": [
+        {
+            "name": "H1",
+            "statement": "the orbit has finitely many hits, all transverse, no turning and "
+            "no sticking",
+            "by": ["hit_times", "hit_speeds", "least_speed"],
+        },
+        {
+            "name": "H2",
+            "statement": "Phi is exact symplectic near the fixed point: flights and hits preserve "
+            "dx^dv, and a disk is simply connected",
+            "by": ["box"],
+        },
+        {
+            "name": "H3",
+            "statement": "Phi is real analytic near the fixed point: the hit times are, by the "
+            "implicit function theorem",
+            "by": ["hit_speeds"],
+        },
+        {
+            "name": "H4",
+            "statement": "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi",
+            "by": ["trace"],
+        },
+        {
+            "name": "H5",
+            "statement": "no resonance of order at most four",
+            "by": ["rotation_number", "resonance_distances"],
+        },
+        {
+            "name": "H6",
+            "statement": "the first Birkhoff twist coefficient does not vanish",
+            "by": ["twist"],
+        },
+    ],
+}
+
+RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
+
+
+def prove(setting: Setting, order: int) -> dict[str, Any]:
+    """Prove the theorem, expanding Φ to the odd ``order``; return its certificate.
+
+    Raises `NotProved` with the lemma that failed and the sets at which it did.
+    """
+    with interval.workprec(setting.bits):
+        osc = oscillator(setting.parameters)
+        point = non_sticking.lemma_1_fixed_point(osc, setting)
+        around, box = non_sticking.lemma_2_uniqueness(osc, setting, point)
+        jets = strobe_jet(osc, point.box, point.orbit, order)
+        claims = {
+            "box": box,
+            **non_sticking.orbit_claims(osc, setting, point),
+            **lemma_3_ellipticity(setting, jets),
+            **lemma_4_twist(setting, jets),
+            "taylor": taylor_claims(setting, jets),
+            "remainder": lemma_5_remainder(osc, point, around, jets),
+        }
+        hints = non_sticking.hints(setting, point, around)
+    return {
+        "format": certificate.FORMAT,
+        "theorem": "elliptic",
+        "parameters": setting.parameters.strings(),
+        "digits": str(setting.digits),
+        "claims": claims,
+        "hints": {**hints, "order": str(order)},
+        "cites": [KRAWCZYK, MOSER],
+    }
+
+
+def lemma_3_ellipticity(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, Any]:
+    """*Statement.* |trace| < 2, and the rotation number |Θ|/2π is none of 0, 1/4, 1/3, 1/2.
+
+    *Computed.* Θ from the Jacobian, its sign from the orientation, and its distance to
+    each p/q with q <= 4; as 0 < |Θ|/2π < 1/2, those in [0, 1/2] suffice.
+    """
+    linear = normal_form.ellipticity(*jets)
+    rotation = normal_form.rotation_number(linear)
+    distances = {name: abs(rotation - interval.ball(p)) for name, p in RESONANCES.items()}
+    for name, distance in distances.items():
+        if not distance > 0:
+            sets = {"rotation number": rotation}
+            raise NotProved("Lemma 3", f"the rotation number may be {name}", sets)
+    pair = setting.rounding.pair
+    return {
+        "rotation_angle": pair(linear.theta),
+        "rotation_number": pair(rotation),
+        "resonance_distances": {name: pair(value) for name, value in distances.items()},
+    }
+
+
+def lemma_4_twist(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, Any]:
+    """*Statement.* τ_1 lies in an explicit interval without zero.
+
+    *Computed.* The Birkhoff normal form of the jet of Φ at P*.  The real parts of its resonant
+    coefficients vanish, because Φ preserves area: their enclosures are checked to contain zero.
+    """
+    first, *higher = normal_form.twists(*jets)
+    if not (first > 0 or first < 0):
+        raise NotProved("Lemma 4", "the twist coefficient may vanish", {"tau_1": first})
+    pair, unit = setting.rounding.pair, 1 / setting.units.area
+    return {
+        "twist": pair(first, unit),
+        "twist_action": pair(2 * first, unit),
+        "higher_twists": [pair(tau, unit**k) for k, tau in enumerate(higher, start=2)],
+    }
+
+
+def taylor_claims(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, dict[str, list[str]]]:
+    """Return the Taylor coefficients of degree two and more of both components of Φ at P*."""
+    units, pair = setting.units, setting.rounding.pair
+    return {
+        name: {
+            f"{i},{j}": pair(jet[i, j], unit / units.length**i / units.speed**j)
+            for i, j in jet.space.exponents
+            if i + j >= 2
+        }
+        for name, jet, unit in zip("xv", jets, (units.length, units.speed), strict=True)
+    }
+
+
+def lemma_5_remainder(
+    osc: Oscillator[Ball], point: FixedPoint, around: Neighbourhood, jets: tuple[Jet, Jet]
+) -> dict[str, str]:
+    """*Statement.* On an explicit disk around P*, inside the box, each component of Φ is within
+    an explicit distance of its Taylor polynomial at P*.
+
+    *Computed.* Φ as a Taylor model on a square around the disk, with P* anywhere in its enclosure:
+    its remainder, plus what separates its polynomial from the Taylor polynomial.
+    """
+    radius = interval.short(min(around.reach) / 4)
+    domain = Domain((interval.ball(radius), interval.ball(radius)), jets[0].space.order)
+    state = domain.variables(point.box)
+    end = strobe(over(osc, TaylorModel), state, around.windows, TAYLOR_MODELS).end
+    bounds = [
+        certificate.bound(abs((model - TaylorModel(domain, jet, Ball(0))).bound()) * 2)
+        for model, jet in zip(end, jets, strict=True)
+    ]
+    return {
+        "degree": str(jets[0].space.order),
+        "radius": str(radius),
+        "x": bounds[0],
+        "v": bounds[1],
+    }

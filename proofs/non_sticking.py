@@ -1,0 +1,139 @@
+"""Lemmas shared by the theorems on non-sticking T-periodic orbits.
+
+Let Φ be the stroboscopic map of x'' = F cos ωt - f sgn x', l < x < r, with elastic walls.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from cap import certificate, fixed_point, interval, matrix
+from cap.certificate import Rounding, Units
+from cap.fixed_point import FixedPoint, Neighbourhood, Start
+from cap.interval import Ball
+from cap.model import Oscillator
+from cap.parameters import Parameters
+
+KRAWCZYK = {
+    "theorem": "Krawczyk",
+    "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+    "hypotheses": [
+        {
+            "name": "smooth",
+            "statement": "Phi is continuously differentiable on the box: all hits are transverse "
+            "and no velocity vanishes",
+            "by": ["box"],
+        },
+        {"name": "inclusion", "statement": "K(box) lies in the interior of the box", "by": ["box"]},
+    ],
+}
+
+
+@dataclass(frozen=True)
+class Setting:
+    """The parameters of a theorem, the guess that it starts from, and how sharp it is to be.
+
+    ``digits`` are claimed, ``guard`` more are computed; ``margin`` < 1 is the part of the largest
+    neighbourhood found that is claimed, so that a looser arithmetic can follow.
+    """
+
+    parameters: Parameters
+    start: Start
+    digits: int
+    guard: int = 15
+    margin: Fraction = Fraction(9, 10)
+
+    @property
+    def units(self) -> Units:
+        """The natural units."""
+        return Units.of(self.parameters)
+
+    @property
+    def rounding(self) -> Rounding:
+        """How claims are rounded."""
+        return Rounding(self.digits)
+
+    @property
+    def places(self) -> int:
+        """Decimal places to which the fixed point is sought."""
+        smallest = min(self.units.length, self.units.speed, Fraction(1))
+        return self.digits + self.guard - certificate.decade(smallest)
+
+    @property
+    def bits(self) -> int:
+        """Working precision."""
+        return self.places * 10 // 3 + 80
+
+
+def lemma_1_fixed_point(osc: Oscillator[Ball], setting: Setting) -> FixedPoint:
+    """*Statement.* Φ has a fixed point P* near the guess; its orbit is non-sticking.
+
+    *Computed.* A tiny square S around a refined guess: the itinerary over S (each hit exists, is the
+    only one in its window and transverse, and the velocity vanishes nowhere), Φ' over S by
+    flights and saltation matrices, and Krawczyk's inclusion K(S) in the interior of S.
+    """
+    return fixed_point.prove(osc, setting.start, setting.places)
+
+
+def lemma_2_uniqueness(
+    osc: Oscillator[Ball], setting: Setting, point: FixedPoint
+) -> tuple[Neighbourhood, dict[str, Any]]:
+    """*Statement.* P* is the only fixed point in an explicit box, and all orbits from the box
+    are non-sticking with the same itinerary.
+
+    *Computed.* As in Lemma 1 over Taylor models, on the largest rectangle that succeeds; the box is a
+    little smaller.  It contains P*, so the fixed point of the rectangle is in the box.
+    """
+    scale = setting.units.length, setting.units.speed
+    largest = fixed_point.largest_neighbourhood(osc, point, scale)
+    reach = largest.reach[0] * setting.margin, largest.reach[1] * setting.margin
+    around = fixed_point.neighbourhood(osc, point, reach)
+    box = {
+        name: _inside(centre, half)
+        for name, centre, half in zip("xv", point.hint.centre, reach, strict=True)
+    }
+    return around, box
+
+
+def _inside(centre: Fraction, half: Fraction) -> list[str]:
+    """Return short decimals [lower, upper] inside [centre - half, centre + half]."""
+    places = max(0, 3 - certificate.decade(half))
+    scale = 10**places
+    lower, upper = -(-(centre - half) * scale // 1), (centre + half) * scale // 1
+    return [interval.decimal(Fraction(end, scale), places) for end in (lower, upper)]
+
+
+def orbit_claims(osc: Oscillator[Ball], setting: Setting, point: FixedPoint) -> dict[str, Any]:
+    """Return the claims on P* and its orbit, rounded outwards."""
+    units, pair, orbit = setting.units, setting.rounding.pair, point.orbit
+    return {
+        "x": pair(point.box[0], units.length),
+        "v": pair(point.box[1], units.speed),
+        "hit_times": [pair(hit.time, units.time) for hit in orbit.hits],
+        "hit_speeds": [pair(abs(hit.velocity), units.speed) for hit in orbit.hits],
+        "hit_forcing": [pair(abs(osc.F * hit.cos) - osc.f, units.force) for hit in orbit.hits],
+        "least_speed": pair(orbit.least_speed, units.speed),
+        "jacobian": setting.rounding.matrix(orbit.monodromy, units),
+        "trace": pair(matrix.trace(orbit.monodromy)),
+        "determinant": pair(matrix.determinant(orbit.monodromy)),
+    }
+
+
+def hints(setting: Setting, point: FixedPoint, around: Neighbourhood) -> dict[str, Any]:
+    """Return what the checker needs and does not trust."""
+    c = point.hint.matrix
+    return {
+        "bits": str(setting.bits + 40),
+        "centre": [_string(value) for value in point.hint.centre],
+        "radius": str(point.radius),
+        "preconditioner": [[str(value) for value in row] for row in c],
+        "hit_times": [certificate.window(window) for window in around.windows],
+    }
+
+
+def _string(value: Fraction) -> str:
+    """Return a decimal fraction as a decimal."""
+    places = 0
+    while (value * 10**places).denominator != 1:
+        places += 1
+    return interval.decimal(value, places)

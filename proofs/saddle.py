@@ -1,0 +1,83 @@
+"""Theorem (saddle).  Let the stroboscopic map Φ of
+
+    x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
+
+be given at rational parameters, and let a non-sticking T-periodic orbit be guessed.  If the lemmas
+below succeed, then
+
+ (i)   Φ has exactly one fixed point P* in an explicit box; all orbits from the box are non-sticking,
+       with the same sequence of transverse wall hits, so Φ is analytic and preserves area there;
+ (ii)  P* is hyperbolic, its two multipliers real, one outside and one inside the unit circle;
+ (iii) hence P* has analytic stable and unstable curves (Hadamard-Perron), and is unstable.
+
+Lemmas 1 and 2 (`proofs.non_sticking`) give (i), Lemma 3 gives (ii).
+"""
+
+from typing import Any
+
+from cap import certificate, interval, matrix
+from cap.errors import NotProved
+from cap.fixed_point import FixedPoint
+from cap.flow import oscillator
+from proofs import non_sticking
+from proofs.non_sticking import KRAWCZYK, Setting
+
+HADAMARD_PERRON = {
+    "theorem": "Hadamard-Perron",
+    "reference": "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, "
+    "1995, Theorem 6.2.8",
+    "hypotheses": [
+        {
+            "name": "smooth",
+            "statement": "Phi is real analytic near the fixed point: all hits are transverse and "
+            "no velocity vanishes",
+            "by": ["hit_speeds", "least_speed"],
+        },
+        {
+            "name": "hyperbolic",
+            "statement": "one eigenvalue of the Jacobian lies outside the unit circle and "
+            "one inside",
+            "by": ["multipliers"],
+        },
+    ],
+}
+
+
+def prove(setting: Setting) -> dict[str, Any]:
+    """Prove the theorem; return its certificate.
+
+    Raises `NotProved` with the lemma that failed and the sets at which it did.
+    """
+    with interval.workprec(setting.bits):
+        osc = oscillator(setting.parameters)
+        point = non_sticking.lemma_1_fixed_point(osc, setting)
+        around, box = non_sticking.lemma_2_uniqueness(osc, setting, point)
+        claims = {
+            "box": box,
+            **non_sticking.orbit_claims(osc, setting, point),
+            "multipliers": lemma_3_hyperbolicity(setting, point),
+        }
+        hints = non_sticking.hints(setting, point, around)
+    return {
+        "format": certificate.FORMAT,
+        "theorem": "saddle",
+        "parameters": setting.parameters.strings(),
+        "digits": str(setting.digits),
+        "claims": claims,
+        "hints": hints,
+        "cites": [KRAWCZYK, HADAMARD_PERRON],
+    }
+
+
+def lemma_3_hyperbolicity(setting: Setting, point: FixedPoint) -> list[list[str]]:
+    """*Statement.* |trace| > 2: the multipliers are real, the larger outside the unit circle.
+
+    *Computed.* As the determinant is exactly one, they are t/2 ± sqrt((t/2)² - 1), t the trace; the
+    smaller one is the reciprocal of the larger.
+    """
+    half = matrix.trace(point.orbit.monodromy) / 2
+    if not (half > 1 or half < -1):
+        raise NotProved("Lemma 3", "the trace may lie in [-2, 2]", {"trace": 2 * half})
+    root = (half * half - 1).sqrt()
+    larger = half + root if half > 0 else half - root
+    return [setting.rounding.pair(larger), setting.rounding.pair(1 / larger)]
