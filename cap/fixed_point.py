@@ -51,7 +51,8 @@ def existence(
     """
     box = hint.box(radius)
     orbit = strobe(osc, box, windows, BALLS)
-    image = strobe(osc, hint.point, tuple(hit.time for hit in orbit.hits), BALLS).end
+    with interval.guarded():  # K cannot be narrower than Φ(m)
+        image = strobe(osc, hint.point, tuple(hit.time for hit in orbit.hits), BALLS).end
     return contract(hint, image, orbit.monodromy, box), orbit, image
 
 
@@ -61,12 +62,13 @@ def prove(osc: Oscillator[Ball], start: Start, places: int) -> FixedPoint:
     radius = Fraction(100, 10**places)
     windows = find_windows(osc, hint.box(radius), times, BALLS)
     box, orbit, image = existence(osc, hint, radius, windows)
-    while True:  # P* in box implies P* in K(box): again, until nothing is gained
-        orbit = strobe(osc, box, tuple(hit.time for hit in orbit.hits), BALLS)
-        k = operator(hint, image, orbit.monodromy, box)
+    times, m = tuple(hit.time for hit in orbit.hits), hint.point
+    while True:  # P* in box implies P* in K(box), with Φ' between m and P*: until nothing is gained
+        way = interval.hull(box[0], m[0]), interval.hull(box[1], m[1])
+        k = operator(hint, image, strobe(osc, way, times, BALLS).monodromy, box)
         tighter = interval.intersection(k[0], box[0]), interval.intersection(k[1], box[1])
         if not any(10 * new.rad() < 9 * old.rad() for new, old in zip(tighter, box, strict=True)):
-            return FixedPoint(hint, radius, box, orbit)
+            return FixedPoint(hint, radius, box, strobe(osc, box, times, BALLS))
         box = tighter
 
 
@@ -139,14 +141,15 @@ def neighbourhood(
 
     Over Taylor models of order two, which hardly overestimate Φ' even on large boxes.
     """
-    models, hint = over(osc, TaylorModel), point.hint
-    x, v = Domain((interval.ball(reach[0]), interval.ball(reach[1])), 2).variables(hint.point)
+    models, hint, m = over(osc, TaylorModel), point.hint, point.hint.point
+    box = interval.around(hint.centre[0], reach[0]), interval.around(hint.centre[1], reach[1])
+    x, v = Domain((box[0] - m[0], box[1] - m[1]), 2).variables(m)  # contains the box
     times = tuple(hit.time for hit in point.orbit.hits)
     windows = find_windows(models, (x, v), times, TAYLOR_MODELS)
     (a, b), (c, d) = strobe(models, (x, v), windows, TAYLOR_MODELS).monodromy
     slope = (a.bound(), b.bound()), (c.bound(), d.bound())
-    image = strobe(osc, hint.point, windows, BALLS).end
-    contract(hint, image, slope, (x.bound(), v.bound()))
+    image = strobe(osc, m, windows, BALLS).end
+    contract(hint, image, slope, box)
     return Neighbourhood(reach, windows)
 
 

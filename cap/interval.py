@@ -8,6 +8,7 @@ everything, so tests written as ``if not x > 0: raise NotProved`` are safe.
 Precision is scoped: build every ball inside ``with workprec(bits)``.
 """
 
+from contextlib import AbstractContextManager
 from fractions import Fraction
 
 from flint import acb, arb, ctx, fmpq
@@ -19,9 +20,13 @@ ComplexBall = acb
 workprec = ctx.workprec
 
 
+def guarded() -> AbstractContextManager[object]:
+    """Return a context with eleven bits more: what is computed there is all but exact here."""
+    return ctx.workprec(ctx.prec + 11)
+
+
 def ball(value: Fraction | int) -> arb:
     """Return a ball that contains the rational ``value``."""
-    value = Fraction(value)
     return arb(fmpq(value.numerator, value.denominator))
 
 
@@ -70,8 +75,9 @@ def ends(x: arb) -> tuple[Fraction, Fraction]:
 
 
 def midpoint(x: arb) -> Fraction:
-    """Return the exact middle of ``x``; it only steers, nothing is proved with it."""
-    return rational(x.mid())
+    """Return the exact middle of a finite ball; it only steers, nothing is proved with it."""
+    lower, upper = ends(x)
+    return (lower + upper) / 2
 
 
 def radius(x: arb) -> float:
@@ -120,6 +126,14 @@ def decimal(value: Fraction, places: int) -> str:
     digits = str(abs(scaled.numerator)).zfill(places + 1)
     sign = "-" if scaled < 0 else ""
     return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
+
+
+def exact_decimal(value: Fraction) -> str:
+    """Return a fraction whose denominator divides a power of ten as a decimal, without rounding."""
+    places = 0
+    while (value * 10**places).denominator != 1:
+        places += 1
+    return decimal(value, places)
 
 
 def short(value: Fraction) -> Fraction:

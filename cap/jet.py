@@ -87,8 +87,8 @@ class Jet:
         space = Space(len(values), order)
         jets = [cls.constant(value, space) for value in values]
         if order:
-            for i, jet in enumerate(jets):
-                jet.coefficients[1 + i] = 1
+            for i, (jet, value) in enumerate(zip(jets, values, strict=True)):
+                jet.coefficients[1 + i] = value * 0 + 1  # one, but a scalar: 1/3 would be a float
         return tuple(jets)
 
     def __getitem__(self, exponent: Exponent) -> Any:

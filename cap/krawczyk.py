@@ -42,7 +42,10 @@ def minus_identity(m: Matrix[Ball]) -> Matrix[Ball]:
 
 
 def operator(hint: Preconditioner, image: Box, slope: Matrix[Ball], box: Box) -> Box:
-    """Return an enclosure of K(box), from ``image`` ∋ Φ(m) and ``slope`` ⊇ Φ'(box)."""
+    """Return an enclosure of K(box), from ``image`` ∋ Φ(m) and ``slope`` ⊇ Φ'(box).
+
+    A fixed point in ``box`` lies in it, if ``slope`` encloses Φ' also between there and m.
+    """
     x, v = hint.point
     (p, q), (r, s) = hint.matrix
     c = (interval.ball(p), interval.ball(q)), (interval.ball(r), interval.ball(s))

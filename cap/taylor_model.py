@@ -33,9 +33,10 @@ class Domain:
 
     def variables(self, centre: Sequence[Ball]) -> tuple[TaylorModel, ...]:
         """Return the Taylor models of the coordinates ``centre[i]`` + δ_i."""
-        return tuple(
-            TaylorModel(self, jet, Ball(0)) for jet in Jet.variables(centre, self.space.order)
-        )
+        jets = Jet.variables(centre, self.space.order)
+        if self.space.order:
+            return tuple(TaylorModel(self, jet, Ball(0)) for jet in jets)
+        return tuple(TaylorModel(self, jet, r) for jet, r in zip(jets, self.reach, strict=True))
 
 
 class TaylorModel:

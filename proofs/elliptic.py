@@ -5,8 +5,9 @@
 be given at rational parameters, and let a non-sticking T-periodic orbit be guessed.  If the lemmas
 below succeed, then
 
- (i)   Φ has exactly one fixed point P* in an explicit box; all orbits from the box are non-sticking,
-       with the same sequence of transverse wall hits, so Φ is analytic and preserves area there;
+ (i)   Φ has exactly one fixed point P* in an explicit box; all orbits from the box are
+       non-sticking, with the same sequence of transverse wall hits, so Φ is analytic and preserves
+       area there;
  (ii)  P* is elliptic, with enclosed multipliers e^{±iΘ}, and without resonance of order <= 4;
  (iii) its first Birkhoff coefficient τ_1 is enclosed and is not zero;
  (iv)  hence, by Moser's twist theorem, every neighbourhood of P* contains closed curves around P*,
@@ -168,15 +169,15 @@ def lemma_5_remainder(
     """
     radius = interval.short(min(around.reach) / 4)
     domain = Domain((interval.ball(radius), interval.ball(radius)), jets[0].space.order)
-    state = domain.variables(point.box)
-    end = strobe(over(osc, TaylorModel), state, around.windows, TAYLOR_MODELS).end
+    x, v = domain.variables(point.box)
+    end = strobe(over(osc, TaylorModel), (x, v), around.windows, TAYLOR_MODELS).end
     bounds = [
         certificate.bound(abs((model - TaylorModel(domain, jet, Ball(0))).bound()) * 2)
         for model, jet in zip(end, jets, strict=True)
     ]
     return {
         "degree": str(jets[0].space.order),
-        "radius": str(radius),
+        "radius": interval.exact_decimal(radius),
         "x": bounds[0],
         "v": bounds[1],
     }

@@ -9,6 +9,7 @@ from typing import Any
 
 from cap import certificate, fixed_point, interval, matrix
 from cap.certificate import Rounding, Units
+from cap.errors import NotProved
 from cap.fixed_point import FixedPoint, Neighbourhood, Start
 from cap.interval import Ball
 from cap.model import Oscillator
@@ -41,7 +42,7 @@ class Setting:
     start: Start
     digits: int
     guard: int = 15
-    margin: Fraction = Fraction(9, 10)
+    margin: Fraction = Fraction(6, 10)
 
     @property
     def units(self) -> Units:
@@ -68,8 +69,8 @@ class Setting:
 def lemma_1_fixed_point(osc: Oscillator[Ball], setting: Setting) -> FixedPoint:
     """*Statement.* Φ has a fixed point P* near the guess; its orbit is non-sticking.
 
-    *Computed.* A tiny square S around a refined guess: the itinerary over S (each hit exists, is the
-    only one in its window and transverse, and the velocity vanishes nowhere), Φ' over S by
+    *Computed.* A tiny square S around a refined guess: the itinerary over S (each hit exists, is
+    the only one in its window and transverse, and the velocity vanishes nowhere), Φ' over S by
     flights and saltation matrices, and Krawczyk's inclusion K(S) in the interior of S.
     """
     return fixed_point.prove(osc, setting.start, setting.places)
@@ -81,17 +82,19 @@ def lemma_2_uniqueness(
     """*Statement.* P* is the only fixed point in an explicit box, and all orbits from the box
     are non-sticking with the same itinerary.
 
-    *Computed.* As in Lemma 1 over Taylor models, on the largest rectangle that succeeds; the box is a
-    little smaller.  It contains P*, so the fixed point of the rectangle is in the box.
+    *Computed.* As in Lemma 1 over Taylor models, on the largest rectangle that succeeds; the box
+    is a part of it.  It contains P*, so the one fixed point of the rectangle is in the box.
     """
     scale = setting.units.length, setting.units.speed
     largest = fixed_point.largest_neighbourhood(osc, point, scale)
     reach = largest.reach[0] * setting.margin, largest.reach[1] * setting.margin
     around = fixed_point.neighbourhood(osc, point, reach)
-    box = {
-        name: _inside(centre, half)
-        for name, centre, half in zip("xv", point.hint.centre, reach, strict=True)
-    }
+    box = {}
+    for name, centre, half, where in zip("xv", point.hint.centre, reach, point.box, strict=True):
+        box[name] = _inside(centre, half)
+        lower, upper = interval.ends(where)
+        if not Fraction(box[name][0]) < lower <= upper < Fraction(box[name][1]):
+            raise NotProved("Lemma 2", "P* may leave the box", {name: where, "box": box[name]})
     return around, box
 
 
@@ -124,16 +127,8 @@ def hints(setting: Setting, point: FixedPoint, around: Neighbourhood) -> dict[st
     c = point.hint.matrix
     return {
         "bits": str(setting.bits + 40),
-        "centre": [_string(value) for value in point.hint.centre],
-        "radius": str(point.radius),
-        "preconditioner": [[str(value) for value in row] for row in c],
+        "centre": [interval.exact_decimal(value) for value in point.hint.centre],
+        "radius": interval.exact_decimal(point.radius),
+        "preconditioner": [[interval.exact_decimal(value) for value in row] for row in c],
         "hit_times": [certificate.window(window) for window in around.windows],
     }
-
-
-def _string(value: Fraction) -> str:
-    """Return a decimal fraction as a decimal."""
-    places = 0
-    while (value * 10**places).denominator != 1:
-        places += 1
-    return interval.decimal(value, places)

@@ -5,8 +5,9 @@
 be given at rational parameters, and let a non-sticking T-periodic orbit be guessed.  If the lemmas
 below succeed, then
 
- (i)   Φ has exactly one fixed point P* in an explicit box; all orbits from the box are non-sticking,
-       with the same sequence of transverse wall hits, so Φ is analytic and preserves area there;
+ (i)   Φ has exactly one fixed point P* in an explicit box; all orbits from the box are
+       non-sticking, with the same sequence of transverse wall hits, so Φ is analytic and preserves
+       area there;
  (ii)  P* is hyperbolic, its two multipliers real, one outside and one inside the unit circle;
  (iii) hence P* has analytic stable and unstable curves (Hadamard-Perron), and is unstable.
 

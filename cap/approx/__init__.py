@@ -1,0 +1,1 @@
+"""Float mode: search.  Nothing rigorous trusts it; no rigorous module imports it."""

@@ -1,0 +1,287 @@
+"""The float search: known orbits, closed forms, symmetries, balances."""
+
+import math
+import subprocess
+import sys
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from cap.approx import flow, periodic
+from cap.approx.periodic import Guess
+from cap.errors import BadInput
+from cap.parameters import PAPER, Parameters
+
+FRICTIONS = [Fraction(3, 10), Fraction(2, 5), Fraction(9, 20), Fraction(1, 2), Fraction(3, 5)]
+SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7), Fraction(-59, 9))
+CASES = [
+    *((replace(PAPER, f=f), 2) for f in FRICTIONS),
+    (SHIFTED, 2),
+    (replace(PAPER, f=Fraction(1, 1000)), 6),
+    (Parameters(Fraction(1), Fraction(1), Fraction(0), Fraction(0), Fraction(4)), 4),
+]
+
+
+def symmetric(p, branch):
+    """Return hit time, speed at hits and trace of the orbit with x(t + T/2) = l + r - x(t)."""
+    F, omega, f, R = (float(q) for q in (p.F, p.omega, p.f, p.R))
+    s = math.pi * f / (2 * F)
+    c = branch * math.sqrt(1 - s * s)
+    k = 2 * math.pi**2 * F * c / (R * omega**2 + 2 * F * c)
+    u = omega / math.pi * (R + 2 * F * c / omega**2)
+    return math.atan2(s, c) / omega, u, (2 - k) ** 2 - 2
+
+
+def end(p, guess):
+    return flow.one_period(flow.oscillator(p), guess.x, guess.v)
+
+
+def test_the_four_orbits_of_the_paper():
+    strong, p_star, saddle, mirror = periodic.orbits(PAPER, 2)
+    assert [g.kind for g in (strong, p_star, saddle, mirror)] == [
+        "saddle",
+        "elliptic",
+        "saddle",
+        "elliptic",
+    ]
+    assert (p_star.x, p_star.v) == pytest.approx(
+        (0.1002798898441954, 0.5419433067664584), abs=1e-13
+    )
+    assert p_star.hit_times == pytest.approx((1.0991729107, 3.5160904414), abs=1e-10)
+    assert p_star.trace == pytest.approx(-0.46028683457, abs=1e-10)
+    assert (mirror.x, mirror.v) == pytest.approx((0.55916325, 1.06697003), abs=1e-8)
+    assert (saddle.x, saddle.v) == pytest.approx((0.34352606, 0.7753195), abs=1e-7)
+    assert saddle.trace == pytest.approx(3.37548, abs=1e-5)
+    assert strong.trace == pytest.approx(1336.0452, abs=1e-3)
+    assert strong.least_speed == pytest.approx(0.1413575, abs=1e-6)
+
+
+@pytest.mark.parametrize(("p", "hits"), CASES)
+def test_orbits_are_genuine_periodic_and_different(p, hits):
+    found = periodic.orbits(p, hits)
+    assert found
+    o = flow.oscillator(p)
+    for g in found:
+        orbit = end(p, g)  # raises Turns if it is not genuine
+        assert orbit.hit_times == pytest.approx(g.hit_times, abs=1e-10)
+        assert orbit.end == pytest.approx((g.x, g.v), abs=1e-10)
+        assert sum(orbit.monodromy[k][k] for k in range(2)) == pytest.approx(g.trace, rel=1e-8)
+        assert orbit.least_speed == pytest.approx(g.least_speed, abs=1e-11)
+        assert len(g.hit_times) == hits
+        assert 0 < g.hit_times[0] < g.hit_times[-1] < o.T
+    states = [(g.x, g.v) for g in found]
+    assert all(a < b and math.dist(a, b) > 1e-6 for a, b in pairwise(states))
+
+
+@pytest.mark.parametrize("p", [*(replace(PAPER, f=f) for f in FRICTIONS), SHIFTED])
+@pytest.mark.parametrize("branch", [1, -1])
+def test_symmetric_orbit_in_closed_form(p, branch):
+    t, u, trace = symmetric(p, branch)
+    half = math.pi / float(p.omega)
+    (found,) = [
+        g for g in periodic.orbits(p, 2) if g.hit_times == pytest.approx((t, t + half), abs=1e-11)
+    ]
+    assert [abs(v) for v in end(p, found).hit_velocities] == pytest.approx([u, u], abs=1e-10)
+    assert found.trace == pytest.approx(trace, rel=1e-9, abs=1e-9)
+
+
+def test_symmetric_orbits_meet_at_a_universal_friction():
+    below, above = Fraction(6366, 10_000), Fraction(6367, 10_000)  # 2/π = 0.63661...
+    assert len(periodic.orbits(replace(PAPER, f=below), 2)) == 2
+    assert periodic.orbits(replace(PAPER, f=above), 2) == []
+
+
+def test_the_pair_is_born_at_the_pitchfork():
+    ratio = 2 * 2 / (math.pi**2 - 4)
+    pitchfork = Fraction(2 / math.pi * math.sqrt(1 - ratio**2))
+    step = Fraction(1, 10_000)
+    assert len(periodic.orbits(replace(PAPER, f=pitchfork - step), 2)) == 4
+    assert len(periodic.orbits(replace(PAPER, f=pitchfork + step), 2)) == 2
+
+
+@pytest.mark.parametrize(("p", "hits"), CASES)
+def test_reflected_orbits_are_orbits(p, hits):
+    found = periodic.orbits(p, hits)
+    half = math.pi / float(p.omega)
+    T = 2 * half
+    for g in found:
+        shifted = tuple(sorted((t + half) % T for t in g.hit_times))
+        assert any(
+            h.hit_times == pytest.approx(shifted, abs=1e-10)
+            and h.trace == pytest.approx(g.trace, rel=1e-7)
+            for h in found
+        )
+
+
+def test_the_reflected_orbit_needs_no_seed(monkeypatch):
+    _, p_star, _, mirror = periodic.orbits(PAPER, 2)
+    seed = np.array([p_star.hit_times])
+    monkeypatch.setattr(periodic.lifted, "seeds", lambda _: seed)
+    found = [(g.x, g.v) for g in periodic.orbits(PAPER, 2)]
+    assert found[0] == pytest.approx((p_star.x, p_star.v), abs=1e-12)
+    assert found[1] == pytest.approx((mirror.x, mirror.v), abs=1e-12)
+
+
+def test_half_period_map_of_the_paper_maps_orbits_to_orbits():
+    """(x, v) -> (-x(T/2), -v(T/2)); the flow from T/2 on is the flow from 0 for -F."""
+    found = [(g.x, g.v) for g in periodic.orbits(PAPER, 2)]
+    for g in periodic.orbits(PAPER, 2):
+        o = flow.oscillator(PAPER)
+        flight = o.start(1, g.x, g.v)
+        for t in g.hit_times:
+            if t < math.pi:
+                flight = o.reflect(flight, t, *o.phase(t))
+        x = o.position(flight, math.pi, -1.0)
+        v = o.velocity(flight, math.pi, 0.0)
+        assert any((-x, -v) == pytest.approx(state, abs=1e-10) for state in found)
+
+
+def test_only_two_ratios_matter():
+    """PAPER in units of time 1/3 and length 2/9, shifted: α and ρ are the same."""
+    rescaled = periodic.orbits(SHIFTED, 2)
+    for g, h in zip(periodic.orbits(PAPER, 2), rescaled, strict=True):
+        assert h.x == pytest.approx(-7 + (g.x + 1) * 2 / 9, abs=1e-12)
+        assert h.v == pytest.approx(g.v * 2 / 3, abs=1e-12)
+        assert h.hit_times == pytest.approx([t / 3 for t in g.hit_times], abs=1e-12)
+        assert h.trace == pytest.approx(g.trace, rel=1e-9)
+        assert h.least_speed == pytest.approx(g.least_speed * 2 / 3, abs=1e-12)
+
+
+@pytest.mark.parametrize(("p", "hits"), CASES)
+def test_forcing_balances_friction(p, hits):
+    """Per period the work ∫ F cos ωt v dt is f N R, and Σ ± sin ωt_k = π f / F over the hits."""
+    o = flow.oscillator(p)
+    for g in periodic.orbits(p, hits):
+        s = 1 if g.v > 0 else -1
+        signs = [s * (-1) ** k for k in range(hits)]  # of the velocity before each hit
+        pull = sum(a * math.sin(o.omega * t) for a, t in zip(signs, g.hit_times, strict=True))
+        assert pull == pytest.approx(math.pi * o.f / o.F, abs=1e-10)
+        assert work(o, g) == pytest.approx(o.f * hits * (o.r - o.l), rel=1e-6, abs=1e-6)
+
+
+def work(o, guess, steps=2000):
+    """Return ∫ F cos ωt v dt over a period, by Simpson's rule on each flight."""
+    total, flight = 0.0, o.start(1 if guess.v > 0 else -1, guess.x, guess.v)
+    for a, b in pairwise([0.0, *guess.hit_times, o.T]):
+        h = (b - a) / steps
+        for k in range(steps + 1):
+            sin, cos = o.phase(a + k * h)
+            weight = 1 if k in (0, steps) else 4 if k % 2 else 2
+            total += weight * h / 3 * o.F * cos * o.velocity(flight, a + k * h, sin)
+        flight = o.reflect(flight, b, *o.phase(b))
+    return total
+
+
+def test_search_yields_fewest_hits_first_then_smallest_x():
+    p = replace(PAPER, f=Fraction(1, 1000))
+    found = list(periodic.search(p))
+    assert [len(g.hit_times) for g in found] == [2, 2, 6, 6]
+    assert found == [*periodic.orbits(p, 2), *periodic.orbits(p, 4), *periodic.orbits(p, 6)]
+    assert list(periodic.search(p, most_hits=2)) == periodic.orbits(p, 2)
+
+
+@pytest.mark.parametrize("rho", [10**3, 10**9, 10**30])
+def test_far_walls_do_not_hide_the_orbits(rho):
+    p = replace(PAPER, l=Fraction(0), r=Fraction(rho))
+    for branch, g in zip((-1, 1), periodic.orbits(p, 2), strict=True):
+        t, _, trace = symmetric(p, branch)
+        assert g.hit_times == pytest.approx((t, t + math.pi), abs=1e-9)
+        assert g.trace == pytest.approx(trace, abs=1e-6)
+
+
+def test_orbits_that_have_no_itinerary_or_are_not_isolated_are_left_out():
+    no_friction = replace(PAPER, f=Fraction(0))
+    assert periodic.orbits(no_friction, 2) == []  # both symmetric orbits hit a wall at t = 0
+    assert periodic.orbits(replace(no_friction, r=Fraction(10_000)), 4) == []
+
+
+@pytest.mark.parametrize("hits", [-2, 0, 1, 3])
+def test_hits_must_be_even(hits):
+    with pytest.raises(BadInput):
+        periodic.orbits(PAPER, hits)
+
+
+@pytest.mark.parametrize(("p", "hits"), CASES)
+def test_near_finds_each_orbit_again(p, hits):
+    for g in periodic.orbits(p, hits):
+        h = periodic.near(p, g.x + 1e-5, g.v - 1e-5)
+        assert (h.x, h.v) == pytest.approx((g.x, g.v), abs=1e-11)
+        assert h.trace == pytest.approx(g.trace, rel=1e-8)
+
+
+@pytest.mark.parametrize("f", FRICTIONS)
+def test_near_starts_from_turning_orbits_and_odd_itineraries(f):
+    """Beside a saddle of trace 5740 or 1336, orbits turn, or miss a hit."""
+    p, d = replace(PAPER, f=f), 3e-4
+    for g in periodic.orbits(p, 2):
+        for dx, dv in [(d, -d), (-d, d), (d, d), (-d, -d)]:
+            h = periodic.near(p, g.x + dx, g.v + dv)
+            assert (h.x, h.v) == pytest.approx((g.x, g.v), abs=1e-11)
+
+
+def test_near_drops_a_last_hit_that_is_one_too_many():
+    times = flow.one_period(flow.oscillator(PAPER), -0.95, 0.6, formal=True).hit_times
+    assert len(times) == 3
+    assert len(periodic.near(PAPER, -0.95, 0.6).hit_times) == 2
+
+
+def test_near_starts_from_either_direction():
+    """At f = 0 and R = 4, one of the two orbits with four hits moves left at t = 0."""
+    p, hits = CASES[-1]
+    assert {g.v > 0 for g in periodic.orbits(p, hits)} == {True, False}
+    for g in periodic.orbits(p, hits):
+        assert periodic.near(p, g.x, g.v).v == pytest.approx(g.v, abs=1e-12)
+
+
+def test_near_says_why_it_ends_without_an_orbit():
+    slow = replace(PAPER, f=Fraction(3, 10))
+    with pytest.raises(BadInput, match="not genuine: it turns before t = "):
+        periodic.near(slow, 0.0311905, 0.5087892)  # the pair at f = 0.3 is formal
+    with pytest.raises(BadInput, match="does not converge"):
+        periodic.near(replace(PAPER, f=Fraction(7, 10)), 0.1, 0.5)
+    with pytest.raises(BadInput, match="before it hits a wall"):
+        periodic.near(replace(PAPER, r=Fraction(100)), 0.0, 1.0)
+    with pytest.raises(BadInput, match="hits a wall at t = 0"):
+        periodic.near(replace(PAPER, f=Fraction(0)), 1 - 1e-7, 4 / math.pi)
+
+
+@pytest.mark.parametrize(
+    ("x", "v", "words"),
+    [
+        (1.0, 0.5, "between the walls"),
+        (-3.0, 0.5, "between the walls"),
+        (0.0, 0.0, "must not be 0"),
+        (math.nan, 0.5, "finite"),
+        (0.0, math.inf, "finite"),
+        (0.0, 1e9, "too fast"),
+    ],
+)
+def test_bad_guesses(x, v, words):
+    with pytest.raises(BadInput, match=words) as error:
+        periodic.near(PAPER, x, v)
+    assert "\n" not in str(error.value)
+
+
+def test_grazing_start_is_bad_input():
+    p = replace(PAPER, f=1 - Fraction(1, 10**21), l=Fraction(0))
+    with pytest.raises(BadInput, match="turns at t"):
+        periodic.near(p, 1 - 2.0**-53, 1e-308)
+
+
+def test_narrow_gap_has_no_orbits():
+    p = replace(PAPER, f=Fraction(1, 10**30), l=Fraction(0), r=Fraction(1, 10**30))
+    assert periodic.orbits(p, 2) == []
+
+
+def test_kinds():
+    assert Guess(0.0, 1.0, (), 1.9, 1.0).kind == "elliptic"
+    assert Guess(0.0, 1.0, (), -2.1, 1.0).kind == "saddle"
+
+
+def test_import_is_light():
+    code = "import sys, cap.approx.periodic; print('flint' in sys.modules, 'scipy' in sys.modules)"
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert out.stdout.split() == ["False", "False"]
