@@ -105,9 +105,14 @@ def dumps(certificate: Mapping[str, Any]) -> str:
     return json.dumps(certificate, indent=1) + "\n"
 
 
-def write(certificate: Mapping[str, Any], path: Path) -> None:
-    """Write a certificate to ``path``: after any failure the old file, or none, is there."""
+def write(certificate: Mapping[str, Any], path: Path) -> str:
+    """Write a certificate to ``path``: after any failure the old file, or none, is there.
+
+    A file that differs in its provenance only is left alone.  Returns what happened, in a word.
+    """
     try:
+        if _same(certificate, path):
+            return "unchanged"
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=".certificate-")
         try:
@@ -120,3 +125,15 @@ def write(certificate: Mapping[str, Any], path: Path) -> None:
             raise
     except OSError as error:
         raise BadInput(f"cannot write {path}: {error.strerror}") from None
+    return "written"
+
+
+def _same(certificate: Mapping[str, Any], path: Path) -> bool:
+    """Return whether ``path`` holds the same certificate, provenance apart."""
+    if not path.is_file():
+        return False
+    try:
+        old = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError:
+        return False
+    return isinstance(old, dict) and {**old, "provenance": certificate["provenance"]} == certificate

@@ -1,0 +1,102 @@
+"""Speed of the proof's core, against straightforward mpmath.iv in the same run.
+
+    python -m pytest benchmarks/bench_elliptic.py --benchmark-columns=min,median
+
+From hints and a box of half-width 1e-9: *existence* is the itinerary, Krawczyk, trace and rotation
+number over the box; *second pass* adds the orbits from K; *jet* is the jet of order 3.
+"""
+
+from fractions import Fraction
+from pathlib import Path
+
+import peer
+import pytest
+from mpmath import iv
+
+from cap import fixed_point, interval, matrix
+from cap.checker.theorem import check
+from cap.fixed_point import Start
+from cap.flow import BALLS, TAYLOR_MODELS, oscillator, over, strobe, strobe_jet
+from cap.parameters import PAPER
+from cap.taylor_model import Domain, TaylorModel
+
+START = Start(0.1002798898441954, 0.5419433067664584, (1.0991729107, 3.5160904414))
+RADIUS = Fraction(1, 10**9)
+BITS = pytest.mark.parametrize("bits", [53, 200])
+
+
+class Hints:
+    """The hints of one proof at the current precision."""
+
+    def __init__(self):
+        self.osc = oscillator(PAPER)
+        with interval.workprec(240):
+            self.hint = fixed_point.prove(oscillator(PAPER), START, 55).hint
+        times = [interval.ball(Fraction(t)) for t in START.hit_times]
+        self.box = self.hint.box(RADIUS)
+        self.windows = fixed_point.find_windows(self.osc, self.box, times, BALLS)
+
+    def existence(self):
+        """Prove existence over the box; return it with the trace and rotation number."""
+        _, orbit, _ = found = fixed_point.existence(self.osc, self.hint, RADIUS, self.windows)
+        return found, rotation(orbit)
+
+    def second_pass(self):
+        """The same, then the trace and rotation number over K."""
+        (box, orbit, _), _ = self.existence()
+        orbit = strobe(self.osc, box, tuple(hit.time for hit in orbit.hits), BALLS)
+        return rotation(orbit)
+
+
+def rotation(orbit):
+    """Return the trace and the rotation number."""
+    trace = matrix.trace(orbit.monodromy)
+    return trace, (trace / 2).acos() / (2 * interval.pi())
+
+
+@BITS
+def test_existence(benchmark, bits):
+    with interval.workprec(bits):
+        benchmark(Hints().existence)
+
+
+@BITS
+def test_second_pass(benchmark, bits):
+    with interval.workprec(bits):
+        trace, _ = benchmark(Hints().second_pass)
+    assert 2 * trace.rad() < (1e-10 if bits == 53 else 1e-12)
+
+
+@BITS
+def test_jet(benchmark, bits):
+    with interval.workprec(bits):
+        h = Hints()
+        orbit = strobe(h.osc, h.box, h.windows, BALLS)
+        benchmark(strobe_jet, h.osc, h.box, orbit, 3)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_taylor_model_over_the_box(benchmark, order):
+    """The tight form for thick boxes: the trace over the box is 5.6e-8 wide, like the truth."""
+    with interval.workprec(53):
+        h = Hints()
+        models = over(h.osc, TaylorModel)
+        reach = interval.ball(RADIUS), interval.ball(RADIUS)
+
+        def tight():
+            state = Domain(reach, order).variables(h.hint.point)
+            return strobe(models, state, h.windows, TAYLOR_MODELS)
+
+        trace = matrix.trace(benchmark(tight).monodromy).bound()
+    assert 2 * trace.rad() < 1.5e-7
+
+
+@BITS
+def test_peer_mpmath_existence(benchmark, bits):
+    iv.prec = bits
+    benchmark(peer.existence)
+
+
+def test_checker(benchmark):
+    data = Path("certificates/elliptic.json").read_bytes()
+    benchmark.pedantic(check, (data, lambda _step: None), rounds=5)

@@ -1,0 +1,190 @@
+"""The command line of the prover: what it prints, where it writes, how it fails."""
+
+import json
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from cap import prove
+from cap.approx.periodic import Guess
+from cap.certificate import dumps
+from cap.checker.rejection import Rejected
+from cap.checker.theorem import check
+
+ROOT = Path(__file__).parent.parent
+
+
+def run(capsys, *words):
+    """Return (status, standard output, standard error) of one command."""
+    try:
+        status = prove.main(words)
+    except SystemExit as stop:
+        status = stop.code
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
+
+
+def test_elliptic_proves_writes_and_says_so(capsys, tmp_path):
+    """The paper's theorem: exit 0, its numbers on the page, a certificate that verifies."""
+    status, out, _ = run(capsys, "elliptic", "--out", str(tmp_path))
+    path = tmp_path / "elliptic.json"
+    assert status == 0
+    for text in (
+        "Theorem (elliptic)",
+        "0.1002798898441967281",
+        "0.113477977036708",
+        "Moser",
+        str(path),
+    ):
+        assert text in out
+    check(path.read_bytes(), lambda _step: None)
+
+
+def test_every_stored_certificate_is_reproduced(capsys, tmp_path):
+    """`--all` gives the stored certificates again, byte for byte but for their provenance."""
+    for theorem in prove.THEOREMS:
+        assert run(capsys, theorem, "--all", "--out", str(tmp_path))[0] == 0
+    made = sorted(path.name for path in tmp_path.iterdir())
+    assert made == sorted(path.name for path in (ROOT / "certificates").glob("*.json"))
+    for name in made:
+        new, stored = (
+            json.loads((d / name).read_text()) for d in (tmp_path, ROOT / "certificates")
+        )
+        assert dumps({**new, "provenance": {}}) == dumps({**stored, "provenance": {}})
+
+
+def test_a_second_run_leaves_the_file_alone(capsys, tmp_path):
+    """Only the provenance would differ, so nothing is written."""
+    run(capsys, "saddle", "--out", str(tmp_path))
+    before = (tmp_path / "saddle.json").read_bytes()
+    _, out, _ = run(capsys, "saddle", "--out", str(tmp_path))
+    assert "unchanged" in out
+    assert (tmp_path / "saddle.json").read_bytes() == before
+
+
+def test_certificates_satisfy_the_schema():
+    """The JSON Schema describes every stored certificate, and refuses unknown fields and floats."""
+    schema = json.loads((ROOT / "certificates/schema/certificate.schema.json").read_text())
+    for path in (ROOT / "certificates").glob("*.json"):
+        good = json.loads(path.read_text())
+        jsonschema.validate(good, schema)
+        for bad in ({**good, "extra": "1"}, {**good, "digits": 30}, {**good, "claims": {}}):
+            with pytest.raises(jsonschema.ValidationError):
+                jsonschema.validate(bad, schema)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--f", "9/20"),
+        ("--f", "1/2"),
+        ("--f", "0.6"),
+        ("--F", "2", "--omega", "3", "--f", "0.8", "--l", "-2/9", "--r", "2/9"),
+        ("--l", "-7/3", "--r", "-1/3"),
+        ("--digits", "12"),
+        ("--digits", "80"),
+        ("--order", "7"),
+        ("--orbit", "0.56", "1.07"),
+        ("--F", "1000000", "--f", "400000", "--l", "-1e6", "--r", "1e6"),
+        ("--F", "1/1000000", "--f", "4e-7", "--l", "-1e-6", "--r", "1e-6"),
+    ],
+    ids=" ".join,
+)
+def test_other_parameters(capsys, tmp_path, words):
+    """The theorem at other parameters, digits, orders and orbits."""
+    status, out, err = run(capsys, "elliptic", *words, "--out", str(tmp_path))
+    assert (status, err) == (0, "")
+    assert "accepts" in out
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (("elliptic", "--f", "-1/10"), "friction must not be negative"),
+        (("elliptic", "--f", "1"), "below the forcing"),
+        (("elliptic", "--f", "nan"), "not a number"),
+        (("elliptic", "--f", "1/0"), "denominator is zero"),
+        (("elliptic", "--F", "1e400"), "out of range"),
+        (("elliptic", "--F", "1" + 400 * "0"), "not a number"),
+        (("elliptic", "--F", "0"), "forcing must be positive"),
+        (("elliptic", "--omega", "0"), "frequency must be positive"),
+        (("elliptic", "--omega", "-1"), "frequency must be positive"),
+        (("elliptic", "--l", "1"), "left wall"),
+        (("elliptic", "--l", "2"), "left wall"),
+        (("elliptic", "--orbit", "2", "1"), "wall"),
+        (("elliptic", "--orbit", "0", "0"), "v"),
+        (("elliptic", "--orbit", "inf", "1"), "not a number"),
+        (("elliptic", "--orbit", "0.3435", "0.7753"), "no elliptic orbit"),
+        (("saddle", "--orbit", "0.1", "0.54"), "no saddle orbit"),
+        (("elliptic", "--f", "7/10"), "no elliptic non-sticking"),
+        (("elliptic", "--digits", "3"), "--digits"),
+        (("elliptic", "--digits", "-5"), "--digits"),
+        (("elliptic", "--digits", "10000000"), "--digits"),
+        (("elliptic", "--order", "4"), "invalid choice"),
+        (("theorem",), "say what to prove"),
+        ((), "say what to prove"),
+        (("elliptic", "--unknown"), "unrecognized"),
+    ],
+    ids=lambda value: " ".join(value)[:40] if isinstance(value, tuple) else "",
+)
+def test_bad_input(capsys, tmp_path, monkeypatch, words, complaint):
+    """Nonsense ends in exit 2, with a line that says what is wrong, and nothing written."""
+    monkeypatch.chdir(tmp_path)
+    status, _, err = run(capsys, *words)
+    assert status == 2
+    assert complaint in err
+    assert err.splitlines()[-1].count(":") >= 1
+    assert "Traceback" not in err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("out", ["/dev/null/x", "/proc/none", "/dev/full/x.json"])
+def test_unwritable_output(capsys, out):
+    """A place that cannot be written is bad input."""
+    status, _, err = run(capsys, "saddle", "--out", out)
+    assert status == 2
+    assert "cannot write" in err
+
+
+def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch):
+    """A guess with wrong hit times: the step that fails and its sets are printed."""
+    wrong = Guess(0.1003, 0.5419, (0.5, 3.5), -0.46, 0.09)
+    monkeypatch.setattr(prove, "search", lambda *_: iter([wrong]))
+    status, _, err = run(capsys, "elliptic", "--out", str(tmp_path))
+    assert status == 1
+    assert "NOT PROVED" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_rejected_certificate_is_not_written(capsys, tmp_path, monkeypatch):
+    """If the checker does not accept what the prover made, nothing is claimed."""
+    def reject(_data, _step):
+        raise Rejected("for the test")
+
+    monkeypatch.setattr(prove, "check", reject)
+    status, out, err = run(capsys, "saddle", "--out", str(tmp_path))
+    assert status == 1
+    assert "for the test" in err
+    assert "Theorem" not in out
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_interrupt_leaves_nothing(capsys, tmp_path, monkeypatch):
+    """Ctrl-C while proving: exit 130, no file."""
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(prove, "_certified", interrupted)
+    status, _, err = run(capsys, "saddle", "--out", str(tmp_path))
+    assert status == 130
+    assert "interrupted" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_list_names_every_theorem(capsys):
+    """`--list` says what can be proved."""
+    status, out, _ = run(capsys, "--list")
+    assert status == 0
+    assert [line.split()[0] for line in out.splitlines()] == list(prove.THEOREMS)
