@@ -26,7 +26,7 @@ from proofs import elliptic, saddle
 from proofs.non_sticking import Setting
 
 MOST_HITS = 6
-MARGINS = [Fraction(n, 10) for n in (6, 5, 4, 3, 2, 1)]  # of the largest box; see _certified
+MARGINS = [Fraction(n, 10) for n in range(9, 0, -2)]  # of the largest box; see _certified
 GUARDS = (15, 30, 60)
 
 
@@ -243,18 +243,15 @@ def _path(options: argparse.Namespace, parameters: Parameters, number: int) -> P
     PARAMETERS, given when ``--out`` is not, are those that differ from the paper's.
     """
     suffix = "" if number == 1 else f"-{number}"
-    if options.out is None:
+    out: Path | None = options.out
+    if out is None:
         paper = PAPER.strings()
         changed = [f"{k}={v}" for k, v in parameters.strings().items() if v != paper[k]]
         name = "-".join([options.theorem, *changed]).replace("/", "_")
         return Path("certificates") / f"{name}{suffix}.json"
-    if options.out.suffix == ".json":
-        return (
-            options.out.with_name(options.out.stem + suffix + ".json")
-            if options.all
-            else options.out
-        )
-    return options.out / f"{options.theorem}{suffix}.json"
+    if out.suffix != ".json":
+        return out / f"{options.theorem}{suffix}.json"
+    return out.with_name(f"{out.stem}{suffix}.json") if options.all else out
 
 
 if __name__ == "__main__":

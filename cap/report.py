@@ -70,12 +70,14 @@ def _walls(claims: dict[str, Any]) -> str:
 
 def _forcing(claims: dict[str, Any]) -> str:
     """Say whether the last clause of the paper's (H1), which nothing here needs, holds."""
-    below = [k for k, pair in enumerate(claims["hit_forcing"], 1) if pair[1].startswith("-")]
-    certain = all(pair[0].startswith("-") == pair[1].startswith("-") for pair in claims["hit_forcing"])
+    pairs = claims["hit_forcing"]
+    below = [str(k) for k, (_, upper) in enumerate(pairs, 1) if upper.startswith("-")]
     if below:
-        holds = f"fails at hit {', '.join(map(str, below))}; nothing here needs it"
+        holds = f"fails at hit {', '.join(below)}; nothing here needs it"
+    elif any(lower.startswith("-") for lower, _ in pairs):
+        holds = "is undecided; nothing here needs it"
     else:
-        holds = "holds at every hit" if certain else "is undecided; nothing here needs it"
+        holds = "holds at every hit"
     return f"The clause |F cos wt| > f at hits, of (H1) in the paper, {holds}."
 
 

@@ -42,7 +42,7 @@ class Setting:
     start: Start
     digits: int
     guard: int = 15
-    margin: Fraction = Fraction(6, 10)
+    margin: Fraction = Fraction(9, 10)
 
     @property
     def units(self) -> Units:

@@ -1,0 +1,67 @@
+"""The theorems on paper that are used, their hypotheses, and the claims that discharge these."""
+
+from __future__ import annotations
+
+
+def _cite(theorem: str, reference: str, *hypotheses: tuple[str, str, str]) -> dict[str, object]:
+    """Return a citation; a hypothesis is (name, statement, claims separated by commas)."""
+    stated = [{"name": n, "statement": s, "by": by.split(", ")} for n, s, by in hypotheses]
+    return {"theorem": theorem, "reference": reference, "hypotheses": stated}
+
+
+_KRAWCZYK = _cite(
+    "Krawczyk",
+    "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+    (
+        "smooth",
+        "Phi is continuously differentiable on the box: "
+        "all hits are transverse and no velocity vanishes",
+        "box",
+    ),
+    ("inclusion", "K(box) lies in the interior of the box", "box"),
+)
+_MOSER = _cite(
+    "Moser twist theorem",
+    "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
+    "Theorem kam of the paper",
+    (
+        "H1",
+        "the orbit has finitely many hits, all transverse, no turning and no sticking",
+        "hit_times, hit_speeds, least_speed",
+    ),
+    (
+        "H2",
+        "Phi is exact symplectic near the fixed point: "
+        "flights and hits preserve dx^dv, and a disk is simply connected",
+        "box",
+    ),
+    (
+        "H3",
+        "Phi is real analytic near the fixed point: "
+        "the hit times are, by the implicit function theorem",
+        "hit_speeds",
+    ),
+    ("H4", "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi", "trace"),
+    ("H5", "no resonance of order at most four", "rotation_number, resonance_distances"),
+    ("H6", "the first Birkhoff twist coefficient does not vanish", "twist"),
+)
+_HADAMARD_PERRON = _cite(
+    "Hadamard-Perron",
+    "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
+    "Theorem 6.2.8",
+    (
+        "smooth",
+        "Phi is real analytic near the fixed point: "
+        "all hits are transverse and no velocity vanishes",
+        "hit_speeds, least_speed",
+    ),
+    (
+        "hyperbolic",
+        "one eigenvalue of the Jacobian lies outside the unit circle and one inside",
+        "multipliers",
+    ),
+)
+CITES: dict[str, list[dict[str, object]]] = {
+    "elliptic": [_KRAWCZYK, _MOSER],
+    "saddle": [_KRAWCZYK, _HADAMARD_PERRON],
+}

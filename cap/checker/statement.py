@@ -1,0 +1,108 @@
+"""The theorem that was proved, in the checker's words, with the numbers claimed; and these numbers
+in LaTeX."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+from math import ceil, floor
+from typing import Any
+
+from cap.checker.certificate import Certificate, Enclosure
+from cap.checker.rejection import need
+
+_DIGITS = ("Zero", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
+
+
+def words(c: Certificate) -> str:
+    """Return the theorem in one line."""
+    numbers = _Pairs(c.claims | c.parameters._asdict())
+    numbers["box"] = " x ".join(_pair(c.claims["box"][z]) for z in ("x", "v"))
+    numbers["hits"] = len(c.claims["hit_times"])
+    return f"{_BOTH}; {_CONCLUSIONS[c.theorem]}".format_map(numbers)
+
+
+_BOTH = (
+    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, f = {f} and elastic walls at "
+    "{l} and {r}: the time-T map of (x, v), T = 2 pi/omega, has one and only one fixed point in "
+    "{box}, with x in {x}, v in {v}; its orbit hits the walls {hits} times per period, "
+    "transversely, and never turns or sticks, with a least speed in {least_speed}"
+)
+_CONCLUSIONS = {
+    "elliptic": "the fixed point is elliptic with trace in {trace} and rotation number in "
+    "{rotation_number}, has no resonance of order at most four, and its first twist coefficient, "
+    "per |z|^2, is in {twist}: hence (Moser) it is stable, and every neighbourhood of it contains "
+    "invariant closed curves around it",
+    "saddle": "the fixed point is a hyperbolic saddle with trace in {trace} and multipliers in "
+    "{multipliers}: hence (Hadamard-Perron) it has stable and unstable curves, and is unstable",
+}
+
+
+class _Pairs(dict[str, Any]):
+    """The claims, written as [lower, upper]."""
+
+    def __getitem__(self, name: str) -> str:
+        claim = super().__getitem__(name)
+        if isinstance(claim, list):
+            return " and ".join(_pair(c) for c in claim)
+        return _pair(claim) if isinstance(claim, Enclosure) else str(claim)
+
+
+def _pair(claim: Enclosure) -> str:
+    """Return an enclosure exactly as it is claimed."""
+    return f"[{claim.text[0]}, {claim.text[1]}]"
+
+
+def macros(c: Certificate, prefix: str, digits: int) -> Iterator[str]:
+    r"""Yield a LaTeX ``\newcommand`` for each number claimed, rounded outwards to the digits."""
+    stem = "cap" + _name(prefix)
+    for path, claim in _leaves(c.claims, ""):
+        if not isinstance(claim, str):
+            yield f"\\newcommand{{\\{stem}{path}}}{{{latex(claim, digits)}}}"
+
+
+def _leaves(value: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Yield the numbers in the claims with their names."""
+    if isinstance(value, dict):
+        for key, part in value.items():
+            yield from _leaves(part, path + _name(key))
+    elif isinstance(value, list):
+        for n, part in enumerate(value, start=1):
+            yield from _leaves(part, path + _name(str(n)))
+    else:
+        yield path, value
+
+
+def _name(key: str) -> str:
+    """Return a name of letters: words capitalised, digits spelled."""
+    parts = re.findall("[A-Za-z]+|[0-9]", key)
+    return "".join(_DIGITS[int(p)] if p in "0123456789" else p[0].upper() + p[1:] for p in parts)
+
+
+def latex(claim: Enclosure | Fraction, digits: int) -> str:
+    """Return an enclosure, or an upper bound, with so many significant digits, rounded outwards."""
+    lower, upper = claim[:2] if isinstance(claim, Enclosure) else (claim, claim)
+    exponent = _exponent(max(abs(lower), abs(upper)))
+    shown = exponent if exponent < -4 or exponent >= digits else 0
+    places = digits - 1 - exponent + shown
+    ends = [_decimal(lower / Fraction(10) ** shown, places, down=True)]
+    ends.append(_decimal(upper / Fraction(10) ** shown, places, down=False))
+    low, high = (Fraction(end) * Fraction(10) ** shown for end in ends)
+    need(low <= lower and upper <= high, "a printed number does not contain the number claimed")
+    body = f"[{ends[0]}, {ends[1]}]" if isinstance(claim, Enclosure) else ends[1]
+    return body + (f" \\cdot 10^{{{shown}}}" if shown else "")
+
+
+def _exponent(q: Fraction) -> int:
+    """Return floor(log10 q) or one more for q > 0, 0 for q = 0: it only sets the digits shown."""
+    return len(str(q.numerator)) - len(str(q.denominator)) if q else 0
+
+
+def _decimal(q: Fraction, places: int, *, down: bool) -> str:
+    """Return q rounded down or up to so many decimal places."""
+    scaled = q * 10**places
+    units = floor(scaled) if down else ceil(scaled)
+    digits = str(abs(units)).zfill(places + 1)
+    point = len(digits) - places
+    return ("-" if units < 0 else "") + digits[:point] + ("." + digits[point:] if places else "")

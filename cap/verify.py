@@ -1,0 +1,100 @@
+"""Verify certificates: ``python -m cap.verify [--explain] [--latex] FILE...``.
+
+For each file one line: ``VERIFIED: <the theorem>`` or ``REJECTED: FILE: <the reason>``.  Exit
+status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line.  A certificate
+that is rejected may state a true theorem; one that is verified is a proof, as far as
+``cap.checker``, Python and the machine are right.
+"""
+
+from __future__ import annotations
+
+import argparse
+import stat
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from cap.checker.certificate import MAX_BYTES
+from cap.checker.rejection import Rejected, need
+from cap.checker.statement import macros, words
+from cap.checker.theorem import check
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Verify the files named on the command line and return the exit status."""
+    options = _parser().parse_args(arguments)
+    try:
+        verdicts = [_verify(name, options) for name in options.files]
+    except KeyboardInterrupt:
+        return 130
+    return 0 if all(verdicts) else 1
+
+
+def _parser() -> argparse.ArgumentParser:
+    """Return the command line."""
+    parser = argparse.ArgumentParser(
+        prog="python -m cap.verify",
+        description="Verify certificates: each theorem is proved again, in other arithmetic and by "
+        "other code than those that made the certificate.",
+        epilog="Example: python -m cap.verify --explain certificates/elliptic.json",
+    )
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a certificate")
+    parser.add_argument("--explain", action="store_true", help="print every step of the proof")
+    parser.add_argument(
+        "--latex",
+        action="store_true",
+        help="print the numbers as LaTeX macros; the verdicts go to stderr",
+    )
+    parser.add_argument(
+        "--latex-digits",
+        type=int,
+        default=12,
+        choices=range(2, 1001),
+        metavar="N",
+        help="significant digits",
+    )
+    return parser
+
+
+def _verify(name: str, options: argparse.Namespace) -> bool:
+    """Verify one file, print the verdict, and return whether it is verified."""
+    steps, definitions = list[str](), list[str]()
+    try:
+        certificate = check(_bytes(Path(name)), steps.append)
+        if options.latex:
+            definitions += macros(certificate, Path(name).stem, options.latex_digits)
+        verdict, verified = f"VERIFIED: {words(certificate)}", True
+    except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)
+        verdict, verified = f"REJECTED: {_printable(name)}: {_why(reason)}", False
+    out = sys.stderr if options.latex else sys.stdout
+    for step in steps if options.explain else ():
+        print(f"  {step}", file=out)
+    print(verdict, file=out)
+    for line in definitions:
+        print(line)
+    return verified
+
+
+def _bytes(path: Path) -> bytes:
+    """Return the content of a regular file, at most one byte more than a certificate may have."""
+    need(stat.S_ISREG(path.stat().st_mode), "not a regular file")
+    with path.open("rb") as file:
+        return file.read(MAX_BYTES + 1)
+
+
+def _why(reason: Exception) -> str:
+    """Return a reason in one short line."""
+    if isinstance(reason, Rejected):
+        return _printable(str(reason))
+    if isinstance(reason, OSError):
+        return f"cannot be read ({reason.strerror})"
+    return f"{type(reason).__name__} while checking"
+
+
+def _printable(text: str) -> str:
+    """Return the text with everything but printable ASCII replaced, at most 300 characters."""
+    return "".join(c if " " <= c <= "~" else "?" for c in text)[:300]
+
+
+if __name__ == "__main__":
+    sys.exit(main())

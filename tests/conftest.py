@@ -1,0 +1,54 @@
+"""Shared set-up: the precision is checked around every test; the header names the versions."""
+
+import platform
+from importlib.metadata import version
+
+import mpmath
+import pytest
+from flint import ctx
+
+from cap import interval
+from cap.fixed_point import Start
+from cap.flow import oscillator
+from cap.parameters import PAPER
+
+PRECISION = 53
+
+
+def pytest_report_header():
+    libraries = ("python-flint", "mpmath", "numpy")
+    found = ", ".join(f"{name} {version(name)}" for name in libraries)
+    return f"arithmetic: {found}, python {platform.python_version()}"
+
+
+@pytest.fixture(autouse=True)
+def scoped_precision():
+    """Every test starts at 53 bits, and fails if it leaks another precision."""
+    ctx.prec = PRECISION
+    mpmath.mp.prec = PRECISION
+    yield
+    left = ctx.prec, mpmath.mp.prec
+    ctx.prec = PRECISION
+    mpmath.mp.prec = PRECISION
+    assert left == (PRECISION, PRECISION)
+
+
+@pytest.fixture
+def paper():
+    """The paper's oscillator, F = ω = 1, f = 2/5, walls ±1, over balls of 200 bits."""
+    with interval.workprec(200):
+        yield oscillator(PAPER)
+
+
+STARTS = {
+    "elliptic": Start(0.1002798898441954, 0.5419433067664584, (1.0991729107, 3.5160904414)),
+    "mirror": Start(0.55916325, 1.06697003, (0.3745, 4.2408)),
+    "saddle": Start(0.34352606, 0.7753195, (0.6794, 3.821)),
+    "second saddle": Start(-0.79144782, 0.49792004, (2.4622, 5.6038)),
+}
+
+
+@pytest.fixture
+def starts():
+    """Rough guesses of the paper's four orbits with one hit of each wall."""
+    return dict(STARTS)

@@ -1,0 +1,49 @@
+"""The checker stands alone: it loads nothing else of cap and no numeric package."""
+
+from __future__ import annotations
+
+import pkgutil
+import subprocess
+import sys
+
+import pytest
+
+import cap.checker
+
+MODULES = [f"cap.checker.{m.name}" for m in pkgutil.iter_modules(cap.checker.__path__)]
+FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
+
+
+def loaded(code):
+    out = subprocess.run(
+        [sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return set(out.stdout.split())
+
+
+def test_the_checker_loads_only_itself():
+    modules = loaded("import " + ", ".join(MODULES))
+    assert {m for m in modules if m.split(".")[0] == "cap"} == {"cap", "cap.checker", *MODULES}
+    assert not {m.split(".")[0] for m in modules} & FOREIGN
+
+
+def test_the_command_line_adds_only_itself():
+    modules = loaded("import cap.verify")
+    ours = {m for m in modules if m.split(".")[0] == "cap"}
+    assert ours <= {"cap", "cap.checker", "cap.verify", *MODULES}
+    assert not {m.split(".")[0] for m in modules} & FOREIGN
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_every_module_can_be_imported_alone(module):
+    assert module in loaded(f"import {module}")
+
+
+def test_the_checker_contains_no_assert():
+    for module in [*MODULES, "cap.verify"]:
+        path = __import__(module, fromlist=["x"]).__file__
+        with open(path, encoding="ascii") as file:  # noqa: PTH123
+            assert not [line for line in file if line.lstrip().startswith("assert")]
