@@ -9,14 +9,17 @@ import platform
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
+from errno import ENOTDIR
 from fractions import Fraction
 from importlib.metadata import version
-from math import floor, log10
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 from cap import __version__, interval
-from cap.errors import BadInput, NotProved
+from cap.checker.certificate import MAX_BYTES, Certificate, read
+from cap.checker.rejection import Rejected
+from cap.errors import TooFewDigits
 from cap.interval import Ball
 from cap.matrix import Matrix
 from cap.parameters import Parameters
@@ -42,11 +45,6 @@ class Units:
         return cls(p.R, p.R * p.omega, 1 / p.omega, p.F, p.R**2 * p.omega)
 
 
-def decade(value: Fraction) -> int:
-    """Return the largest integer d with 10^d <= value, give or take one; value > 0."""
-    return floor(log10(value.numerator) - log10(value.denominator))
-
-
 @dataclass(frozen=True)
 class Rounding:
     """Outward rounding to ``digits`` digits, relative to a quantity or its unit, the larger."""
@@ -56,14 +54,14 @@ class Rounding:
     def pair(self, x: Ball, unit: Fraction = Fraction(1)) -> Pair:
         """Return decimals [lower, upper] that enclose ``x``.
 
-        They are at most 10^-digits max(|lower|, |upper|, unit) apart, or `NotProved` is raised.
+        They are at most 10^-digits max(|lower|, |upper|, unit) apart, or `TooFewDigits` is raised.
         """
         size = max(*map(abs, interval.ends(x)), unit)
-        lower, upper = interval.outward(x, max(0, self.digits + 2 - decade(size)))
+        lower, upper = interval.outward(x, self.digits + 2 - interval.decade(size))
         a, b = Fraction(lower), Fraction(upper)
         if b - a > max(abs(a), abs(b), unit) / 10**self.digits:
             sets = {"enclosure": f"[{lower}, {upper}]"}
-            raise NotProved("rounding", f"fewer than {self.digits} digits are certain", sets)
+            raise TooFewDigits("rounding", f"fewer than {self.digits} digits are certain", sets)
         return [lower, upper]
 
     def matrix(self, m: Matrix[Ball], units: Units) -> list[list[Pair]]:
@@ -78,15 +76,15 @@ class Rounding:
 def window(x: Ball) -> Pair:
     """Return a short decimal interval that contains ``x`` and is little wider."""
     lower, upper = interval.ends(x)
-    width = max(upper - lower, Fraction(1, 10**60))
-    return list(interval.outward(x, max(0, 3 - decade(width))))
+    width = max(upper - lower, Fraction(1, 10**400))
+    return list(interval.outward(x, 3 - interval.decade(width)))
 
 
 def bound(x: Ball) -> str:
     """Return a decimal not below ``x``, of about three digits; x >= 0."""
     _, upper = interval.ends(x)
-    size = max(upper, Fraction(1, 10**60))
-    return interval.outward(x, max(0, 2 - decade(size)))[1]
+    size = max(upper, Fraction(1, 10**400))
+    return interval.outward(x, 2 - interval.decade(size))[1]
 
 
 def provenance(bits: int, seconds: float) -> dict[str, str]:
@@ -105,35 +103,70 @@ def dumps(certificate: Mapping[str, Any]) -> str:
     return json.dumps(certificate, indent=1) + "\n"
 
 
+def place(certificate: Mapping[str, Any], directory: Path, special: str) -> Path:
+    """Return a path in ``directory`` for a certificate: free, or held by one on the same orbit.
+
+    That is THEOREM.json, THEOREM-2.json, ...; or, where one for other parameters is in the way,
+    THEOREM-SPECIAL.json, ..., ``special`` telling the parameters.  So nothing else is overwritten.
+    """
+    theorem, new = certificate["theorem"], read(dumps(certificate).encode())
+    for number in count(1):
+        path = directory / f"{theorem}{_suffix(number)}.json"
+        old = _stored(path)
+        if not path.exists() or (old and _same_orbit(old, new)):
+            return path
+        if not (old and old.parameters == new.parameters):
+            break
+    paths = (directory / f"{theorem}-{special}{_suffix(number)}.json" for number in count(1))
+    return next(
+        path
+        for path in paths
+        if not path.exists() or ((old := _stored(path)) and _same_orbit(old, new))
+    )
+
+
+def _suffix(number: int) -> str:
+    return "" if number == 1 else f"-{number}"
+
+
+def _same_orbit(old: Certificate, new: Certificate) -> bool:
+    """Return whether two certificates are of one theorem, with parameters and orbit the same."""
+    if (old.theorem, old.parameters) != (new.theorem, new.parameters):
+        return False
+    pairs = [(old.claims[key], new.claims[key]) for key in ("x", "v")]
+    return all(a.lower <= b.upper and b.lower <= a.upper for a, b in pairs)
+
+
+def _stored(path: Path) -> Certificate | None:
+    """Return the certificate at ``path``, or None if there is none of this format."""
+    if not path.is_file() or path.stat().st_size > MAX_BYTES:
+        return None
+    try:
+        return read(path.read_bytes())
+    except Rejected:
+        return None
+
+
 def write(certificate: Mapping[str, Any], path: Path) -> str:
     """Write a certificate to ``path``: after any failure the old file, or none, is there.
 
     A file that differs in its provenance only is left alone.  Returns what happened, in a word.
+    Raises `OSError` if the file cannot be written.
     """
+    old = _stored(path)
+    same = {"provenance": certificate["provenance"]}
+    if old and {**json.loads(path.read_bytes()), **same} == certificate:
+        return "unchanged"
+    if path.parent.exists() and not path.parent.is_dir():
+        raise NotADirectoryError(ENOTDIR, "not a directory")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".certificate-")
     try:
-        if _same(certificate, path):
-            return "unchanged"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=".certificate-")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8") as file:
-                file.write(dumps(certificate))
-            Path(name).chmod(0o644)
-            Path(name).replace(path)
-        except BaseException:
-            Path(name).unlink(missing_ok=True)
-            raise
-    except OSError as error:
-        raise BadInput(f"cannot write {path}: {error.strerror}") from None
-    return "written"
-
-
-def _same(certificate: Mapping[str, Any], path: Path) -> bool:
-    """Return whether ``path`` holds the same certificate, provenance apart."""
-    if not path.is_file():
-        return False
-    try:
-        old = json.loads(path.read_text(encoding="utf-8"))
-    except ValueError:
-        return False
-    return isinstance(old, dict) and {**old, "provenance": certificate["provenance"]} == certificate
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(dumps(certificate))
+        Path(name).chmod(0o644)
+        Path(name).replace(path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return "replaced" if old else "written"

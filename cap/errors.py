@@ -18,9 +18,9 @@ class NotProved(Exception):
         self.step = step
         self.reason = reason
         self.sets = dict(sets or {})
-        super().__init__(self.__str__())
+        shown = ", ".join(f"{name} = {value}" for name, value in self.sets.items())
+        super().__init__(f"{step}: {reason}" + (f"  [{shown}]" if shown else ""))
 
-    def __str__(self) -> str:
-        """One line: the step, what failed, and the sets."""
-        sets = ", ".join(f"{name} = {value}" for name, value in self.sets.items())
-        return f"{self.step}: {self.reason}" + (f"  [{sets}]" if sets else "")
+
+class TooFewDigits(NotProved):
+    """What was proved is not sharp enough for the digits claimed; more precision may help."""

@@ -14,7 +14,7 @@ from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from cap import interval
 from cap.errors import NotProved
-from cap.interval import Ball
+from cap.interval import Ball, Box
 from cap.jet import Jet, Space
 from cap.matrix import Matrix
 from cap.model import Flight, Functions, Oscillator
@@ -22,7 +22,6 @@ from cap.parameters import Parameters
 from cap.scalar import Scalar
 from cap.taylor_model import TaylorModel
 
-Box = tuple[Ball, Ball]
 E = TypeVar("E", bound=Scalar)
 
 
@@ -169,8 +168,9 @@ def _fly(
 ) -> Ball:
     """Prove that s v > 0 on the flight between ``times``; v is ``velocity`` at the second.
 
-    The caller has proved s v > 0 at the first.  Between its single minimum and the two ends the
-    speed is monotone.  Returns an enclosure of its minimum after the first time.
+    The caller has proved s v > 0 at the first.  The speed has one local minimum in [0, T], so its
+    least value on a flight is attained there or at an end.  Returns an enclosure of the lesser of
+    the speed at the second time and, if it lies between, at the local minimum.
     """
     start, end = times
     if not start < end:
@@ -228,7 +228,7 @@ def _middle(_osc: Oscillator[Ball], _flight: Flight[Ball], window: Ball) -> Ball
 
 
 def _curve(osc: Oscillator[TaylorModel], flight: Flight[TaylorModel], window: Ball) -> TaylorModel:
-    """Return the Taylor polynomial, about, of the hit time: Newton's iteration from the window."""
+    """Return nearly the Taylor polynomial of the hit time, by Newton's iteration.  It steers."""
     domain, jets = flight.A.domain, over(cast(Oscillator[Ball], osc), Jet)
     near = Flight(flight.s, osc.drag(flight.s), flight.A.polynomial, flight.B.polynomial)
     t = Jet.constant(interval.point(window), domain.space)

@@ -9,9 +9,12 @@ so do those of the result.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from itertools import combinations_with_replacement
+from math import factorial
 from typing import Any
+
+from cap.scalar import Ring
 
 Exponent = tuple[int, ...]
 
@@ -38,11 +41,6 @@ class Space:
         """Return the space with the same variables and another order."""
         return Space(self.variables, order)
 
-    @cached_property
-    def unit(self) -> list[int]:
-        """The coefficients of the constant one."""
-        return [1] + [0] * (self.size - 1)
-
     def product(self, p: int = 0, q: int = 0) -> Callable[[Any, Any], list[Any]]:
         """Return the truncated product of coefficient lists whose degrees start at p and at q.
 
@@ -68,7 +66,7 @@ class Space:
         return multiply
 
 
-class Jet:
+class Jet(Ring):
     """A truncated Taylor series; ``coefficients[i]`` belongs to ``space.exponents[i]``."""
 
     __slots__ = ("coefficients", "space")
@@ -119,53 +117,24 @@ class Jet:
         return Jet(space, coefficients)
 
     def __add__(self, other: Any) -> Jet:
-        """Return the sum with a jet of the same space or with a scalar."""
         if isinstance(other, Jet):
             pairs = zip(self.coefficients, other.coefficients, strict=True)
             return Jet(self.space, [a + b for a, b in pairs])
         first, *rest = self.coefficients
         return Jet(self.space, [first + other, *rest])
 
-    def __radd__(self, other: Any) -> Jet:
-        """Return the sum with a scalar."""
-        return self.__add__(other)
-
     def __neg__(self) -> Jet:
-        """Return the negative."""
         return Jet(self.space, [-a for a in self.coefficients])
 
-    def __sub__(self, other: Any) -> Jet:
-        """Return the difference with a jet of the same space or with a scalar."""
-        if isinstance(other, Jet):
-            pairs = zip(self.coefficients, other.coefficients, strict=True)
-            return Jet(self.space, [a - b for a, b in pairs])
-        first, *rest = self.coefficients
-        return Jet(self.space, [first - other, *rest])
-
-    def __rsub__(self, other: Any) -> Jet:
-        """Return other - self."""
-        first, *rest = self.coefficients
-        return Jet(self.space, [other - first, *[-a for a in rest]])
-
     def __mul__(self, other: Any) -> Jet:
-        """Return the truncated product with a jet of the same space, or the multiple."""
         if isinstance(other, Jet):
             return Jet(self.space, self.space.product()(self.coefficients, other.coefficients))
         return Jet(self.space, [a * other for a in self.coefficients])
 
-    def __rmul__(self, other: Any) -> Jet:
-        """Return the multiple by a scalar."""
-        return self.__mul__(other)
-
     def __truediv__(self, other: Any) -> Jet:
-        """Return the quotient by a jet of the same space or by a scalar."""
         if isinstance(other, Jet):
             return self.__mul__(other.reciprocal())
         return Jet(self.space, [a / other for a in self.coefficients])
-
-    def __rtruediv__(self, other: Any) -> Jet:
-        """Return other / self."""
-        return self.reciprocal().__mul__(other)
 
     def powers(self) -> list[list[Any]]:
         """Return the coefficients of h, h², ..., hⁿ, where h is the jet without its value."""
@@ -187,19 +156,29 @@ class Jet:
 
     def reciprocal(self) -> Jet:
         """Return 1/self."""
-        inverse = 1 / self.coefficients[0]
-        taylor = [inverse]
-        for _ in range(self.space.order):
-            taylor.append(-taylor[-1] * inverse)
-        return self.series(taylor)
+        return self.series(reciprocal_series(self.coefficients[0], self.space.order))
 
     def sin_cos(self) -> tuple[Jet, Jet]:
         """Return the jets of sine and cosine."""
-        sin, cos = self.coefficients[0].sin_cos()
-        cycle = [sin, cos, -sin, -cos]
-        taylor, factorial = [], 1
-        for k in range(self.space.order + 2):
-            taylor.append(cycle[k % 4] / factorial)
-            factorial *= k + 1
-        shifted = [t * (k + 1) for k, t in enumerate(taylor[1:])]
-        return self.series(taylor[:-1]), self.series(shifted)
+        sin, cos = sin_cos_series(self.coefficients[0], self.space.order)
+        return self.series(sin), self.series(cos)
+
+
+def reciprocal_series(c: Any, order: int) -> list[Any]:
+    """Return g⁽ᵏ⁾(c)/k! for g(c) = 1/c and k = 0, ..., order."""
+    inverse = 1 / c
+    taylor = [inverse]
+    for _ in range(order):
+        taylor.append(-taylor[-1] * inverse)
+    return taylor
+
+
+def sin_cos_series(c: Any, order: int) -> tuple[list[Any], list[Any]]:
+    """Return g⁽ᵏ⁾(c)/k! for g = sin and g = cos and k = 0, ..., order; c has a method sin_cos."""
+    sin, cos = c.sin_cos()
+    cycle = [sin, cos, -sin, -cos]
+    factorials = [factorial(k) for k in range(order + 1)]
+    return (
+        [cycle[k % 4] / n for k, n in enumerate(factorials)],
+        [cycle[(k + 1) % 4] / n for k, n in enumerate(factorials)],
+    )

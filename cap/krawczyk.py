@@ -7,15 +7,15 @@ For G(z) = Φ(z) - z, a point m of the box Z and any matrix C (Neumaier 1990, Se
 If K(Z) lies in the interior of Z, then G has exactly one zero in Z, and it lies in K(Z).
 """
 
+from collections.abc import Callable
 from fractions import Fraction
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from cap import interval, matrix
 from cap.errors import NotProved
-from cap.interval import Ball
+from cap.interval import Ball, Box
 from cap.matrix import Matrix
-
-Box = tuple[Ball, Ball]
+from cap.scalar import S
 
 
 class Preconditioner(NamedTuple):
@@ -29,48 +29,57 @@ class Preconditioner(NamedTuple):
         """m, enclosed."""
         return interval.ball(self.centre[0]), interval.ball(self.centre[1])
 
-    def box(self, radius: Fraction) -> Box:
-        """Return a box that contains the square of half-width ``radius`` around m."""
-        x, v = self.centre
-        return interval.around(x, radius), interval.around(v, radius)
+    def box(self, reach: tuple[Fraction, Fraction]) -> Box:
+        """Return a box that contains the rectangle of half-widths ``reach`` around m."""
+        x, v = (interval.around(c, half) for c, half in zip(self.centre, reach, strict=True))
+        return x, v
 
 
-def minus_identity(m: Matrix[Ball]) -> Matrix[Ball]:
-    """Return m - 1."""
-    (a, b), (c, d) = m
-    return (a - 1, b), (c, d - 1)
-
-
-def operator(hint: Preconditioner, image: Box, slope: Matrix[Ball], box: Box) -> Box:
+def operator(
+    hint: Preconditioner,
+    image: Box,
+    slope: Matrix[S],
+    box: Box,
+    bound: Callable[[S], Ball] = lambda q: cast(Ball, q),
+) -> Box:
     """Return an enclosure of K(box), from ``image`` ∋ Φ(m) and ``slope`` ⊇ Φ'(box).
 
-    A fixed point in ``box`` lies in it, if ``slope`` encloses Φ' also between there and m.
+    The slope may be of any scalar type with a ``bound``: over Taylor models what varies in the
+    entries of Φ' cancels in those of C Φ' before it is bounded.  A fixed point in ``box`` lies in
+    K, if ``slope`` encloses Φ' also between there and m.
     """
     x, v = hint.point
     (p, q), (r, s) = hint.matrix
     c = (interval.ball(p), interval.ball(q)), (interval.ball(r), interval.ball(s))
-    (a, b), (e, d) = matrix.product(c, minus_identity(slope))
-    g, h = image[0] - x, image[1] - v
+    rows = matrix.product(cast(Matrix[S], c), matrix.minus_identity(slope))
+    (a, b), (e, d) = ((bound(p), bound(q)) for p, q in rows)
+    g, h = matrix.apply(c, (image[0] - x, image[1] - v))
     dx, dv = box[0] - x, box[1] - v
     return (
-        x - (c[0][0] * g + c[0][1] * h) + ((1 - a) * dx - b * dv),
-        v - (c[1][0] * g + c[1][1] * h) + ((1 - d) * dv - e * dx),
+        x - g + ((1 - a) * dx - b * dv),
+        v - h + ((1 - d) * dv - e * dx),
     )
 
 
-def contract(hint: Preconditioner, image: Box, slope: Matrix[Ball], box: Box) -> Box:
-    """Prove that Φ has exactly one fixed point in ``box``; return a box K in its interior with it.
+def contract(
+    hint: Preconditioner,
+    image: Box,
+    slope: Matrix[S],
+    box: Box,
+    bound: Callable[[S], Ball] = lambda q: cast(Ball, q),
+) -> Box:
+    """Prove that Φ has exactly one fixed point in ``box``; return a box inside that contains it.
 
-    Assumes Φ is C¹ on ``box``, ``image`` encloses Φ(m) and ``slope`` encloses Φ' on ``box``;
-    m in ``box`` is verified, and K in the interior of ``box``.  Raises `NotProved` with both boxes;
-    this does not say that there is no fixed point, only that the box is too large or elsewhere.
+    Assumes Φ is C¹ on ``box``, ``image`` encloses Φ(m) and ``slope`` encloses Φ' on ``box``.
+    Verifies that m lies in ``box``, and that what is returned, K(box), lies in its interior.
+    Raises `NotProved` with both boxes: the box may be too large, or there is no fixed point.
     """
     m = hint.point
-    k = operator(hint, image, slope, box)
+    k = operator(hint, image, slope, box, bound)
     for name, inner, outer, centre in zip("xv", k, box, m, strict=True):
         if not interval.subset(centre, outer):
             raise NotProved("Krawczyk", f"the centre leaves the box in {name}", {name: centre})
         if not interval.subset_interior(inner, outer):
-            sets = {"K": inner, "box": outer}
+            sets = {"K - m": inner - centre, "box - m": outer - centre}
             raise NotProved("Krawczyk", f"K(box) is not inside the box in {name}", sets)
     return k

@@ -12,6 +12,19 @@ def product(m: Matrix[S], n: Matrix[S]) -> Matrix[S]:
     return (a * p + b * r, a * q + b * s), (c * p + d * r, c * q + d * s)
 
 
+def apply(m: Matrix[S], vector: tuple[S, S]) -> tuple[S, S]:
+    """Return the product of m with a column."""
+    (a, b), (c, d) = m
+    x, y = vector
+    return a * x + b * y, c * x + d * y
+
+
+def minus_identity(m: Matrix[S]) -> Matrix[S]:
+    """Return m - 1."""
+    (a, b), (c, d) = m
+    return (a - 1, b), (c, d - 1)
+
+
 def determinant(m: Matrix[S]) -> S:
     """Return ad - bc."""
     (a, b), (c, d) = m

@@ -46,8 +46,9 @@ class Flight(Generic[S]):
 
 @dataclass(frozen=True, slots=True)
 class Oscillator(Generic[S]):
-    """The forced oscillator with constants in one scalar type.
+    """The forced oscillator, for states of one scalar type.
 
+    Its constants may stay balls while the states are jets or Taylor models over balls.
     ``F``, ``omega``, ``f``, ``l``, ``r``, ``T`` as in eq:model; ``F_v`` = F/ω, ``F_x`` = F/ω².
     ``sin_cos`` maps a scalar angle to the pair (sin, cos) in the same scalar type.
 

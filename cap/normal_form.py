@@ -15,8 +15,9 @@ area to that order, in which
 Method.  w = ψ(z) solves ψ∘Φ = N∘ψ with N(w) = λ w (1 + ν_1|w|² + ...) degree by degree: with
 λ = e^{iΘ}, the coefficient of z^j z̄^k gives ψ_jk (λ^{j-k} - λ) = E_jk, known from lower degrees,
 unless j = k + 1, which determines ν_k = -E_jk/λ and leaves ψ_jk free.  It is taken real such that
-det Dψ = |ψ_z|² - |ψ_z̄|² has no term |z|^{2k}: then the form ψ preserves is dx∧dv to that degree
-(a form invariant under N depends on |w|² alone), which makes τ_2, τ_3, ... well defined.
+D = det Dψ = |ψ_z|² - |ψ_z̄|² has no term |z|^{2k}.  Then D = 1 to that degree: as Φ preserves area,
+N preserves the form with density (1/D)∘ψ⁻¹, which without resonance depends on |w|² alone, and
+whose terms are removed one by one.  So ψ preserves area, and τ_2, τ_3, ... are well defined.
 """
 
 from dataclasses import dataclass
@@ -39,14 +40,16 @@ class Ellipticity:
 def ellipticity(x: Jet, v: Jet) -> Ellipticity:
     """Return the linear part of the normal form of the map with jets ``x``, ``v``.
 
-    Verifies |trace| < 2 and that the lower left entry is not zero.
+    Assumes that the jets are taken at a fixed point and that the determinant is one.  Verifies
+    |trace| < 2 and that the lower left entry is not zero; raises `NotProved` where that is not
+    certain.
     """
     a, c, d = x[1, 0], v[1, 0], v[0, 1]
     half = (a + d) / 2
     if not -1 < half < 1:
-        raise NotProved("ellipticity", "the trace may leave (-2, 2)", {"trace": a + d})
+        raise NotProved("Lemma 3", "the trace may leave (-2, 2)", {"trace": a + d})
     if not (c > 0 or c < 0):
-        raise NotProved("ellipticity", "the Jacobian's lower left entry may vanish", {"c": c})
+        raise NotProved("Lemma 3", "the Jacobian's lower left entry may vanish", {"c": c})
     sign = 1 if c > 0 else -1
     sin = sign * (1 - half * half).sqrt()
     multiplier = ComplexBall(half, sin)
@@ -121,7 +124,9 @@ def _resonant(f: Jet, multiplier: ComplexBall) -> list[ComplexBall]:
     bar = conjugate(f)
     nu: list[ComplexBall] = []
     for degree in range(2, space.order + 1):
-        error = _normal_map(psi, nu, multiplier) - substitute(psi, (f, bar))
+        low = psi.truncated(degree)
+        image = substitute(low, (f.truncated(degree), bar.truncated(degree)))
+        error = _normal_map(low, nu, multiplier) - image
         for j, k in _degree(degree):
             e = error[j, k]
             if j == k + 1:

@@ -12,53 +12,50 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from cap import certificate, report
-from cap.approx.periodic import Guess, near, search
+from cap.approx.periodic import MOST_HITS, Guess, near, search
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
-from cap.errors import BadInput, NotProved
+from cap.console import Parser, closing_quietly
+from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
 from proofs import elliptic, saddle
 from proofs.non_sticking import Setting
 
-MOST_HITS = 6
-MARGINS = [Fraction(n, 10) for n in range(9, 0, -2)]  # of the largest box; see _certified
-GUARDS = (15, 30, 60)
+MARGINS = [Fraction(n, 10) for n in (9, 7, 5, 3, 1)]  # of the largest box found
+GUARDS = (15, 30, 60)  # digits computed beyond those claimed
 
 
 @dataclass(frozen=True)
 class Theorem:
-    """A theorem on one orbit: what it says, which orbits it is about, and its proof."""
+    """A theorem on orbits of one kind, which is its name: what it says, and its proof."""
 
     summary: str
-    kind: str
-    prove: Callable[[Setting, int], dict[str, Any]]
+    prove: Callable[[Setting], dict[str, Any]]
 
 
 THEOREMS = {
     "elliptic": Theorem(
-        "an elliptic non-sticking T-periodic orbit exists, with twist, inside KAM curves",
-        "elliptic",
+        "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves",
         elliptic.prove,
     ),
-    "saddle": Theorem(
-        "a hyperbolic non-sticking T-periodic orbit exists",
-        "saddle",
-        lambda setting, _order: saddle.prove(setting),
-    ),
+    "saddle": Theorem("a hyperbolic non-sticking T-periodic orbit exists", saddle.prove),
 }
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> Parser:
     """Return the command line's parser."""
-    p = argparse.ArgumentParser(
+    p = Parser(
         prog="python -m cap.prove",
         description="Prove a theorem on x'' = F cos(omega t) - f sgn(x'), l < x < r, with elastic "
-        "walls, and write a certificate that `python -m cap.verify FILE` checks.",
+        "walls, and write a certificate that `python -m cap.verify FILE` checks.  The orbit is "
+        "searched for in floats, with at most "
+        f"{MOST_HITS} hits per period: fewest hits first, then smallest x.",
         epilog="Numbers are integers, decimals or p/q, all exact: 0.4 means 2/5.  "
         "Example: python -m cap.prove elliptic --f 9/20 --out /tmp",
     )
@@ -70,7 +67,7 @@ def parser() -> argparse.ArgumentParser:
         "--orbit",
         nargs=2,
         metavar=("X", "V"),
-        help="prove the orbit near this state at t = 0, not the first that is found",
+        help="prove the orbit to which Newton's method leads from this state at t = 0",
     )
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
@@ -83,15 +80,21 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--out",
         type=Path,
+        default=Path("certificates"),
         metavar="PATH",
-        help="a directory, or a file ending in .json (default: certificates/)",
+        help="a directory, or a file ending in .json (default: certificates); a file is replaced, "
+        "but in a directory no certificate on another orbit or of other parameters",
     )
     return p
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line; return its exit status."""
-    arguments = sys.argv[1:] if argv is None else argv
+    return closing_quietly(lambda: _main(sys.argv[1:] if argv is None else argv))
+
+
+def _main(arguments: Sequence[str]) -> int:
+    """Run the command line; bad input and interrupts become a line and an exit status."""
     options = parser().parse_args([_protected(word) for word in arguments])
     if options.list:
         for name, theorem in THEOREMS.items():
@@ -116,54 +119,44 @@ def _run(options: argparse.Namespace) -> int:
     """Prove what the options ask for."""
     if options.theorem not in THEOREMS:
         raise BadInput(f"say what to prove: one of {', '.join(THEOREMS)}")
-    theorem = THEOREMS[options.theorem]
+    if options.all and (options.orbit or options.out.suffix == ".json"):
+        raise BadInput("--all goes neither with --orbit nor with one file as --out")
     parameters = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
     digits = _digits(options.digits)
-    chosen = _chosen(options, parameters, theorem.kind)
-    status = 0
-    for number, guess in chosen:
-        path = _path(options, parameters, number)
-        try:
-            proved = _certified(theorem, parameters, guess, digits, options.order)
-        except NotProved as failure:
-            print(f"NOT PROVED ({options.theorem}, orbit {number}).  {failure}", file=sys.stderr)
-            status = 1
-            continue
-        written = certificate.write(proved, path)
-        print(report.theorem(proved))
-        print(f"\nCertificate: {path} ({written}; the independent checker accepts it)\n")
-    return status
+    if options.orbit:
+        guesses = [_guessed(options, parameters)]
+    else:
+        guesses = _searched(parameters, options.theorem, options.all)
+    print()
+    statuses = [_proved(options, parameters, guess, digits) for guess in guesses]
+    return max(statuses)
 
 
 def _digits(text: str) -> int:
     """Return the number of digits asked for."""
+    text = text.strip()
     if not re.fullmatch(r"\d{1,4}", text, re.ASCII) or not 6 <= int(text) <= 1000:
         raise BadInput(f"--digits must be an integer from 6 to 1000: {text[:40]!r}")
     return int(text)
 
 
-def _chosen(
-    options: argparse.Namespace, parameters: Parameters, kind: str
-) -> list[tuple[int, Guess]]:
-    """Return the orbits to prove, numbered in the documented order: fewest hits, smallest x."""
-    if options.orbit:
-        x, v = (exact(word) for word in options.orbit)
-        guess = near(parameters, float(x), float(v))
-        if guess.kind != kind:
-            raise BadInput(
-                f"the orbit near ({x}, {v}) is no {kind} orbit: its trace is {guess.trace:.6g}"
-            )
-        same = [g for g in search(parameters, len(guess.hit_times)) if g.kind == kind]
-        number = next((i for i, g in enumerate(same, 1) if _close(g, guess)), len(same) + 1)
-        print(f"The orbit near the guess: {_shown(guess)}")
-        return [(number, guess)]
-    return _searched(parameters, kind, options.all)
+def _guessed(options: argparse.Namespace, parameters: Parameters) -> Guess:
+    """Return the orbit that the guess leads to."""
+    x, v = (exact(word) for word in options.orbit)
+    guess = near(parameters, float(x), float(v))
+    if guess.kind != options.theorem:
+        raise BadInput(
+            f"the orbit that ({x}, {v}) leads to is no {options.theorem} orbit: its trace is "
+            f"{guess.trace:.6g}"
+        )
+    print(f"Newton's method leads from ({x}, {v}) to:\n  {_shown(guess)}")
+    return guess
 
 
-def _searched(parameters: Parameters, kind: str, every: bool) -> list[tuple[int, Guess]]:
+def _searched(parameters: Parameters, kind: str, every: bool) -> list[Guess]:
     """Search; say what was found; return the first orbit of the kind, or all of them."""
     found: list[Guess] = []
-    for guess in search(parameters, MOST_HITS):
+    for guess in search(parameters):
         if found and not every and len(guess.hit_times) > len(found[0].hit_times):
             break
         if guess.kind == kind:
@@ -173,49 +166,60 @@ def _searched(parameters: Parameters, kind: str, every: bool) -> list[tuple[int,
             f"no {kind} non-sticking T-periodic orbit with at most {MOST_HITS} hits was found "
             "(a guess can be given with --orbit X V)"
         )
-    print(f"Found {len(found)} {kind} orbit(s); proving {'all' if every else 'the first'}:")
+    orbits = f"{len(found)} {kind} orbit{'s' if len(found) > 1 else ''}"
+    hits = f"at most {MOST_HITS}" if every else f"{len(found[0].hit_times)}"
+    which = "all" if every else "the first (smallest x)" if len(found) > 1 else "it"
+    print(f"Found {orbits} with {hits} hits per period; proving {which}:")
     for number, guess in enumerate(found, 1):
         print(f"  {number}  {_shown(guess)}")
-    print()
-    return list(enumerate(found, 1))[: None if every else 1]
+    return found if every else found[:1]
 
 
 def _shown(guess: Guess) -> str:
     return (
-        f"x = {guess.x:.6f}, v = {guess.v:.6f}, {len(guess.hit_times)} hits, "
+        f"x = {guess.x:.6g}, v = {guess.v:.6g}, {len(guess.hit_times)} hits, "
         f"trace {guess.trace:.6g}, least speed {guess.least_speed:.6g}"
     )
 
 
-def _close(a: Guess, b: Guess) -> bool:
-    return abs(a.x - b.x) <= 1e-6 * abs(a.v) + 1e-6 * abs(a.x) and abs(a.v - b.v) < 1e-6 * abs(a.v)
+def _proved(options: argparse.Namespace, parameters: Parameters, guess: Guess, digits: int) -> int:
+    """Prove the theorem of one orbit, print it and write its certificate; return the status."""
+    theorem = THEOREMS[options.theorem]
+    start = Start(guess.x, guess.v, guess.hit_times)
+    order = int(options.order) if options.order else _order(guess)
+    try:
+        proved = _accepted(theorem, Setting(parameters, start, digits, order))
+    except NotProved as failure:
+        print(f"NOT PROVED ({options.theorem}, {_shown(guess)}).  {failure}", file=sys.stderr)
+        return 1
+    print(report.theorem(proved))
+    path = options.out
+    try:
+        if path.suffix != ".json":
+            path = certificate.place(proved, path, _special(parameters))
+        written = certificate.write(proved, path)
+    except OSError as error:
+        raise BadInput(f"cannot write {path}: {error.strerror}") from None
+    print(f"\nCertificate: {path} ({written}; the independent checker accepts it)\n")
+    return 0
 
 
-def _certified(
-    theorem: Theorem, parameters: Parameters, guess: Guess, digits: int, order: str | None
-) -> dict[str, Any]:
+def _special(parameters: Parameters) -> str:
+    """Return what tells the parameters from the paper's, for a file name."""
+    paper = PAPER.strings()
+    changed = [f"{k}={v}" for k, v in parameters.strings().items() if v != paper[k]]
+    name = "-".join(changed).replace("/", "_") or "paper"
+    return name if len(name) <= 80 else sha256(name.encode()).hexdigest()[:12]
+
+
+def _accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
     """Return a certificate that the independent checker accepts, or raise `NotProved`.
 
-    More guard digits are computed until all digits claimed are certain; a smaller part of the
-    box is claimed until the checker, whose arithmetic is looser, can follow.
+    A smaller part of the largest box is claimed until the checker, in looser arithmetic, follows.
     """
-    began = time.perf_counter()
-    start = Start(guess.x, guess.v, guess.hit_times)
-    setting = Setting(parameters, start, digits)
-    chosen = int(order) if order else _order(guess)
-    for guard in GUARDS:
-        setting = replace(setting, guard=guard)
-        try:
-            proved = theorem.prove(setting, chosen)
-            break
-        except NotProved as failure:
-            if failure.step != "rounding" or guard == GUARDS[-1]:
-                raise
+    rejection = ""
     for margin in MARGINS:
-        if margin != setting.margin:
-            proved = theorem.prove(replace(setting, margin=margin), chosen)
-        seconds = time.perf_counter() - began
-        proved["provenance"] = certificate.provenance(setting.bits, seconds)
+        proved = _sharp(theorem, replace(setting, margin=margin))
         try:
             check(certificate.dumps(proved).encode(), lambda _step: None)
         except Rejected as reason:
@@ -225,33 +229,33 @@ def _certified(
     raise NotProved("checker", f"the independent checker rejects the certificate: {rejection}")
 
 
-def _order(guess: Guess) -> int:
-    """Return 5 if the rotation number is within 1/100 of some p/q with 5 <= q <= 8, else 3.
+def _sharp(theorem: Theorem, setting: Setting) -> dict[str, Any]:
+    """Return the certificate, computing more guard digits until all digits claimed are certain."""
+    began = time.perf_counter()
+    for guard in GUARDS:
+        sharper = replace(setting, guard=guard)
+        try:
+            proved = theorem.prove(sharper)
+        except TooFewDigits:
+            if guard == GUARDS[-1]:
+                raise
+        else:
+            break
+    seconds = time.perf_counter() - began
+    return {**proved, "provenance": certificate.provenance(sharper.bits, seconds)}
 
-    Such a resonance is allowed, but makes the second twist coefficient large.
+
+def _order(guess: Guess) -> int:
+    """Return 5 if the rotation number is within 1/100 of a p/q with 5 <= q <= 8, else 3.
+
+    Near such a resonance the first twist says little at a small distance from the fixed point
+    already, so the second one is claimed as well.
     """
     if guess.kind != "elliptic":
         return 3
     rotation = math.acos(guess.trace / 2) / (2 * math.pi)
     distances = (abs(rotation - p / q) for q in range(5, 9) for p in range(1, q))
     return 5 if min(distances) < 1 / 100 else 3
-
-
-def _path(options: argparse.Namespace, parameters: Parameters, number: int) -> Path:
-    """Return where the certificate goes: THEOREM[-PARAMETERS][-NUMBER].json in ``--out``.
-
-    PARAMETERS, given when ``--out`` is not, are those that differ from the paper's.
-    """
-    suffix = "" if number == 1 else f"-{number}"
-    out: Path | None = options.out
-    if out is None:
-        paper = PAPER.strings()
-        changed = [f"{k}={v}" for k, v in parameters.strings().items() if v != paper[k]]
-        name = "-".join([options.theorem, *changed]).replace("/", "_")
-        return Path("certificates") / f"{name}{suffix}.json"
-    if out.suffix != ".json":
-        return out / f"{options.theorem}{suffix}.json"
-    return out.with_name(f"{out.stem}{suffix}.json") if options.all else out
 
 
 if __name__ == "__main__":

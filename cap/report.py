@@ -1,6 +1,7 @@
 """A certificate in words, for people.  Every number printed is one that the certificate claims."""
 
 from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any
 
 _SECTIONS = {
@@ -23,7 +24,7 @@ _SECTIONS = {
     "twist": {
         "twist": "tau_1 per |z|^2",
         "twist_action": "tau_1 per action I",
-        "higher_twists": "higher tau",
+        "higher_twists": "tau",
     },
 }
 
@@ -50,7 +51,7 @@ def theorem(certificate: dict[str, Any]) -> str:
         "",
         f"The stroboscopic map has exactly one fixed point P* = (x, v) in {box}.",
         f"Every orbit from this box is non-sticking on [0, T]; it hits the walls {_walls(claims)}, "
-        "transversally.",
+        "transversely.",
         *_numbers(claims),
         "",
         _forcing(claims),
@@ -71,10 +72,10 @@ def _walls(claims: dict[str, Any]) -> str:
 def _forcing(claims: dict[str, Any]) -> str:
     """Say whether the last clause of the paper's (H1), which nothing here needs, holds."""
     pairs = claims["hit_forcing"]
-    below = [str(k) for k, (_, upper) in enumerate(pairs, 1) if upper.startswith("-")]
+    below = [str(k) for k, (_, upper) in enumerate(pairs, 1) if Fraction(upper) < 0]
     if below:
         holds = f"fails at hit {', '.join(below)}; nothing here needs it"
-    elif any(lower.startswith("-") for lower, _ in pairs):
+    elif any(Fraction(lower) <= 0 for lower, _ in pairs):
         holds = "is undecided; nothing here needs it"
     else:
         holds = "holds at every hit"
@@ -89,14 +90,17 @@ def _numbers(claims: dict[str, Any]) -> Iterator[str]:
         for key, name in labels.items()
         for label, pair in _flatten(name, claims.get(key, []))
     ]
-    whole = max(len(end.partition(".")[0]) for _, _, pair in rows for end in pair)
+    whole, part = (max(len(side) for *_, pair in rows for side in _sides(pair, n)) for n in (0, 1))
     width = max(len(label) for _, label, _ in rows)
     before = ""
     for section, label, pair in rows:
         if section != before:
             yield f"\n{section}"
             before = section
-        lower, upper = (" " * (whole - len(end.partition(".")[0])) + end for end in pair)
+        lower, upper = (
+            f"{a:>{whole}}{b:<{part}}"
+            for a, b in zip(*(_sides(pair, n) for n in (0, 1)), strict=True)
+        )
         yield f"  {label:<{width}}  [{lower}, {upper}]"
     if "remainder" in claims:
         r = claims["remainder"]
@@ -104,6 +108,12 @@ def _numbers(claims: dict[str, Any]) -> Iterator[str]:
             f"\nOn the disk of radius {r['radius']} around P* the map differs from its Taylor "
             f"polynomial of degree {r['degree']}\nby at most {r['x']} in x and {r['v']} in v."
         )
+
+
+def _sides(pair: list[str], side: int) -> list[str]:
+    """Return what stands before (0) the decimal points of both ends, or from them on (1)."""
+    split = [(whole, point + part) for whole, point, part in (end.partition(".") for end in pair)]
+    return [halves[side] for halves in split]
 
 
 def _flatten(label: str, value: Any) -> Iterator[tuple[str, list[str]]]:
@@ -114,9 +124,13 @@ def _flatten(label: str, value: Any) -> Iterator[tuple[str, list[str]]]:
     elif value and isinstance(value[0], str):
         yield label, value
     else:
-        first = 2 if label.startswith("higher") else 1
-        for number, inner in enumerate(value, first):
-            yield from _flatten(f"{label} {number}", inner)
+        for number, inner in enumerate(value, start=1):
+            named = (
+                f"tau_{number + 1} per |z|^{2 * number + 2}"
+                if label == "tau"
+                else f"{label} {number}"
+            )
+            yield from _flatten(named, inner)
 
 
 def _citations(certificate: dict[str, Any]) -> Iterator[str]:

@@ -1,6 +1,7 @@
 """What the mechanics asks of a number: float, array, ball, jet and Taylor model all qualify."""
 
-from typing import Protocol, Self, TypeVar
+from abc import ABC, abstractmethod
+from typing import Any, Protocol, Self, TypeVar
 
 
 class Scalar(Protocol):
@@ -17,3 +18,38 @@ class Scalar(Protocol):
 
 
 S = TypeVar("S", bound=Scalar)
+
+
+class Ring(ABC):
+    """Derives the other operations from sum, negative, product and reciprocal.
+
+    Operands are of the same kind (space, domain), or scalars: numbers that stand for constants.
+    """
+
+    __slots__ = ()
+
+    @abstractmethod
+    def __add__(self, other: Any) -> Self: ...
+    @abstractmethod
+    def __neg__(self) -> Self: ...
+    @abstractmethod
+    def __mul__(self, other: Any) -> Self: ...
+
+    @abstractmethod
+    def reciprocal(self) -> Self:
+        """Return 1/self."""
+
+    def __radd__(self, other: Any) -> Self:
+        return self.__add__(other)
+
+    def __sub__(self, other: Any) -> Self:
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> Self:
+        return (-self).__add__(other)
+
+    def __rmul__(self, other: Any) -> Self:
+        return self.__mul__(other)
+
+    def __rtruediv__(self, other: Any) -> Self:
+        return self.reciprocal().__mul__(other)

@@ -12,7 +12,8 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from cap.interval import Ball, symmetric
-from cap.jet import Jet, Space
+from cap.jet import Jet, Space, reciprocal_series, sin_cos_series
+from cap.scalar import Ring
 
 
 class Domain:
@@ -39,7 +40,7 @@ class Domain:
         return tuple(TaylorModel(self, jet, r) for jet, r in zip(jets, self.reach, strict=True))
 
 
-class TaylorModel:
+class TaylorModel(Ring):
     """A ``polynomial`` (jet over balls) and a ``remainder`` (ball) on a ``domain``."""
 
     __slots__ = ("domain", "polynomial", "remainder")
@@ -69,30 +70,15 @@ class TaylorModel:
         return TaylorModel(self.domain, self.polynomial, self.remainder + by)
 
     def __add__(self, other: Any) -> TaylorModel:
-        """Return the sum with a Taylor model on the same domain or with a scalar."""
         if isinstance(other, TaylorModel):
             polynomial = self.polynomial + other.polynomial
             return TaylorModel(self.domain, polynomial, self.remainder + other.remainder)
         return TaylorModel(self.domain, self.polynomial + other, self.remainder)
 
-    def __radd__(self, other: Any) -> TaylorModel:
-        """Return the sum with a scalar."""
-        return self.__add__(other)
-
     def __neg__(self) -> TaylorModel:
-        """Return the negative."""
         return TaylorModel(self.domain, -self.polynomial, -self.remainder)
 
-    def __sub__(self, other: Any) -> TaylorModel:
-        """Return the difference."""
-        return self.__add__(-other)
-
-    def __rsub__(self, other: Any) -> TaylorModel:
-        """Return other - self."""
-        return (-self).__add__(other)
-
     def __mul__(self, other: Any) -> TaylorModel:
-        """Return the product with a Taylor model on the same domain, or the multiple."""
         if not isinstance(other, TaylorModel):
             return TaylorModel(self.domain, self.polynomial * other, self.remainder * other)
         p, q = self.degree_ranges(), other.degree_ranges()
@@ -104,19 +90,11 @@ class TaylorModel:
         mixed = sum(p, self.remainder) * other.remainder + sum(q, Ball(0)) * self.remainder
         return TaylorModel(self.domain, self.polynomial * other.polynomial, dropped + mixed)
 
-    def __rmul__(self, other: Any) -> TaylorModel:
-        """Return the multiple by a scalar."""
-        return self.__mul__(other)
-
     def __truediv__(self, other: Any) -> TaylorModel:
         """Return the quotient; its remainder is indeterminate if the divisor may vanish."""
         if isinstance(other, TaylorModel):
             return self.__mul__(other.reciprocal())
         return TaylorModel(self.domain, self.polynomial / other, self.remainder / other)
-
-    def __rtruediv__(self, other: Any) -> TaylorModel:
-        """Return other / self."""
-        return self.reciprocal().__mul__(other)
 
     def series(self, taylor: Callable[[Ball, int], Sequence[Ball]]) -> TaylorModel:
         """Return g(self), where ``taylor(c, n)`` encloses g⁽ᵏ⁾(ξ)/k! for k <= n and all ξ in c.
@@ -140,33 +118,9 @@ class TaylorModel:
 
     def reciprocal(self) -> TaylorModel:
         """Return 1/self."""
-        return self.series(_reciprocal_series)
+        return self.series(reciprocal_series)
 
     def sin_cos(self) -> tuple[TaylorModel, TaylorModel]:
         """Return the Taylor models of sine and cosine."""
-        return self.series(_sin_series), self.series(_cos_series)
-
-
-def _reciprocal_series(c: Ball, order: int) -> list[Ball]:
-    taylor = [1 / c]
-    for _ in range(order):
-        taylor.append(-taylor[-1] / c)
-    return taylor
-
-
-def _sin_series(c: Ball, order: int) -> list[Ball]:
-    sin, cos = c.sin_cos()
-    return _over_factorials([sin, cos, -sin, -cos], order)
-
-
-def _cos_series(c: Ball, order: int) -> list[Ball]:
-    sin, cos = c.sin_cos()
-    return _over_factorials([cos, -sin, -cos, sin], order)
-
-
-def _over_factorials(cycle: list[Ball], order: int) -> list[Ball]:
-    taylor, factorial = [], 1
-    for k in range(order + 1):
-        taylor.append(cycle[k % 4] / factorial)
-        factorial *= k + 1
-    return taylor
+        sin = self.series(lambda c, n: sin_cos_series(c, n)[0])
+        return sin, self.series(lambda c, n: sin_cos_series(c, n)[1])

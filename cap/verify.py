@@ -1,14 +1,15 @@
 """Verify certificates: ``python -m cap.verify [--explain] [--latex] FILE...``.
 
-For each file one line: ``VERIFIED: <the theorem>`` or ``REJECTED: FILE: <the reason>``.  Exit
-status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line.  A certificate
-that is rejected may state a true theorem; one that is verified is a proof, as far as
+For each file one line, ``VERIFIED: <the theorem> (FILE)`` or ``REJECTED: FILE: <the reason>``.
+Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line.  A
+certificate that is rejected may state a true theorem; one that is verified is a proof, as far as
 ``cap.checker``, Python and the machine are right.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import stat
 import sys
 from collections.abc import Sequence
@@ -18,11 +19,17 @@ from cap.checker.certificate import MAX_BYTES
 from cap.checker.rejection import Rejected, need
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
+from cap.console import Parser, closing_quietly, say
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Verify the files named on the command line and return the exit status."""
     options = _parser().parse_args(arguments)
+    return closing_quietly(lambda: _verify_all(options))
+
+
+def _verify_all(options: argparse.Namespace) -> int:
+    """Verify the files one after the other; return 1 if any is rejected."""
     try:
         verdicts = [_verify(name, options) for name in options.files]
     except KeyboardInterrupt:
@@ -30,9 +37,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0 if all(verdicts) else 1
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parser() -> Parser:
     """Return the command line."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python -m cap.verify",
         description="Verify certificates: each theorem is proved again, in other arithmetic and by "
         "other code than those that made the certificate.",
@@ -47,13 +54,19 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--latex-digits",
-        type=int,
+        type=_digits,
         default=12,
-        choices=range(2, 1001),
         metavar="N",
-        help="significant digits",
+        help="significant digits (default 12)",
     )
     return parser
+
+
+def _digits(text: str) -> int:
+    """Return a number of digits."""
+    if not (text.isascii() and text.isdigit() and len(text) <= 4 and 2 <= int(text) <= 1000):
+        raise argparse.ArgumentTypeError("an integer from 2 to 1000 is needed")
+    return int(text)
 
 
 def _verify(name: str, options: argparse.Namespace) -> bool:
@@ -63,22 +76,22 @@ def _verify(name: str, options: argparse.Namespace) -> bool:
         certificate = check(_bytes(Path(name)), steps.append)
         if options.latex:
             definitions += macros(certificate, Path(name).stem, options.latex_digits)
-        verdict, verified = f"VERIFIED: {words(certificate)}", True
+        verdict, verified = f"VERIFIED: {words(certificate)} ({_printable(name)})", True
     except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)
         verdict, verified = f"REJECTED: {_printable(name)}: {_why(reason)}", False
     out = sys.stderr if options.latex else sys.stdout
     for step in steps if options.explain else ():
-        print(f"  {step}", file=out)
-    print(verdict, file=out)
+        say(f"  {step}", out)
+    say(verdict, out)
     for line in definitions:
-        print(line)
+        say(line, sys.stdout)
     return verified
 
 
 def _bytes(path: Path) -> bytes:
     """Return the content of a regular file, at most one byte more than a certificate may have."""
-    need(stat.S_ISREG(path.stat().st_mode), "not a regular file")
-    with path.open("rb") as file:
+    with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+        need(stat.S_ISREG(os.fstat(file.fileno()).st_mode), "not a regular file")
         return file.read(MAX_BYTES + 1)
 
 

@@ -77,16 +77,16 @@ MOSER = {
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 
 
-def prove(setting: Setting, order: int) -> dict[str, Any]:
-    """Prove the theorem, expanding Φ to the odd ``order``; return its certificate.
+def prove(setting: Setting) -> dict[str, Any]:
+    """Prove the theorem; return its certificate.
 
-    Raises `NotProved` with the lemma that failed and the sets at which it did.
+    Raises `NotProved` with the step that failed and the sets at which it did.
     """
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)
         point = non_sticking.lemma_1_fixed_point(osc, setting)
         around, box = non_sticking.lemma_2_uniqueness(osc, setting, point)
-        jets = strobe_jet(osc, point.box, point.orbit, order)
+        jets = strobe_jet(osc, point.box, point.orbit, setting.order)
         claims = {
             "box": box,
             **non_sticking.orbit_claims(osc, setting, point),
@@ -102,7 +102,7 @@ def prove(setting: Setting, order: int) -> dict[str, Any]:
         "parameters": setting.parameters.strings(),
         "digits": str(setting.digits),
         "claims": claims,
-        "hints": {**hints, "order": str(order)},
+        "hints": {**hints, "order": str(setting.order)},
         "cites": [KRAWCZYK, MOSER],
     }
 
@@ -165,7 +165,9 @@ def lemma_5_remainder(
     an explicit distance of its Taylor polynomial at P*.
 
     *Computed.* Φ as a Taylor model on a square around the disk, with P* anywhere in its enclosure:
-    its remainder, plus what separates its polynomial from the Taylor polynomial.
+    its remainder, plus what separates its polynomial from the Taylor polynomial.  Twice this is
+    claimed, since the checker's bound, in Lagrange's form, is looser.  The disk lies in the
+    box, because its radius is a quarter of the box's least half-width.
     """
     radius = interval.short(min(around.reach) / 4)
     domain = Domain((interval.ball(radius), interval.ball(radius)), jets[0].space.order)

@@ -34,13 +34,15 @@ KRAWCZYK = {
 class Setting:
     """The parameters of a theorem, the guess that it starts from, and how sharp it is to be.
 
-    ``digits`` are claimed, ``guard`` more are computed; ``margin`` < 1 is the part of the largest
-    neighbourhood found that is claimed, so that a looser arithmetic can follow.
+    ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
+    expanded, where it is.  ``margin`` < 1 is the part of the largest neighbourhood found that is
+    claimed, so that a looser arithmetic can follow.
     """
 
     parameters: Parameters
     start: Start
     digits: int
+    order: int = 3
     guard: int = 15
     margin: Fraction = Fraction(9, 10)
 
@@ -55,25 +57,44 @@ class Setting:
         return Rounding(self.digits)
 
     @property
-    def places(self) -> int:
-        """Decimal places to which the fixed point is sought."""
-        smallest = min(self.units.length, self.units.speed, Fraction(1))
-        return self.digits + self.guard - certificate.decade(smallest)
+    def scale(self) -> tuple[Fraction, Fraction]:
+        """The natural units of the state (x, v)."""
+        return self.units.length, self.units.speed
+
+    @property
+    def precise(self) -> int:
+        """Digits of the fixed point that are computed, relative to the natural units."""
+        return self.digits + self.guard
 
     @property
     def bits(self) -> int:
-        """Working precision."""
-        return self.places * 10 // 3 + 80
+        """Working precision: what cancels are the walls' distance from 0, and F/ω², against R."""
+        p = self.parameters
+        large = max(abs(p.l), abs(p.r), p.F / p.omega**2) / p.R
+        return bits(self.precise + max(0, interval.decade(large))) + 80
+
+    @property
+    def checker_bits(self) -> int:
+        """Precision for the checker, whose rounding is absolute: the least unit decides."""
+        units = self.units
+        least = min(*self.scale, units.time, units.force, 1 / units.speed, 1 / units.area)
+        orders = max(0, -interval.decade(least)) * self.order
+        return self.bits + bits(orders) + 40
+
+
+def bits(digits: int) -> int:
+    """Return how many bits hold as many decimal digits, log2(10) < 10/3 each."""
+    return digits * 10 // 3 + 1
 
 
 def lemma_1_fixed_point(osc: Oscillator[Ball], setting: Setting) -> FixedPoint:
     """*Statement.* Φ has a fixed point P* near the guess; its orbit is non-sticking.
 
-    *Computed.* A tiny square S around a refined guess: the itinerary over S (each hit exists, is
+    *Computed.* A tiny rectangle S around a refined guess: the itinerary over S (each hit exists, is
     the only one in its window and transverse, and the velocity vanishes nowhere), Φ' over S by
     flights and saltation matrices, and Krawczyk's inclusion K(S) in the interior of S.
     """
-    return fixed_point.prove(osc, setting.start, setting.places)
+    return fixed_point.prove(osc, setting.start, setting.precise, setting.scale)
 
 
 def lemma_2_uniqueness(
@@ -85,8 +106,7 @@ def lemma_2_uniqueness(
     *Computed.* As in Lemma 1 over Taylor models, on the largest rectangle that succeeds; the box
     is a part of it.  It contains P*, so the one fixed point of the rectangle is in the box.
     """
-    scale = setting.units.length, setting.units.speed
-    largest = fixed_point.largest_neighbourhood(osc, point, scale)
+    largest = fixed_point.largest_neighbourhood(osc, point, setting.scale)
     reach = largest.reach[0] * setting.margin, largest.reach[1] * setting.margin
     around = fixed_point.neighbourhood(osc, point, reach)
     box = {}
@@ -100,7 +120,7 @@ def lemma_2_uniqueness(
 
 def _inside(centre: Fraction, half: Fraction) -> list[str]:
     """Return short decimals [lower, upper] inside [centre - half, centre + half]."""
-    places = max(0, 3 - certificate.decade(half))
+    places = max(0, 3 - interval.decade(half))
     scale = 10**places
     lower, upper = -(-(centre - half) * scale // 1), (centre + half) * scale // 1
     return [interval.decimal(Fraction(end, scale), places) for end in (lower, upper)]
@@ -126,9 +146,9 @@ def hints(setting: Setting, point: FixedPoint, around: Neighbourhood) -> dict[st
     """Return what the checker needs and does not trust."""
     c = point.hint.matrix
     return {
-        "bits": str(setting.bits + 40),
+        "bits": str(setting.checker_bits),
         "centre": [interval.exact_decimal(value) for value in point.hint.centre],
-        "radius": interval.exact_decimal(point.radius),
+        "radius": interval.exact_decimal(point.reach[0] / setting.units.length),
         "preconditioner": [[interval.exact_decimal(value) for value in row] for row in c],
         "hit_times": [certificate.window(window) for window in around.windows],
     }

@@ -47,7 +47,7 @@ HADAMARD_PERRON = {
 def prove(setting: Setting) -> dict[str, Any]:
     """Prove the theorem; return its certificate.
 
-    Raises `NotProved` with the lemma that failed and the sets at which it did.
+    Raises `NotProved` with the step that failed and the sets at which it did.
     """
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)

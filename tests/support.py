@@ -27,6 +27,11 @@ def rational(value):
     return Fraction(value)
 
 
+def between(lower, upper):
+    """Return a ball that contains the interval [lower, upper]."""
+    return interval.hull(interval.ball(lower), interval.ball(upper))
+
+
 def holds(ball, value, error=Fraction(1, 10**45)):
     """Return whether a finite ball contains a number that is known up to ``error``."""
     lower, upper = interval.ends(ball)

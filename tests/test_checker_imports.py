@@ -33,7 +33,7 @@ def test_the_checker_loads_only_itself():
 def test_the_command_line_adds_only_itself():
     modules = loaded("import cap.verify")
     ours = {m for m in modules if m.split(".")[0] == "cap"}
-    assert ours <= {"cap", "cap.checker", "cap.verify", *MODULES}
+    assert ours <= {"cap", "cap.checker", "cap.console", "cap.verify", *MODULES}
     assert not {m.split(".")[0] for m in modules} & FOREIGN
 
 

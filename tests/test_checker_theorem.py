@@ -288,7 +288,7 @@ def test_the_square_must_lie_in_the_box(good, axis, side):
         if n == axis:
             ends[(side + 1) // 2] = centre + side * Fraction(1, 20000)
         certificate["claims"]["box"][name] = [decimal(q) for q in ends]
-    rejected(certificate, "square S")
+    rejected(certificate, "S is not in the box")
 
 
 def test_a_box_that_is_too_large(good):

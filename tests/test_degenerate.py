@@ -57,7 +57,7 @@ def symmetric_start(f):
 
 @pytest.mark.parametrize(
     "theorem",
-    [lambda setting: elliptic.prove(setting, 3), saddle.prove],
+    [elliptic.prove, saddle.prove],
     ids=["elliptic", "saddle"],
 )
 @pytest.mark.parametrize("k", [2, 4], ids=["trace -2", "trace 2"])

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from support import rounds, seeded
+from support import rounds, seeded, width
 
 from cap import interval
 from cap.flow import oscillator, over
@@ -225,7 +225,7 @@ def test_ball_constants_contain_the_exact_ones(p):
             assert lower <= getattr(p, name) <= upper
         for name in ("T", "F_v", "F_x", "slow_right", "slow_left", "dip"):
             assert float(getattr(balls, name)) == pytest.approx(getattr(osc, name), rel=1e-14)
-            assert interval.radius(getattr(balls, name)) < 1e-25
+            assert width(getattr(balls, name)) < 1e-25
         for _ in range(rounds(10)):
             flight, t = random_flight(random, osc), random.uniform(0, 1) * osc.T
             exact = replace(
@@ -237,4 +237,4 @@ def test_ball_constants_contain_the_exact_ones(p):
             results = state(balls, exact, interval.ball(Fraction(t)))
             for ball, number in zip(results, state(osc, flight, t), strict=True):
                 assert float(ball) == pytest.approx(number, abs=1e-11)
-                assert interval.radius(ball) < 1e-22
+                assert width(ball) < 1e-22

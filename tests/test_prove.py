@@ -134,8 +134,8 @@ def test_bad_input(capsys, tmp_path, monkeypatch, words, complaint):
     status, _, err = run(capsys, *words)
     assert status == 2
     assert complaint in err
-    assert err.splitlines()[-1].count(":") >= 1
-    assert "Traceback" not in err
+    assert err.startswith("error: ")
+    assert err.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
 
 
@@ -177,7 +177,7 @@ def test_interrupt_leaves_nothing(capsys, tmp_path, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(prove, "_certified", interrupted)
+    monkeypatch.setattr(prove, "_accepted", interrupted)
     status, _, err = run(capsys, "saddle", "--out", str(tmp_path))
     assert status == 130
     assert "interrupted" in err

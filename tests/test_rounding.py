@@ -6,7 +6,7 @@ import pytest
 from support import decimal_fraction, random_box, rounds, seeded
 
 from cap import interval
-from cap.certificate import Rounding, Units, bound, decade, window
+from cap.certificate import Rounding, Units, bound, window
 from cap.errors import NotProved
 from cap.interval import Ball
 from cap.parameters import Parameters
@@ -19,7 +19,7 @@ def test_decade():
     random = seeded(1)
     for _ in range(rounds(200)):
         value = (1 + abs(decimal_fraction(random))) * Fraction(10) ** random.randint(-400, 400)
-        d = decade(value)
+        d = interval.decade(value)
         assert Fraction(10) ** (d - 1) < value < Fraction(10) ** (d + 2)
 
 

@@ -212,5 +212,7 @@ def test_operations_contain_remainders_and_widened_balls():
                 (f.sin_cos()[0], rational(mp.sin(number(a)))),
                 (f.sin_cos()[1], rational(mp.cos(number(a)))),
                 (f * Ball(3) + Ball(1), 3 * a + 1),
+                (f / interval.ball(Fraction(1, 3)), 3 * a),
+                (f / 7, a / 7),
             ]:
                 assert holds(value_at(model, [d]), truth, ERROR)

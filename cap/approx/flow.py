@@ -15,7 +15,9 @@ from cap.matrix import Matrix
 from cap.model import Flight, Functions, Oscillator
 from cap.parameters import Parameters
 
-MOST_HITS = 200  # per period; more would be a mass too fast for any orbit that the search can find
+TOO_MANY_HITS = (
+    200  # per period; more would be a mass too fast for any orbit that the search can find
+)
 
 
 class Turns(Exception):
@@ -54,14 +56,17 @@ def one_period(o: Oscillator[float], x: float, v: float, *, formal: bool = False
     sign that it has, as if friction did not notice: the lifted orbit, on which Newton's method for
     a periodic orbit may start, and whose ``least_speed`` may then be negative.  Where it hits a
     wall with speed 0, though, even that ends with `Turns`: there is no derivative.
-    Raises `BadInput` unless l < x < r, v is finite and not 0, and the hits are at most `MOST_HITS`.
+    Raises `BadInput` unless l < x < r, v is finite and not 0, and the hits are fewer than
+    `TOO_MANY_HITS`.
     """
     _check(o, x, v)
     flight, t, least = o.start(1 if v > 0 else -1, x, v), 0.0, abs(v)
     hits: list[tuple[float, float]] = []
     while (hit := _next_hit(o, flight, t, formal=formal)) is not None:
-        if len(hits) == MOST_HITS:
-            raise BadInput(f"more than {MOST_HITS} wall hits in one period: v = {v!r} is too fast")
+        if len(hits) == TOO_MANY_HITS:
+            raise BadInput(
+                f"more than {TOO_MANY_HITS} wall hits in one period: v = {v!r} is too fast"
+            )
         least = min(least, _least_speed(o, flight, t, hit))
         sin, cos = o.phase(hit)
         hits.append((hit, o.velocity(flight, hit, sin)))

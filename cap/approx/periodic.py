@@ -16,6 +16,7 @@ from cap.errors import BadInput
 from cap.parameters import Parameters
 
 SAME = 1e-8  # orbits whose states at t = 0 differ by less (relative) are one orbit
+MOST_HITS = 6  # per period: the search goes no further
 EDGE = 1e-9  # a hit so near t = 0 (in periods) has no itinerary: it may fall on either side
 
 
@@ -56,7 +57,7 @@ def orbits(p: Parameters, hits: int) -> list[Guess]:
     return sorted(guesses, key=lambda g: (g.x, g.v))
 
 
-def search(p: Parameters, most_hits: int = 6) -> Iterator[Guess]:
+def search(p: Parameters, most_hits: int = MOST_HITS) -> Iterator[Guess]:
     """Yield the orbits found: fewest hits per period first, then smallest x, then smallest v."""
     for hits in range(2, most_hits + 1, 2):
         yield from orbits(p, hits)

@@ -22,7 +22,8 @@ MAX_BYTES = 1 << 20
 MAX_CHARACTERS = 4000
 MAX_HITS = 64
 MAX_BITS = 8192
-MAX_WORK = 1 << 16  # bits times hits
+MAX_WORK = 1 << 15  # bits times hits
+MAX_DEPTH = 16
 ORDERS = (3, 5, 7, 9)
 _INTEGER = "-?(?:0|[1-9][0-9]*)"
 _NUMBER = re.compile(f"{_INTEGER}(?:\\.[0-9]+|/[1-9][0-9]*)?")
@@ -211,11 +212,12 @@ def _no_number(_: str) -> NoReturn:
     raise Rejected("the file contains a JSON number; numbers must be strings")
 
 
-def _refuse_literals(value: object) -> None:
-    """Reject true, false and null, anywhere."""
+def _refuse_literals(value: object, depth: int = 0) -> None:
+    """Reject true, false and null, anywhere, and deep nesting."""
+    need(depth <= MAX_DEPTH, "the JSON is nested too deeply")
     if isinstance(value, dict | list):
         for part in value.values() if isinstance(value, dict) else value:
-            _refuse_literals(part)
+            _refuse_literals(part, depth + 1)
     else:
         text(value, "a value (true, false or null)")
 

@@ -6,9 +6,9 @@
 
    If K(Z) lies in the interior of Z, Phi has exactly one fixed point in Z, and it lies in K(Z)
    [Krawczyk].  C need not be close to anything: the inclusion proves that it is regular.  The
-   rows of C Phi are put in mean value form once more, where second derivatives cancel.
-2. *Localisation.*  The same for a small square S = m +- radius in the box: the fixed point in S is
-   the one of the box.
+   rows of C Phi are put in mean value form once more: what their terms have in common cancels.
+2. *Localisation.*  The same for a small rectangle S = m +- radius (R, R omega) in the box, where
+   R = r - l: the fixed point in S is the one of the box.
 3. *The orbit* of the fixed point P* in K(S): each claim contains the enclosure computed here, and
    is as narrow as the digits that it claims.
 4. *The conclusion* is drawn from the numbers claimed, which contain the true ones.
@@ -73,12 +73,13 @@ class FixedPoint:
 
     def localisation(self) -> Point:
         """Return K(S), which contains the fixed point."""
-        radius = self.hints["radius"]
-        square = [(m - radius, m + radius) for m in self.hints["centre"]]
-        for (low, high), name in zip(square, ("x", "v"), strict=True):
+        radius, scales = self.hints["radius"], (self.R, self.R * self.omega)
+        centre = zip(self.hints["centre"], scales, strict=True)
+        small = [(m - radius * scale, m + radius * scale) for m, scale in centre]
+        for (low, high), name in zip(small, ("x", "v"), strict=True):
             box = self.claims["box"][name]
-            need(box.lower <= low and high <= box.upper, "the square S is not in the box")
-        result = self.krawczyk(square)
+            need(box.lower <= low and high <= box.upper, "S is not in the box")
+        result = self.krawczyk(small)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains P*")
         return result
 

@@ -55,10 +55,18 @@ def _pair(claim: Enclosure) -> str:
 
 
 def macros(c: Certificate, prefix: str, digits: int) -> Iterator[str]:
-    r"""Yield a LaTeX ``\newcommand`` for each number claimed, rounded outwards to the digits."""
+    r"""Yield a LaTeX ``\newcommand`` for each number claimed, rounded outwards to the digits.
+
+    The box and the disk of the remainder are printed as they are: what is claimed of all their
+    points need not hold of larger ones.
+    """
     stem = "cap" + _name(prefix)
     for path, claim in _leaves(c.claims, ""):
-        if not isinstance(claim, str):
+        if path.startswith("Box"):
+            yield f"\\newcommand{{\\{stem}{path}}}{{{_pair(claim)}}}"
+        elif path in ("RemainderRadius", "RemainderDegree"):
+            yield f"\\newcommand{{\\{stem}{path}}}{{{claim}}}"
+        else:
             yield f"\\newcommand{{\\{stem}{path}}}{{{latex(claim, digits)}}}"
 
 

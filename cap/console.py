@@ -1,0 +1,44 @@
+"""What the command lines share: complaints in one line, and output that nobody can read."""
+
+import argparse
+import io
+import os
+import sys
+from collections.abc import Callable
+from typing import NoReturn, TextIO
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser that complains in one line, with exit status 2."""
+
+    def error(self, message: str) -> NoReturn:
+        """Print the complaint and exit."""
+        self.exit(2, f"error: {message} (--help says more)\n")
+
+
+def closing_quietly(command: Callable[[], int]) -> int:
+    """Run ``command`` and return its status; what goes wrong with standard output is no traceback.
+
+    Returns 141 if a reader has closed it, as ``| head`` does, and 2 if it cannot be written.
+    Characters that it cannot encode are escaped.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+    try:
+        status = command()
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what is still buffered goes nowhere
+        if isinstance(error, BrokenPipeError):
+            return 141
+        say(f"error: standard output cannot be written: {error.strerror}", sys.stderr)
+        return 2
+    return status
+
+
+def say(line: str, stream: TextIO | None) -> None:
+    """Print a line to a stream, if there is such a stream."""
+    if stream is not None:
+        print(line, file=stream)

@@ -1,0 +1,109 @@
+"""Make the files in accept/, reject/ and malformed/ anew from the stored certificates.
+
+    python tests/certificates/make.py
+
+Needed when the format or the stored certificates change; `tests/test_certificates.py` reads them.
+"""
+
+import copy
+import json
+from fractions import Fraction
+from pathlib import Path
+
+HERE = Path(__file__).parent
+STORED = HERE.parent.parent / "certificates"
+
+
+def load(name):
+    """Return a stored certificate, without its provenance."""
+    return {**json.loads((STORED / name).read_text()), "provenance": {"cap": "a test certificate"}}
+
+
+def put(kind, name, certificate, *changes):
+    """Write a certificate with some values changed: each change is (path..., value)."""
+    certificate = copy.deepcopy(certificate)
+    for *path, last, value in changes:
+        part = certificate
+        for key in path:
+            part = part[key]
+        part[last] = value
+    (HERE / kind / f"{name}.json").write_text(json.dumps(certificate, indent=1) + "\n")
+
+
+def accepted(saddle):
+    """Write what is true, though not as the prover writes it."""
+    box = {"x": ["0.34", "0.35"], "v": ["0.77", "0.78"]}
+    other = {"F": "1.0", "omega": "2/2", "f": "0.4", "l": "-1.00", "r": "3/3"}
+    windows = [["0.6", "0.75"], ["3.7", "3.95"]]
+    put("accept", "saddle_wider_windows", saddle, ("hints", "hit_times", windows))
+    put("accept", "saddle_smaller_box", saddle, ("claims", "box", box))
+    put("accept", "saddle_parameters_written_otherwise", saddle, ("parameters", other))
+
+
+def rejected(saddle, elliptic):
+    """Write what is false, or hints that prove nothing."""
+    claims, wide = saddle["claims"], {"x": ["0.1", "0.6"], "v": ["0.5", "1.1"]}
+    two = {"x": ["0.34", "0.57"], "v": ["0.77", "1.08"]}
+    minus = ["-" + end for end in elliptic["claims"]["twist"][::-1]]
+    hypotheses = elliptic["cites"][1]["hypotheses"][:-1]
+    for name, certificate, *change in (
+        ("saddle_called_elliptic", saddle, "theorem", "elliptic"),
+        ("other_friction", saddle, "parameters", "f", "41/100"),
+        ("friction_a_double", saddle, "parameters", "f", str(Fraction(0.4))),
+        ("box_too_large", saddle, "claims", "box", wide),
+        ("box_of_two_fixed_points", elliptic, "claims", "box", two),
+        ("box_past_the_wall", saddle, "claims", "box", "x", ["0.33", "1.5"]),
+        ("box_without_the_fixed_point", saddle, "claims", "box", "x", ["0.3436", "0.3500"]),
+        ("window_without_hit", saddle, "hints", "hit_times", 0, ["0.1", "0.2"]),
+        (
+            "windows_in_wrong_order",
+            saddle,
+            "hints",
+            "hit_times",
+            saddle["hints"]["hit_times"][::-1],
+        ),
+        ("multipliers_swapped", saddle, "claims", "multipliers", claims["multipliers"][::-1]),
+        ("trace_of_the_paper_orbit", saddle, "claims", "trace", elliptic["claims"]["trace"]),
+        ("twist_with_the_other_sign", elliptic, "claims", "twist", minus),
+        ("twist_of_the_paper", elliptic, "claims", "twist", ["-0.43", "-0.41"]),
+        ("remainder_too_small", elliptic, "claims", "remainder", "x", "0.00000000000000001"),
+        ("hypothesis_dropped", elliptic, "cites", 1, "hypotheses", hypotheses),
+        ("more_digits_than_certain", saddle, "digits", "40"),
+    ):
+        put("reject", name, certificate, tuple(change))
+
+
+def malformed(saddle):
+    """Write what is no certificate."""
+    good = json.dumps(saddle, indent=1)
+    lower, upper = saddle["claims"]["box"]["x"]
+    digits = '"digits": "30"'
+    for name, text in {
+        "empty": "",
+        "truncated": good[: len(good) // 2],
+        "trailing": good + "{}",
+        "list": "[]",
+        "string": '"certificate"',
+        "nested": "[" * 20000,
+        "nan": good.replace(digits, '"digits": NaN'),
+        "number": good.replace(digits, '"digits": 30'),
+        "boolean": good.replace(digits, '"digits": true'),
+        "duplicate_key": good.replace(digits, f"{digits}, {digits}"),
+        "unknown_field": good.replace(digits, f'{digits}, "note": "x"'),
+        "missing_field": good.replace(f"{digits},", ""),
+        "float_in_claim": good.replace(f'"{lower}"', lower),
+        "exponent": good.replace(lower, f"{lower}e0"),
+        "full_width_digits": good.replace(lower, "０" + lower[1:]),
+        "underscore": good.replace(lower, lower[:-3] + "_" + lower[-3:]),
+        "inverted": good.replace(lower, "@").replace(upper, lower).replace("@", upper),
+        "zero_denominator": good.replace('"2/5"', '"2/0"'),
+        "not_utf8": b"\xff\xfe" + good.encode(),
+    }.items():
+        data = text if isinstance(text, bytes) else text.encode()
+        (HERE / "malformed" / f"{name}.json").write_bytes(data)
+
+
+if __name__ == "__main__":
+    accepted(load("saddle-2.json"))
+    rejected(load("saddle-2.json"), load("elliptic-2.json"))
+    malformed(load("saddle-2.json"))
