@@ -1,6 +1,11 @@
 """The command line of the prover: what it prints, where it writes, how it fails."""
 
 import json
+import os
+import re
+import subprocess
+import sys
+from fractions import Fraction
 from pathlib import Path
 
 import jsonschema
@@ -182,6 +187,92 @@ def test_interrupt_leaves_nothing(capsys, tmp_path, monkeypatch):
     assert status == 130
     assert "interrupted" in err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_nothing_else_is_overwritten(capsys, tmp_path):
+    """In a directory, certificates of other parameters or other orbits keep their files."""
+    for words in (("--f", "1/2"), ("--f", "3/5"), ("--f", "1/2"), (), ("--orbit", "0.56", "1.07")):
+        assert run(capsys, "elliptic", *words, "--out", str(tmp_path))[0] == 0
+    names = {path.name: json.loads(path.read_text()) for path in tmp_path.iterdir()}
+    assert {name: c["parameters"]["f"] for name, c in names.items()} == {
+        "elliptic.json": "1/2",
+        "elliptic-f=3_5.json": "3/5",
+        "elliptic-paper.json": "2/5",
+        "elliptic-paper-2.json": "2/5",
+    }
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda text: text.replace('"digits": "30"', '"digits": "999", "digits": "30"'),
+        lambda text: re.sub(r'"provenance": \{.*?\}', '"provenance": null', text, flags=re.DOTALL),
+        lambda _: "[" * 300000 + "]" * 300000,
+        lambda _: "",
+        lambda text: text[:-100],
+    ],
+    ids=["duplicate key", "no provenance", "nested", "empty", "truncated"],
+)
+def test_a_file_that_the_checker_rejects_is_not_kept(capsys, tmp_path, spoil):
+    """Only a certificate that verifies is left alone as unchanged."""
+    path = tmp_path / "c.json"
+    run(capsys, "saddle", "--out", str(path))
+    path.write_text(spoil(path.read_text()))
+    status, out, _ = run(capsys, "saddle", "--out", str(path))
+    assert status == 0
+    assert "unchanged" not in out
+    check(path.read_bytes(), lambda _step: None)
+
+
+@pytest.mark.parametrize(("length", "omega"), [("1e12", "1"), ("1e-12", "1e12"), ("1e10", "1e-5")])
+def test_other_units(capsys, tmp_path, length, omega):
+    """The paper's system in other units of length and time: the same twist, in those units."""
+    scale, w = Fraction(length), Fraction(omega)
+    force = scale * w * w
+    words = ["--F", str(force), "--f", str(force * Fraction(2, 5)), "--omega", str(w)]
+    words += ["--l", str(-scale), "--r", str(scale), "--out", str(tmp_path), "--order", "3"]
+    assert run(capsys, "elliptic", *words)[0] == 0
+    lower, upper = json.loads((tmp_path / "elliptic.json").read_text())["claims"]["twist"]
+    unit = scale**2 * w
+    assert Fraction(lower) * unit < Fraction("0.113477977036708622736396099064")
+    assert Fraction(upper) * unit > Fraction("0.113477977036708622736396099063")
+
+
+@pytest.mark.parametrize("walls", [("1000", "1002"), ("1000000", "1000002"), ("-7/3", "-1/3")])
+def test_walls_far_away(capsys, tmp_path, walls):
+    """Shifted walls change nothing but x."""
+    words = ("--l", walls[0], "--r", walls[1], "--all", "--out", str(tmp_path))
+    assert run(capsys, "elliptic", *words)[0] == 0
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+@pytest.mark.parametrize("module", ["prove", "verify"])
+def test_output_that_nobody_reads(module):
+    """A closed pipe is no traceback, and not the status of a failed proof."""
+    words = ["--list"] if module == "prove" else [str(ROOT / "certificates/saddle.json")]
+    reading, writing = os.pipe()
+    os.close(reading)
+    command = [sys.executable, "-m", f"cap.{module}", *words]
+    done = subprocess.run(command, stdout=writing, stderr=subprocess.PIPE, check=False, cwd=ROOT)
+    os.close(writing)
+    assert done.returncode == 141
+    assert done.stderr == b""
+
+
+def test_output_that_cannot_be_encoded(tmp_path):
+    """Paths beyond the terminal's encoding are escaped."""
+    command = [sys.executable, "-m", "cap.prove", "saddle", "--out", str(tmp_path / "é")]
+    env = {**os.environ, "PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(command, capture_output=True, env=env, check=False, cwd=ROOT)
+    assert done.returncode == 0
+    assert b"\\xe9" in done.stdout
+
+
+def test_a_second_argument_for_all(capsys, tmp_path):
+    """`--all` with one orbit or one file makes no sense."""
+    for words in (("--orbit", "0.1", "0.5"), ("--out", str(tmp_path / "one.json"))):
+        status, _, err = run(capsys, "elliptic", "--all", *words)
+        assert (status, err.count("\n")) == (2, 1)
 
 
 def test_list_names_every_theorem(capsys):
