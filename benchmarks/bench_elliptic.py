@@ -21,7 +21,7 @@ from cap.parameters import PAPER
 from cap.taylor_model import Domain, TaylorModel
 
 START = Start(0.1002798898441954, 0.5419433067664584, (1.0991729107, 3.5160904414))
-RADIUS = Fraction(1, 10**9)
+REACH = Fraction(1, 10**9), Fraction(1, 10**9)
 BITS = pytest.mark.parametrize("bits", [53, 200])
 
 
@@ -33,12 +33,12 @@ class Hints:
         with interval.workprec(240):
             self.hint = fixed_point.prove(oscillator(PAPER), START, 55).hint
         times = [interval.ball(Fraction(t)) for t in START.hit_times]
-        self.box = self.hint.box(RADIUS)
+        self.box = self.hint.box(REACH)
         self.windows = fixed_point.find_windows(self.osc, self.box, times, BALLS)
 
     def existence(self):
         """Prove existence over the box; return it with the trace and rotation number."""
-        _, orbit, _ = found = fixed_point.existence(self.osc, self.hint, RADIUS, self.windows)
+        _, orbit, _ = found = fixed_point.existence(self.osc, self.hint, REACH, self.windows)
         return found, rotation(orbit)
 
     def second_pass(self):
@@ -81,7 +81,7 @@ def test_taylor_model_over_the_box(benchmark, order):
     with interval.workprec(53):
         h = Hints()
         models = over(h.osc, TaylorModel)
-        reach = interval.ball(RADIUS), interval.ball(RADIUS)
+        reach = interval.ball(REACH[0]), interval.ball(REACH[1])
 
         def tight():
             state = Domain(reach, order).variables(h.hint.point)
