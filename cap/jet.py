@@ -118,6 +118,7 @@ class Jet(Ring):
 
     def __add__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
+            self._same_space(other)
             pairs = zip(self.coefficients, other.coefficients, strict=True)
             return Jet(self.space, [a + b for a, b in pairs])
         first, *rest = self.coefficients
@@ -128,13 +129,19 @@ class Jet(Ring):
 
     def __mul__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
+            self._same_space(other)
             return Jet(self.space, self.space.product()(self.coefficients, other.coefficients))
         return Jet(self.space, [a * other for a in self.coefficients])
 
     def __truediv__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
             return self.__mul__(other.reciprocal())
-        return Jet(self.space, [a / other for a in self.coefficients])
+        return Jet(self.space, [_quotient(a, other) for a in self.coefficients])
+
+    def _same_space(self, other: Jet) -> None:
+        """Raise `ValueError` if the other jet has other variables or another order."""
+        if self.space is not other.space:
+            raise ValueError("jets of different spaces do not mix")
 
     def powers(self) -> list[list[Any]]:
         """Return the coefficients of h, h², ..., hⁿ, where h is the jet without its value."""
@@ -166,7 +173,7 @@ class Jet(Ring):
 
 def reciprocal_series(c: Any, order: int) -> list[Any]:
     """Return g⁽ᵏ⁾(c)/k! for g(c) = 1/c and k = 0, ..., order."""
-    inverse = 1 / c
+    inverse = _quotient(1, c)
     taylor = [inverse]
     for _ in range(order):
         taylor.append(-taylor[-1] * inverse)
@@ -182,3 +189,12 @@ def sin_cos_series(c: Any, order: int) -> tuple[list[Any], list[Any]]:
         [cycle[k % 4] / n for k, n in enumerate(factorials)],
         [cycle[(k + 1) % 4] / n for k, n in enumerate(factorials)],
     )
+
+
+def _quotient(a: Any, b: Any) -> Any:
+    """Return a/b; of two Python integers only 0/b, because 1/3 would be a double."""
+    if isinstance(a, int) and isinstance(b, int):
+        if a:
+            raise TypeError("the quotient of two integers is no exact scalar")
+        return 0
+    return a / b

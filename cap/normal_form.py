@@ -23,7 +23,7 @@ whose terms are removed one by one.  So ψ preserves area, and τ_2, τ_3, ... a
 from dataclasses import dataclass
 
 from cap.errors import NotProved
-from cap.interval import Ball, ComplexBall, pi
+from cap.interval import Ball, ComplexBall, pi, subset
 from cap.jet import Jet
 
 
@@ -65,10 +65,13 @@ def rotation_number(linear: Ellipticity) -> Ball:
 def twists(x: Jet, v: Jet) -> list[Ball]:
     """Return τ_1, ..., τ_m for jets of odd order 2m + 1 of an area-preserving map.
 
-    Assumes the jets enclose the Taylor coefficients at an elliptic fixed point.  Verifies
-    that no divisor λ^{j-k} - λ vanishes, and that the real parts which area preservation makes
-    zero contain zero.
+    Assumes the jets enclose the Taylor coefficients at an elliptic fixed point.  Verifies that
+    the determinant may be one, that no divisor λ^{j-k} - λ vanishes, and that the real parts which
+    area preservation makes zero contain zero.
     """
+    determinant = x[1, 0] * v[0, 1] - x[0, 1] * v[1, 0]
+    if not subset(Ball(1), determinant):
+        raise NotProved("normal form", "the determinant is not one", {"determinant": determinant})
     linear = ellipticity(x, v)
     f = complex_map(x, v, linear)
     nu = _resonant(f, linear.multiplier)
@@ -127,7 +130,8 @@ def _resonant(f: Jet, multiplier: ComplexBall) -> list[ComplexBall]:
         low = psi.truncated(degree)
         image = substitute(low, (f.truncated(degree), bar.truncated(degree)))
         error = _normal_map(low, nu, multiplier) - image
-        for j, k in _degree(degree):
+        for j in range(degree + 1):
+            k = degree - j
             e = error[j, k]
             if j == k + 1:
                 nu.append(-e / multiplier)
@@ -141,12 +145,6 @@ def _resonant(f: Jet, multiplier: ComplexBall) -> list[ComplexBall]:
                 value = e / divisor
             psi.coefficients[space.index[j, k]] = value
     return nu
-
-
-def _degree(degree: int) -> list[tuple[int, int]]:
-    """Return the exponents of a degree, the resonant one last: its choice needs the others."""
-    exponents = [(j, degree - j) for j in range(degree + 1)]
-    return sorted(exponents, key=lambda e: e[0] == e[1] + 1)
 
 
 def _normal_map(psi: Jet, nu: list[ComplexBall], multiplier: ComplexBall) -> Jet:

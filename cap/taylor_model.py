@@ -71,6 +71,7 @@ class TaylorModel(Ring):
 
     def __add__(self, other: Any) -> TaylorModel:
         if isinstance(other, TaylorModel):
+            self._same_domain(other)
             polynomial = self.polynomial + other.polynomial
             return TaylorModel(self.domain, polynomial, self.remainder + other.remainder)
         return TaylorModel(self.domain, self.polynomial + other, self.remainder)
@@ -81,6 +82,7 @@ class TaylorModel(Ring):
     def __mul__(self, other: Any) -> TaylorModel:
         if not isinstance(other, TaylorModel):
             return TaylorModel(self.domain, self.polynomial * other, self.remainder * other)
+        self._same_domain(other)
         p, q = self.degree_ranges(), other.degree_ranges()
         order = self.domain.space.order
         dropped = sum(
@@ -95,6 +97,11 @@ class TaylorModel(Ring):
         if isinstance(other, TaylorModel):
             return self.__mul__(other.reciprocal())
         return TaylorModel(self.domain, self.polynomial / other, self.remainder / other)
+
+    def _same_domain(self, other: TaylorModel) -> None:
+        """Raise `ValueError` if the other model is one on another domain."""
+        if self.domain is not other.domain:
+            raise ValueError("Taylor models on different domains do not mix")
 
     def series(self, taylor: Callable[[Ball, int], Sequence[Ball]]) -> TaylorModel:
         """Return g(self), where ``taylor(c, n)`` encloses g⁽ᵏ⁾(ξ)/k! for k <= n and all ξ in c.
