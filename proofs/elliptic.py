@@ -25,13 +25,13 @@ from typing import Any
 from cap import certificate, interval, normal_form
 from cap.errors import NotProved
 from cap.fixed_point import FixedPoint, Neighbourhood
-from cap.flow import TAYLOR_MODELS, oscillator, over, strobe, strobe_jet
+from cap.flow import TAYLOR_MODELS, over, strobe, strobe_jet
 from cap.interval import Ball
 from cap.jet import Jet
 from cap.model import Oscillator
 from cap.taylor_model import Domain, TaylorModel
 from proofs import non_sticking
-from proofs.non_sticking import KRAWCZYK, Setting
+from proofs.non_sticking import Setting
 
 MOSER = {
     "theorem": "Moser twist theorem",
@@ -82,28 +82,21 @@ def prove(setting: Setting) -> dict[str, Any]:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    with interval.workprec(setting.bits):
-        osc = oscillator(setting.parameters)
-        point = non_sticking.lemma_1_fixed_point(osc, setting)
-        around, box = non_sticking.lemma_2_uniqueness(osc, setting, point)
-        jets = strobe_jet(osc, point.box, point.orbit, setting.order)
-        claims = {
-            "box": box,
-            **non_sticking.orbit_claims(osc, setting, point),
-            **lemma_3_ellipticity(setting, jets),
-            **lemma_4_twist(setting, jets),
-            "taylor": taylor_claims(setting, jets),
-            "remainder": lemma_5_remainder(osc, point, around, jets),
-        }
-        hints = non_sticking.hints(setting, point, around)
+    return non_sticking.certificate_of(
+        "elliptic", setting, conclusion, MOSER, {"order": str(setting.order)}
+    )
+
+
+def conclusion(
+    osc: Oscillator[Ball], setting: Setting, point: FixedPoint, around: Neighbourhood
+) -> dict[str, Any]:
+    """Prove what the theorem says of P*, from the jet of Φ there; return the claims."""
+    jets = strobe_jet(osc, point.box, point.orbit, setting.order)
     return {
-        "format": certificate.FORMAT,
-        "theorem": "elliptic",
-        "parameters": setting.parameters.strings(),
-        "digits": str(setting.digits),
-        "claims": claims,
-        "hints": {**hints, "order": str(setting.order)},
-        "cites": [KRAWCZYK, MOSER],
+        **lemma_3_ellipticity(setting, jets),
+        **lemma_4_twist(setting, jets),
+        "taylor": taylor_claims(setting, jets),
+        "remainder": lemma_5_remainder(osc, point, around, jets),
     }
 
 

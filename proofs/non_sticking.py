@@ -3,6 +3,7 @@
 Let Φ be the stroboscopic map of x'' = F cos ωt - f sgn x', l < x < r, with elastic walls.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -11,6 +12,7 @@ from cap import certificate, fixed_point, interval, matrix
 from cap.certificate import Rounding, Units
 from cap.errors import NotProved
 from cap.fixed_point import FixedPoint, Neighbourhood, Start
+from cap.flow import oscillator
 from cap.interval import Ball
 from cap.model import Oscillator
 from cap.parameters import Parameters
@@ -85,6 +87,37 @@ class Setting:
 def bits(digits: int) -> int:
     """Return how many bits hold as many decimal digits, log2(10) < 10/3 each."""
     return digits * 10 // 3 + 1
+
+
+def certificate_of(
+    theorem: str,
+    setting: Setting,
+    conclude: Callable[[Oscillator[Ball], Setting, FixedPoint, Neighbourhood], dict[str, Any]],
+    cited: dict[str, Any],
+    more_hints: dict[str, str] | None = None,
+) -> dict[str, Any]:
+    """Prove Lemmas 1 and 2 and then ``conclude``, which returns claims; return the certificate.
+
+    ``cited`` is the theorem on paper on which the conclusion rests, besides Krawczyk's.
+    """
+    with interval.workprec(setting.bits):
+        osc = oscillator(setting.parameters)
+        point = lemma_1_fixed_point(osc, setting)
+        around, box = lemma_2_uniqueness(osc, setting, point)
+        claims = {
+            "box": box,
+            **orbit_claims(osc, setting, point),
+            **conclude(osc, setting, point, around),
+        }
+        return {
+            "format": certificate.FORMAT,
+            "theorem": theorem,
+            "parameters": setting.parameters.strings(),
+            "digits": str(setting.digits),
+            "claims": claims,
+            "hints": {**hints(setting, point, around), **(more_hints or {})},
+            "cites": [KRAWCZYK, cited],
+        }
 
 
 def lemma_1_fixed_point(osc: Oscillator[Ball], setting: Setting) -> FixedPoint:

@@ -16,12 +16,13 @@ Lemmas 1 and 2 (`proofs.non_sticking`) give (i), Lemma 3 gives (ii).
 
 from typing import Any
 
-from cap import certificate, interval, matrix
+from cap import matrix
 from cap.errors import NotProved
-from cap.fixed_point import FixedPoint
-from cap.flow import oscillator
+from cap.fixed_point import FixedPoint, Neighbourhood
+from cap.interval import Ball
+from cap.model import Oscillator
 from proofs import non_sticking
-from proofs.non_sticking import KRAWCZYK, Setting
+from proofs.non_sticking import Setting
 
 HADAMARD_PERRON = {
     "theorem": "Hadamard-Perron",
@@ -49,25 +50,14 @@ def prove(setting: Setting) -> dict[str, Any]:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    with interval.workprec(setting.bits):
-        osc = oscillator(setting.parameters)
-        point = non_sticking.lemma_1_fixed_point(osc, setting)
-        around, box = non_sticking.lemma_2_uniqueness(osc, setting, point)
-        claims = {
-            "box": box,
-            **non_sticking.orbit_claims(osc, setting, point),
-            "multipliers": lemma_3_hyperbolicity(setting, point),
-        }
-        hints = non_sticking.hints(setting, point, around)
-    return {
-        "format": certificate.FORMAT,
-        "theorem": "saddle",
-        "parameters": setting.parameters.strings(),
-        "digits": str(setting.digits),
-        "claims": claims,
-        "hints": hints,
-        "cites": [KRAWCZYK, HADAMARD_PERRON],
-    }
+    return non_sticking.certificate_of("saddle", setting, conclusion, HADAMARD_PERRON)
+
+
+def conclusion(
+    _osc: Oscillator[Ball], setting: Setting, point: FixedPoint, _around: Neighbourhood
+) -> dict[str, Any]:
+    """Prove what the theorem says of P*; return the claims."""
+    return {"multipliers": lemma_3_hyperbolicity(setting, point)}
 
 
 def lemma_3_hyperbolicity(setting: Setting, point: FixedPoint) -> list[list[str]]:
