@@ -30,6 +30,7 @@ def attempt(p, state, times, kind, *, radius=0, width=HAIR):
 
 
 def refused(step, reason, *arguments, **options):
+    """Check that the attempt fails at this step, for this reason; return the exception."""
     with interval.workprec(BITS), pytest.raises(NotProved) as caught:
         attempt(*arguments, **options)
     assert (caught.value.step, reason in caught.value.reason) == (step, True), str(caught.value)

@@ -16,6 +16,7 @@ PRECISION = 53
 
 
 def pytest_report_header():
+    """Name the versions whose arithmetic is tested."""
     libraries = ("python-flint", "mpmath", "numpy")
     found = ", ".join(f"{name} {version(name)}" for name in libraries)
     return f"arithmetic: {found}, python {platform.python_version()}"

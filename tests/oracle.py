@@ -62,5 +62,6 @@ def compared(claim, value, error, where):
 
 
 def exact_decimal(text):
+    """Return the exact value of a decimal string of digits, point and sign only."""
     assert set(text) <= set("-.0123456789")
     return Fraction(text)

@@ -9,20 +9,12 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from systems import CASES, FRICTIONS, SHIFTED
 
 from cap.approx import flow, periodic
 from cap.approx.periodic import Guess
 from cap.errors import BadInput
-from cap.parameters import PAPER, Parameters
-
-FRICTIONS = [Fraction(3, 10), Fraction(2, 5), Fraction(9, 20), Fraction(1, 2), Fraction(3, 5)]
-SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7), Fraction(-59, 9))
-CASES = [
-    *((replace(PAPER, f=f), 2) for f in FRICTIONS),
-    (SHIFTED, 2),
-    (replace(PAPER, f=Fraction(1, 1000)), 6),
-    (Parameters(Fraction(1), Fraction(1), Fraction(0), Fraction(0), Fraction(4)), 4),
-]
+from cap.parameters import PAPER
 
 
 def symmetric(p, branch):
@@ -36,10 +28,12 @@ def symmetric(p, branch):
 
 
 def end(p, guess):
+    """Return the orbit of a guess over one period."""
     return flow.one_period(flow.oscillator(p), guess.x, guess.v)
 
 
 def test_the_four_orbits_of_the_paper():
+    """Kinds, states, traces, hit times and least speed are the known ones."""
     strong, p_star, saddle, mirror = periodic.orbits(PAPER, 2)
     assert [g.kind for g in (strong, p_star, saddle, mirror)] == [
         "saddle",
@@ -61,6 +55,7 @@ def test_the_four_orbits_of_the_paper():
 
 @pytest.mark.parametrize(("p", "hits"), CASES)
 def test_orbits_are_genuine_periodic_and_different(p, hits):
+    """Followed by the flow, each closes up with the hits, trace and least speed of its guess."""
     found = periodic.orbits(p, hits)
     assert found
     o = flow.oscillator(p)
@@ -79,6 +74,7 @@ def test_orbits_are_genuine_periodic_and_different(p, hits):
 @pytest.mark.parametrize("p", [*(replace(PAPER, f=f) for f in FRICTIONS), SHIFTED])
 @pytest.mark.parametrize("branch", [1, -1])
 def test_symmetric_orbit_in_closed_form(p, branch):
+    """Exactly one orbit found has the hit time, speed and trace of each symmetric solution."""
     t, u, trace = symmetric(p, branch)
     half = math.pi / float(p.omega)
     (found,) = [
@@ -89,12 +85,14 @@ def test_symmetric_orbit_in_closed_form(p, branch):
 
 
 def test_symmetric_orbits_meet_at_a_universal_friction():
+    """There are two orbits just below f/F = 2/π and none just above."""
     below, above = Fraction(6366, 10_000), Fraction(6367, 10_000)  # 2/π = 0.63661...
     assert len(periodic.orbits(replace(PAPER, f=below), 2)) == 2
     assert periodic.orbits(replace(PAPER, f=above), 2) == []
 
 
 def test_the_pair_is_born_at_the_pitchfork():
+    """There are four orbits just below the friction of the pitchfork and two just above."""
     ratio = 2 * 2 / (math.pi**2 - 4)
     pitchfork = Fraction(2 / math.pi * math.sqrt(1 - ratio**2))
     step = Fraction(1, 10_000)
@@ -104,6 +102,7 @@ def test_the_pair_is_born_at_the_pitchfork():
 
 @pytest.mark.parametrize(("p", "hits"), CASES)
 def test_reflected_orbits_are_orbits(p, hits):
+    """Each orbit's reflection, half a period later, is among those found, with the same trace."""
     found = periodic.orbits(p, hits)
     half = math.pi / float(p.omega)
     T = 2 * half
@@ -117,6 +116,7 @@ def test_reflected_orbits_are_orbits(p, hits):
 
 
 def test_the_reflected_orbit_needs_no_seed(monkeypatch):
+    """From a seed near one orbit alone, the search finds its mirror image as well."""
     _, p_star, _, mirror = periodic.orbits(PAPER, 2)
     seed = np.array([p_star.hit_times])
     monkeypatch.setattr(periodic.lifted, "seeds", lambda _: seed)
@@ -176,6 +176,7 @@ def work(o, guess, steps=2000):
 
 
 def test_search_yields_fewest_hits_first_then_smallest_x():
+    """The order is that of ``orbits`` for 2, 4, 6 hits, and ``most_hits`` ends it."""
     p = replace(PAPER, f=Fraction(1, 1000))
     found = list(periodic.search(p))
     assert [len(g.hit_times) for g in found] == [2, 2, 6, 6]
@@ -185,6 +186,7 @@ def test_search_yields_fewest_hits_first_then_smallest_x():
 
 @pytest.mark.parametrize("rho", [10**3, 10**9, 10**30])
 def test_far_walls_do_not_hide_the_orbits(rho):
+    """Both symmetric orbits are found, as in closed form, with walls up to 10^30 apart."""
     p = replace(PAPER, l=Fraction(0), r=Fraction(rho))
     for branch, g in zip((-1, 1), periodic.orbits(p, 2), strict=True):
         t, _, trace = symmetric(p, branch)
@@ -193,6 +195,7 @@ def test_far_walls_do_not_hide_the_orbits(rho):
 
 
 def test_orbits_that_have_no_itinerary_or_are_not_isolated_are_left_out():
+    """Without friction: hits at t = 0, and curves of orbits, are not results."""
     no_friction = replace(PAPER, f=Fraction(0))
     assert periodic.orbits(no_friction, 2) == []  # both symmetric orbits hit a wall at t = 0
     assert periodic.orbits(replace(no_friction, r=Fraction(10_000)), 4) == []
@@ -200,88 +203,25 @@ def test_orbits_that_have_no_itinerary_or_are_not_isolated_are_left_out():
 
 @pytest.mark.parametrize("hits", [-2, 0, 1, 3])
 def test_hits_must_be_even(hits):
+    """Odd numbers of hits, none and fewer are bad input: each wall is hit equally often."""
     with pytest.raises(BadInput):
         periodic.orbits(PAPER, hits)
 
 
-@pytest.mark.parametrize(("p", "hits"), CASES)
-def test_near_finds_each_orbit_again(p, hits):
-    for g in periodic.orbits(p, hits):
-        h = periodic.near(p, g.x + 1e-5, g.v - 1e-5)
-        assert (h.x, h.v) == pytest.approx((g.x, g.v), abs=1e-11)
-        assert h.trace == pytest.approx(g.trace, rel=1e-8)
-
-
-@pytest.mark.parametrize("f", FRICTIONS)
-def test_near_starts_from_turning_orbits_and_odd_itineraries(f):
-    """Beside a saddle of trace 5740 or 1336, orbits turn, or miss a hit."""
-    p, d = replace(PAPER, f=f), 3e-4
-    for g in periodic.orbits(p, 2):
-        for dx, dv in [(d, -d), (-d, d), (d, d), (-d, -d)]:
-            h = periodic.near(p, g.x + dx, g.v + dv)
-            assert (h.x, h.v) == pytest.approx((g.x, g.v), abs=1e-11)
-
-
-def test_near_drops_a_last_hit_that_is_one_too_many():
-    times = flow.one_period(flow.oscillator(PAPER), -0.95, 0.6, formal=True).hit_times
-    assert len(times) == 3
-    assert len(periodic.near(PAPER, -0.95, 0.6).hit_times) == 2
-
-
-def test_near_starts_from_either_direction():
-    """At f = 0 and R = 4, one of the two orbits with four hits moves left at t = 0."""
-    p, hits = CASES[-1]
-    assert {g.v > 0 for g in periodic.orbits(p, hits)} == {True, False}
-    for g in periodic.orbits(p, hits):
-        assert periodic.near(p, g.x, g.v).v == pytest.approx(g.v, abs=1e-12)
-
-
-def test_near_says_why_it_ends_without_an_orbit():
-    slow = replace(PAPER, f=Fraction(3, 10))
-    with pytest.raises(BadInput, match="not genuine: it turns before t = "):
-        periodic.near(slow, 0.0311905, 0.5087892)  # the pair at f = 0.3 is formal
-    with pytest.raises(BadInput, match="does not converge"):
-        periodic.near(replace(PAPER, f=Fraction(7, 10)), 0.1, 0.5)
-    with pytest.raises(BadInput, match="before it hits a wall"):
-        periodic.near(replace(PAPER, r=Fraction(100)), 0.0, 1.0)
-    with pytest.raises(BadInput, match="hits a wall at t = 0"):
-        periodic.near(replace(PAPER, f=Fraction(0)), 1 - 1e-7, 4 / math.pi)
-
-
-@pytest.mark.parametrize(
-    ("x", "v", "words"),
-    [
-        (1.0, 0.5, "between the walls"),
-        (-3.0, 0.5, "between the walls"),
-        (0.0, 0.0, "must not be 0"),
-        (math.nan, 0.5, "finite"),
-        (0.0, math.inf, "finite"),
-        (0.0, 1e9, "too fast"),
-    ],
-)
-def test_bad_guesses(x, v, words):
-    with pytest.raises(BadInput, match=words) as error:
-        periodic.near(PAPER, x, v)
-    assert "\n" not in str(error.value)
-
-
-def test_grazing_start_is_bad_input():
-    p = replace(PAPER, f=1 - Fraction(1, 10**21), l=Fraction(0))
-    with pytest.raises(BadInput, match="turns at t"):
-        periodic.near(p, 1 - 2.0**-53, 1e-308)
-
-
 def test_narrow_gap_has_no_orbits():
+    """With walls 10^-30 apart the search ends, empty, without a warning."""
     p = replace(PAPER, f=Fraction(1, 10**30), l=Fraction(0), r=Fraction(1, 10**30))
     assert periodic.orbits(p, 2) == []
 
 
 def test_kinds():
+    """|trace| < 2 is elliptic; a trace below -2 is a saddle too."""
     assert Guess(0.0, 1.0, (), 1.9, 1.0).kind == "elliptic"
     assert Guess(0.0, 1.0, (), -2.1, 1.0).kind == "saddle"
 
 
 def test_import_is_light():
+    """The float search loads neither python-flint nor scipy."""
     code = "import sys, cap.approx.periodic; print('flint' in sys.modules, 'scipy' in sys.modules)"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert out.stdout.split() == ["False", "False"]

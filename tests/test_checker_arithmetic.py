@@ -1,61 +1,22 @@
-"""The checker's arithmetic: every operation contains the truth, and hardly more.
-
-Oracles: exact fractions for the field operations, mpmath's plain numbers and python-flint's balls
-at a much higher precision for the functions.
-"""
+"""The checker's intervals: every operation contains the exact values, and hardly more."""
 
 from __future__ import annotations
 
-import os
-import random
 from fractions import Fraction
 
-import flint
 import pytest
-from mpmath import mp
+from checker.intervals import BITS, contains, points, some_interval
+from support import rounds, seeded
 
-from cap.checker.elementary import (
-    _arctan_of_inverse,
-    _cos_sin_at,
-    _sine_series,
-    arccos,
-    cos_sin,
-    pi,
-)
 from cap.checker.interval import Interval
 from cap.checker.rejection import Rejected, need
-
-TIMES = int(os.environ.get("CAP_TEST_MULTIPLIER", "1"))
-BITS = (8, 53, 64, 200, 300)
-
-
-def some_integer(rng, bits):
-    kind = rng.randrange(6)
-    if kind == 0:
-        return rng.choice((0, 1, -1, 1 << bits, -(1 << bits), (1 << bits) + 1, (1 << bits) - 1))
-    size = rng.choice((4, bits // 2, bits, bits + 8, 3 * bits))
-    return rng.randint(-(1 << size), 1 << size)
-
-
-def some_interval(rng, bits):
-    a = some_integer(rng, bits)
-    width = rng.choice((0, 0, 1, 2, 1 << (bits // 2), 1 << bits, 1 << (2 * bits)))
-    return Interval(a, a + rng.randint(0, width), bits)
-
-
-def points(rng, x):
-    inner = [rng.randint(x.lo, x.hi) for _ in range(2)]
-    return [Fraction(n, 1 << x.bits) for n in (x.lo, x.hi, *inner)]
-
-
-def contains(x, q):
-    return x.lower <= q <= x.upper
 
 
 @pytest.mark.parametrize("bits", BITS)
 def test_field_operations_contain_all_values_and_are_tight(bits):
-    rng = random.Random(bits)  # noqa: S311
-    for _ in range(300 * TIMES):
+    """Sums, products, negatives contain all values at points and exceed them by under an ulp."""
+    rng = seeded(bits)
+    for _ in range(rounds(300)):
         x, y = some_interval(rng, bits), some_interval(rng, bits)
         pairs = [(p, q) for p in points(rng, x) for q in points(rng, y)]
         for result, exact in (
@@ -76,9 +37,10 @@ def test_field_operations_contain_all_values_and_are_tight(bits):
 
 @pytest.mark.parametrize("bits", BITS)
 def test_division_contains_all_values_and_is_tight(bits):
-    rng = random.Random(bits + 1)  # noqa: S311
+    """So do quotients; a divisor that contains zero rejects."""
+    rng = seeded(bits + 1)
     done = 0
-    while done < 200 * TIMES:
+    while done < rounds(200):
         x, y = some_interval(rng, bits), some_interval(rng, bits)
         if y.contains_zero():
             with pytest.raises(Rejected, match="zero"):
@@ -96,12 +58,14 @@ def test_division_contains_all_values_and_is_tight(bits):
     "divisor", [0, Interval(0, 5, 64), Interval(-5, 0, 64), Interval(-1, 1, 64)]
 )
 def test_division_by_an_interval_with_zero_rejects(divisor):
+    """Also if zero is an end of the divisor, or the divisor is the integer 0."""
     with pytest.raises(Rejected):
         Interval(1, 2, 64) / divisor
 
 
 @pytest.mark.parametrize("divisor", [1, 3, -3])
 def test_division_by_an_integer(divisor):
+    """Contains the exact ends, also with a negative divisor, and is narrow."""
     x = Interval(10, 20, 4)
     ends = sorted((x.lower / divisor, x.upper / divisor))
     assert (x / divisor).lower <= ends[0] <= ends[1] <= (x / divisor).upper
@@ -110,9 +74,10 @@ def test_division_by_an_integer(divisor):
 
 @pytest.mark.parametrize("bits", BITS)
 def test_square_root_magnitude_of_random_intervals(bits):
-    rng = random.Random(bits + 2)  # noqa: S311
+    """Square, |x| and root contain all values, and their ends are within an ulp of the extremes."""
+    rng = seeded(bits + 2)
     ulp = Fraction(1, 1 << bits)
-    for _ in range(200 * TIMES):
+    for _ in range(rounds(200)):
         x = some_interval(rng, bits)
         for value in points(rng, x):
             assert contains(x.square(), value**2)
@@ -130,6 +95,7 @@ def test_square_root_magnitude_of_random_intervals(bits):
 
 
 def test_square_root_of_negative_numbers_rejects():
+    """An interval that reaches below zero has no square root."""
     with pytest.raises(Rejected, match="negative"):
         Interval(-1, 5, 64).sqrt()
 
@@ -138,6 +104,7 @@ def test_square_root_of_negative_numbers_rejects():
     "q", [Fraction(1, 3), Fraction(-1, 3), Fraction(2), Fraction(0), Fraction(-7, 10**40)]
 )
 def test_enclosing_is_the_least_interval(q):
+    """A rational is enclosed in one unit, or exactly if it is a multiple of the unit."""
     for bits in BITS:
         x = Interval.enclosing(q, q, bits)
         assert contains(x, q)
@@ -145,17 +112,20 @@ def test_enclosing_is_the_least_interval(q):
 
 
 def test_enclosing_rounds_each_end_outwards():
+    """±1/3 in units 2^-8: the ends are rounded away from zero, by hand -86 and 86."""
     x = Interval.enclosing(Fraction(-1, 3), Fraction(1, 3), 8)
     assert (x.lo, x.hi) == (-86, 86)
 
 
 def test_with_bits_rounds_outwards():
+    """Fewer bits round each end outwards; more bits change nothing."""
     x = Interval(-5, 5, 10)
     assert (x.with_bits(9).lo, x.with_bits(9).hi) == (-3, 3)
     assert x.with_bits(20).lower == x.lower
 
 
 def test_predicates_are_strict():
+    """Touching is neither before nor inside nor positive; closed inclusion allows it."""
     zero, one, two = (Interval(n, n, 0) for n in (0, 1, 2))
     assert not zero.is_positive()
     assert one.is_positive()
@@ -173,6 +143,7 @@ def test_predicates_are_strict():
 
 
 def test_intersection():
+    """Of overlapping and of touching intervals; disjoint ones reject."""
     x = Interval(0, 5, 3).intersection(Interval(2, 9, 3))
     assert (x.lo, x.hi) == (2, 5)
     assert Interval(0, 2, 3).intersection(Interval(2, 3, 3)).width == 0
@@ -181,6 +152,7 @@ def test_intersection():
 
 
 def test_different_precision_rejects():
+    """Operands with different units never meet silently."""
     for operation in (Interval.__add__, Interval.__sub__, Interval.__mul__, Interval.__truediv__):
         with pytest.raises(Rejected, match="precision"):
             operation(Interval(1, 1, 3), Interval(1, 1, 4))
@@ -188,153 +160,16 @@ def test_different_precision_rejects():
 
 @pytest.mark.parametrize("value", [1, "true", [True], None, False, 0])
 def test_need_takes_nothing_but_true(value):
+    """A truthy value is not enough: only ``True`` passes."""
     with pytest.raises(Rejected, match="why"):
         need(value, "why")
     need(True, "why")
 
 
-@pytest.mark.parametrize("bits", [1, 2, 10, 64, 200, 1000, 16384])
-def test_pi(bits):
-    with mp.workprec(bits + 60):
-        exact = mp.pi * mp.mpf(2) ** bits
-        assert pi(bits).lo <= exact <= pi(bits).hi
-    assert pi(bits).width <= 2
-
-
-def extremes_of_cosine(x):
-    """The least and the greatest cosine over an interval, at a high precision, in units 2^-bits."""
-    with mp.workprec(8 * x.bits + 200):
-        unit = mp.mpf(2) ** -x.bits
-        a, b = x.lo * unit, x.hi * unit
-        values = [mp.cos(a), mp.cos(b)]
-        first, last = int(mp.ceil(a / mp.pi)), int(mp.floor(b / mp.pi))
-        values += [mp.mpf(1 - 2 * (n % 2)) for n in range(first, min(last, first + 1) + 1)]
-        return min(values) / unit, max(values) / unit
-
-
-def extremes_of_sine(x):
-    with mp.workprec(8 * x.bits + 200):
-        unit = mp.mpf(2) ** -x.bits
-        a, b = x.lo * unit, x.hi * unit
-        values = [mp.sin(a), mp.sin(b)]
-        first, last = (int(r(q / mp.pi - mp.mpf(1) / 2)) for q, r in ((a, mp.ceil), (b, mp.floor)))
-        values += [mp.mpf(1 - 2 * (n % 2)) for n in range(first, min(last, first + 1) + 1)]
-        return min(values) / unit, max(values) / unit
-
-
-def agrees(result, extremes, slack):
-    low, high = extremes
-    assert result.lo <= low
-    assert high <= result.hi
-    assert low - result.lo <= slack
-    assert result.hi - high <= slack
-
-
-@pytest.mark.parametrize("bits", BITS)
-def test_cosine_and_sine_of_random_intervals(bits):
-    rng = random.Random(bits + 3)  # noqa: S311
-    for _ in range(60 * TIMES):
-        x = some_interval(rng, bits)
-        cos, sin = cos_sin(x)
-        agrees(cos, extremes_of_cosine(x), 2)
-        agrees(sin, extremes_of_sine(x), 2)
-
-
-@pytest.mark.parametrize("bits", [53, 200])
-@pytest.mark.parametrize("n", [-5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5, 10**6 + 1, 10**30 + 2])
-def test_cosine_and_sine_around_the_multiples_of_half_pi(bits, n):
-    with mp.workprec(4 * bits + 300):
-        middle = int(mp.nint(n * mp.pi / 2 * mp.mpf(2) ** bits))
-    for left in (0, 1, 5, 1 << bits // 3, 1 << (bits - 1)):
-        for right in (0, 1, 5, 1 << bits // 3, 1 << (bits - 1)):
-            for shift in (0, -2 * right, 2 * left):  # around it, before it, after it
-                x = Interval(middle - left + shift, middle + right + shift, bits)
-                if x.lo > x.hi:
-                    continue
-                cos, sin = cos_sin(x)
-                agrees(cos, extremes_of_cosine(x), 2)
-                agrees(sin, extremes_of_sine(x), 2)
-
-
-@pytest.mark.parametrize("value", [10**30, -(10**30), 10**300 + 1, 3 * 10**1000, 1 << 5000])
-def test_cosine_and_sine_of_huge_arguments(value):
-    x = Interval.enclosing(Fraction(value), Fraction(value), 128)
-    with flint.ctx.workprec(8000):
-        unit = flint.arb(2) ** 128
-        for result, exact in zip(
-            cos_sin(x), (flint.arb(value).cos(), flint.arb(value).sin()), strict=True
-        ):
-            assert result.lo < exact * unit
-            assert exact * unit < result.hi
-            assert result.width <= 4
-
-
-def test_cosine_and_sine_of_a_whole_turn_and_more():
-    for x in (Interval.enclosing(0, 7, 64), Interval.enclosing(-(10**40), 10**40, 64)):
-        for result in cos_sin(x):
-            assert result.lies_in(Fraction(-1) - Fraction(2, 1 << 64), 1 + Fraction(2, 1 << 64))
-            assert contains(result, Fraction(1))
-            assert contains(result, Fraction(-1))
-
-
-@pytest.mark.parametrize("bits", [16, 64, 200, 300])
-def test_arccosine_of_random_intervals(bits):
-    rng = random.Random(bits + 4)  # noqa: S311
-    one = 1 << bits
-    for k in range(60 * TIMES):
-        near = rng.choice((1, 2, 1 << bits // 2, one // 2))
-        a = rng.choice(
-            (one - rng.randint(1, near), -one + rng.randint(1, near), rng.randint(-near, near))
-        )
-        a = max(-one + 1, min(one - 1, a))
-        b = min(one - 1, a + rng.choice((0, 0, 1, near))) if k else a
-        with mp.workprec(4 * bits):
-            unit = mp.mpf(2) ** -bits
-            extremes = mp.acos(b * unit) / unit, mp.acos(a * unit) / unit
-            agrees(arccos(Interval(a, b, bits)), extremes, 2)
-
-
-@pytest.mark.parametrize("ends", [(-256, 0), (0, 256), (-300, 300), (256, 256), (-256, -256)])
-def test_arccosine_at_and_beyond_one_rejects(ends):
-    with pytest.raises(Rejected, match="arccosine"):
-        arccos(Interval(*ends, 8))
-
-
-@pytest.mark.parametrize("bits", [64, 250])
-def test_cosine_against_balls(bits):
-    rng = random.Random(bits)  # noqa: S311
-    with flint.ctx.workprec(4 * bits):
-        for _ in range(100 * TIMES):
-            n = rng.randint(-(1 << bits + 4), 1 << bits + 4)
-            t, unit = flint.arb(n) / flint.arb(2) ** bits, flint.arb(2) ** bits
-            for result, exact in zip(
-                cos_sin(Interval(n, n, bits)), (t.cos(), t.sin()), strict=True
-            ):
-                assert result.lo <= exact * unit
-                assert exact * unit <= result.hi
-
-
 @pytest.mark.parametrize("ends", [(0, 0), (-1, 0), (5, 6), (-7, -2), (100, 108), (-9, 90)])
 def test_the_midpoint_lies_in_the_interval_near_its_middle(ends):
+    """A single point, between the ends, half a unit from the middle at most."""
     middle = Interval(*ends, 5).midpoint()
     assert middle.lo == middle.hi
     assert ends[0] <= middle.lo <= ends[1]
     assert abs(2 * middle.lo - sum(ends)) <= 1
-
-
-@pytest.mark.parametrize("p", [12, 64, 300])
-def test_the_error_bounds_of_the_series_before_the_guard_bits_are_cut(p):
-    rng = random.Random(p)  # noqa: S311
-    half_pi = Interval(pi(p).lo, pi(p).hi, p + 1).with_bits(p)
-    with mp.workprec(4 * p + 100):
-        unit = mp.mpf(2) ** -p
-        for _ in range(100 * TIMES):
-            r = rng.randint(0, half_pi.lo // 2)
-            value, error = _sine_series(r, p)
-            assert abs(value - mp.sin(r * unit) / unit) <= error <= 2 * p
-            a = rng.choice((r, -r, r * (1 << 20) + 5, -r * 77))
-            for result, f in zip(_cos_sin_at(a, half_pi), (mp.cos, mp.sin), strict=True):
-                assert result.lo <= f(a * unit) / unit <= result.hi
-        for n in (5, 239):
-            value, error = _arctan_of_inverse(n, p)
-            assert abs(value - mp.atan(mp.mpf(1) / n) / unit) <= error <= p

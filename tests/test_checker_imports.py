@@ -15,6 +15,7 @@ FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 
 def loaded(code):
+    """Return the modules loaded in a new interpreter by the code."""
     out = subprocess.run(
         [sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"],
         capture_output=True,
@@ -25,12 +26,14 @@ def loaded(code):
 
 
 def test_the_checker_loads_only_itself():
+    """All modules of the checker together load nothing else of cap and nothing foreign."""
     modules = loaded("import " + ", ".join(MODULES))
     assert {m for m in modules if m.split(".")[0] == "cap"} == {"cap", "cap.checker", *MODULES}
     assert not {m.split(".")[0] for m in modules} & FOREIGN
 
 
 def test_the_command_line_adds_only_itself():
+    """``cap.verify`` adds only itself and ``cap.console``."""
     modules = loaded("import cap.verify")
     ours = {m for m in modules if m.split(".")[0] == "cap"}
     assert ours <= {"cap", "cap.checker", "cap.console", "cap.verify", *MODULES}
@@ -39,10 +42,12 @@ def test_the_command_line_adds_only_itself():
 
 @pytest.mark.parametrize("module", MODULES)
 def test_every_module_can_be_imported_alone(module):
+    """No module depends on another being imported first."""
     assert module in loaded(f"import {module}")
 
 
 def test_the_checker_contains_no_assert():
+    """No line is an assert, which ``python -O`` would not execute; the sources are ASCII."""
     for module in [*MODULES, "cap.verify"]:
         path = __import__(module, fromlist=["x"]).__file__
         with open(path, encoding="ascii") as file:  # noqa: PTH123

@@ -17,15 +17,18 @@ BITS = 128
 
 
 def thin(q):
+    """Return the enclosure of a rational."""
     return Interval.enclosing(Fraction(q), Fraction(q), BITS)
 
 
 def variables(order, x, v):
+    """Return the jets of x and v at a point."""
     one = thin(1)
     return Jet(order, {(0, 0): x, (1, 0): one}), Jet(order, {(0, 0): v, (0, 1): one})
 
 
 def some_polynomial(rng, order):
+    """Return random rational coefficients up to the order."""
     return {
         (i, n - i): Fraction(rng.randint(-99, 99), 7)
         for n in range(order + 1)
@@ -34,6 +37,7 @@ def some_polynomial(rng, order):
 
 
 def product(p, q, order):
+    """Return the truncated product of two polynomials, exactly."""
     result = {}
     for (i, j), c in p.items():
         for (k, m), d in q.items():
@@ -43,6 +47,7 @@ def product(p, q, order):
 
 
 def encloses(jet, exact, slack=1000):
+    """Check that a jet contains exact coefficients, each within the slack in ulps."""
     assert {p for p, c in exact.items() if c} <= set(jet.coefficients)
     for power, c in jet.coefficients.items():
         assert c.lower <= exact.get(power, 0) <= c.upper
@@ -51,6 +56,7 @@ def encloses(jet, exact, slack=1000):
 
 @pytest.mark.parametrize("order", [0, 1, 2, 5])
 def test_sums_and_products_contain_the_exact_ones(order):
+    """Random polynomials with rational coefficients, at orders 0 to 5."""
     rng = random.Random(order)  # noqa: S311
     p, q = some_polynomial(rng, order), some_polynomial(rng, order)
     P, Q = (Jet(order, {k: thin(c) for k, c in w.items()}) for w in (p, q))
@@ -63,6 +69,7 @@ def test_sums_and_products_contain_the_exact_ones(order):
 
 
 def test_the_lower_order_wins():
+    """Sum and product have the lower order of the operands, and no terms beyond."""
     x, v = variables(3, thin(0), thin(0))
     assert (x * v.truncated(1)).coefficients.keys() == {(0, 0), (1, 0), (0, 1)}
     assert (x + v.truncated(1)).order == 1
@@ -70,6 +77,7 @@ def test_the_lower_order_wins():
 
 
 def test_substitution_is_composition():
+    """P(X, V) of random polynomials is the composition computed in fractions."""
     rng = random.Random(7)  # noqa: S311
     order = 4
     p, x, v = (some_polynomial(rng, order) for _ in range(3))
@@ -86,12 +94,14 @@ def test_substitution_is_composition():
 
 
 def test_powers():
+    """(2 + x)^n has the binomial coefficients."""
     x, _ = variables(6, thin(2), thin(0))
     for n, jet in enumerate(powers(x, thin(1), 6)):
         encloses(jet, {(k, 0): Fraction(comb(n, k) * 2 ** (n - k)) for k in range(n + 1)})
 
 
 def test_cosine_and_sine_of_a_linear_jet():
+    """The coefficients are the derivatives of cos and sin at the point, in closed form."""
     x, v = variables(5, thin(Fraction(1, 3)), thin(Fraction(2, 5)))
     angle = x + v * 3
     cos, sin = cos_sin_jet(angle)
@@ -107,6 +117,7 @@ def test_cosine_and_sine_of_a_linear_jet():
 
 
 def test_cosine_of_a_nonlinear_jet_satisfies_pythagoras():
+    """cos^2 + sin^2 = 1 in all coefficients, for a polynomial argument."""
     x, v = variables(6, thin(Fraction(1, 3)), thin(Fraction(-2, 5)))
     cos, sin = cos_sin_jet(x * v * v + x * x)
     one = cos * cos + sin * sin
@@ -125,10 +136,12 @@ def box_pair(order, x, v, r):
 
 
 def formula(x, v):
+    """A cubic polynomial, for numbers and jets alike."""
     return x * x * v - x * v * v * 3 + x * v
 
 
 def coefficients(x, v):
+    """Return the Taylor coefficients of ``formula`` at a point, up to order 2, by hand."""
     return {
         (0, 0): x * x * v - 3 * x * v * v + x * v,
         (1, 0): 2 * x * v - 3 * v * v + v,
@@ -139,6 +152,7 @@ def coefficients(x, v):
 
 @pytest.mark.parametrize("radius", ["0", "1/1000", "1/10", "2"])
 def test_the_mean_value_form_contains_every_point_and_is_tighter(radius):
+    """The coefficients at 50 points of the box lie in it; it is never wider than the plain form."""
     rng = random.Random(3)  # noqa: S311
     x, v = box_pair(2, "1/2", "1/3", radius)
     result = lift(formula, x, v)
@@ -165,6 +179,7 @@ def test_the_factor_of_the_mean_value_form():
 
 
 def test_the_offsets_of_both_variables_count():
+    """The width is the sum over both variables of slope times width of the offset."""
     r = Fraction(1, 10)
     wide, none = Interval.enclosing(-r, r, BITS), thin(0)
     for offsets, width in (((wide, none), 2 * r), ((none, wide), 4 * r), ((wide, wide), 6 * r)):
@@ -175,6 +190,7 @@ def test_the_offsets_of_both_variables_count():
 
 
 def test_a_wrong_centre_rejects():
+    """A centre that the box cannot contain makes the two forms disjoint."""
     x, _ = box_pair(2, "1/2", "1/3", "1/1000")
     with pytest.raises(Rejected, match="disjoint"):
         Centred(Jet(2, {(0, 0): thin(5)}), x.box, x.offsets)

@@ -23,6 +23,7 @@ BITS = 256
 
 
 def thin(q):
+    """Return the enclosure of a rational."""
     return Interval.enclosing(Fraction(q), Fraction(q), BITS)
 
 
@@ -32,11 +33,13 @@ def jet(order, **terms):
 
 
 def compose(outer, inner):
+    """Return the jets of outer after inner."""
     return tuple(substituted(w, *inner, thin(1)) for w in outer)
 
 
 # An area preserving change of coordinates with the identity as linear part: three shears.
 def shears(order, sign=1):
+    """Return the composition of three shears, or with sign -1 its inverse."""
     x, v = jet(order, c10=1), jet(order, c01=1)
     a = (x + jet(order, c02=Fraction(sign, 3), c03=Fraction(sign, 5)), v)
     b = (x, v + jet(order, c20=Fraction(-sign, 2), c30=Fraction(sign, 7), c50=sign))
@@ -45,6 +48,7 @@ def shears(order, sign=1):
 
 
 def linear(order, rows):
+    """Return the jets of a linear map."""
     (a, b), (c, d) = rows
     return jet(order, c10=a, c01=b), jet(order, c10=c, c01=d)
 
@@ -70,6 +74,7 @@ def twist_map(order, tau):
 
 
 def run(phi):
+    """Return the frame and the twists of a map."""
     x, v = phi
     frame = elliptic_frame([[w.coefficients[1, 0], w.coefficients[0, 1]] for w in (x, v)])
     return frame, twists(in_complex_coordinate(x, v, frame))
@@ -84,6 +89,7 @@ FLIP = ((Fraction(1), Fraction(0)), (Fraction(0), Fraction(-1)))  # reverses ori
 @pytest.mark.parametrize("order", [3, 5, 7, 9])
 @pytest.mark.parametrize("rows", [None, (SQUEEZE, UNSQUEEZE)])
 def test_the_twists_of_a_twist_map_in_other_coordinates(order, rows):
+    """Shears and a linear change of coordinates leave the angle and all twists as they are."""
     phi = twist_map(order, TAU)
     phi = compose(shears(order, -1), compose(phi, shears(order)))
     if rows:
@@ -97,6 +103,7 @@ def test_the_twists_of_a_twist_map_in_other_coordinates(order, rows):
 
 
 def test_the_shears_are_inverse():
+    """Of the composition with the inverse, each coefficient contains that of the identity."""
     x, v = compose(shears(5, -1), shears(5))
     for w, power in ((x, (1, 0)), (v, (0, 1))):
         for p, c in w.coefficients.items():
@@ -104,6 +111,7 @@ def test_the_shears_are_inverse():
 
 
 def test_orientation_reversal_changes_both_signs():
+    """After a reflection the angle and the twist have the opposite sign."""
     phi = compose(linear(3, FLIP), compose(twist_map(3, TAU), linear(3, FLIP)))
     frame, tau = run(phi)
     assert float(frame.angle.upper) == pytest.approx(-math.atan2(4, 3))
@@ -158,6 +166,7 @@ def test_the_rotation_number_of_iterates():
 
 @pytest.mark.parametrize(("rows", "order"), [(((-1, -1), (1, 0)), 3), (((0, -1), (1, 0)), 3)])
 def test_resonances_of_order_three_and_four_reject(rows, order):
+    """e^3 = 1 or e^4 = 1 leaves a zero divisor, already at order 3."""
     x, v = linear(order, rows)
     phi = compose((x, v), (jet(order, c10=1), jet(order, c01=1, c20=1, c30=1)))
     with pytest.raises(Rejected, match="zero"):
@@ -165,6 +174,7 @@ def test_resonances_of_order_three_and_four_reject(rows, order):
 
 
 def test_resonance_of_order_six_rejects_at_order_five_only():
+    """e^6 = 1 does no harm at order 3, and rejects at order 5."""
     rows = ((1, -1), (1, 0))
     for order in (3, 5):
         phi = compose(linear(order, rows), (jet(order, c10=1), jet(order, c01=1, c20=1, c50=1)))
@@ -176,6 +186,7 @@ def test_resonance_of_order_six_rejects_at_order_five_only():
 
 
 def test_a_map_that_does_not_preserve_area_rejects():
+    """A rotation plus a cubic term in x alone: the resonant coefficient is not imaginary."""
     x, v = linear(3, ((Fraction(3, 5), Fraction(-4, 5)), (Fraction(4, 5), Fraction(3, 5))))
     with pytest.raises(Rejected, match="imaginary"):
         run((x + jet(3, c30=1), v))
@@ -183,11 +194,13 @@ def test_a_map_that_does_not_preserve_area_rejects():
 
 @pytest.mark.parametrize("rows", [((3, 1), (2, 1)), ((1, 1), (0, 1)), ((-3, 1), (-4, 1))])
 def test_a_jacobian_that_is_not_elliptic_rejects(rows):
+    """Hyperbolic, and parabolic with trace 2 and -2."""
     with pytest.raises(Rejected):
         run(linear(3, rows))
 
 
 def test_the_coordinate():
+    """(p, q) is a left eigenvector of the Jacobian for e^(i Theta), with p > 0 and Im p q = 1."""
     rows = ((Fraction(9, 8), Fraction(-13, 4)), (Fraction(1, 2), Fraction(-5, 9)))
     frame = elliptic_frame([[thin(c) for c in row] for row in rows])
     (a, _), (c, d) = rows

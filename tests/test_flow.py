@@ -25,6 +25,7 @@ NARROW = replace(PAPER, l=Fraction(1), r=Fraction(3, 2))
 
 
 def friction(text):
+    """Return the paper's parameters with another friction."""
     return replace(PAPER, f=Fraction(text))
 
 
@@ -48,6 +49,7 @@ CASES = {  # parameters, x, v; radii up to which balls, Taylor models must succe
 
 
 def truth(p, x, v):
+    """Return the orbit of a state over a period, from the reference in mpmath."""
     return reference.flow(reference.System.of(p), number(x), number(v))
 
 

@@ -17,10 +17,12 @@ BITS, TOLERANCE = 200, Fraction(1, 10**45)
 
 
 def random_jet(random, space):
+    """Return a jet of the space with random rational coefficients."""
     return Jet(space, [decimal_fraction(random, 3) for _ in space.exponents])
 
 
 def polynomial(jet):
+    """Return the coefficients of a jet by exponent."""
     return dict(zip(jet.space.exponents, jet.coefficients, strict=True))
 
 

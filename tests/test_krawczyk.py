@@ -15,10 +15,12 @@ Half = Fraction(1, 2)
 
 
 def balls(m):
+    """Return a rational matrix over balls."""
     return tuple(tuple(interval.ball(entry) for entry in row) for row in m)
 
 
 def inverse(m):
+    """Return the inverse of a rational matrix, exactly."""
     (a, b), (c, d) = m
     det = a * d - b * c
     return (d / det, -b / det), (-c / det, a / det)
@@ -76,10 +78,12 @@ def attempt(phi, centre, box, c=None):
 
 
 def square(centre, radius):
+    """Return the square of this radius around a point, over balls."""
     return tuple(interval.around(c, Fraction(radius)) for c in centre)
 
 
 def random_affine(random):
+    """Return a random affine map whose fixed point is well determined."""
     m = tuple(tuple(3 * decimal_fraction(random) for _ in range(2)) for _ in range(2))
     (a, b), (c, d) = m
     if abs((a - 1) * (d - 1) - b * c) < Fraction(1, 100):
@@ -115,6 +119,7 @@ def test_quadratic_maps():
 
 
 def refused(phi, centre, box, reason, c=None):
+    """Check that nothing is proved, for this reason, and that the sets are named."""
     with pytest.raises(NotProved) as caught:
         attempt(phi, centre, box, c)
     assert caught.value.step == "Krawczyk"

@@ -86,6 +86,7 @@ def test_lemma_3_of_saddles():
 
 
 def fixed_point():
+    """Return the oscillator and its proved fixed point."""
     osc = oscillator(PAPER)
     return osc, non_sticking.lemma_1_fixed_point(osc, SETTING)
 
@@ -118,3 +119,56 @@ def test_the_claimed_box_is_inside():
         assert centre - half <= lower < upper <= centre + half
         assert upper - lower > Fraction(97, 100) * 2 * half
         assert holds(between(lower, upper), centre)
+
+
+def test_the_claims_on_an_orbit_contain_both_ends_of_wide_enclosures():
+    """An orbit known to seven digits, its numbers claimed to six: no end of any is lost."""
+    with interval.workprec(SETTING.bits):
+        osc, point = fixed_point()
+        wide = interval.around(Fraction(0), Fraction(1, 2 * 10**7))
+        orbit = replace(
+            point.orbit,
+            hits=tuple(
+                replace(h, time=h.time + wide, velocity=h.velocity + wide, cos=h.cos + wide)
+                for h in point.orbit.hits
+            ),
+            monodromy=tuple(tuple(e + wide for e in row) for row in point.orbit.monodromy),
+            least_speed=point.orbit.least_speed + wide,
+        )
+        box = tuple(side + wide for side in point.box)
+        setting = replace(SETTING, digits=6)
+        claims = non_sticking.orbit_claims(osc, setting, replace(point, box=box, orbit=orbit))
+    hits, entries = orbit.hits, [list(map(interval.ends, row)) for row in orbit.monodromy]
+    (a, b), (c, d) = entries
+    forcing = [sorted(abs(end) - PAPER.f for end in interval.ends(h.cos)) for h in hits]
+    expected = {
+        "x": interval.ends(box[0]),
+        "v": interval.ends(box[1]),
+        "hit_times": [interval.ends(h.time) for h in hits],
+        "hit_speeds": [sorted(map(abs, interval.ends(h.velocity))) for h in hits],
+        "hit_forcing": forcing,  # F = 1, and cos does not vanish at a hit
+        "least_speed": interval.ends(orbit.least_speed),
+        "jacobian": entries,
+        "trace": [a[0] + d[0], a[1] + d[1]],
+        "determinant": extremes(p * s - q * r for p in a for q in b for r in c for s in d),
+    }
+    assert claims.keys() == expected.keys()
+    for key, ends in expected.items():
+        contain(claims[key], ends)
+
+
+def extremes(values):
+    """Return the least and the greatest of the values."""
+    ordered = sorted(values)
+    return ordered[0], ordered[-1]
+
+
+def contain(claim, ends):
+    """Check that a claim, of any nesting, contains [lower, upper], and is not much wider."""
+    if isinstance(claim[0], str):
+        (low, high), (lower, upper) = map(Fraction, claim), ends
+        assert low <= lower < upper <= high
+        assert high - low <= 2 * (upper - lower)
+    else:
+        for part, inner in zip(claim, ends, strict=True):
+            contain(part, inner)

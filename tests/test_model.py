@@ -21,6 +21,8 @@ CASES = [PAPER, SHIFTED, SLOW, FREE, NEARLY_STUCK]
 
 
 def floats(p):
+    """Return the oscillator over plain floats."""
+
     def sin_cos(angle):
         return math.sin(angle), math.cos(angle)
 
@@ -28,11 +30,13 @@ def floats(p):
 
 
 def random_flight(random, osc):
+    """Return a random flight, to either side."""
     s = random.choice([-1, 1])
     return Flight(s, osc.drag(s), random.uniform(-3, 3), random.uniform(-3, 3))
 
 
 def state(osc, flight, t):
+    """Return position and velocity of a flight."""
     sin, cos = osc.phase(t)
     return osc.position(flight, t, cos), osc.velocity(flight, t, sin)
 

@@ -75,6 +75,7 @@ def shears(random, order, linear):
 
 
 def random_taus(random, order):
+    """Return random rational twists, as many as the order has."""
     return [Fraction(random.randint(-20, 20), 7) for _ in range((order - 1) // 2)]
 
 

@@ -44,6 +44,7 @@ def cubic_formula(table):
 
 
 def paper_orbit(order, starts):
+    """Return P*, its linear part and its twists to the order."""
     with interval.workprec(BITS):
         osc = oscillator(PAPER)
         point = prove(osc, starts["elliptic"], 60)

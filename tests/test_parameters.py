@@ -58,6 +58,7 @@ def test_everything_else_is_bad_input(text):
 
 
 def parameters(**changes):
+    """Return the paper's parameters with some of them changed."""
     values = {"F": 1, "omega": 1, "f": Fraction(2, 5), "l": -1, "r": 1}
     return Parameters(**{name: Fraction(value) for name, value in (values | changes).items()})
 

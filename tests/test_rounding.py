@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 import pytest
-from support import decimal_fraction, random_box, rounds, seeded
+from support import between, decimal_fraction, random_box, rounds, seeded
 
 from cap import interval
 from cap.certificate import Rounding, Units, bound, window
@@ -84,3 +84,14 @@ def test_windows_and_bounds_enclose():
         for function in (window, bound):
             with pytest.raises(NotProved):
                 function(ball)
+
+
+@pytest.mark.parametrize("unit", [Fraction(1), Fraction(10) ** 20, Fraction(1, 10**20)])
+@pytest.mark.parametrize(("lower", "upper"), [(0, 1), (1, 3), (Fraction(1, 1000), 7), (5, 5)])
+def test_a_bound_is_of_the_upper_end_of_a_wide_ball(lower, upper, unit):
+    """Not below the upper end, at most 2 % above it, of three digits or four, however wide."""
+    with interval.workprec(200):
+        text = bound(between(lower * unit, upper * unit))
+    assert upper * unit <= Fraction(text) <= upper * unit * Fraction(102, 100)
+    assert len(text.replace(".", "").strip("0")) <= 4
+    assert len(text) <= 25

@@ -29,10 +29,12 @@ ERROR = Fraction(1, 10**50)
 
 
 def sin(t):
+    """Return the sine of a Taylor model or of a number."""
     return t.sin_cos()[0] if isinstance(t, TaylorModel) else mp.sin(t)
 
 
 def cos(t):
+    """Return the cosine of a Taylor model or of a number."""
     return t.sin_cos()[1] if isinstance(t, TaylorModel) else mp.cos(t)
 
 

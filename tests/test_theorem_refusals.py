@@ -1,0 +1,65 @@
+"""The theorems refuse what is false, and what is not known to the digits that are asked for."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import mpmath
+import pytest
+import reference
+from conftest import STARTS
+from oracle import compared, oracle
+
+from cap.errors import NotProved, TooFewDigits
+from cap.parameters import PAPER
+from proofs import elliptic, saddle
+from proofs.non_sticking import Setting
+
+
+@pytest.mark.parametrize("digits", [6, 40])
+def test_false_statements_are_refused(digits):
+    """Each theorem of the other kind of orbit, of no orbit, of other hits, of other friction."""
+
+    def refused(theorem, start, step, reason, parameters=PAPER):
+        with pytest.raises(NotProved) as caught:
+            theorem(Setting(parameters, start, digits))
+        assert (caught.value.step, caught.value.reason) == (step, reason)
+
+    kam, unstable = elliptic.prove, saddle.prove
+    for name in ("elliptic", "mirror"):
+        refused(unstable, STARTS[name], "Lemma 3", "the trace may lie in [-2, 2]")
+    for name in ("saddle", "second saddle"):
+        refused(kam, STARTS[name], "Lemma 3", "the trace may leave (-2, 2)")
+    star, grazes = STARTS["elliptic"], "the hit may graze"
+    for theorem in (kam, unstable):
+        refused(theorem, replace(star, x=0.8, v=0.1), "hit 1", grazes)
+        refused(theorem, replace(star, hit_times=(2.0, 3.0)), "hit 1", grazes)
+        one = replace(star, hit_times=star.hit_times[:1])
+        refused(theorem, one, "flight", "the velocity may vanish at its end")
+        refused(theorem, replace(star, hit_times=(*star.hit_times, 6.0)), "hit 3", grazes)
+        refused(theorem, star, "hit 2", grazes, replace(PAPER, f=Fraction(7, 10)))
+
+
+@pytest.mark.parametrize(("name", "places"), [("second saddle", 20), ("saddle", 35)])
+def test_ask_for_digits_that_are_not_there(name, places):
+    """P* to ever more digits: first not proved, then too wide for the claims, then claimed truly.
+
+    Twenty digits are claimed from 4 to 20 of P*; they are never claimed too narrow.
+    """
+    outcomes = []
+    with mpmath.workdps(reference.DIGITS):
+        trace = oracle(name)["trace"]
+        for guard in range(-16, 1):
+            try:
+                claims = saddle.prove(Setting(PAPER, STARTS[name], 20, guard=guard))["claims"]
+            except TooFewDigits:
+                outcomes.append("too few")
+            except NotProved:
+                outcomes.append("no proof")
+            else:
+                assert compared(claims["trace"], trace, Fraction(1, 10**places), "")
+                outcomes.append("claimed")
+    counts = [outcomes.count(outcome) for outcome in ("no proof", "too few", "claimed")]
+    assert outcomes == ["no proof"] * counts[0] + ["too few"] * counts[1] + ["claimed"] * counts[2]
+    assert counts[0] >= 2
+    assert counts[1] >= 5
+    assert counts[2] >= 2
