@@ -142,7 +142,8 @@ def _next_hit(
         sine, _ = (cast(Ball, osc.omega) * window).sin_cos()
         v = kind.bound(osc.velocity(flight, cast(E, window), cast(E, sine)))
         if not (v > 0 if flight.s > 0 else v < 0):
-            raise NotProved(f"hit {number}", "the hit may graze", {"window": window, "v": v})
+            reason = "the velocity may vanish in the time window of the hit"
+            raise NotProved(f"hit {number}", reason, {"window": window, "v": v})
         middle = kind.curve(osc, flight, window)
         gap = kind.bound(osc.position(flight, middle, osc.phase(middle)[1]) - wall)
         better = kind.widened(middle, -gap / v)

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from cap import certificate, report
-from cap.approx.periodic import MOST_HITS, Guess, near, search
+from cap.approx.periodic import MOST_HITS, Guess, near, orbits
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
 from cap.console import Parser, closing_quietly
@@ -156,22 +156,21 @@ def _guessed(options: argparse.Namespace, parameters: Parameters) -> Guess:
 def _searched(parameters: Parameters, kind: str, every: bool) -> list[Guess]:
     """Search; say what was found; return the first orbit of the kind, or all of them."""
     found: list[Guess] = []
-    for guess in search(parameters):
-        if found and not every and len(guess.hit_times) > len(found[0].hit_times):
+    for hits in range(2, MOST_HITS + 1, 2):
+        found += [guess for guess in orbits(parameters, hits) if guess.kind == kind]
+        if found and not every:
             break
-        if guess.kind == kind:
-            found.append(guess)
     if not found:
         raise BadInput(
             f"no {kind} non-sticking T-periodic orbit with at most {MOST_HITS} hits was found "
             "(a guess can be given with --orbit X V)"
         )
-    orbits = f"{len(found)} {kind} orbit{'s' if len(found) > 1 else ''}"
-    hits = f"at most {MOST_HITS}" if every else f"{len(found[0].hit_times)}"
+    counted = f"{len(found)} {kind} orbit{'s' if len(found) > 1 else ''}"
+    number = f"at most {MOST_HITS}" if every else f"{len(found[0].hit_times)}"
     which = "all" if every else "the first (smallest x)" if len(found) > 1 else "it"
-    print(f"Found {orbits} with {hits} hits per period; proving {which}:")
-    for number, guess in enumerate(found, 1):
-        print(f"  {number}  {_shown(guess)}")
+    print(f"Found {counted} with {number} hits per period; proving {which}:")
+    for place, guess in enumerate(found, 1):
+        print(f"  {place}  {_shown(guess)}")
     return found if every else found[:1]
 
 

@@ -155,7 +155,7 @@ def test_unwritable_output(capsys, out):
 def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch):
     """A guess with wrong hit times: the step that fails and its sets are printed."""
     wrong = Guess(0.1003, 0.5419, (0.5, 3.5), -0.46, 0.09)
-    monkeypatch.setattr(prove, "search", lambda *_: iter([wrong]))
+    monkeypatch.setattr(prove, "orbits", lambda *_: [wrong])
     status, _, err = run(capsys, "elliptic", "--out", str(tmp_path))
     assert status == 1
     assert "NOT PROVED" in err

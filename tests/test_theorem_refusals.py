@@ -29,7 +29,7 @@ def test_false_statements_are_refused(digits):
         refused(unstable, STARTS[name], "Lemma 3", "the trace may lie in [-2, 2]")
     for name in ("saddle", "second saddle"):
         refused(kam, STARTS[name], "Lemma 3", "the trace may leave (-2, 2)")
-    star, grazes = STARTS["elliptic"], "the hit may graze"
+    star, grazes = STARTS["elliptic"], "the velocity may vanish in the time window of the hit"
     for theorem in (kam, unstable):
         refused(theorem, replace(star, x=0.8, v=0.1), "hit 1", grazes)
         refused(theorem, replace(star, hit_times=(2.0, 3.0)), "hit 1", grazes)

@@ -4,7 +4,6 @@ The orbits found steer the prover.  That one is found is no proof that it exists
 found is no proof that there is none: Newton's method starts from finitely many seeds.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,12 +54,6 @@ def orbits(p: Parameters, hits: int) -> list[Guess]:
     times = _distinct(np.concatenate([times, lifted.mirror(times)]), ratios)
     guesses = [_guess(p, row, ratios) for row in times if not _at_edge(row)]
     return sorted(guesses, key=lambda g: (g.x, g.v))
-
-
-def search(p: Parameters, most_hits: int = MOST_HITS) -> Iterator[Guess]:
-    """Yield the orbits found: fewest hits per period first, then smallest x, then smallest v."""
-    for hits in range(2, most_hits + 1, 2):
-        yield from orbits(p, hits)
 
 
 def near(p: Parameters, x: float, v: float) -> Guess:
