@@ -16,6 +16,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -33,7 +34,7 @@ Point = tuple[Interval, Interval]
 _KRAWCZYK_ORDER = 4  # of the jets over the box: the higher, the larger the box may be
 
 
-class FixedPoint:
+class FixedPoint(ABC):
     """The proof of one certificate.  Each step either succeeds or rejects, and is then reported."""
 
     orbit_order = 2  # of the jets at P*: the Jacobian in mean value form
@@ -54,9 +55,9 @@ class FixedPoint:
         self.conclusion_of_both()
         self.conclude(fixed_point, orbit)
 
+    @abstractmethod
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:
         """Prove what the theorem says about the fixed point and its orbit."""
-        raise NotImplementedError
 
     def existence(self) -> None:
         """Prove that Phi has exactly one fixed point in the box claimed.
