@@ -3,7 +3,7 @@
 import pytest
 
 from cap.errors import NotProved
-from cap.interval import Ball
+from cap.interval import Ball, workprec
 from cap.jet import Jet, Space
 from cap.normal_form import twists
 from cap.taylor_model import Domain
@@ -41,3 +41,10 @@ def test_contractions_have_no_twist():
     for factor in (Ball(99) / 100, Ball(101) / 100):
         with pytest.raises(NotProved, match="determinant"):
             twists(x * factor / 2 - v * factor, x * factor + v * factor / 2)
+
+
+def test_messages_keep_the_precision_of_their_sets():
+    """The sets of a failure are shown as they were computed, not at 53 bits afterwards."""
+    with workprec(300):
+        failure = NotProved("step", "reason", {"third": Ball(1) / 3})
+    assert "0.3333333333333333333333333333333333" in str(failure)
