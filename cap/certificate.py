@@ -112,21 +112,23 @@ def place(certificate: Mapping[str, Any], directory: Path, special: str) -> Path
     theorem, new = certificate["theorem"], read(dumps(certificate).encode())
     for number in count(1):
         path = directory / f"{theorem}{_suffix(number)}.json"
-        old = _stored(path)
-        if not path.exists() or (old and _same_orbit(old, new)):
+        if _is_open_to(path, new):
             return path
+        old = _stored(path)
         if not (old and old.parameters == new.parameters):
             break
     paths = (directory / f"{theorem}-{special}{_suffix(number)}.json" for number in count(1))
-    return next(
-        path
-        for path in paths
-        if not path.exists() or ((old := _stored(path)) and _same_orbit(old, new))
-    )
+    return next(path for path in paths if _is_open_to(path, new))
 
 
 def _suffix(number: int) -> str:
     return "" if number == 1 else f"-{number}"
+
+
+def _is_open_to(path: Path, new: Certificate) -> bool:
+    """Return whether ``path`` is free, or held by a certificate on the same orbit."""
+    old = _stored(path)
+    return not path.exists() or (old is not None and _same_orbit(old, new))
 
 
 def _same_orbit(old: Certificate, new: Certificate) -> bool:

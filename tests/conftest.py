@@ -5,6 +5,7 @@ from importlib.metadata import version
 
 import mpmath
 import pytest
+from checker.forge import forge
 from flint import ctx
 
 from cap import interval
@@ -53,3 +54,15 @@ STARTS = {
 def starts():
     """Rough guesses of the paper's four orbits with one hit of each wall."""
     return dict(STARTS)
+
+
+@pytest.fixture(scope="session")
+def good():
+    """Return a valid certificate of the elliptic orbit."""
+    return forge()
+
+
+@pytest.fixture(scope="session")
+def saddle():
+    """Return a valid certificate of the saddle."""
+    return forge("saddle")

@@ -13,18 +13,6 @@ from cap.checker.rejection import Rejected
 from cap.checker.theorem import Elliptic, Saddle
 
 
-@pytest.fixture(scope="module")
-def good():
-    """Return a valid certificate of the elliptic orbit."""
-    return forge()
-
-
-@pytest.fixture(scope="module")
-def saddle():
-    """Return a valid certificate of the saddle."""
-    return forge("saddle")
-
-
 def leaves(value, path=()):
     """Give the path and the value of every enclosure in a JSON value."""
     if isinstance(value, dict):

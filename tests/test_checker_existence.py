@@ -7,15 +7,8 @@ from fractions import Fraction
 
 import pytest
 from checker.altered import changed, decimal, rejected, verify
-from checker.forge import forge
 
 from cap.checker.rejection import Rejected
-
-
-@pytest.fixture(scope="module")
-def good():
-    """Return a valid certificate of the elliptic orbit."""
-    return forge()
 
 
 def test_the_box_must_be_between_the_walls(good):

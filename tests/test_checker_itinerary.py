@@ -6,17 +6,11 @@ from fractions import Fraction
 
 import pytest
 from checker.altered import changed, rejected
-from checker.forge import PARAMETERS, forge
+from checker.forge import PARAMETERS
 
 from cap.checker.interval import Interval
 from cap.checker.mechanics import Mechanics, Parameters
 from cap.checker.rejection import Rejected
-
-
-@pytest.fixture(scope="module")
-def good():
-    """Return a valid certificate of the elliptic orbit."""
-    return forge()
 
 
 @pytest.mark.parametrize(

@@ -23,18 +23,6 @@ SLOW_SADDLE = ("-0.791447819623894", "0.497920043724544")
 SLOW = {"F": "1", "omega": "1", "f": "0.39", "l": "-1", "r": "1"}
 
 
-@pytest.fixture(scope="module")
-def good():
-    """Return a valid certificate of the elliptic orbit."""
-    return forge()
-
-
-@pytest.fixture(scope="module")
-def saddle():
-    """Return a valid certificate of the saddle."""
-    return forge("saddle")
-
-
 @pytest.mark.parametrize(
     "options",
     [
