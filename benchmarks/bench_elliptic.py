@@ -15,12 +15,15 @@ from mpmath import iv
 
 from cap import fixed_point, interval, matrix
 from cap.checker.theorem import check
+from cap.event import BALLS, TAYLOR_MODELS
 from cap.fixed_point import Start
-from cap.flow import BALLS, TAYLOR_MODELS, oscillator, over, strobe, strobe_jet
+from cap.flow import oscillator, strobe
+from cap.jet_transport import strobe_jet
 from cap.parameters import PAPER
-from cap.taylor_model import Domain, TaylorModel
+from cap.taylor_model import Domain
 
-START = Start(0.1002798898441954, 0.5419433067664584, (1.0991729107, 3.5160904414))
+TIMES = 1.0991729107, 3.5160904414
+START = Start.non_sticking(0.1002798898441954, 0.5419433067664584, TIMES)
 REACH = Fraction(1, 10**9), Fraction(1, 10**9)
 BITS = pytest.mark.parametrize("bits", [53, 200])
 
@@ -32,20 +35,19 @@ class Hints:
         self.osc = oscillator(PAPER)
         with interval.workprec(240):
             self.hint = fixed_point.prove(oscillator(PAPER), START, 55).hint
-        times = [interval.ball(Fraction(t)) for t in START.hit_times]
         self.box = self.hint.box(REACH)
-        self.windows = fixed_point.find_windows(self.osc, self.box, times, BALLS)
+        self.expected = fixed_point.find_windows(self.osc, self.box, START.expected(), BALLS)
 
     def existence(self):
         """Prove existence over the box; return it with the trace and rotation number."""
-        _, orbit, _ = found = fixed_point.existence(self.osc, self.hint, REACH, self.windows)
+        _, orbit, _ = found = fixed_point.existence(self.osc, self.hint, REACH, self.expected)
         return found, rotation(orbit)
 
     def second_pass(self):
         """The same, then the trace and rotation number over K."""
         (box, orbit, _), _ = self.existence()
-        orbit = strobe(self.osc, box, tuple(hit.time for hit in orbit.hits), BALLS)
-        return rotation(orbit)
+        tight = fixed_point.passed(orbit, self.expected)
+        return rotation(strobe(self.osc, box, tight, BALLS))
 
 
 def rotation(orbit):
@@ -71,7 +73,7 @@ def test_second_pass(benchmark, bits):
 def test_jet(benchmark, bits):
     with interval.workprec(bits):
         h = Hints()
-        orbit = strobe(h.osc, h.box, h.windows, BALLS)
+        orbit = strobe(h.osc, h.box, h.expected, BALLS)
         benchmark(strobe_jet, h.osc, h.box, orbit, 3)
 
 
@@ -80,12 +82,11 @@ def test_taylor_model_over_the_box(benchmark, order):
     """The tight form for thick boxes: the trace over the box is 5.6e-8 wide, like the truth."""
     with interval.workprec(53):
         h = Hints()
-        models = over(h.osc, TaylorModel)
         reach = interval.ball(REACH[0]), interval.ball(REACH[1])
 
         def tight():
             state = Domain(reach, order).variables(h.hint.point)
-            return strobe(models, state, h.windows, TAYLOR_MODELS)
+            return strobe(h.osc, state, h.expected, TAYLOR_MODELS)
 
         trace = matrix.trace(benchmark(tight).monodromy).bound()
     assert 2 * trace.rad() < 1.5e-7

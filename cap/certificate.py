@@ -132,10 +132,14 @@ def _is_open_to(path: Path, new: Certificate) -> bool:
 
 
 def _same_orbit(old: Certificate, new: Certificate) -> bool:
-    """Return whether two certificates are of one theorem, with parameters and orbit the same."""
+    """Return whether two certificates are of one theorem, with parameters and orbit the same.
+
+    Captures are the same if their boxes meet.
+    """
     if (old.theorem, old.parameters) != (new.theorem, new.parameters):
         return False
-    pairs = [(old.claims[key], new.claims[key]) for key in ("x", "v")]
+    where = [c.claims if "x" in c.claims else c.claims["box"] for c in (old, new)]
+    pairs = [(where[0][key], where[1][key]) for key in ("x", "v")]
     return all(a.lower <= b.upper and b.lower <= a.upper for a, b in pairs)
 
 

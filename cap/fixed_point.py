@@ -1,47 +1,64 @@
-"""A non-sticking fixed point of the stroboscopic map, from a float guess to tight enclosures.
+"""A fixed point of Φⁿ, Φ the stroboscopic map, from a float guess to tight enclosures.
 
 The functions here choose boxes, windows and preconditioners; all that they choose is proved by
 `cap.flow` and `cap.krawczyk`, so no choice needs trust.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cap import interval, matrix
 from cap.errors import NotProved
-from cap.flow import BALLS, TAYLOR_MODELS, Enclosure, NoCertainHit, Orbit, over, strobe
+from cap.event import BALLS, TAYLOR_MODELS, Enclosure, Expected, NoCertainEvent
+from cap.flow import Orbit, strobe
 from cap.interval import Ball, Box
 from cap.krawczyk import Preconditioner, contract, operator
 from cap.model import Oscillator
 from cap.scalar import S
-from cap.taylor_model import Domain, TaylorModel
+from cap.taylor_model import Domain
 
-Windows = tuple[Ball, ...]
+Itinerary = tuple[Expected, ...]
 Reach = tuple[Fraction, Fraction]
 
 
 @dataclass(frozen=True)
 class Start:
-    """A guess: the state at t = 0 and the hit times, as floats."""
+    """A guess: the state at t = 0, the events in (0, nT) with their times, and n, in floats.
+
+    Of a capture the time is the end of the window of its lemma.
+    """
 
     x: float
     v: float
-    hit_times: tuple[float, ...]
+    events: tuple[tuple[str, float], ...]
+    periods: int = 1
+
+    @classmethod
+    def non_sticking(cls, x: float, v: float, hit_times: Sequence[float]) -> "Start":
+        """Return the guess of a T-periodic orbit with hits only: the walls alternate."""
+        words = ("hit r", "hit l") if v > 0 else ("hit l", "hit r")
+        return cls(x, v, tuple((words[k % 2], t) for k, t in enumerate(hit_times)))
+
+    def expected(self) -> Itinerary:
+        """Return the events with windows that are points."""
+        return tuple(Expected(word, interval.ball(Fraction(t))) for word, t in self.events)
 
 
 @dataclass(frozen=True)
 class FixedPoint:
     """A proved fixed point P*: the only one in the rectangle S of half-widths ``reach`` around m.
 
-    m is the centre of ``hint``.  P* lies in ``box``; ``orbit`` encloses the orbits from there.
+    m is the centre of ``hint``, n = ``periods``.  P* lies in ``box``; ``orbit`` encloses the orbits
+    from there.
     """
 
     hint: Preconditioner
     reach: Reach
     box: Box
     orbit: Orbit[Ball]
+    periods: int = 1
 
 
 class Existence(NamedTuple):
@@ -56,53 +73,67 @@ class Existence(NamedTuple):
 
 
 def existence(
-    osc: Oscillator[Ball], hint: Preconditioner, reach: Reach, windows: Windows
+    osc: Oscillator[Any],
+    hint: Preconditioner,
+    reach: Reach,
+    expected: Itinerary,
+    periods: int = 1,
 ) -> Existence:
-    """Prove that Φ has exactly one fixed point in the rectangle m ± ``reach``."""
+    """Prove that Φⁿ has exactly one fixed point in the rectangle m ± ``reach``."""
     box = hint.box(reach)
-    orbit = strobe(osc, box, windows, BALLS)
-    with interval.guarded():  # K cannot be narrower than Φ(m)
-        image = strobe(osc, hint.point, tuple(hit.time for hit in orbit.hits), BALLS).end
+    orbit = strobe(osc, box, expected, BALLS, periods)
+    with interval.guarded():  # K cannot be narrower than Φⁿ(m)
+        image = strobe(osc, hint.point, passed(orbit, expected), BALLS, periods).end
     return Existence(contract(hint, image, orbit.monodromy, box), orbit, image)
 
 
+def passed(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
+    """Return the itinerary with the windows that ``orbit`` proves; those of captures stay."""
+    return tuple(
+        old if old.word.startswith("capture") else Expected(event.word, event.time)
+        for event, old in zip(orbit.events, expected, strict=True)
+    )
+
+
 def prove(
-    osc: Oscillator[Ball], start: Start, digits: int, scale: Reach = (Fraction(1), Fraction(1))
+    osc: Oscillator[Any], start: Start, digits: int, scale: Reach = (Fraction(1), Fraction(1))
 ) -> FixedPoint:
     """Prove that a fixed point exists near ``start``; enclose it to about ``digits`` digits.
 
     Digits are relative to ``scale``, the units of x and v.  The fixed point is proved to be alone
     in the rectangle m ± 10^(2 - digits) scale, where m has just that many digits.
     """
-    hint, times = _refined(osc, start, [digits - interval.decade(unit) for unit in scale])
-    radius = Fraction(100, 10**digits)
+    hint, events = refined(osc, start, [digits - interval.decade(unit) for unit in scale])
+    radius, n = Fraction(100, 10**digits), start.periods
     reach = radius * scale[0], radius * scale[1]
-    windows = find_windows(osc, hint.box(reach), times, BALLS)
-    box, orbit, image = existence(osc, hint, reach, windows)
-    times, m = tuple(hit.time for hit in orbit.hits), hint.point
+    expected = find_windows(osc, hint.box(reach), events, BALLS, n)
+    box, orbit, image = existence(osc, hint, reach, expected, n)
+    expected, m = passed(orbit, expected), hint.point
     while True:  # P* in box implies P* in K(box), with Φ' between m and P*: until nothing is gained
         way = interval.hull(box[0], m[0]), interval.hull(box[1], m[1])
-        k = operator(hint, image, strobe(osc, way, times, BALLS).monodromy, box)
+        k = operator(hint, image, strobe(osc, way, expected, BALLS, n).monodromy, box)
         tighter = interval.intersection(k[0], box[0]), interval.intersection(k[1], box[1])
         if not any(10 * new.rad() < 9 * old.rad() for new, old in zip(tighter, box, strict=True)):
-            return FixedPoint(hint, reach, box, strobe(osc, box, times, BALLS))
+            return FixedPoint(hint, reach, box, strobe(osc, box, expected, BALLS, n), n)
         box = tighter
 
 
-def _refined(
-    osc: Oscillator[Ball], start: Start, places: Sequence[int]
-) -> tuple[Preconditioner, Windows]:
-    """Return a point of ``places`` decimals close to a fixed point, with C and hit times.
+def refined(
+    osc: Oscillator[Any], start: Start, places: Sequence[int]
+) -> tuple[Preconditioner, Itinerary]:
+    """Return a point of ``places`` decimals close to a fixed point, with C and the events.
 
     Newton's iteration on midpoints, from the guess; nothing is proved here.
     """
     centre = Fraction(start.x), Fraction(start.v)
-    times: Windows = tuple(interval.ball(Fraction(t)) for t in start.hit_times)
+    events = start.expected()
     for _ in range(max(places).bit_length() + 4):
         point = interval.ball(centre[0]), interval.ball(centre[1])
-        windows = find_windows(osc, point, times, BALLS)
-        orbit = strobe(osc, point, windows, BALLS)
-        times = tuple(interval.point(hit.time) for hit in orbit.hits)
+        windows = find_windows(osc, point, events, BALLS, start.periods)
+        orbit = strobe(osc, point, windows, BALLS, start.periods)
+        events = tuple(
+            Expected(word, interval.point(window)) for word, window in passed(orbit, windows)
+        )
         inverse = matrix.inverse(matrix.minus_identity(orbit.monodromy))
         defect = orbit.end[0] - point[0], orbit.end[1] - point[1]
         step = tuple(interval.midpoint(entry) for entry in matrix.apply(inverse, defect))
@@ -111,7 +142,7 @@ def _refined(
             break
     (a, b), (c, d) = inverse
     rows = (_short(a), _short(b)), (_short(c), _short(d))
-    return Preconditioner(centre, rows), times
+    return Preconditioner(centre, rows), events
 
 
 def _short(x: Ball) -> Fraction:
@@ -120,33 +151,53 @@ def _short(x: Ball) -> Fraction:
 
 
 def find_windows(
-    osc: Oscillator[S], state: tuple[S, S], times: Sequence[Ball], kind: Enclosure[S]
-) -> Windows:
-    """Return time windows, near ``times``, for which `strobe` succeeds; it only steers.
+    osc: Oscillator[Any],
+    state: tuple[S, S],
+    expected: Itinerary,
+    kind: Enclosure[S],
+    periods: int = 1,
+) -> Itinerary:
+    """Return time windows, near the ``expected`` ones, for which `strobe` succeeds; it only steers.
 
     A window that does not contain its Newton image is widened to hold it (epsilon inflation).
     """
-    windows = list(times)
-    for _ in range(20 * len(windows) + 20):
+    return windows_for(
+        lambda events: strobe(osc, state, events, kind, periods), expected, kind.bound
+    )
+
+
+def windows_for(
+    attempt: Callable[[Itinerary], Orbit[S]], expected: Itinerary, bound: Callable[[S], Ball]
+) -> Itinerary:
+    """Return windows with which ``attempt`` succeeds, and still does if they are enlarged."""
+    events = list(expected)
+    for _ in range(20 * len(events) + 20):
         try:
-            orbit = strobe(osc, state, tuple(windows), kind)
-        except NoCertainHit as miss:
-            windows[miss.number - 1] = _inflated(interval.hull(miss.window, miss.newton))
+            orbit = attempt(tuple(events))
+        except NoCertainEvent as miss:
+            window = _inflated(interval.hull(miss.window, miss.newton))
+            events[miss.number - 1] = events[miss.number - 1]._replace(window=window)
         else:
-            return _with_slack(osc, state, orbit, kind) or tuple(windows)
-    raise NotProved("windows", "the hit times vary too much on the box", {"windows": windows})
+            return _with_slack(attempt, orbit, tuple(events), bound) or tuple(events)
+    raise NotProved("windows", "the event times vary too much on the box", {"windows": events})
 
 
 def _with_slack(
-    osc: Oscillator[S], state: tuple[S, S], orbit: Orbit[S], kind: Enclosure[S]
-) -> Windows | None:
-    """Return windows a little larger than the hit times of ``orbit``, if `strobe` succeeds."""
-    windows = tuple(_inflated(kind.bound(hit.time)) for hit in orbit.hits)
+    attempt: Callable[[Itinerary], Orbit[S]],
+    orbit: Orbit[S],
+    expected: Itinerary,
+    bound: Callable[[S], Ball],
+) -> Itinerary | None:
+    """Return windows a little larger than the event times of ``orbit``, if they succeed."""
+    events = tuple(
+        old if old.word.startswith("capture") else old._replace(window=_inflated(bound(new.time)))
+        for new, old in zip(orbit.events, expected, strict=True)
+    )
     try:
-        strobe(osc, state, windows, kind)
+        attempt(events)
     except NotProved:
         return None
-    return windows
+    return events
 
 
 def _inflated(window: Ball) -> Ball:
@@ -159,30 +210,31 @@ def _inflated(window: Ball) -> Ball:
 class Neighbourhood:
     """The rectangle of half-widths ``reach`` around m holds one fixed point only.
 
-    All orbits from there are non-sticking on [0, T] and make their hits in ``windows``.
+    All orbits from there have the events of ``expected``, in its windows.
     """
 
     reach: Reach
-    windows: Windows
+    expected: Itinerary
 
 
-def neighbourhood(osc: Oscillator[Ball], point: FixedPoint, reach: Reach) -> Neighbourhood:
-    """Prove that Φ has exactly one fixed point in the rectangle of half-widths ``reach`` around m.
+def neighbourhood(osc: Oscillator[Any], point: FixedPoint, reach: Reach) -> Neighbourhood:
+    """Prove that Φⁿ has exactly one fixed point in the rectangle of half-widths ``reach`` around m.
 
     Over Taylor models of order two, which hardly overestimate Φ' even on large boxes.
     """
-    models, hint, m = over(osc, TaylorModel), point.hint, point.hint.point
+    hint, m, n = point.hint, point.hint.point, point.periods
     box = hint.box(reach)
-    x, v = Domain((box[0] - m[0], box[1] - m[1]), 2).variables(m)  # contains the box
-    times = tuple(hit.time for hit in point.orbit.hits)
-    windows = find_windows(models, (x, v), times, TAYLOR_MODELS)
-    slope = strobe(models, (x, v), windows, TAYLOR_MODELS).monodromy
-    image = strobe(osc, m, windows, BALLS).end
-    contract(hint, image, slope, box, TaylorModel.bound)
-    return Neighbourhood(reach, windows)
+    state = Domain((box[0] - m[0], box[1] - m[1]), 2).variables(m)  # contains the box
+    x, v = state
+    known = tuple(Expected(event.word, event.time) for event in point.orbit.events)
+    expected = find_windows(osc, (x, v), known, TAYLOR_MODELS, n)
+    slope = strobe(osc, (x, v), expected, TAYLOR_MODELS, n).monodromy
+    image = strobe(osc, m, expected, BALLS, n).end
+    contract(hint, image, slope, box, TAYLOR_MODELS.bound)
+    return Neighbourhood(reach, expected)
 
 
-def largest_neighbourhood(osc: Oscillator[Ball], point: FixedPoint, scale: Reach) -> Neighbourhood:
+def largest_neighbourhood(osc: Oscillator[Any], point: FixedPoint, scale: Reach) -> Neighbourhood:
     """Return the largest rectangle found, of half-widths a multiple of ``scale``.
 
     From 2^-7 (halved first until it succeeds) the multiple is doubled until it fails or exceeds

@@ -100,6 +100,16 @@ def hull(x: arb, y: arb) -> arb:
     return x.union(y)
 
 
+def lower(x: arb) -> arb:
+    """Return a ball of radius zero that is a lower bound of ``x``."""
+    return arb(x.lower())
+
+
+def upper(x: arb) -> arb:
+    """Return a ball of radius zero that is an upper bound of ``x``."""
+    return arb(x.upper())
+
+
 def least(x: arb, y: arb) -> arb:
     """Return a ball that contains the smaller of any two points of ``x`` and ``y``."""
     return x.min(y)

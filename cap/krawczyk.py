@@ -9,7 +9,7 @@ If K(Z) lies in the interior of Z, then G has exactly one zero in Z, and it lies
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 from cap import interval, matrix
 from cap.errors import NotProved
@@ -29,6 +29,13 @@ class Preconditioner(NamedTuple):
         """m, enclosed."""
         return interval.ball(self.centre[0]), interval.ball(self.centre[1])
 
+    def contains(self, box: Box, reach: tuple[Fraction, Fraction]) -> bool:
+        """Return whether ``box`` lies in the interior of the rectangle; exact."""
+        return all(
+            c - half < interval.ends(side)[0] and interval.ends(side)[1] < c + half
+            for side, c, half in zip(box, self.centre, reach, strict=True)
+        )
+
     def box(self, reach: tuple[Fraction, Fraction]) -> Box:
         """Return a box that contains the rectangle of half-widths ``reach`` around m."""
         x, v = (interval.around(c, half) for c, half in zip(self.centre, reach, strict=True))
@@ -37,23 +44,23 @@ class Preconditioner(NamedTuple):
 
 def operator(
     hint: Preconditioner,
-    image: Box,
+    image: tuple[Any, Any],
     slope: Matrix[S],
     box: Box,
     bound: Callable[[S], Ball] = lambda q: cast(Ball, q),
 ) -> Box:
     """Return an enclosure of K(box), from ``image`` ∋ Φ(m) and ``slope`` ⊇ Φ'(box).
 
-    The slope may be of any scalar type with a ``bound``: over Taylor models what varies in the
-    entries of Φ' cancels in those of C Φ' before it is bounded.  A fixed point in ``box`` lies in
-    K, if ``slope`` encloses Φ' also between there and m.
+    Both may be of any scalar type with a ``bound``: over Taylor models what varies in the entries
+    of Φ' cancels in those of C Φ' before it is bounded, and so does what varies with parameters.
+    A fixed point in ``box`` lies in K, if ``slope`` encloses Φ' also between there and m.
     """
     x, v = hint.point
     (p, q), (r, s) = hint.matrix
     c = (interval.ball(p), interval.ball(q)), (interval.ball(r), interval.ball(s))
     rows = matrix.product(cast(Matrix[S], c), matrix.minus_identity(slope))
     (a, b), (e, d) = ((bound(p), bound(q)) for p, q in rows)
-    g, h = matrix.apply(c, (image[0] - x, image[1] - v))
+    g, h = map(bound, matrix.apply(c, (image[0] - x, image[1] - v)))
     dx, dv = box[0] - x, box[1] - v
     return (
         x - g + ((1 - a) * dx - b * dv),
@@ -63,7 +70,7 @@ def operator(
 
 def contract(
     hint: Preconditioner,
-    image: Box,
+    image: tuple[Any, Any],
     slope: Matrix[S],
     box: Box,
     bound: Callable[[S], Ball] = lambda q: cast(Ball, q),

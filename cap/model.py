@@ -1,14 +1,19 @@
 """The mechanics, once, for any scalar.
 
-    x'' = F cos(ωt) - f sgn(x'),   l < x < r,   v -> -v at the walls,   T = 2π/ω   (eq:model).
+    x'' = F cos(ωt) - f sgn(x') - μ x',   l < x < r,   v -> -e v at the walls,   T = 2π/ω
 
-A *flight* is a piece of orbit on which the velocity has the sign s.  On it (eq:flight-closed)
+(eq:model with e = 1 and μ = 0; eq:perturbed).  A *flight* is a piece of orbit on which the velocity
+has the sign s.  From (x0, v0) at t0, with d = t - t0,
 
-    v(t) = A + (F/ω) sin ωt - s f t,
-    x(t) = B + A t - (F/ω²) cos ωt - s f t²/2,
+    v(t) = V(t) + (v0 - V(t0)) D(d) - s f h(d),        D(d) = exp(-μd),
+    x(t) = X(t) + (x0 - X(t0)) + (v0 - V(t0)) h(d) - s f k(d),
 
-so a flight is the triple (s, A, B).  The scalar may be a float, an array, a ball, a jet or a
-Taylor model; times are absolute, and sin ωt, cos ωt are passed in, because each is used twice.
+h(d) = (1 - D)/μ and k(d) = (d - h)/μ, which are d and d²/2 for μ = 0, and the forced response
+
+    V(t) = F (ω sin ωt + μ cos ωt)/(ω² + μ²),   X(t) = F ((μ/ω) sin ωt - cos ωt)/(ω² + μ²).
+
+The scalar may be a float, a ball, a jet or a Taylor model.  A moment carries sin ωt and cos ωt
+with the time t, because each is used several times.
 """
 
 from collections.abc import Callable
@@ -20,28 +25,60 @@ from cap.matrix import Matrix
 from cap.parameters import Parameters
 from cap.scalar import S
 
+Relaxation = Callable[[S, S], tuple[S, S, S]]
+
 
 class Functions(NamedTuple, Generic[S]):
-    """What a scalar type must offer beside its arithmetic."""
+    """What a scalar type must offer beside its arithmetic.
+
+    ``relax(μ, d)`` is (D, h, k) as above, for μ >= 0.
+    """
 
     constant: Callable[[Fraction], S]
     pi: S
     sin_cos: Callable[[S], tuple[S, S]]
     acos: Callable[[S], S]
     sqrt: Callable[[S], S]
+    relax: Relaxation[S]
+
+
+class Moment(NamedTuple, Generic[S]):
+    """A time t with sin ωt and cos ωt."""
+
+    t: S
+    sin: S
+    cos: S
+
+
+class Constants(NamedTuple, Generic[S]):
+    """The constants of the model, as in `cap.parameters.Parameters`, in one scalar type."""
+
+    F: S
+    omega: S
+    f: S
+    l: S
+    r: S
+    e: S
+    mu: S
+
+    @classmethod
+    def of(cls, p: Parameters, constant: Callable[[Fraction], S]) -> "Constants[S]":
+        """Return the images of the exact parameters."""
+        F, omega, f, l, r, e, mu = map(constant, (p.F, p.omega, p.f, p.l, p.r, p.e, p.mu))
+        return cls(F, omega, f, l, r, e, mu)
 
 
 @dataclass(frozen=True, slots=True)
 class Flight(Generic[S]):
-    """A flight with velocity sign ``s`` (+1 or -1) and constants ``A``, ``B`` (eq:flight-closed).
+    """A flight with velocity sign ``s`` (+1 or -1) that starts at the time ``t``.
 
-    ``drag`` is s f.
+    ``x`` and ``v`` are the state at its start less the forced response there.
     """
 
     s: int
-    drag: S
-    A: S
-    B: S
+    t: S
+    x: S
+    v: S
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,12 +86,14 @@ class Oscillator(Generic[S]):
     """The forced oscillator, for states of one scalar type.
 
     Its constants may stay balls while the states are jets or Taylor models over balls.
-    ``F``, ``omega``, ``f``, ``l``, ``r``, ``T`` as in eq:model; ``F_v`` = F/ω, ``F_x`` = F/ω².
-    ``sin_cos`` maps a scalar angle to the pair (sin, cos) in the same scalar type.
+    ``F``, ``omega``, ``f``, ``l``, ``r``, ``e``, ``mu`` as above; ``T`` = 2π/ω.  ``sin_cos`` and
+    ``relax`` work in the type of the states.
 
-    On a flight of sign s the speed s v has the derivative s F cos ωt - f, so within a period it
-    has exactly one minimum, where s cos ωt = f/F and s sin ωt < 0: at ``slow_right`` for s > 0,
-    at ``slow_left`` for s < 0.  ``dip`` = (F/ω) sqrt(1 - (f/F)²) is -(F/ω) s sin ωt there.
+    ``slow_right``, ``slow_left``: on a flight of sign s, p = exp(μt) s v has the derivative
+    exp(μt) (s F cos ωt - f), so p has its local minima where s cos ωt = f/F and s sin ωt < 0: at
+    ``slow_right`` + kT for s > 0, at ``slow_left`` + kT for s < 0, both in (0, T).  These are also
+    the times at which a mass at rest is released to that side.  ``sine`` = sqrt(1 - (f/F)²) is
+    -s sin ωt there, ``ratio`` = f/F.  ``viscous`` says whether μ may be other than zero.
     """
 
     F: S
@@ -62,38 +101,47 @@ class Oscillator(Generic[S]):
     f: S
     l: S
     r: S
+    e: S
+    mu: S
+    viscous: bool
     T: S
-    F_v: S
-    F_x: S
+    amplitude: S
     slow_right: S
     slow_left: S
-    dip: S
+    ratio: S
+    sine: S
     sin_cos: Callable[[S], tuple[S, S]]
+    relax: Relaxation[S]
 
     @classmethod
     def build(cls, p: Parameters, functions: Functions[S]) -> "Oscillator[S]":
         """Return the oscillator whose constants are the images of the exact parameters ``p``."""
-        constant, pi, sin_cos, acos, sqrt = functions
-        omega = constant(p.omega)
-        angle = acos(constant(p.f / p.F))
+        return cls.over(Constants.of(p, functions.constant), functions)
+
+    @classmethod
+    def over(cls, c: Constants[S], functions: Functions[S]) -> "Oscillator[S]":
+        """Return the oscillator with these constants, which may be sets of parameters."""
+        pi, ratio = functions.pi, c.f / c.F
+        angle = functions.acos(ratio)
+        zero: object = 0
+        dry = zero == c.mu  # a set that contains zero and more is not equal to it
+        square = c.omega * c.omega + (0 if dry else c.mu * c.mu)
         return cls(
-            F=constant(p.F),
-            omega=omega,
-            f=constant(p.f),
-            l=constant(p.l),
-            r=constant(p.r),
-            T=2 * pi / omega,
-            F_v=constant(p.F / p.omega),
-            F_x=constant(p.F / p.omega**2),
-            slow_right=(2 * pi - angle) / omega,
-            slow_left=(pi - angle) / omega,
-            dip=constant(p.F / p.omega) * sqrt(constant(1 - (p.f / p.F) ** 2)),
-            sin_cos=sin_cos,
+            *c,
+            viscous=not dry,
+            T=2 * pi / c.omega,
+            amplitude=c.F / square,
+            slow_right=(2 * pi - angle) / c.omega,
+            slow_left=(pi - angle) / c.omega,
+            ratio=ratio,
+            sine=functions.sqrt((1 - ratio) * (1 + ratio)),
+            sin_cos=functions.sin_cos,
+            relax=functions.relax,
         )
 
-    def phase(self, t: S) -> tuple[S, S]:
-        """Return (sin ωt, cos ωt)."""
-        return self.sin_cos(self.omega * t)
+    def moment(self, t: S) -> Moment[S]:
+        """Return the moment at the time ``t``."""
+        return Moment(t, *self.sin_cos(self.omega * t))
 
     def wall(self, s: int) -> S:
         """Return the wall towards which a flight of sign ``s`` moves: r if s > 0, else l."""
@@ -103,55 +151,85 @@ class Oscillator(Generic[S]):
         """Return s f."""
         return self.f if s > 0 else -self.f
 
-    def start(self, s: int, x: S, v: S) -> Flight[S]:
-        """Return the flight through (x, v) at t = 0, where sin ωt = 0 and cos ωt = 1."""
-        return Flight(s, self.drag(s), v, x + self.F_x)
+    def response_velocity(self, at: Moment[S]) -> S:
+        """Return V(t)."""
+        sway = self.omega * at.sin
+        return self.amplitude * (sway + self.mu * at.cos if self.viscous else sway)
 
-    def velocity(self, flight: Flight[S], t: S, sin: S) -> S:
+    def response_position(self, at: Moment[S]) -> S:
+        """Return X(t)."""
+        sway = self.mu * at.sin / self.omega - at.cos if self.viscous else -at.cos
+        return self.amplitude * sway
+
+    def launch(self, s: int, at: Moment[S], x: S, v: S) -> Flight[S]:
+        """Return the flight of sign ``s`` through (x, v) at a moment."""
+        response = self.response_position(at), self.response_velocity(at)
+        return Flight(s, at.t, x - response[0], v - response[1])
+
+    def velocity(self, flight: Flight[S], at: Moment[S]) -> S:
         """Return v(t)."""
-        return flight.A + self.F_v * sin - flight.drag * t
+        d, drag = at.t - flight.t, self.drag(flight.s)
+        if not self.viscous:
+            return flight.v + self.response_velocity(at) - drag * d
+        decay, h, _ = self.relax(self.mu, d)
+        return flight.v * decay + self.response_velocity(at) - drag * h
 
-    def position(self, flight: Flight[S], t: S, cos: S) -> S:
+    def position(self, flight: Flight[S], at: Moment[S]) -> S:
         """Return x(t)."""
-        return flight.B + t * (flight.A - flight.drag * t / 2) - self.F_x * cos
+        d, drag = at.t - flight.t, self.drag(flight.s)
+        if not self.viscous:
+            return flight.x + d * (flight.v - drag * d / 2) + self.response_position(at)
+        _, h, k = self.relax(self.mu, d)
+        return flight.x + flight.v * h - drag * k + self.response_position(at)
 
-    def slowest(self, flight: Flight[S]) -> tuple[S, S]:
-        """Return the time in [0, T] at which the speed s v has its minimum, and s v there."""
-        if flight.s > 0:
-            return self.slow_right, flight.A - self.dip - self.f * self.slow_right
-        return self.slow_left, -flight.A - self.dip - self.f * self.slow_left
+    def forcing(self, at: Moment[S]) -> S:
+        """Return F cos ωt."""
+        return self.F * at.cos
 
-    def end(self, flight: Flight[S]) -> tuple[S, S]:
-        """Return (x, v) at t = T, where sin ωt = 0 and cos ωt = 1."""
-        t = self.T
-        x = flight.B + t * (flight.A - flight.drag * t / 2) - self.F_x
-        return x, flight.A - flight.drag * t
+    def acceleration(self, flight: Flight[S], at: Moment[S]) -> S:
+        """Return x''(t) on a flight."""
+        dry = self.F * at.cos - self.drag(flight.s)
+        return dry - self.mu * self.velocity(flight, at) if self.viscous else dry
 
-    def reflect(self, flight: Flight[S], t: S, sin: S, cos: S) -> Flight[S]:
-        """Return the flight that leaves the wall which ``flight`` hits at time ``t``.
+    def slow(self, s: int, k: int) -> Moment[S]:
+        """Return the k-th moment at which p has a minimum and a rest to the side ``s`` ends."""
+        first, sine, cosine = (
+            (self.slow_right, -self.sine, self.ratio)
+            if s > 0
+            else (self.slow_left, self.sine, -self.ratio)
+        )
+        return Moment(first + k * self.T, sine, cosine)
 
-        The velocity changes sign and so does the drag, so A + (F/ω) sin ωt - s f t -> its
-        negative with s -> -s gives A -> -A - 2 (F/ω) sin ωt; B follows from x(t) = wall.
+    def reflect(self, flight: Flight[S], at: Moment[S], velocity: S) -> Flight[S]:
+        """Return the flight that leaves the wall which ``flight`` hits with this velocity."""
+        return self.launch(-flight.s, at, self.wall(flight.s), -self.e * velocity)
+
+    def saltation(self, s: int, velocity: S, cos: S) -> S:
+        """Return ((1+e) F cos ωt + (1-e) s f)/v, the lower left entry of a hit's saltation matrix.
+
+        The matrix is ((-e, 0), (this, -e)), v the ``velocity`` just before the hit, s its sign.
         """
-        s = -flight.s
-        drag = -flight.drag
-        a = -flight.A - 2 * self.F_v * sin
-        b = self.wall(flight.s) - t * (a - drag * t / 2) + self.F_x * cos
-        return Flight(s, drag, a, b)
+        force = self.F * cos
+        return (force + self.e * force + (1 - self.e) * self.drag(s)) / velocity
 
-    def saltation(self, v: S, cos: S) -> S:
-        """Return 2F cos(ωt)/v, the lower left entry of the saltation matrix of a wall hit.
+    def hit(self, monodromy: Matrix[S], salt: S) -> Matrix[S]:
+        """Return ((-e, 0), (salt, -e)) monodromy."""
+        (a, b), (c, d) = monodromy
+        e = self.e
+        return (-e * a, -e * b), (salt * a - e * c, salt * b - e * d)
 
-        The matrix is ((-1, 0), (2F cos(ωt)/v, -1)), v the velocity just before the hit.
+    def turning_factor(self, s: int, cos: S) -> S:
+        """Return (|F cos ωt| - f)/(|F cos ωt| + f) for a turn from the sign ``s``; s F cos ωt < 0.
+
+        The saltation matrix of a turn is diag(1, this), because the acceleration jumps by 2f.
         """
-        return 2 * self.F * cos / v
-
-    def kick(self, monodromy: Matrix[S], duration: S, salt: S) -> Matrix[S]:
-        """Return ((-1, 0), (salt, -1)) ((1, duration), (0, 1)) monodromy: a flight, then a hit."""
-        (a, b), (c, d) = self.drift(monodromy, duration)
-        return (-a, -b), (salt * a - c, salt * b - d)
+        force = -self.F * cos if s > 0 else self.F * cos
+        return (force - self.f) / (force + self.f)
 
     def drift(self, monodromy: Matrix[S], duration: S) -> Matrix[S]:
-        """Return ((1, duration), (0, 1)) monodromy: the derivative of a flight."""
+        """Return ((1, h), (0, D)) monodromy: the derivative of a flight."""
         (a, b), (c, d) = monodromy
-        return (a + duration * c, b + duration * d), (c, d)
+        if not self.viscous:
+            return (a + duration * c, b + duration * d), (c, d)
+        decay, h, _ = self.relax(self.mu, duration)
+        return (a + h * c, b + h * d), (decay * c, decay * d)

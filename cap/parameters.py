@@ -32,13 +32,18 @@ def exact(text: str) -> Fraction:
 
 @dataclass(frozen=True)
 class Parameters:
-    """Forcing F cos(ωt), friction f, walls l < r; 0 <= f < F and ω > 0 (eq:model)."""
+    """Forcing F cos(ωt), friction f, walls l < r; 0 <= f < F and ω > 0 (eq:model).
+
+    ``e`` is the restitution at the walls, 0 < e <= 1, and ``mu`` >= 0 the viscosity (eq:perturbed).
+    """
 
     F: Fraction
     omega: Fraction
     f: Fraction
     l: Fraction
     r: Fraction
+    e: Fraction = Fraction(1)
+    mu: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
         """Raise `BadInput` unless the parameters are those of an oscillator."""
@@ -55,6 +60,15 @@ class Parameters:
             )
         if self.l >= self.r:
             raise BadInput(f"the left wall must be left of the right wall: l={self.l}, r={self.r}")
+        if not 0 < self.e <= 1:
+            raise BadInput(f"the restitution must be positive and at most 1: e = {self.e}")
+        if self.mu < 0:
+            raise BadInput(f"the viscosity must not be negative: mu = {self.mu}")
+
+    @property
+    def conserves(self) -> bool:
+        """Whether nothing but turning and sticking loses phase space: e = 1 and mu = 0."""
+        return self.e == 1 and self.mu == 0
 
     @property
     def R(self) -> Fraction:  # noqa: N802 (the paper's symbol)
@@ -64,6 +78,19 @@ class Parameters:
     def strings(self) -> dict[str, str]:
         """Return the parameters as exact strings, in the order of the dataclass."""
         return {field.name: str(getattr(self, field.name)) for field in fields(self)}
+
+    def elastic_strings(self) -> dict[str, str]:
+        """Return the parameters but e and mu, which a theorem on elastic walls does not mention.
+
+        Raises `BadInput` if the walls are not elastic, or the flights viscous.
+        """
+        if not self.conserves:
+            raise BadInput(
+                f"this theorem is about elastic walls and dry friction: e = {self.e}, mu = "
+                f"{self.mu} (`periodic` and `persistence` allow e < 1 and mu > 0)"
+            )
+        strings = self.strings()
+        return {name: strings[name] for name in strings if name not in ("e", "mu")}
 
 
 PAPER = Parameters(Fraction(1), Fraction(1), Fraction(2, 5), Fraction(-1), Fraction(1))

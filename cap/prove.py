@@ -1,11 +1,10 @@
 """Prove a theorem: ``python -m cap.prove elliptic``.
 
 Exit status 0 if everything was proved and the checker accepted the certificate, 1 if not, 2 on bad
-input.  A theorem is a function of a `proofs.non_sticking.Setting`; see `THEOREMS`.
+input.  A theorem is a function of a `proofs.fixed_point.Setting`; see `THEOREMS`.
 """
 
 import argparse
-import math
 import re
 import sys
 import time
@@ -17,34 +16,53 @@ from pathlib import Path
 from typing import Any
 
 from cap import certificate, report
-from cap.approx.periodic import MOST_HITS, Guess, near, orbits
+from cap.approx import candidates
+from cap.approx.candidates import Candidate, Request, Search
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
 from cap.console import Parser, closing_quietly
 from cap.errors import BadInput, NotProved, TooFewDigits
-from cap.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
-from proofs import elliptic, saddle
-from proofs.non_sticking import Setting
+from proofs import capture, elliptic, periodic, persistence, saddle
+from proofs.fixed_point import Proof, Setting
 
-MARGINS = [Fraction(n, 10) for n in (9, 7, 5, 3, 1)]  # of the largest box found
+PARTS = [Fraction(n, 10) for n in (9, 7, 5, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed
 
 
 @dataclass(frozen=True)
 class Theorem:
-    """A theorem on orbits of one kind, which is its name: what it says, and its proof."""
+    """What a theorem says, its proof, and the search for the orbits that it may be about."""
 
     summary: str
-    prove: Callable[[Setting], dict[str, Any]]
+    prove: Callable[[Setting], Proof]
+    search: Search
 
 
 THEOREMS = {
     "elliptic": Theorem(
         "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves",
         elliptic.prove,
+        candidates.non_sticking,
     ),
-    "saddle": Theorem("a hyperbolic non-sticking T-periodic orbit exists", saddle.prove),
+    "saddle": Theorem(
+        "a hyperbolic non-sticking T-periodic orbit exists", saddle.prove, candidates.non_sticking
+    ),
+    "periodic": Theorem(
+        "an nT-periodic orbit exists, with any events; its type; the basin of a sink",
+        periodic.prove,
+        candidates.cyclic,
+    ),
+    "persistence": Theorem(
+        "an elliptic orbit survives as a sink with inelastic walls and viscous friction",
+        persistence.prove,
+        candidates.continued,
+    ),
+    "capture": Theorem(
+        "infinitely many impacts with a wall accumulate, for all orbits from a box",
+        capture.prove,
+        candidates.capturing,
+    ),
 }
 
 
@@ -52,12 +70,14 @@ def parser() -> Parser:
     """Return the command line's parser."""
     p = Parser(
         prog="python -m cap.prove",
-        description="Prove a theorem on x'' = F cos(omega t) - f sgn(x'), l < x < r, with elastic "
-        "walls, and write a certificate that `python -m cap.verify FILE` checks.  The orbit is "
-        "searched for in floats, with at most "
-        f"{MOST_HITS} hits per period: fewest hits first, then smallest x.",
-        epilog="Numbers are integers, decimals or p/q, all exact: 0.4 means 2/5.  "
-        "Example: python -m cap.prove elliptic --f 9/20 --out /tmp",
+        description="Prove a theorem on x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where "
+        "v becomes -e v at the walls, and write a certificate that `python -m cap.verify FILE` "
+        "checks.  Orbits are searched for in floats, from many seeds or from the state given.",
+        epilog="Numbers are integers, decimals or p/q, all exact: 0.4 means 2/5.  Examples: "
+        "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
+        "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "
+        "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
+        "python -m cap.prove capture",
     )
     p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(THEOREMS))
     p.add_argument("--list", action="store_true", help="say what can be proved")
@@ -67,9 +87,12 @@ def parser() -> Parser:
         "--orbit",
         nargs=2,
         metavar=("X", "V"),
-        help="prove the orbit to which Newton's method leads from this state at t = 0",
+        help="prove the orbit to which Newton's method leads from this state at t = 0 (capture: of "
+        "this state)",
     )
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
+    p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
+    p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
         "--order",
@@ -121,75 +144,53 @@ def _run(options: argparse.Namespace) -> int:
         raise BadInput(f"say what to prove: one of {', '.join(THEOREMS)}")
     if options.all and (options.orbit or options.out.suffix == ".json"):
         raise BadInput("--all goes neither with --orbit nor with one file as --out")
+    request = _request(options)
+    digits = _integer(options.digits, "--digits", (6, 1000))
+    found = THEOREMS[options.theorem].search(request)
+    print("\n".join(found.lines), end="\n\n", flush=True)
+    return max(_proved(options, request, each, digits) for each in found.candidates)
+
+
+def _request(options: argparse.Namespace) -> Request:
+    """Return what is asked for."""
+    if options.epsilon is not None:
+        if options.e != PAPER.strings()["e"]:
+            raise BadInput("--epsilon Q means --e 1-Q: give one of them")
+        options.e = str(1 - exact(options.epsilon))
+    if options.theorem != "periodic" and options.period != "1":
+        raise BadInput("--period is for the theorem periodic")
+    if options.order and options.theorem != "elliptic":
+        raise BadInput("--order is for the theorem elliptic")
     parameters = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
-    digits = _digits(options.digits)
-    if options.orbit:
-        guesses = [_guessed(options, parameters)]
-    else:
-        guesses = _searched(parameters, options.theorem, options.all)
-    print()
-    statuses = [_proved(options, parameters, guess, digits) for guess in guesses]
-    return max(statuses)
-
-
-def _digits(text: str) -> int:
-    """Return the number of digits asked for."""
-    text = text.strip()
-    if not re.fullmatch(r"\d{1,4}", text, re.ASCII) or not 6 <= int(text) <= 1000:
-        raise BadInput(f"--digits must be an integer from 6 to 1000: {text[:40]!r}")
-    return int(text)
-
-
-def _guessed(options: argparse.Namespace, parameters: Parameters) -> Guess:
-    """Return the orbit that the guess leads to."""
-    x, v = (exact(word) for word in options.orbit)
-    guess = near(parameters, float(x), float(v))
-    if guess.kind != options.theorem:
-        raise BadInput(
-            f"the orbit that ({x}, {v}) leads to is no {options.theorem} orbit: its trace is "
-            f"{guess.trace:.6g}"
-        )
-    print(f"Newton's method leads from ({x}, {v}) to:\n  {_shown(guess)}")
-    return guess
-
-
-def _searched(parameters: Parameters, kind: str, every: bool) -> list[Guess]:
-    """Search; say what was found; return the first orbit of the kind, or all of them."""
-    found: list[Guess] = []
-    for hits in range(2, MOST_HITS + 1, 2):
-        found += [guess for guess in orbits(parameters, hits) if guess.kind == kind]
-        if found and not every:
-            break
-    if not found:
-        raise BadInput(
-            f"no {kind} non-sticking T-periodic orbit with at most {MOST_HITS} hits was found "
-            "(a guess can be given with --orbit X V)"
-        )
-    counted = f"{len(found)} {kind} orbit{'s' if len(found) > 1 else ''}"
-    number = f"at most {MOST_HITS}" if every else f"{len(found[0].hit_times)}"
-    which = "all" if every else "the first (smallest x)" if len(found) > 1 else "it"
-    print(f"Found {counted} with {number} hits per period; proving {which}:")
-    for place, guess in enumerate(found, 1):
-        print(f"  {place}  {_shown(guess)}")
-    return found if every else found[:1]
-
-
-def _shown(guess: Guess) -> str:
-    return (
-        f"x = {guess.x:.6g}, v = {guess.v:.6g}, {len(guess.hit_times)} hits, "
-        f"trace {guess.trace:.6g}, least speed {guess.least_speed:.6g}"
+    orbit = tuple(float(exact(word)) for word in options.orbit or ())
+    return Request(
+        options.theorem,
+        parameters,
+        (orbit[0], orbit[1]) if orbit else None,
+        every=options.all,
+        periods=_integer(options.period, "--period", (1, 16)),
     )
 
 
-def _proved(options: argparse.Namespace, parameters: Parameters, guess: Guess, digits: int) -> int:
+def _integer(text: str, option: str, limits: tuple[int, int]) -> int:
+    """Return the integer given for an option."""
+    least, most = limits
+    text = text.strip()
+    if not re.fullmatch(r"\d{1,4}", text, re.ASCII) or not least <= int(text) <= most:
+        raise BadInput(f"{option} must be an integer from {least} to {most}: {text[:40]!r}")
+    return int(text)
+
+
+def _proved(
+    options: argparse.Namespace, request: Request, candidate: Candidate, digits: int
+) -> int:
     """Prove the theorem of one orbit, print it and write its certificate; return the status."""
-    theorem = THEOREMS[options.theorem]
-    start = Start(guess.x, guess.v, guess.hit_times)
-    order = int(options.order) if options.order else _order(guess)
+    theorem, parameters = THEOREMS[options.theorem], request.parameters
+    order = int(options.order) if options.order else candidate.order
     try:
-        proved = _accepted(theorem, Setting(parameters, start, digits, order))
+        proved = _accepted(theorem, Setting(parameters, candidate.start, digits, order))
     except NotProved as failure:
-        print(f"NOT PROVED ({options.theorem}, {_shown(guess)}).  {failure}", file=sys.stderr)
+        print(f"NOT PROVED ({options.theorem}, {candidate.shown}).  {failure}", file=sys.stderr)
         return 1
     print(report.theorem(proved))
     path = options.out
@@ -214,11 +215,26 @@ def _special(parameters: Parameters) -> str:
 def _accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
     """Return a certificate that the independent checker accepts, or raise `NotProved`.
 
-    A smaller part of the largest box is claimed until the checker, in looser arithmetic, follows.
+    More guard digits are computed until all digits claimed are certain.
     """
+    began = time.perf_counter()
+    for guard in GUARDS:
+        sharper = replace(setting, guard=guard)
+        try:
+            proved = _followed(theorem.prove(sharper))
+            break
+        except TooFewDigits:
+            if guard == GUARDS[-1]:
+                raise
+    seconds = time.perf_counter() - began
+    return {**proved, "provenance": certificate.provenance(sharper.bits, seconds)}
+
+
+def _followed(proof: Proof) -> dict[str, Any]:
+    """Return the certificate for the largest of the `PARTS` to which the checker can follow."""
     rejection = ""
-    for margin in MARGINS:
-        proved = _sharp(theorem, replace(setting, margin=margin))
+    for part in PARTS:
+        proved = {**proof(part), "provenance": {}}
         try:
             check(certificate.dumps(proved).encode(), lambda _step: None)
         except Rejected as reason:
@@ -226,35 +242,6 @@ def _accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
         else:
             return proved
     raise NotProved("checker", f"the independent checker rejects the certificate: {rejection}")
-
-
-def _sharp(theorem: Theorem, setting: Setting) -> dict[str, Any]:
-    """Return the certificate, computing more guard digits until all digits claimed are certain."""
-    began = time.perf_counter()
-    for guard in GUARDS:
-        sharper = replace(setting, guard=guard)
-        try:
-            proved = theorem.prove(sharper)
-        except TooFewDigits:
-            if guard == GUARDS[-1]:
-                raise
-        else:
-            break
-    seconds = time.perf_counter() - began
-    return {**proved, "provenance": certificate.provenance(sharper.bits, seconds)}
-
-
-def _order(guess: Guess) -> int:
-    """Return 5 if the rotation number is within 1/100 of a p/q with 5 <= q <= 8, else 3.
-
-    Near such a resonance the first twist says little at a small distance from the fixed point
-    already, so the second one is claimed as well.
-    """
-    if guess.kind != "elliptic":
-        return 3
-    rotation = math.acos(guess.trace / 2) / (2 * math.pi)
-    distances = (abs(rotation - p / q) for q in range(5, 9) for p in range(1, q))
-    return 5 if min(distances) < 1 / 100 else 3
 
 
 if __name__ == "__main__":

@@ -8,8 +8,10 @@ _SECTIONS = {
     "fixed point": {"x": "x", "v": "v"},
     "orbit": {
         "hit_times": "hit time",
+        "event_times": "event time",
         "hit_speeds": "hit speed",
         "hit_forcing": "|F cos wt| - f at hit",
+        "turning_factors": "factor of turn",
         "least_speed": "least speed",
     },
     "linear part": {
@@ -20,6 +22,11 @@ _SECTIONS = {
         "rotation_angle": "Theta",
         "rotation_number": "rotation number",
         "resonance_distances": "distance to",
+    },
+    "capture": {
+        "forcing": "force towards the wall",
+        "accumulation_time": "hits accumulate at",
+        "release_time": "released at",
     },
     "twist": {
         "twist": "tau_1 per |z|^2",
@@ -43,23 +50,71 @@ _CONCLUSIONS = {
 
 def theorem(certificate: dict[str, Any]) -> str:
     """Return the theorem that a certificate of this package states, with its numbers."""
-    claims = certificate["claims"]
+    claims, kind = certificate["claims"], certificate["theorem"]
     parameters = ", ".join(f"{k} = {v}" for k, v in certificate["parameters"].items())
     box = " x ".join(f"[{lower}, {upper}]" for lower, upper in claims["box"].values())
+    say = {"periodic": _periodic, "persistence": _persistent, "capture": _captured}
     lines = [
-        f"Theorem ({certificate['theorem']}).  {parameters}.",
+        f"Theorem ({kind}).  {parameters}.",
         "",
-        f"The stroboscopic map has exactly one fixed point P* = (x, v) in {box}.",
-        f"Every orbit from this box is non-sticking on [0, T]; it hits the walls {_walls(claims)}, "
-        "transversely.",
-        *_numbers(claims),
-        "",
-        _forcing(claims),
-        _CONCLUSIONS[certificate["theorem"]],
+        *say.get(kind, _non_sticking)(kind, claims, box),
         "",
         *_citations(certificate),
     ]
-    return "\n".join(lines)
+    return "\n".join(lines).rstrip()
+
+
+def _non_sticking(kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
+    yield f"The stroboscopic map has exactly one fixed point P* = (x, v) in {box}."
+    yield (
+        "Every orbit from this box is non-sticking on [0, T]; it hits the walls "
+        f"{_walls(claims)}, transversely."
+    )
+    yield from _numbers(claims)
+    yield f"\n{_forcing(claims)}"
+    yield _CONCLUSIONS[kind]
+
+
+def _periodic(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
+    n = claims["period"]
+    power = "" if n == "1" else f"^{n}"
+    yield f"The stroboscopic map Phi{power} has exactly one fixed point P* = (x, v) in {box}."
+    yield f"Every orbit from this box has on [0, {'' if n == '1' else n}T] these events:"
+    yield f"  {', '.join(claims['itinerary']) or 'none'}"
+    yield from _numbers(claims)
+    yield f"\nP* is of the type: {claims['type']}."
+    if "basin" in claims:
+        (a, b), (c, d) = claims["basin"]["matrix"]
+        yield (
+            f"The ellipse ({a} X + {b} V)^2 + ({c} X + {d} V)^2 <= 1, (X, V) = (x, v) - P*, "
+            f"is mapped into itself by Phi{power},\nshrunk by {claims['basin']['contraction']} or "
+            "less: it lies in the basin of attraction."
+        )
+
+
+def _persistent(kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
+    yield from _periodic(kind, claims, box)
+    ends = claims["range"]["epsilon"][-1], claims["range"]["mu"][-1]
+    yield (
+        f"\nFor all 1 - e in [0, {ends[0]}] and mu in [0, {ends[1]}] "
+        f"({len(claims['range']['boxes'])} cells) there is such a fixed point, with the same hits,"
+        "\nit is one analytic function of e and mu, elliptic at e = 1, mu = 0, and asymptotically "
+        "stable everywhere else."
+    )
+
+
+def _captured(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
+    *before, _, release = claims["itinerary"]
+    yield f"Every orbit that starts at t = 0 in the interior of {box}"
+    if before:
+        yield f"has these events: {', '.join(before)};"
+    side = "right" if claims["wall"] == "r" else "left"
+    yield (
+        f"{'then it' if before else 'it'} makes infinitely many hits of the {side} wall, which "
+        f"accumulate (speeds fall by {claims['ratio']} or less each time);"
+    )
+    yield f"from then on the mass rests at this wall until its {release}."
+    yield from _numbers(claims)
 
 
 def _walls(claims: dict[str, Any]) -> str:
@@ -88,7 +143,7 @@ def _numbers(claims: dict[str, Any]) -> Iterator[str]:
         (section, label, pair)
         for section, labels in _SECTIONS.items()
         for key, name in labels.items()
-        for label, pair in _flatten(name, claims.get(key, []))
+        for label, pair in _labelled(key, name, claims)
     ]
     whole, part = (max(len(side) for *_, pair in rows for side in _sides(pair, n)) for n in (0, 1))
     width = max(len(label) for _, label, _ in rows)
@@ -114,6 +169,14 @@ def _sides(pair: list[str], side: int) -> list[str]:
     """Return what stands before (0) the decimal points of both ends, or from them on (1)."""
     split = [(whole, point + part) for whole, point, part in (end.partition(".") for end in pair)]
     return [halves[side] for halves in split]
+
+
+def _labelled(key: str, name: str, claims: dict[str, Any]) -> Iterator[tuple[str, list[str]]]:
+    """Give (label, pair) for each enclosure in the claim of a name; events by their words."""
+    if key == "event_times" and key in claims:
+        yield from zip(claims["itinerary"], claims[key], strict=True)
+    else:
+        yield from _flatten(name, claims.get(key, []))
 
 
 def _flatten(label: str, value: Any) -> Iterator[tuple[str, list[str]]]:

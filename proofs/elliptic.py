@@ -24,14 +24,16 @@ from typing import Any
 
 from cap import certificate, interval, normal_form
 from cap.errors import NotProved
+from cap.event import TAYLOR_MODELS
 from cap.fixed_point import FixedPoint, Neighbourhood
-from cap.flow import TAYLOR_MODELS, over, strobe, strobe_jet
+from cap.flow import strobe
 from cap.interval import Ball
 from cap.jet import Jet
+from cap.jet_transport import strobe_jet
 from cap.model import Oscillator
 from cap.taylor_model import Domain, TaylorModel
 from proofs import non_sticking
-from proofs.non_sticking import Setting
+from proofs.fixed_point import Proof, Setting
 
 MOSER = {
     "theorem": "Moser twist theorem",
@@ -77,18 +79,18 @@ MOSER = {
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 
 
-def prove(setting: Setting) -> dict[str, Any]:
-    """Prove the theorem; return its certificate.
+def prove(setting: Setting) -> Proof:
+    """Prove the theorem up to the size of its box; return the rest of the proof.
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return non_sticking.certificate_of(
+    return non_sticking.proof_of(
         "elliptic", setting, conclusion, MOSER, {"order": str(setting.order)}
     )
 
 
 def conclusion(
-    osc: Oscillator[Ball], setting: Setting, point: FixedPoint, around: Neighbourhood
+    osc: Oscillator[Any], setting: Setting, point: FixedPoint, around: Neighbourhood
 ) -> dict[str, Any]:
     """Prove what the theorem says of P*, from the jet of Φ there; return the claims."""
     jets = strobe_jet(osc, point.box, point.orbit, setting.order)
@@ -152,7 +154,7 @@ def taylor_claims(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, dict[str
 
 
 def lemma_5_remainder(
-    osc: Oscillator[Ball], point: FixedPoint, around: Neighbourhood, jets: tuple[Jet, Jet]
+    osc: Oscillator[Any], point: FixedPoint, around: Neighbourhood, jets: tuple[Jet, Jet]
 ) -> dict[str, str]:
     """*Statement.* On an explicit disk around P*, inside the box, each component of Φ is within
     an explicit distance of its Taylor polynomial at P*.
@@ -165,7 +167,7 @@ def lemma_5_remainder(
     radius = interval.short(min(around.reach) / 4)
     domain = Domain((interval.ball(radius), interval.ball(radius)), jets[0].space.order)
     x, v = domain.variables(point.box)
-    end = strobe(over(osc, TaylorModel), (x, v), around.windows, TAYLOR_MODELS).end
+    end = strobe(osc, (x, v), around.expected, TAYLOR_MODELS).end
     bounds = [
         certificate.bound(abs((model - TaylorModel(domain, jet, Ball(0))).bound()) * 2)
         for model, jet in zip(end, jets, strict=True)

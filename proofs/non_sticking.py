@@ -1,21 +1,23 @@
-"""Lemmas shared by the theorems on non-sticking T-periodic orbits.
+"""What the theorems on non-sticking T-periodic orbits share: claims, hints, the certificate.
 
 Let Φ be the stroboscopic map of x'' = F cos ωt - f sgn x', l < x < r, with elastic walls.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from cap import certificate, fixed_point, interval, matrix
-from cap.certificate import Rounding, Units
-from cap.errors import NotProved
-from cap.fixed_point import FixedPoint, Neighbourhood, Start
+from cap import certificate, interval, matrix
+from cap.fixed_point import FixedPoint, Neighbourhood
 from cap.flow import oscillator
-from cap.interval import Ball
 from cap.model import Oscillator
-from cap.parameters import Parameters
+from proofs.fixed_point import (
+    Proof,
+    Setting,
+    largest_reach,
+    lemma_1_fixed_point,
+    lemma_2_uniqueness,
+)
 
 KRAWCZYK = {
     "theorem": "Krawczyk",
@@ -32,134 +34,44 @@ KRAWCZYK = {
 }
 
 
-@dataclass(frozen=True)
-class Setting:
-    """The parameters of a theorem, the guess that it starts from, and how sharp it is to be.
-
-    ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
-    expanded, where it is.  ``margin`` < 1 is the part of the largest neighbourhood found that is
-    claimed, so that a looser arithmetic can follow.
-    """
-
-    parameters: Parameters
-    start: Start
-    digits: int
-    order: int = 3
-    guard: int = 15
-    margin: Fraction = Fraction(9, 10)
-
-    @property
-    def units(self) -> Units:
-        """The natural units."""
-        return Units.of(self.parameters)
-
-    @property
-    def rounding(self) -> Rounding:
-        """How claims are rounded."""
-        return Rounding(self.digits)
-
-    @property
-    def scale(self) -> tuple[Fraction, Fraction]:
-        """The natural units of the state (x, v)."""
-        return self.units.length, self.units.speed
-
-    @property
-    def precise(self) -> int:
-        """Digits of the fixed point that are computed, relative to the natural units."""
-        return self.digits + self.guard
-
-    @property
-    def bits(self) -> int:
-        """Working precision: what cancels are the walls' distance from 0, and F/ω², against R."""
-        p = self.parameters
-        large = max(abs(p.l), abs(p.r), p.F / p.omega**2) / p.R
-        return bits(self.precise + max(0, interval.decade(large))) + 80
-
-    @property
-    def checker_bits(self) -> int:
-        """Precision for the checker, whose rounding is absolute: the least unit decides."""
-        units = self.units
-        least = min(*self.scale, units.time, units.force, 1 / units.speed, 1 / units.area)
-        orders = max(0, -interval.decade(least)) * self.order
-        return self.bits + bits(orders) + 40
-
-
-def bits(digits: int) -> int:
-    """Return how many bits hold as many decimal digits, log2(10) < 10/3 each."""
-    return digits * 10 // 3 + 1
-
-
-def certificate_of(
+def proof_of(
     theorem: str,
     setting: Setting,
-    conclude: Callable[[Oscillator[Ball], Setting, FixedPoint, Neighbourhood], dict[str, Any]],
+    conclude: Callable[[Oscillator[Any], Setting, FixedPoint, Neighbourhood], dict[str, Any]],
     cited: dict[str, Any],
     more_hints: dict[str, str] | None = None,
-) -> dict[str, Any]:
-    """Prove Lemmas 1 and 2 and then ``conclude``, which returns claims; return the certificate.
+) -> Proof:
+    """Prove Lemma 1; return the rest of the proof: Lemma 2 and ``conclude``, which returns claims.
 
     ``cited`` is the theorem on paper on which the conclusion rests, besides Krawczyk's.
     """
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)
         point = lemma_1_fixed_point(osc, setting)
-        around, box = lemma_2_uniqueness(osc, setting, point)
-        claims = {
-            "box": box,
-            **orbit_claims(osc, setting, point),
-            **conclude(osc, setting, point, around),
-        }
-        return {
-            "format": certificate.FORMAT,
-            "theorem": theorem,
-            "parameters": setting.parameters.strings(),
-            "digits": str(setting.digits),
-            "claims": claims,
-            "hints": {**hints(setting, point, around), **(more_hints or {})},
-            "cites": [KRAWCZYK, cited],
-        }
+        reach = largest_reach(osc, setting, point)
+
+    def certified(part: Fraction) -> dict[str, Any]:
+        with interval.workprec(setting.bits):
+            around, box = lemma_2_uniqueness(osc, point, (reach[0] * part, reach[1] * part))
+            claims = {
+                "box": box,
+                **orbit_claims(osc, setting, point),
+                **conclude(osc, setting, point, around),
+            }
+            return {
+                "format": certificate.FORMAT,
+                "theorem": theorem,
+                "parameters": setting.parameters.elastic_strings(),
+                "digits": str(setting.digits),
+                "claims": claims,
+                "hints": {**hints(setting, point, around), **(more_hints or {})},
+                "cites": [KRAWCZYK, cited],
+            }
+
+    return certified
 
 
-def lemma_1_fixed_point(osc: Oscillator[Ball], setting: Setting) -> FixedPoint:
-    """*Statement.* Φ has a fixed point P* near the guess; its orbit is non-sticking.
-
-    *Computed.* A tiny rectangle S around a refined guess: the itinerary over S (each hit exists, is
-    the only one in its window and transverse, and the velocity vanishes nowhere), Φ' over S by
-    flights and saltation matrices, and Krawczyk's inclusion K(S) in the interior of S.
-    """
-    return fixed_point.prove(osc, setting.start, setting.precise, setting.scale)
-
-
-def lemma_2_uniqueness(
-    osc: Oscillator[Ball], setting: Setting, point: FixedPoint
-) -> tuple[Neighbourhood, dict[str, Any]]:
-    """*Statement.* P* is the only fixed point in an explicit box, and all orbits from the box
-    are non-sticking with the same itinerary.
-
-    *Computed.* As in Lemma 1 over Taylor models, on the largest rectangle that succeeds; the box
-    is a part of it.  It contains P*, so the one fixed point of the rectangle is in the box.
-    """
-    largest = fixed_point.largest_neighbourhood(osc, point, setting.scale)
-    reach = largest.reach[0] * setting.margin, largest.reach[1] * setting.margin
-    around = fixed_point.neighbourhood(osc, point, reach)
-    box = {}
-    for name, centre, half, where in zip("xv", point.hint.centre, reach, point.box, strict=True):
-        box[name] = _inside(centre, half)
-        lower, upper = interval.ends(where)
-        if not Fraction(box[name][0]) < lower <= upper < Fraction(box[name][1]):
-            raise NotProved("Lemma 2", "P* may leave the box", {name: where, "box": box[name]})
-    return around, box
-
-
-def _inside(centre: Fraction, half: Fraction) -> list[str]:
-    """Return short decimals [lower, upper] inside [centre - half, centre + half]."""
-    places = max(0, 3 - interval.decade(half))
-    scale = 10**places
-    lower, upper = -(-(centre - half) * scale // 1), (centre + half) * scale // 1
-    return [interval.decimal(Fraction(end, scale), places) for end in (lower, upper)]
-
-
-def orbit_claims(osc: Oscillator[Ball], setting: Setting, point: FixedPoint) -> dict[str, Any]:
+def orbit_claims(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> dict[str, Any]:
     """Return the claims on P* and its orbit, rounded outwards."""
     units, pair, orbit = setting.units, setting.rounding.pair, point.orbit
     return {
@@ -183,5 +95,5 @@ def hints(setting: Setting, point: FixedPoint, around: Neighbourhood) -> dict[st
         "centre": [interval.exact_decimal(value) for value in point.hint.centre],
         "radius": interval.exact_decimal(point.reach[0] / setting.units.length),
         "preconditioner": [[interval.exact_decimal(value) for value in row] for row in c],
-        "hit_times": [certificate.window(window) for window in around.windows],
+        "hit_times": [certificate.window(event.window) for event in around.expected],
     }

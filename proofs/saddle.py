@@ -19,10 +19,9 @@ from typing import Any
 from cap import matrix
 from cap.errors import NotProved
 from cap.fixed_point import FixedPoint, Neighbourhood
-from cap.interval import Ball
 from cap.model import Oscillator
 from proofs import non_sticking
-from proofs.non_sticking import Setting
+from proofs.fixed_point import Proof, Setting
 
 HADAMARD_PERRON = {
     "theorem": "Hadamard-Perron",
@@ -45,16 +44,16 @@ HADAMARD_PERRON = {
 }
 
 
-def prove(setting: Setting) -> dict[str, Any]:
-    """Prove the theorem; return its certificate.
+def prove(setting: Setting) -> Proof:
+    """Prove the theorem up to the size of its box; return the rest of the proof.
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return non_sticking.certificate_of("saddle", setting, conclusion, HADAMARD_PERRON)
+    return non_sticking.proof_of("saddle", setting, conclusion, HADAMARD_PERRON)
 
 
 def conclusion(
-    _osc: Oscillator[Ball], setting: Setting, point: FixedPoint, _around: Neighbourhood
+    _osc: Oscillator[Any], setting: Setting, point: FixedPoint, _around: Neighbourhood
 ) -> dict[str, Any]:
     """Prove what the theorem says of P*; return the claims."""
     return {"multipliers": lemma_3_hyperbolicity(setting, point)}

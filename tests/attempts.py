@@ -1,4 +1,4 @@
-"""Attempts to certify a box of states in given windows, and how they are to fail."""
+"""Attempts to certify a box of states with an itinerary, and how they are to fail."""
 
 from fractions import Fraction
 
@@ -6,9 +6,10 @@ import pytest
 
 from cap import interval
 from cap.errors import NotProved
-from cap.flow import BALLS, oscillator, over, strobe
+from cap.event import BALLS, Expected
+from cap.flow import oscillator, strobe
 from cap.interval import Ball
-from cap.taylor_model import Domain, TaylorModel
+from cap.taylor_model import Domain
 
 BITS = 200
 HAIR = Fraction(1, 10**9)
@@ -16,17 +17,25 @@ P_STAR = Fraction("0.1002798898441954"), Fraction("0.5419433067664584")
 TIMES = Fraction("1.0991729107"), Fraction("3.5160904414")
 
 
-def attempt(p, state, times, kind, *, radius=0, width=HAIR):
-    """Certify the box of half-width ``radius`` in windows of half-width ``width``."""
-    osc = oscillator(p)
-    windows = tuple(t if isinstance(t, Ball) else interval.around(t, width) for t in times)
+def hits(v, times, width=HAIR):
+    """Return the itinerary of alternating hits that begins in the direction of ``v``."""
+    words = ("hit r", "hit l") if v > 0 else ("hit l", "hit r")
+    windows = [t if isinstance(t, Ball) else interval.around(t, Fraction(width)) for t in times]
+    return tuple(Expected(words[k % 2], window) for k, window in enumerate(windows))
+
+
+def box(state, kind, radius=0, order=2):
+    """Return the box of half-width ``radius`` around a state, over balls or Taylor models."""
     if kind is BALLS:
-        return strobe(
-            osc, tuple(interval.around(c, Fraction(radius)) for c in state), windows, kind
-        )
-    domain = Domain((interval.ball(Fraction(radius)),) * 2, 2)
-    state = domain.variables([interval.ball(c) for c in state])
-    return strobe(over(osc, TaylorModel), state, windows, kind)
+        return tuple(interval.around(c, Fraction(radius)) for c in state)
+    domain = Domain((interval.ball(Fraction(radius)),) * 2, order)
+    return domain.variables([interval.ball(c) for c in state])
+
+
+def attempt(p, state, times, kind, *, radius=0, width=HAIR):
+    """Certify the box of half-width ``radius``, with hits in windows of half-width ``width``."""
+    expected = hits(state[1], times, width)
+    return strobe(oscillator(p), box(state, kind, radius), expected, kind)
 
 
 def refused(step, reason, *arguments, **options):

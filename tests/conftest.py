@@ -42,12 +42,13 @@ def paper():
         yield oscillator(PAPER)
 
 
-STARTS = {
-    "elliptic": Start(0.1002798898441954, 0.5419433067664584, (1.0991729107, 3.5160904414)),
-    "mirror": Start(0.55916325, 1.06697003, (0.3745, 4.2408)),
-    "saddle": Start(0.34352606, 0.7753195, (0.6794, 3.821)),
-    "second saddle": Start(-0.79144782, 0.49792004, (2.4622, 5.6038)),
+ORBITS = {  # x, v and the times of the hits
+    "elliptic": (0.1002798898441954, 0.5419433067664584, (1.0991729107, 3.5160904414)),
+    "mirror": (0.55916325, 1.06697003, (0.3745, 4.2408)),
+    "saddle": (0.34352606, 0.7753195, (0.6794, 3.821)),
+    "second saddle": (-0.79144782, 0.49792004, (2.4622, 5.6038)),
 }
+STARTS = {name: Start.non_sticking(*orbit) for name, orbit in ORBITS.items()}
 
 
 @pytest.fixture

@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 import reference
-from conftest import STARTS
+from conftest import ORBITS
 from mpmath import mp, mpf
 from support import rational
 
@@ -13,7 +13,7 @@ from cap.parameters import PAPER
 def oracle(name):
     """Return {claim: value} for everything that a theorem claims and the oracle can compute."""
     system = reference.System.of(PAPER)
-    x, v, _ = reference.periodic_orbit(system, STARTS[name].hit_times)
+    x, v, _ = reference.periodic_orbit(system, ORBITS[name][2])
     orbit = reference.flow(system, x, v)
     (a, _), (c, d) = jacobian = reference.jacobian(system, x, v)
     half = (a + d) / 2

@@ -76,3 +76,8 @@ def value_at(model, point):
             term = term * interval.ball(x) ** power
         total = total + term
     return total
+
+
+def certified(theorem, setting, part=Fraction(9, 10)):
+    """Return the certificate of a theorem for a part of the largest box found."""
+    return theorem.prove(setting)(part)

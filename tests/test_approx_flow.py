@@ -8,6 +8,7 @@ import pytest
 
 from cap.approx import flow
 from cap.errors import BadInput
+from cap.itinerary import oscillator, root
 from cap.matrix import determinant
 from cap.parameters import PAPER, Parameters
 
@@ -39,14 +40,14 @@ def small_steps(p, x, v, steps=20_000):
 @pytest.mark.parametrize(("p", "x", "v"), GENUINE)
 def test_end_agrees_with_small_steps(p, x, v):
     """(x, v) at T is that of 20 000 small steps, to 1e-5."""
-    end = flow.one_period(flow.oscillator(p), x, v).end
+    end = flow.one_period(oscillator(p), x, v).end
     assert end == pytest.approx(small_steps(p, x, v), abs=1e-5)
 
 
 @pytest.mark.parametrize(("p", "x", "v"), GENUINE)
 def test_hits_lie_on_alternating_walls(p, x, v):
     """Velocities at the hits alternate in sign, times increase, the least speed is the least."""
-    orbit = flow.one_period(flow.oscillator(p), x, v)
+    orbit = flow.one_period(oscillator(p), x, v)
     signs = [math.copysign(1, u) for u in orbit.hit_velocities]
     assert signs == [math.copysign(1, v) * (-1) ** k for k in range(len(signs))]
     times = (0.0, *orbit.hit_times, 2 * math.pi / p.omega)
@@ -57,7 +58,7 @@ def test_hits_lie_on_alternating_walls(p, x, v):
 @pytest.mark.parametrize(("p", "x", "v"), GENUINE)
 def test_monodromy_is_the_derivative(p, x, v):
     """Each entry is the central difference quotient of the end state, to six digits."""
-    o, h = flow.oscillator(p), 1e-6
+    o, h = oscillator(p), 1e-6
     columns = [
         (flow.one_period(o, x + dx, v + dv).end, flow.one_period(o, x - dx, v - dv).end)
         for dx, dv in ((h, 0.0), (0.0, h))
@@ -71,14 +72,14 @@ def test_monodromy_is_the_derivative(p, x, v):
 @pytest.mark.parametrize(("p", "x", "v"), GENUINE)
 def test_area_is_preserved(p, x, v):
     """The determinant of the monodromy is 1, whatever the friction and the hits."""
-    assert determinant(flow.one_period(flow.oscillator(p), x, v).monodromy) == pytest.approx(1)
+    assert determinant(flow.one_period(oscillator(p), x, v).monodromy) == pytest.approx(1)
 
 
 def test_least_speed_is_reached_inside_a_flight():
     """Without a hit, end and least speed are those of the formula, the latter at cos t = f/F."""
     p = replace(PAPER, r=Fraction(100))  # one flight, no hit: v = 10 + sin t - 0.4 t
     slow = 2 * math.pi - math.acos(0.4)
-    orbit = flow.one_period(flow.oscillator(p), 0.0, 10.0)
+    orbit = flow.one_period(oscillator(p), 0.0, 10.0)
     assert orbit.hit_times == ()
     assert orbit.least_speed == pytest.approx(10 + math.sin(slow) - 0.4 * slow, abs=1e-14)
     assert orbit.end == pytest.approx((20 * math.pi - 0.8 * math.pi**2, 10 - 0.8 * math.pi))
@@ -87,7 +88,7 @@ def test_least_speed_is_reached_inside_a_flight():
 def test_turning_is_reported_at_its_time():
     """A turn on the first flight is reported at the zero of v, to 1e-15."""
     with pytest.raises(flow.Turns) as turns:
-        flow.one_period(flow.oscillator(PAPER), 0.0, -0.1)
+        flow.one_period(oscillator(PAPER), 0.0, -0.1)
     t = turns.value.time  # on this flight v = -0.1 + sin t + 0.4 t
     assert math.sin(t) + 0.4 * t == pytest.approx(0.1, abs=1e-15)
 
@@ -95,14 +96,14 @@ def test_turning_is_reported_at_its_time():
 def test_turning_after_a_hit_is_reported():
     """A turn on a later flight is reported too, at a time after the hit."""
     with pytest.raises(flow.Turns) as turns:
-        flow.one_period(flow.oscillator(PAPER), 0.9, 0.3)
+        flow.one_period(oscillator(PAPER), 0.9, 0.3)
     assert 0.2 < turns.value.time < 2 * math.pi
 
 
 def test_the_first_of_two_turnings_is_reported_although_a_hit_follows():
     """v vanishes twice before the next hit: the first zero counts; the formal flow goes on."""
     p = replace(PAPER, f=Fraction(1, 10), r=Fraction(2))
-    o = flow.oscillator(p)
+    o = oscillator(p)
     with pytest.raises(flow.Turns) as turns:
         flow.one_period(o, 0.0, -0.5)
     t = turns.value.time  # on this flight v = -0.5 + sin t + 0.1 t, up to its first zero
@@ -116,7 +117,7 @@ def test_the_first_of_two_turnings_is_reported_although_a_hit_follows():
 def test_formal_flow_of_a_genuine_orbit_is_the_flow():
     """Where nothing turns, ``formal`` changes no bit of the result."""
     for p, x, v in GENUINE:
-        o = flow.oscillator(p)
+        o = oscillator(p)
         assert flow.one_period(o, x, v, formal=True) == flow.one_period(o, x, v)
 
 
@@ -137,7 +138,7 @@ def test_formal_flow_of_a_genuine_orbit_is_the_flow():
 def test_states_that_cannot_be_followed_are_bad_input(x, v):
     """At or beyond a wall, at rest, not finite, or too fast: refused in one line."""
     with pytest.raises(BadInput) as error:
-        flow.one_period(flow.oscillator(PAPER), x, v)
+        flow.one_period(oscillator(PAPER), x, v)
     assert "\n" not in str(error.value)
 
 
@@ -155,4 +156,4 @@ def test_states_that_cannot_be_followed_are_bad_input(x, v):
 )
 def test_root(g, a, b, zero):
     """Zeros inside and at the ends, rising and falling, triple, steep, and with a false slope."""
-    assert flow.root(g, a, b) == pytest.approx(zero, abs=2e-15)
+    assert root(g, a, b) == pytest.approx(zero, abs=2e-15)

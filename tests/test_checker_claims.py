@@ -5,24 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from checker.altered import changed, decimal, encode, rejected, verify
+from checker.altered import changed, decimal, encode, leaves, rejected, verify
 from checker.forge import forge
 
-from cap.checker.certificate import Enclosure, read
+from cap.checker.certificate import read
+from cap.checker.reading import Enclosure
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import Elliptic, Saddle
-
-
-def leaves(value, path=()):
-    """Give the path and the value of every enclosure in a JSON value."""
-    if isinstance(value, dict):
-        for key, part in value.items():
-            yield from leaves(part, (*path, key))
-    elif isinstance(value, list) and not (len(value) == 2 and isinstance(value[0], str)):
-        for n, part in enumerate(value):
-            yield from leaves(part, (*path, n))
-    elif isinstance(value, list):
-        yield path, value
 
 
 def enclosures(certificate):

@@ -9,7 +9,8 @@ from checker.altered import changed, rejected
 from checker.forge import PARAMETERS
 
 from cap.checker.interval import Interval
-from cap.checker.mechanics import Mechanics, Parameters
+from cap.checker.itinerary import PeriodMap
+from cap.checker.mechanics import Parameters
 from cap.checker.rejection import Rejected
 
 
@@ -42,9 +43,9 @@ def passage(x, v, windows, parameters=PARAMETERS, radius="0", order=2):
     rho, m = Fraction(radius), (Fraction(x), Fraction(v))
     box = [Interval.enclosing(q - rho, q + rho, 128) for q in m]
     centre = [Interval.enclosing(q, q, 128) for q in m]
-    return Mechanics(p, box, centre, order).passage(
-        [(Fraction(a), Fraction(b)) for a, b in windows]
-    )
+    words = [("hit r", "hit l")[(n + (m[1] < 0)) % 2] for n in range(len(windows))]
+    windows = [(Fraction(a), Fraction(b)) for a, b in windows]
+    return PeriodMap(p, words, windows).over(box, centre, order)
 
 
 @pytest.mark.parametrize("x", ["1", "-1", "1.5", "-2"])
@@ -69,13 +70,13 @@ def test_a_turn_before_the_hit():
 def test_a_turn_inside_the_flight_only():
     """s v is positive at both ends of the flight, and negative at its minimum between them."""
     parameters = {"F": "1", "omega": "1", "f": "0", "l": "-10", "r": "10"}
-    with pytest.raises(Rejected, match="vanish between the last hit"):
+    with pytest.raises(Rejected, match="vanish between the last event"):
         passage("0", "0.5", [], parameters)  # v = 1/2 + sin t
     passage("0", "1.1", [], parameters)
-    with pytest.raises(Rejected, match="vanish between the last hit"):
+    with pytest.raises(Rejected, match="vanish between the last event"):
         passage("0", "1", [], parameters)  # v = 1 + sin t touches zero
     passage("0", "-1.1", [], parameters)
-    with pytest.raises(Rejected, match="vanish between the last hit"):
+    with pytest.raises(Rejected, match="vanish between the last event"):
         passage("0", "-0.9", [], parameters)
 
 

@@ -9,7 +9,8 @@ import pytest
 from checker.altered import changed, encode
 from checker.forge import forge
 
-from cap.checker.certificate import MAX_BYTES, bounded, enclosure, number, parsed, read
+from cap.checker.certificate import read
+from cap.checker.reading import MAX_BYTES, bounded, enclosure, number, parsed
 from cap.checker.rejection import Rejected
 
 

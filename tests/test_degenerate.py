@@ -10,13 +10,14 @@ from dataclasses import replace
 
 import mpmath
 import pytest
+from support import certified
 
 from cap import prove
 from cap.errors import NotProved
 from cap.fixed_point import Start
 from cap.parameters import PAPER, exact
 from proofs import elliptic, saddle
-from proofs.non_sticking import Setting
+from proofs.fixed_point import Setting
 
 
 def friction(k):
@@ -52,12 +53,12 @@ def symmetric_start(f):
     t = math.acos(c)
     v = (2 + 2 * c) / math.pi - math.sin(t) + f * t
     x = 1 - v * t + c + f * t * t / 2 - 1
-    return Start(x, v, (t, t + math.pi))
+    return Start.non_sticking(x, v, (t, t + math.pi))
 
 
 @pytest.mark.parametrize(
     "theorem",
-    [elliptic.prove, saddle.prove],
+    [elliptic, saddle],
     ids=["elliptic", "saddle"],
 )
 @pytest.mark.parametrize("k", [2, 4], ids=["trace -2", "trace 2"])
@@ -66,7 +67,7 @@ def test_parabolic(theorem, k):
     f = friction(lambda: mpmath.mpf(k))
     parameters = replace(PAPER, f=exact(f))
     with pytest.raises(NotProved) as failure:
-        theorem(Setting(parameters, symmetric_start(float(f)), 30))
+        certified(theorem, Setting(parameters, symmetric_start(float(f)), 30))
     assert failure.value.step in ("ellipticity", "Lemma 3", "Krawczyk")
 
 

@@ -6,14 +6,17 @@ from fractions import Fraction
 import mpmath
 import pytest
 import reference
-from conftest import STARTS
+from attempts import box as around
+from attempts import hits
+from conftest import ORBITS, STARTS
 from mpmath import mpf
 from support import holds, number, rational, rounds, seeded, width
 
 from cap import fixed_point, interval
 from cap.errors import NotProved
+from cap.event import BALLS
 from cap.fixed_point import Start, existence, find_windows, neighbourhood, prove
-from cap.flow import BALLS, oscillator, strobe
+from cap.flow import oscillator, strobe
 from cap.interval import Ball
 from cap.parameters import PAPER
 
@@ -23,7 +26,7 @@ NAMES = pytest.mark.parametrize("name", STARTS)
 
 def truth(name):
     """Return x, v and the hit times of one of the paper's orbits, to 60 digits."""
-    return reference.periodic_orbit(reference.System.of(PAPER), STARTS[name].hit_times)
+    return reference.periodic_orbit(reference.System.of(PAPER), ORBITS[name][2])
 
 
 @NAMES
@@ -65,34 +68,35 @@ def test_rough_guesses_are_good_enough(name):
         osc = oscillator(PAPER)
         best = prove(osc, start, 30)
         digits = 5 if name == "second saddle" else 3
-        rough = Start(
-            round(start.x, digits),
-            round(start.v, digits),
-            tuple(round(t, 2) for t in start.hit_times),
-        )
+        times = tuple(round(t, 2) for t in ORBITS[name][2])
+        rough = Start.non_sticking(round(start.x, digits), round(start.v, digits), times)
         again = prove(osc, rough, 30)
         assert all(a.overlaps(b) for a, b in zip(best.box, again.box, strict=True))
 
 
 def test_guesses_that_are_no_orbit_are_refused():
     """No orbit there, hits elsewhere, too few or too many, states that are none; no other error."""
-    star, saddle = STARTS["elliptic"], STARTS["saddle"]
+    star, saddle, (x, v, times) = STARTS["elliptic"], STARTS["saddle"], ORBITS["elliptic"]
     for start in [
-        Start(0.9, 0.1, star.hit_times),
-        Start(-0.5, -0.5, star.hit_times),
-        Start(0.0, 5.0, star.hit_times),
-        replace(star, hit_times=(3.0, 5.0)),
-        replace(star, hit_times=star.hit_times[::-1]),
-        replace(star, hit_times=star.hit_times[:1]),
-        replace(star, hit_times=(*star.hit_times, 6.0)),
-        replace(star, hit_times=(*star.hit_times, star.hit_times[0] + 6.2831853)),
-        replace(star, hit_times=()),
-        replace(star, v=-star.v),
+        Start.non_sticking(0.9, 0.1, times),
+        Start.non_sticking(-0.5, -0.5, times),
+        Start.non_sticking(0.0, 5.0, times),
+        Start.non_sticking(x, v, (3.0, 5.0)),
+        Start.non_sticking(x, v, times[::-1]),
+        Start.non_sticking(x, v, times[:1]),
+        Start.non_sticking(x, v, (*times, 6.0)),
+        Start.non_sticking(x, v, (*times, times[0] + 6.2831853)),
+        Start.non_sticking(x, v, ()),
+        Start.non_sticking(x, -v, times),
+        replace(star, v=-v),
+        replace(star, events=star.events[::-1]),
+        replace(star, events=tuple((word.replace("r", "l"), t) for word, t in star.events)),
+        replace(star, periods=2),
         replace(star, x=1.0),
         replace(star, x=5.0),
         replace(star, v=0.0),
-        replace(saddle, hit_times=(saddle.hit_times[1],)),
-        replace(saddle, hit_times=(-saddle.hit_times[0], saddle.hit_times[1])),
+        replace(saddle, events=saddle.events[1:]),
+        replace(saddle, events=(("hit r", -saddle.events[0][1]), saddle.events[1])),
     ]:
         with interval.workprec(150), pytest.raises(NotProved):
             prove(oscillator(PAPER), start, 20)
@@ -103,22 +107,22 @@ def test_orbits_without_a_hit_are_refused():
     far = replace(PAPER, f=Fraction(1, 10), l=Fraction(-100), r=Fraction(100))
     for p in (far, replace(far, f=Fraction(0))):
         with interval.workprec(150), pytest.raises(NotProved):
-            prove(oscillator(p), Start(0.0, 5.0, ()), 20)
+            prove(oscillator(p), Start.non_sticking(0.0, 5.0, ()), 20)
 
 
 def test_existence_refuses_squares_without_the_fixed_point():
     """Beside it, or with it on the boundary, or so large that the itinerary changes."""
     with mpmath.workdps(70), interval.workprec(200):
-        osc, (x, v, hits) = oscillator(PAPER), truth("elliptic")
+        osc, (x, v, times) = oscillator(PAPER), truth("elliptic")
         hint = prove(osc, STARTS["elliptic"], 30).hint
-        times = [interval.ball(rational(t)) for t in hits]
+        near = hits(1, map(rational, times), 0)
         radius = Fraction(1, 10**6)
 
         def attempt(dx, dv, radius):
             centre = rational(x) + dx, rational(v) + dv
             moved = hint._replace(centre=centre)
-            windows = find_windows(osc, moved.box((radius, radius)), times, BALLS)
-            return existence(osc, moved, (radius, radius), windows)
+            expected = find_windows(osc, moved.box((radius, radius)), near, BALLS)
+            return existence(osc, moved, (radius, radius), expected)
 
         box, _, _ = attempt(0, 0, radius)
         assert holds(box[0], x)
@@ -149,7 +153,7 @@ def test_all_orbits_of_the_neighbourhood(name, paper):
                 for m, k, r in zip(point.hint.centre, offset, around.reach, strict=True)
             ]
             orbit = reference.flow(system, *state)
-            for window, time in zip(around.windows, orbit.hits, strict=True):
+            for (_, window), time in zip(around.expected, orbit.hits, strict=True):
                 assert holds(window, time)
             moved = max(abs(a - b) for a, b in zip(state, orbit.end, strict=True))
             assert moved > mpf(10) ** -12
@@ -232,16 +236,16 @@ def test_the_derivative_is_enclosed_on_the_whole_box(paper, monkeypatch):
 def test_find_windows():
     """Windows from rough times hold the hits, strictly, and stay certified for the same box."""
     with mpmath.workdps(70), interval.workprec(200):
-        osc, (x, v, hits) = oscillator(PAPER), truth("elliptic")
-        box = tuple(interval.around(rational(c), Fraction(1, 10**8)) for c in (x, v))
+        osc, (x, v, times) = oscillator(PAPER), truth("elliptic")
+        state = around(map(rational, (x, v)), BALLS, Fraction(1, 10**8))
         for shift in (Fraction(0), Fraction(1, 100), Fraction(-1, 100)):
-            windows = find_windows(
-                osc, box, [interval.ball(rational(t) + shift) for t in hits], BALLS
-            )
-            orbit = strobe(osc, box, windows, BALLS)
-            for window, hit in zip(windows, orbit.hits, strict=True):
+            near = hits(1, [rational(t) + shift for t in times], 0)
+            expected = find_windows(osc, state, near, BALLS)
+            orbit = strobe(osc, state, expected, BALLS)
+            for (word, window), hit in zip(expected, orbit.hits, strict=True):
+                assert word == hit.word
                 assert interval.subset_interior(hit.time, window)
                 assert width(window) < 1e-6
-        for times in ([Ball("nan")] * 2, [Ball(0, "inf")] * 2, [Ball(5), Ball(6)]):
+        for bad in ([Ball("nan")] * 2, [Ball(0, "inf")] * 2, [Ball(5), Ball(6)]):
             with pytest.raises(NotProved):
-                find_windows(osc, box, times, BALLS)
+                find_windows(osc, state, hits(1, bad), BALLS)

@@ -7,16 +7,17 @@ from types import SimpleNamespace
 import mpmath
 import pytest
 import reference
+from attempts import box, hits
 from support import between, holds, inside, number, rational, rounds, seeded, value_at, width
 
 from cap import interval, matrix
 from cap.errors import NotProved
+from cap.event import BALLS, TAYLOR_MODELS, flies
 from cap.fixed_point import find_windows
-from cap.flow import BALLS, TAYLOR_MODELS, _fly, oscillator, over, strobe, strobe_jet
+from cap.flow import oscillator, strobe
 from cap.interval import Ball
-from cap.model import Flight
+from cap.jet_transport import strobe_jet
 from cap.parameters import PAPER, Parameters
-from cap.taylor_model import Domain, TaylorModel
 
 BITS, ERROR = 110, Fraction(1, 10**30)
 SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7, 3), Fraction(-1))
@@ -55,17 +56,13 @@ def truth(p, x, v):
 
 def certified(p, x, v, radius, kind, order=3):
     """Return the certified orbit of the box around (x, v), in windows that it finds itself."""
-    osc = oscillator(p)
-    times = [interval.ball(rational(t)) for t in truth(p, x, v).hits]
-    if kind is BALLS:
-        state = interval.around(x, radius), interval.around(v, radius)
-    else:
-        osc = over(osc, TaylorModel)
-        domain = Domain((interval.ball(radius),) * 2, order)
-        state = domain.variables((interval.ball(x), interval.ball(v)))
-    windows = find_windows(osc, state, times, kind)
-    orbit = strobe(osc, state, windows, kind)
-    for hit, window in zip(orbit.hits, windows, strict=True):
+    osc, state = oscillator(p), box((x, v), kind, radius, order)
+    times = hits(v, [rational(t) for t in truth(p, x, v).hits], 0)
+    expected = find_windows(osc, state, times, kind)
+    orbit = strobe(osc, state, expected, kind)
+    assert orbit.hits == orbit.events
+    for hit, (word, window) in zip(orbit.hits, expected, strict=True):
+        assert hit.word == word
         assert interval.subset(kind.bound(hit.time), window)
     return orbit
 
@@ -127,15 +124,13 @@ def test_wide_windows(name, kind):
     x, v = Fraction(x), Fraction(v)
     with mpmath.workdps(reference.DIGITS), interval.workprec(BITS):
         exact, osc = truth(p, x, v), oscillator(p)
-        state = interval.ball(x), interval.ball(v)
-        if kind is TAYLOR_MODELS:
-            osc, state = over(osc, TaylorModel), Domain((Ball(0), Ball(0)), 2).variables(state)
+        state = box((x, v), kind)
         for left, right in ((10, 10), (8, 20), (20, 8), (15, 50), (100, 20)):
-            windows = tuple(
+            windows = [
                 between(t - Fraction(1, left), t + Fraction(1, right))
                 for t in map(rational, exact.hits)
-            )
-            orbit = strobe(osc, state, windows, kind)
+            ]
+            orbit = strobe(osc, state, hits(v, windows), kind)
             check(orbit, kind, (Fraction(0), Fraction(0)), exact, None)
             assert max(width(kind.bound(hit.time)) for hit in orbit.hits) < 1e-9
 
@@ -146,10 +141,10 @@ def test_a_flight_that_begins_or_ends_near_its_least_speed(sign):
     with interval.workprec(BITS):
         osc = oscillator(PAPER)
         slow = interval.midpoint(osc.slow_right if sign > 0 else osc.slow_left)
-        flight = Flight(sign, osc.drag(sign), Ball(4 * sign), Ball(0))
+        flight = osc.launch(sign, osc.moment(Ball(0)), Ball(0), Ball(4 * sign))
 
         def speed(t):
-            return sign * osc.velocity(flight, t, osc.phase(t)[0])
+            return sign * osc.velocity(flight, osc.moment(t))
 
         early, late = slow - Fraction(1, 2), slow + Fraction(1, 2)
         for left, right, width_left, width_right in [
@@ -160,7 +155,9 @@ def test_a_flight_that_begins_or_ends_near_its_least_speed(sign):
             (early, slow - Fraction(1, 9), Fraction(1, 10), Fraction(1, 10)),
         ]:
             times = interval.around(left, width_left), interval.around(right, width_right)
-            least = _fly(osc, flight, times, sign * speed(times[1]), lambda q: q)
+            least = interval.least(*map(speed, times))
+            if slowest := flies(osc, flight, times, BALLS.bound):
+                least = interval.least(least, slowest)
             for k in (-1, 0, 1):
                 for m in (-1, 0, 1):
                     start, end = left + k * width_left, right + m * width_right
@@ -247,11 +244,12 @@ def test_time_reversal(name):
     with mpmath.workdps(reference.DIGITS), interval.workprec(BITS):
         x, v = Fraction(x), Fraction(v)
         there = certified(p, x, v, Fraction(0), BALLS)
-        opposite = SimpleNamespace(F=p.F, omega=p.omega, f=-p.f, l=p.l, r=p.r)
+        opposite = SimpleNamespace(F=p.F, omega=p.omega, f=-p.f, l=p.l, r=p.r, e=1, mu=0)
         osc = oscillator(opposite)
         times = [osc.T - hit.time for hit in reversed(there.hits)]
         state = there.end[0], -there.end[1]
-        back = strobe(osc, state, find_windows(osc, state, times, BALLS), BALLS)
+        expected = find_windows(osc, state, hits(state[1], times), BALLS)
+        back = strobe(osc, state, expected, BALLS)
         assert holds(back.end[0], x)
         assert holds(-back.end[1], v)
         assert max(map(width, back.end)) < 1e-20

@@ -6,16 +6,17 @@ from fractions import Fraction
 import mpmath
 import pytest
 import reference
-from attempts import BITS, HAIR, P_STAR, TIMES, attempt, refused
+from attempts import BITS, HAIR, P_STAR, TIMES, attempt, box, hits, refused
 from mpmath import mp, mpf
 from support import between, number, rational
 
 from cap import interval
 from cap.errors import NotProved
-from cap.flow import BALLS, TAYLOR_MODELS, NoCertainHit, _fly, oscillator, over, strobe
+from cap.event import BALLS, TAYLOR_MODELS, NoCertainEvent, flies
+from cap.flow import oscillator, strobe
 from cap.interval import Ball
 from cap.parameters import PAPER, Parameters
-from cap.taylor_model import Domain, TaylorModel
+from cap.taylor_model import Domain
 
 KINDS = pytest.mark.parametrize("kind", [BALLS, TAYLOR_MODELS], ids=["balls", "Taylor models"])
 SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7, 3), Fraction(-1))
@@ -37,22 +38,22 @@ def test_windows_without_a_hit(kind):
     for shift in (Fraction(-1, 10), Fraction(1, 10), Fraction(-3, 10**9), Fraction(3, 10**9)):
         for k in (0, 1):
             times = [t + shift * (i == k) for i, t in enumerate(TIMES)]
-            failure = refused(f"hit {k + 1}", "no hit is certain", PAPER, P_STAR, times, kind)
-            assert isinstance(failure, NoCertainHit)
+            failure = refused(f"event {k + 1}", "is certain", PAPER, P_STAR, times, kind)
+            assert isinstance(failure, NoCertainEvent)
             assert failure.number == k + 1
     with mpmath.workdps(60), interval.workprec(BITS):
         system = reference.System.of(PAPER)
         exact = rational(reference.flow(system, *map(number, P_STAR)).hits[0])
         for side in (-1, 1):
             edge = interval.around(exact + side * HAIR, HAIR * (1 - Fraction(1, 10**6)))
-            with pytest.raises(NoCertainHit):
+            with pytest.raises(NoCertainEvent):
                 attempt(PAPER, P_STAR, (edge, TIMES[1]), kind)
 
 
 @KINDS
 def test_too_few_windows(kind):
     """With one window less the orbit reaches a wall, or turns on paper, before T."""
-    refused("flight", "may vanish", PAPER, P_STAR, TIMES[:1], kind)
+    refused("end", "may vanish before", PAPER, P_STAR, TIMES[:1], kind)
     for v in (3, -3):
         refused("end", "reach a wall", PAPER, (Fraction(0), Fraction(v)), (), kind)
     state = Fraction(-11, 5), Fraction(-5, 2)
@@ -84,7 +85,7 @@ def test_a_wall_that_is_reached_at_the_end(kind):
 def test_too_many_windows(kind):
     """A third hit: nowhere before T; the next one is after T."""
     for t in (Fraction(4), Fraction(5), Fraction(6), TIMES[1], TIMES[0]):
-        refused("hit 3", "", PAPER, P_STAR, (*TIMES, t), kind)
+        refused("event 3", "", PAPER, P_STAR, (*TIMES, t), kind)
     with mpmath.workdps(60):
         after = rational(mpf(TIMES[0].numerator) / TIMES[0].denominator + 2 * mp.pi)
     wide = Fraction(1, 10**6)
@@ -108,10 +109,10 @@ def test_a_middle_outside_the_window():
     with interval.workprec(BITS):
         for shift in (Fraction(-1, 20), Fraction(1, 20)):
             outside = interval.ball(TIMES[0] + shift)
-            kind = BALLS._replace(curve=lambda _osc, _flight, _window, t=outside: t)
-            windows = tuple(interval.around(t, Fraction(1, 40)) for t in TIMES)
-            with pytest.raises(NoCertainHit) as caught:
-                strobe(oscillator(PAPER), tuple(map(interval.ball, P_STAR)), windows, kind)
+            kind = BALLS._replace(curve=lambda *_, t=outside: t)
+            expected = hits(1, TIMES, Fraction(1, 40))
+            with pytest.raises(NoCertainEvent) as caught:
+                strobe(oscillator(PAPER), box(P_STAR, BALLS), expected, kind)
             assert caught.value.number == 1
 
 
@@ -119,7 +120,7 @@ def test_flights_whose_ends_are_in_no_certain_order():
     """Equal, overlapping, touching or reversed times of two events are refused."""
     with interval.workprec(BITS):
         osc = oscillator(PAPER)
-        flight = osc.start(1, Ball(0), Ball(9))
+        flight = osc.launch(1, osc.moment(Ball(0)), Ball(0), Ball(9))
         one = Ball((1, 0), (1, -2))
         for start, end in [
             (one, one),
@@ -131,7 +132,7 @@ def test_flights_whose_ends_are_in_no_certain_order():
             (one, Ball("nan")),
         ]:
             with pytest.raises(NotProved, match="out of order"):
-                _fly(osc, flight, (start, end), Ball(9), lambda q: q)
+                flies(osc, flight, (start, end), BALLS.bound)
 
 
 @KINDS
@@ -173,9 +174,9 @@ def test_grazing_hits(kind, time):
                     window = interval.around(Fraction(time), width)
                     with pytest.raises(NotProved) as caught:
                         attempt(near, state, (window,), kind, radius=radius)
-                    assert caught.value.step == "hit 1"
+                    assert caught.value.step == "event 1"
                     if not gap:
-                        assert "may vanish in the time window" in caught.value.reason
+                        assert "may not be transverse in its time" in caught.value.reason
 
 
 @KINDS
@@ -189,9 +190,9 @@ def test_two_crossings_in_one_window(kind):
         assert flight.position(5) < 1
     first, last = (Fraction(round(100 * t), 100) for t in (over_the_wall[0], over_the_wall[-1]))
     window = between(first - Fraction(1, 10), last + Fraction(1, 10))
-    refused("hit 1", "may vanish in the time window", p, state, (window,), kind)
+    refused("event 1", "may not be transverse", p, state, (window,), kind)
     second = interval.around(last, Fraction(1, 50))
-    refused("hit 1", "may vanish in the time window", p, state, (second,), kind)
+    refused("event 1", "may not be transverse", p, state, (second,), kind)
 
 
 @KINDS
@@ -209,27 +210,20 @@ def test_boxes_that_are_no_states(kind):
 def test_indeterminate_input(bad):
     """NaN and infinite balls, as states or as windows, over both kinds."""
     with interval.workprec(BITS):
-        balls = oscillator(PAPER)
-        models = over(balls, TaylorModel)
+        osc = oscillator(PAPER)
         domain = Domain((interval.ball(HAIR / 100),) * 2, 2)
         x, v = map(interval.ball, P_STAR)
-        windows = tuple(interval.around(t, HAIR) for t in TIMES)
+        expected = hits(1, TIMES)
         for state in ((bad, v), (x, bad), (bad, bad)):
-            for osc, box, kind in (
-                (balls, state, BALLS),
-                (models, domain.variables(state), TAYLOR_MODELS),
-            ):
+            for start, kind in ((state, BALLS), (domain.variables(state), TAYLOR_MODELS)):
                 with pytest.raises(NotProved) as caught:
-                    strobe(osc, box, windows, kind)
-                assert caught.value.step in ("start", "hit 1")
-        for n, windows_with_bad in enumerate(((bad, windows[1]), (windows[0], bad)), start=1):
-            for osc, box, kind in (
-                (balls, (x, v), BALLS),
-                (models, domain.variables((x, v)), TAYLOR_MODELS),
-            ):
+                    strobe(osc, start, expected, kind)
+                assert caught.value.step in ("start", "event 1")
+        for n, times in enumerate(((bad, TIMES[1]), (TIMES[0], bad)), start=1):
+            for start, kind in (((x, v), BALLS), (domain.variables((x, v)), TAYLOR_MODELS)):
                 with pytest.raises(NotProved) as caught:
-                    strobe(osc, box, windows_with_bad, kind)
-                assert caught.value.step == f"hit {n}"
+                    strobe(osc, start, hits(1, times), kind)
+                assert caught.value.step == f"event {n}"
         wide = Domain((interval.ball(HAIR), bad), 2).variables((x, v))
         with pytest.raises(NotProved):
-            strobe(models, wide, windows, TAYLOR_MODELS)
+            strobe(osc, wide, expected, TAYLOR_MODELS)

@@ -11,7 +11,7 @@ from mpmath import mp, mpf
 from support import number, rational
 
 from cap import interval
-from cap.flow import BALLS, TAYLOR_MODELS
+from cap.event import BALLS, TAYLOR_MODELS
 from cap.parameters import PAPER, Parameters
 
 SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7, 3), Fraction(-1))

@@ -13,8 +13,8 @@ from cap.flow import oscillator
 from cap.interval import Ball
 from cap.jet import Jet
 from cap.parameters import PAPER
-from proofs import elliptic, non_sticking, saddle
-from proofs.non_sticking import Setting
+from proofs import elliptic, fixed_point, non_sticking, saddle
+from proofs.fixed_point import Setting
 
 SETTING = Setting(PAPER, STARTS["elliptic"], 10)
 
@@ -73,7 +73,7 @@ def test_lemma_4_excludes_a_vanishing_twist():
 def test_lemma_3_of_saddles():
     """Trace 2 and -2, exactly or perhaps, and less; beyond, the multipliers are right."""
     with interval.workprec(100):
-        point = fixed_point()[1]
+        point = proved_point()[1]
         for trace in (Ball(2), Ball(-2), Ball(2, 1e-9), Ball(-2, 1e-9), Ball(0), Ball("nan")):
             with pytest.raises(NotProved) as caught:
                 saddle.lemma_3_hyperbolicity(SETTING, with_trace(point, trace))
@@ -85,10 +85,10 @@ def test_lemma_3_of_saddles():
                 assert low <= value <= high
 
 
-def fixed_point():
+def proved_point():
     """Return the oscillator and its proved fixed point."""
     osc = oscillator(PAPER)
-    return osc, non_sticking.lemma_1_fixed_point(osc, SETTING)
+    return osc, fixed_point.lemma_1_fixed_point(osc, SETTING)
 
 
 def with_trace(point, trace):
@@ -100,12 +100,13 @@ def with_trace(point, trace):
 def test_lemma_2_needs_the_fixed_point_in_the_box():
     """An enclosure of P* that reaches over an edge of the rectangle: no claim."""
     with interval.workprec(SETTING.bits):
-        osc, point = fixed_point()
-        non_sticking.lemma_2_uniqueness(osc, SETTING, point)
+        osc, point = proved_point()
+        reach = Fraction(1, 1000), Fraction(1, 1000)
+        fixed_point.lemma_2_uniqueness(osc, point, reach)
         x, v = point.box
         for box in ((x + 1, v), (x, v - 1), (interval.around(Fraction(1, 10), Fraction(1)), v)):
             with pytest.raises(NotProved) as caught:
-                non_sticking.lemma_2_uniqueness(osc, SETTING, replace(point, box=box))
+                fixed_point.lemma_2_uniqueness(osc, replace(point, box=box), reach)
             assert caught.value.step == "Lemma 2"
 
 
@@ -115,7 +116,7 @@ def test_the_claimed_box_is_inside():
     for _ in range(rounds(200)):
         centre = decimal_fraction(random) * Fraction(10) ** random.randint(-9, 9)
         half = (1 + abs(decimal_fraction(random))) * Fraction(10) ** random.randint(-40, 3)
-        lower, upper = map(Fraction, non_sticking._inside(centre, half))
+        lower, upper = map(Fraction, fixed_point.inside(centre, half))
         assert centre - half <= lower < upper <= centre + half
         assert upper - lower > Fraction(97, 100) * 2 * half
         assert holds(between(lower, upper), centre)
@@ -124,11 +125,11 @@ def test_the_claimed_box_is_inside():
 def test_the_claims_on_an_orbit_contain_both_ends_of_wide_enclosures():
     """An orbit known to seven digits, its numbers claimed to six: no end of any is lost."""
     with interval.workprec(SETTING.bits):
-        osc, point = fixed_point()
+        osc, point = proved_point()
         wide = interval.around(Fraction(0), Fraction(1, 2 * 10**7))
         orbit = replace(
             point.orbit,
-            hits=tuple(
+            events=tuple(
                 replace(h, time=h.time + wide, velocity=h.velocity + wide, cos=h.cos + wide)
                 for h in point.orbit.hits
             ),

@@ -11,7 +11,8 @@ from support import holds, number, width
 
 from cap import interval, normal_form
 from cap.fixed_point import prove
-from cap.flow import oscillator, strobe_jet
+from cap.flow import oscillator
+from cap.jet_transport import strobe_jet
 from cap.parameters import PAPER
 
 BITS = 300

@@ -69,16 +69,18 @@ def parameters(**changes):
         *({"F": 0}, {"F": -1}, {"F": Fraction(2, 5)}, {"F": Fraction(1, 3)}, {"F": -1, "f": 0}),
         *({"omega": 0}, {"omega": -1}, {"f": Fraction(-1, 10**40)}, {"f": 1}, {"f": 2}),
         *({"l": 1}, {"l": 2}, {"r": -1}, {"l": -1, "r": Fraction(-1)}),
+        *({"e": 0}, {"e": -1}, {"e": 1 + Fraction(1, 10**40)}, {"mu": -Fraction(1, 10**40)}),
     ],
 )
 def test_parameters_that_are_no_oscillator_are_refused(changes):
-    """0 < F, 0 < ω, 0 <= f < F and l < r, with equality on the right side."""
+    """0 < F, 0 < ω, 0 <= f < F, l < r, 0 < e <= 1, 0 <= μ, with equality on the right side."""
     with pytest.raises(BadInput):
         parameters(**changes)
 
 
 def test_the_limits_of_the_parameters_are_allowed():
-    """f = 0 is, and f just below F."""
+    """f = 0 is, and f just below F, and nearly soft walls."""
+    assert parameters(e=Fraction(1, 10**40), mu=Fraction(10**9)).mu == 10**9
     assert parameters(f=0).f == 0
     assert parameters(f=1 - Fraction(1, 10**40)).f < 1
     assert Fraction(4, 9) == parameters(l=-7, r=Fraction(-59, 9)).R
@@ -86,6 +88,20 @@ def test_the_limits_of_the_parameters_are_allowed():
 
 def test_strings_are_exact_and_in_order():
     """What is written into a certificate gives the same parameters back."""
-    strings = PAPER.strings()
-    assert strings == {"F": "1", "omega": "1", "f": "2/5", "l": "-1", "r": "1"}
-    assert Parameters(*(exact(text) for text in strings.values())) == PAPER
+    elastic = {"F": "1", "omega": "1", "f": "2/5", "l": "-1", "r": "1"}
+    assert PAPER.strings() == {**elastic, "e": "1", "mu": "0"}
+    assert PAPER.elastic_strings() == elastic
+    soft = parameters(e=Fraction(9, 10), mu=Fraction(1, 3))
+    for p in (PAPER, soft):
+        assert Parameters(*(exact(text) for text in p.strings().values())) == p
+    assert Parameters(*(exact(text) for text in elastic.values())) == PAPER
+
+
+@pytest.mark.parametrize("changes", [{"e": Fraction(9, 10)}, {"mu": Fraction(1, 3)}])
+def test_theorems_on_elastic_walls_refuse_the_others(changes):
+    """e and μ are never dropped in silence."""
+    assert PAPER.conserves
+    p = parameters(**changes)
+    assert not p.conserves
+    with pytest.raises(BadInput, match="elastic"):
+        p.elastic_strings()

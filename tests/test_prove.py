@@ -12,6 +12,7 @@ import jsonschema
 import pytest
 
 from cap import prove
+from cap.approx import candidates
 from cap.approx.periodic import Guess
 from cap.certificate import dumps
 from cap.checker.rejection import Rejected
@@ -46,17 +47,22 @@ def test_elliptic_proves_writes_and_says_so(capsys, tmp_path):
     check(path.read_bytes(), lambda _step: None)
 
 
-def test_every_stored_certificate_is_reproduced(capsys, tmp_path):
-    """`--all` gives the stored certificates again, byte for byte but for their provenance."""
-    for theorem in prove.THEOREMS:
-        assert run(capsys, theorem, "--all", "--out", str(tmp_path))[0] == 0
-    made = sorted(path.name for path in tmp_path.iterdir())
-    assert made == sorted(path.name for path in (ROOT / "certificates").glob("*.json"))
-    for name in made:
-        new, stored = (
-            json.loads((d / name).read_text()) for d in (tmp_path, ROOT / "certificates")
-        )
-        assert dumps({**new, "provenance": {}}) == dumps({**stored, "provenance": {}})
+COMMANDS = dict(
+    line.split(maxsplit=1) for line in (ROOT / "certificates/COMMANDS").read_text().splitlines()
+)
+
+
+def test_a_command_is_known_for_every_stored_certificate():
+    """``certificates/COMMANDS`` names the files that are there."""
+    assert sorted(COMMANDS) == sorted(p.name for p in (ROOT / "certificates").glob("*.json"))
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_stored_certificate_is_reproduced(name, capsys, tmp_path):
+    """Its command gives it again, byte for byte but for its provenance."""
+    assert run(capsys, *COMMANDS[name].split(), "--out", str(tmp_path / name))[0] == 0
+    new, stored = (json.loads((d / name).read_text()) for d in (tmp_path, ROOT / "certificates"))
+    assert dumps({**new, "provenance": {}}) == dumps({**stored, "provenance": {}})
 
 
 def test_a_second_run_leaves_the_file_alone(capsys, tmp_path):
@@ -155,7 +161,7 @@ def test_unwritable_output(capsys, out):
 def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch):
     """A guess with wrong hit times: the step that fails and its sets are printed."""
     wrong = Guess(0.1003, 0.5419, (0.5, 3.5), -0.46, 0.09)
-    monkeypatch.setattr(prove, "orbits", lambda *_: [wrong])
+    monkeypatch.setattr(candidates.periodic, "orbits", lambda *_: [wrong])
     status, _, err = run(capsys, "elliptic", "--out", str(tmp_path))
     assert status == 1
     assert "NOT PROVED" in err

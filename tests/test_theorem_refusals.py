@@ -6,13 +6,15 @@ from fractions import Fraction
 import mpmath
 import pytest
 import reference
-from conftest import STARTS
+from conftest import ORBITS, STARTS
 from oracle import compared, oracle
+from support import certified
 
 from cap.errors import NotProved, TooFewDigits
+from cap.fixed_point import Start
 from cap.parameters import PAPER
 from proofs import elliptic, saddle
-from proofs.non_sticking import Setting
+from proofs.fixed_point import Setting
 
 
 @pytest.mark.parametrize("digits", [6, 40])
@@ -21,22 +23,25 @@ def test_false_statements_are_refused(digits):
 
     def refused(theorem, start, step, reason, parameters=PAPER):
         with pytest.raises(NotProved) as caught:
-            theorem(Setting(parameters, start, digits))
+            certified(theorem, Setting(parameters, start, digits))
         assert (caught.value.step, caught.value.reason) == (step, reason)
 
-    kam, unstable = elliptic.prove, saddle.prove
+    kam, unstable = elliptic, saddle
     for name in ("elliptic", "mirror"):
         refused(unstable, STARTS[name], "Lemma 3", "the trace may lie in [-2, 2]")
     for name in ("saddle", "second saddle"):
         refused(kam, STARTS[name], "Lemma 3", "the trace may leave (-2, 2)")
-    star, grazes = STARTS["elliptic"], "the velocity may vanish in the time window of the hit"
+    star, (x, v, times) = STARTS["elliptic"], ORBITS["elliptic"]
+    grazes = "the hit {} may not be transverse in its time window"
     for theorem in (kam, unstable):
-        refused(theorem, replace(star, x=0.8, v=0.1), "hit 1", grazes)
-        refused(theorem, replace(star, hit_times=(2.0, 3.0)), "hit 1", grazes)
-        one = replace(star, hit_times=star.hit_times[:1])
-        refused(theorem, one, "flight", "the velocity may vanish at its end")
-        refused(theorem, replace(star, hit_times=(*star.hit_times, 6.0)), "hit 3", grazes)
-        refused(theorem, star, "hit 2", grazes, replace(PAPER, f=Fraction(7, 10)))
+        refused(theorem, replace(star, x=0.8, v=0.1), "event 1", grazes.format("r"))
+        other = Start.non_sticking(x, v, (2.0, 3.0))
+        refused(theorem, other, "event 1", grazes.format("r"))
+        one = Start.non_sticking(x, v, times[:1])
+        refused(theorem, one, "end", "the velocity may vanish before the end")
+        more = Start.non_sticking(x, v, (*times, 6.0))
+        refused(theorem, more, "event 3", grazes.format("r"))
+        refused(theorem, star, "event 2", grazes.format("l"), replace(PAPER, f=Fraction(7, 10)))
 
 
 @pytest.mark.parametrize(("name", "places"), [("second saddle", 20), ("saddle", 35)])
@@ -50,7 +55,7 @@ def test_ask_for_digits_that_are_not_there(name, places):
         trace = oracle(name)["trace"]
         for guard in range(-16, 1):
             try:
-                claims = saddle.prove(Setting(PAPER, STARTS[name], 20, guard=guard))["claims"]
+                claims = certified(saddle, Setting(PAPER, STARTS[name], 20, guard=guard))["claims"]
             except TooFewDigits:
                 outcomes.append("too few")
             except NotProved:

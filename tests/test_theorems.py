@@ -7,32 +7,32 @@ import mpmath
 import pytest
 import reference
 from checker.forge import forge
-from conftest import STARTS
+from conftest import ORBITS, STARTS
 from mpmath import mp, mpf
 from oracle import compared, exact_decimal, oracle
-from support import number, rational, rounds, seeded
+from support import certified, number, rational, rounds, seeded
 
 from cap.certificate import dumps
 from cap.errors import NotProved
 from cap.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
 from proofs import elliptic, saddle
-from proofs.non_sticking import Setting
+from proofs.fixed_point import Setting
 
 THEOREMS = {
-    "elliptic": elliptic.prove,
-    "mirror": elliptic.prove,
-    "saddle": saddle.prove,
-    "second saddle": saddle.prove,
+    "elliptic": elliptic,
+    "mirror": elliptic,
+    "saddle": saddle,
+    "second saddle": saddle,
 }
 NAMES = pytest.mark.parametrize("name", THEOREMS)
 DIGITS = pytest.mark.parametrize("digits", [6, 30, 100])
 PRECISION = {"second saddle": 20}  # digits of the oracle's derivatives; 35 for the others
 
 
-def proved(name, digits, **changes):
+def proved(name, digits, part=Fraction(9, 10)):
     """Return the certificate of one of the paper's orbits."""
-    return THEOREMS[name](Setting(PAPER, STARTS[name], digits, **changes))
+    return certified(THEOREMS[name], Setting(PAPER, STARTS[name], digits), part)
 
 
 @NAMES
@@ -108,7 +108,7 @@ def test_the_same_request_gives_the_same_certificate(name):
     first = proved(name, 12)
     proved("saddle", 40)
     with pytest.raises(NotProved):
-        saddle.prove(Setting(PAPER, STARTS["elliptic"], 33))
+        certified(saddle, Setting(PAPER, STARTS["elliptic"], 33))
     second = proved(name, 12)
     assert first == second
     assert dumps(first) == dumps(second)
@@ -156,7 +156,7 @@ def test_the_box_holds_only_orbits_of_the_same_kind(name):
             for (lower, upper), time in zip(windows, orbit.hits, strict=True):
                 assert lower < rational(time) < upper
             assert any(abs(number(a) - b) > 1e-12 for a, b in zip(state, orbit.end, strict=True))
-        x, v, _ = reference.periodic_orbit(system, STARTS[name].hit_times)
+        x, v, _ = reference.periodic_orbit(system, ORBITS[name][2])
         for (lower, upper), value in zip(sides, (x, v), strict=True):
             assert lower < rational(value) < upper
 
@@ -170,12 +170,12 @@ def middle(pair):
 @pytest.mark.parametrize("order", [3, 5])
 def test_the_remainder(name, order):
     """On the disk Φ is as close to its Taylor polynomial as claimed; the disk is in the box."""
-    claims = elliptic.prove(Setting(PAPER, STARTS[name], 20, order=order))["claims"]
+    claims = certified(elliptic, Setting(PAPER, STARTS[name], 20, order=order))["claims"]
     remainder, worst = claims["remainder"], {"x": mpf(0), "v": mpf(0)}
     assert remainder["degree"] == str(order)
     with mpmath.workdps(reference.DIGITS):
         system = reference.System.of(PAPER)
-        fixed = reference.periodic_orbit(system, STARTS[name].hit_times)[:2]
+        fixed = reference.periodic_orbit(system, ORBITS[name][2])[:2]
         matrix = reference.jacobian(system, *fixed)
         radius = number(Fraction(remainder["radius"]))
         for k in range(rounds(16)):
@@ -196,7 +196,7 @@ def test_the_remainder(name, order):
 def test_higher_orders_agree():
     """Order 5 claims the same numbers as order 3, and τ_2 besides, which forge computes too."""
     third, fifth = (
-        elliptic.prove(Setting(PAPER, STARTS["elliptic"], 20, order=order))["claims"]
+        certified(elliptic, Setting(PAPER, STARTS["elliptic"], 20, order=order))["claims"]
         for order in (3, 5)
     )
     (second,) = fifth["higher_twists"]
@@ -214,7 +214,7 @@ def test_higher_orders_agree():
 
 def test_a_smaller_margin_gives_a_smaller_box():
     """The part of the neighbourhood that is claimed; the rest of the claims stay."""
-    whole, part = (deepcopy(proved("saddle", 10, margin=Fraction(n, 10))["claims"]) for n in (9, 3))
+    whole, part = (deepcopy(proved("saddle", 10, Fraction(n, 10))["claims"]) for n in (9, 3))
     for key in "xv":
         (a, b), (c, d) = (map(Fraction, claims["box"].pop(key)) for claims in (whole, part))
         assert a < c < d < b
@@ -232,13 +232,10 @@ def test_theorems_scale(name, length, omega, shift):
     size, w, shift = Fraction(length), Fraction(omega), Fraction(shift)
     force = size * w**2
     p = Parameters(force, w, PAPER.f * force, shift - size, shift + size)
-    old = STARTS[name]
-    start = Start(
-        float(size) * old.x + float(shift),
-        float(size * w) * old.v,
-        tuple(t / float(w) for t in old.hit_times),
-    )
-    scaled = THEOREMS[name](Setting(p, start, 12))["claims"]
+    x, v, times = ORBITS[name]
+    x, v, times = float(size) * x + float(shift), float(size * w) * v, [t / float(w) for t in times]
+    start = Start.non_sticking(x, v, times)
+    scaled = certified(THEOREMS[name], Setting(p, start, 12))["claims"]
     claims = proved(name, 12)["claims"]
 
     def same(key, unit, offset=Fraction(0)):

@@ -6,14 +6,14 @@ zeros of v; between them x is monotone, which brackets the wall hits.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 from cap.errors import BadInput
+from cap.itinerary import root
 from cap.matrix import Matrix
-from cap.model import Flight, Functions, Oscillator
-from cap.parameters import Parameters
+from cap.model import Flight, Moment, Oscillator
 
 TOO_MANY_HITS = (
     200  # per period; more would be a mass too fast for any orbit that the search can find
@@ -43,12 +43,6 @@ class Orbit:
     least_speed: float
 
 
-def oscillator(p: Parameters) -> Oscillator[float]:
-    """Return the oscillator with the floats next to its exact constants."""
-    functions = Functions(float, math.pi, _sin_cos, math.acos, math.sqrt)
-    return Oscillator.build(p, functions)
-
-
 def one_period(o: Oscillator[float], x: float, v: float, *, formal: bool = False) -> Orbit:
     """Follow the orbit of (x, v) from t = 0 to t = T.
 
@@ -60,7 +54,7 @@ def one_period(o: Oscillator[float], x: float, v: float, *, formal: bool = False
     `TOO_MANY_HITS`.
     """
     _check(o, x, v)
-    flight, t, least = o.start(1 if v > 0 else -1, x, v), 0.0, abs(v)
+    flight, t, least = o.launch(1 if v > 0 else -1, o.moment(0.0), x, v), 0.0, abs(v)
     hits: list[tuple[float, float]] = []
     while (hit := _next_hit(o, flight, t, formal=formal)) is not None:
         if len(hits) == TOO_MANY_HITS:
@@ -68,14 +62,16 @@ def one_period(o: Oscillator[float], x: float, v: float, *, formal: bool = False
                 f"more than {TOO_MANY_HITS} wall hits in one period: v = {v!r} is too fast"
             )
         least = min(least, _least_speed(o, flight, t, hit))
-        sin, cos = o.phase(hit)
-        hits.append((hit, o.velocity(flight, hit, sin)))
-        if hits[-1][1] == 0:
+        moment = o.moment(hit)
+        hits.append((hit, velocity := o.velocity(flight, moment)))
+        if velocity == 0:
             raise Turns(hit)
-        flight, t = o.reflect(flight, hit, sin, cos), hit
+        flight, t = o.reflect(flight, moment, velocity), hit
     least = min(least, _least_speed(o, flight, t, o.T))
     times, velocities = tuple(t for t, _ in hits), tuple(v for _, v in hits)
-    return Orbit(times, velocities, o.end(flight), monodromy(o, hits), least)
+    last = Moment(o.T, 0.0, 1.0)
+    end = o.position(flight, last), o.velocity(flight, last)
+    return Orbit(times, velocities, end, monodromy(o, hits), least)
 
 
 def monodromy(o: Oscillator[float], hits: Sequence[tuple[float, float]]) -> Matrix[float]:
@@ -86,34 +82,10 @@ def monodromy(o: Oscillator[float], hits: Sequence[tuple[float, float]]) -> Matr
     m: Matrix[float] = (1.0, 0.0), (0.0, 1.0)
     t = 0.0
     for hit, velocity in hits:
-        _, cos = o.phase(hit)
-        m = o.kick(m, hit - t, o.saltation(velocity, cos))
+        salt = o.saltation(1 if velocity > 0 else -1, velocity, o.moment(hit).cos)
+        m = o.hit(o.drift(m, hit - t), salt)
         t = hit
     return o.drift(m, o.T - t)
-
-
-def root(g: Callable[[float], tuple[float, float]], a: float, b: float) -> float:
-    """Return the point of [a, b] where ``g``, which gives value and slope, changes its sign.
-
-    Assumes that it changes once.  Newton's method; a step out of the bracket becomes a bisection.
-    """
-    rising = g(a)[0] < g(b)[0]
-    small = 2.0**-52 * (abs(a) + abs(b))
-    t = (a + b) / 2
-    for _ in range(200):  # plain bisection would need about 60, Newton's method about 5
-        value, slope = g(t)
-        a, b = (a, t) if (value > 0) == rising else (t, b)
-        new = t - value / slope if slope else math.inf
-        if not a <= new <= b:
-            new = (a + b) / 2
-        if abs(new - t) <= small:
-            return new
-        t = new
-    return t
-
-
-def _sin_cos(angle: float) -> tuple[float, float]:
-    return math.sin(angle), math.cos(angle)
 
 
 def _check(o: Oscillator[float], x: float, v: float) -> None:
@@ -127,26 +99,26 @@ def _check(o: Oscillator[float], x: float, v: float) -> None:
 
 def _speed(o: Oscillator[float], flight: Flight[float], t: float) -> tuple[float, float]:
     """Return the speed s v and its derivative."""
-    sin, cos = o.phase(t)
-    return flight.s * o.velocity(flight, t, sin), flight.s * o.F * cos - o.f
+    moment = o.moment(t)
+    return flight.s * o.velocity(flight, moment), flight.s * o.acceleration(flight, moment)
 
 
 def _excess(o: Oscillator[float], flight: Flight[float], t: float) -> tuple[float, float]:
     """Return how far the mass is beyond the wall ahead, and the speed."""
-    sin, cos = o.phase(t)
-    beyond = o.position(flight, t, cos) - o.wall(flight.s)
-    return flight.s * beyond, flight.s * o.velocity(flight, t, sin)
+    moment = o.moment(t)
+    beyond = o.position(flight, moment) - o.wall(flight.s)
+    return flight.s * beyond, flight.s * o.velocity(flight, moment)
 
 
 def _least_speed(o: Oscillator[float], flight: Flight[float], a: float, b: float) -> float:
-    slow, least = o.slowest(flight)
+    slow = o.slow(flight.s, 0)
     ends = min(_speed(o, flight, a)[0], _speed(o, flight, b)[0])
-    return min(ends, least) if a < slow < b else ends
+    return min(ends, flight.s * o.velocity(flight, slow)) if a < slow.t < b else ends
 
 
 def _turnings(o: Oscillator[float], flight: Flight[float], a: float, b: float) -> list[float]:
     """Return the zeros in (a, b) of the velocity: at most one between zeros of the acceleration."""
-    slow, _ = o.slowest(flight)
+    slow = o.slow(flight.s, 0).t
     knots = [a, *(t for t in sorted((slow, o.T - slow)) if a < t < b), b]
     return [
         root(lambda t: _speed(o, flight, t), p, q)

@@ -12,6 +12,7 @@ from cap import matrix
 from cap.approx import flow, lifted
 from cap.approx.lifted import Array, Ratios
 from cap.errors import BadInput
+from cap.itinerary import oscillator
 from cap.parameters import Parameters
 
 SAME = 1e-8  # orbits whose states at t = 0 differ by less (relative) are one orbit
@@ -62,7 +63,7 @@ def near(p: Parameters, x: float, v: float) -> Guess:
     The orbit of (x, v) may turn; then its lifted form is the start.  Raises `BadInput` if (x, v) is
     no state between the walls with v != 0, or if no genuine periodic orbit is reached.
     """
-    o = flow.oscillator(p)
+    o = oscillator(p)
     try:
         times = o.omega * np.array(flow.one_period(o, x, v, formal=True).hit_times)
     except flow.Turns as grazes:
@@ -130,17 +131,18 @@ def _distinct(times: Array, ratios: Ratios) -> Array:
 
 def _guess(p: Parameters, times: Array, ratios: Ratios) -> Guess:
     """Return the orbit with these lifted hit times, shape (N,), in the units of ``p``."""
-    o = flow.oscillator(p)
+    o = oscillator(p)
+    length, speed = float(p.F / p.omega**2), float(p.F / p.omega)
     row = times[None]
     signs, _, _, end = lifted.flights(row, ratios)
     hit_times = row[0] % lifted.PERIOD / o.omega
-    velocities = o.F_v * np.roll(signs * end[0], 1)
+    velocities = speed * np.roll(signs * end[0], 1)
     hits = sorted(zip(hit_times.tolist(), velocities.tolist(), strict=True))
     distance, velocity = lifted.states(row, ratios)[0].tolist()
     return Guess(
-        x=o.l + o.F_x * distance,
-        v=o.F_v * velocity,
+        x=o.l + length * distance,
+        v=speed * velocity,
         hit_times=tuple(t for t, _ in hits),
         trace=matrix.trace(flow.monodromy(o, hits)),
-        least_speed=o.F_v * float(lifted.slowest(row, ratios)[1].min()),
+        least_speed=speed * float(lifted.slowest(row, ratios)[1].min()),
     )

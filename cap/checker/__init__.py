@@ -6,13 +6,20 @@ theorem.  Read the modules in this order; each begins with the mathematics that 
 
     rejection    the one way to fail
     interval     intervals with ends in 2^-bits Z, rounded outwards
-    elementary   pi, cosine, sine, arccosine of intervals
-    jet          truncated Taylor series in two variables; the mean value form over a box
-    mechanics    flights, hits, itineraries, the period map
+    elementary   pi, cosine, sine, arccosine, exponential of intervals
+    jet          truncated Taylor series in several variables; the mean value form over a box
+    mechanics    flights, and the sign of the velocity on them
+    events       hits, turns, sticks, releases
+    capture      infinitely many hits in finite time
+    itinerary    the events in their order; the map over n periods
     normal_form  Birkhoff's normal form and its twists
-    certificate  the strict reading of a certificate
+    reading      the strict reading of JSON
+    certificate  the form of a certificate
     citations    the theorems on paper that are used, with their hypotheses
-    fixed_point  what both theorems share: Krawczyk, and the orbit
-    theorem      the two theorems, step by step
+    fixed_point  what the theorems about a fixed point share: Krawczyk, and the comparisons
+    periodic     the theorem about periodic orbits: type, multipliers, basin
+    persistence  the theorem about a range of losses
+    captured     the theorem about capture
+    theorem      the theorems by name; the elliptic point and the saddle
     statement    the theorem that was proved, in words and in LaTeX
 """

@@ -1,40 +1,47 @@
-"""The strict reading of a certificate: bytes -> exact numbers, or a rejection.
+"""The form of a certificate: for each theorem its parameters, claims and hints, exactly.
 
-A certificate is a JSON object in which every leaf is a string.  It must match its shape exactly:
-the same keys, the same lengths.  A shape is built of dictionaries, lists and the readers ``number``
-and ``enclosure`` at the leaves; how many hits and which order it has follows from the hints.
-Numbers are exact rationals.  Nothing is evaluated whose size was not bounded before.
+How many events an orbit has, and of which kinds, and which order it is expanded to, follows from
+the hints and the itinerary.
 """
 
 from __future__ import annotations
 
-import json
-import re
-from collections.abc import Callable
-from fractions import Fraction
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple
 
 from cap.checker.citations import CITES
+from cap.checker.itinerary import WORDS
 from cap.checker.mechanics import Parameters
-from cap.checker.rejection import Rejected, need
+from cap.checker.reading import (
+    MAX_BYTES,
+    anything,
+    bounded,
+    enclosure,
+    exactly,
+    length,
+    matched,
+    number,
+    one_of,
+    parsed,
+    part,
+    text,
+    within,
+)
+from cap.checker.rejection import need
 
-MAX_BYTES = 1 << 20
-MAX_CHARACTERS = 4000
-MAX_HITS = 64
+__all__ = ["MAX_BYTES", "Certificate", "read"]
+
+MAX_EVENTS = 64
+MAX_CELLS = 4096
+MAX_CELL_EVENTS = 1 << 14
 MAX_BITS = 8192
-MAX_WORK = 1 << 15  # bits times hits
-MAX_DEPTH = 16
+MAX_WORK = 1 << 15  # bits times events
+MAX_PERIODS = 16
 ORDERS = (3, 5, 7, 9)
-_INTEGER = "-?(?:0|[1-9][0-9]*)"
-_NUMBER = re.compile(f"{_INTEGER}(?:\\.[0-9]+|/[1-9][0-9]*)?")
-
-
-class Enclosure(NamedTuple):
-    """The closed interval [lower, upper], with the two strings that state it."""
-
-    lower: Fraction
-    upper: Fraction
-    text: tuple[str, str]
+WITHOUT_LOSSES = ("elliptic", "saddle")
+SINKS = ("superstable", "sink focus", "sink node")
+TYPES = (*SINKS, "elliptic", "saddle", "flip saddle")
+_NAMES = Parameters._fields
+_BOX = {"x": enclosure, "v": enclosure}
 
 
 class Certificate(NamedTuple):
@@ -52,48 +59,98 @@ def read(data: bytes) -> Certificate:
     fields = matched(parsed(data), _FIELDS, "certificate")
     need(fields["format"] == "cap-certificate/1", "the format is not cap-certificate/1")
     theorem = fields["theorem"]
-    need(theorem in CITES, "the theorem is neither elliptic nor saddle")
+    need(theorem in CITES, f"the theorem is none of: {', '.join(CITES)}")
     need(fields["cites"] == CITES[theorem], "cites is not the checker's own list")
     need(isinstance(fields["provenance"], dict), "provenance is not an object")
-    p = Parameters(**matched(fields["parameters"], _PARAMETERS, "parameters"))
-    need(p.omega > 0, "omega is not positive")
-    need(0 <= p.f < p.F, "0 <= f < F does not hold")
-    need(p.l < p.r, "l < r does not hold")
+    p = read_parameters(theorem, fields["parameters"])
     hints = read_hints(theorem, fields["hints"])
-    shape = claim_shape(theorem, len(hints["hit_times"]), hints.get("order", 0))
+    shape = claim_shape(theorem, fields["claims"], hints)
     claims = matched(fields["claims"], shape, "claims")
     return Certificate(theorem, p, bounded(fields["digits"], 6, 1000, "digits"), claims, hints)
 
 
+def read_parameters(theorem: str, value: object) -> Parameters:
+    """Return the parameters, of which e and mu belong to the theorems with losses."""
+    names = _NAMES[:5] if theorem in WITHOUT_LOSSES else _NAMES
+    p = Parameters(**matched(value, dict.fromkeys(names, number), "parameters"))
+    need(p.omega > 0, "omega is not positive")
+    need(0 <= p.f < p.F, "0 <= f < F does not hold")
+    need(p.l < p.r, "l < r does not hold")
+    need(0 < p.e <= 1, "0 < e <= 1 does not hold")
+    need(p.mu >= 0, "mu >= 0 does not hold")
+    return p
+
+
 def read_hints(theorem: str, value: object) -> dict[str, Any]:
     """Return the hints: exact numbers, precision and order as integers."""
-    need(isinstance(value, dict), "hints is not an object")
-    times = value.get("hit_times") if isinstance(value, dict) else None
-    need(
-        isinstance(times, list) and 1 <= len(times) <= MAX_HITS,
-        "hints.hit_times is not a list of 1 to 64",
-    )
-    shape: dict[str, Any] = {
-        "bits": text,
-        "centre": [number] * 2,
-        "radius": number,
-        "preconditioner": [[number] * 2] * 2,
-        "hit_times": [enclosure] * (len(times) if isinstance(times, list) else 0),
-    }
+    name = "hit_times" if theorem in WITHOUT_LOSSES else "events"
+    windows = [enclosure] * length(part(value, name, "hints"), 1, MAX_EVENTS, f"hints.{name}")
+    inverse = {"centre": [number] * 2, "preconditioner": [[number] * 2] * 2}
+    shape: dict[str, Any] = {"bits": text, name: windows}
+    if theorem != "capture":
+        shape |= {"radius": number} | inverse
     if theorem == "elliptic":
         shape["order"] = text
+    if theorem == "persistence":
+        cells = length(part(value, "cells", "hints"), 1, MAX_CELLS, "hints.cells")
+        need(cells * len(windows) <= MAX_CELL_EVENTS, "cells times events is too large")
+        shape["cells"] = [{"events": windows} | inverse] * cells
     hints: dict[str, Any] = matched(value, shape, "hints")
     hints["bits"] = bounded(hints["bits"], 64, MAX_BITS, "bits")
-    need(hints["bits"] * len(hints["hit_times"]) <= MAX_WORK, "bits times hits is too large")
+    what = "hits" if theorem in WITHOUT_LOSSES else "events"
+    need(hints["bits"] * len(windows) <= MAX_WORK, f"bits times {what} is too large")
     if "order" in hints:
         hints["order"] = bounded(hints["order"], ORDERS[0], ORDERS[-1], "order")
         need(hints["order"] in ORDERS, "order is not odd")
-    need(hints["radius"] > 0, "radius is not positive")
+    need("radius" not in hints or hints["radius"] > 0, "radius is not positive")
     return hints
 
 
-def claim_shape(theorem: str, hits: int, order: int) -> dict[str, Any]:
+def claim_shape(theorem: str, value: object, hints: dict[str, Any]) -> dict[str, Any]:
     """Return the shape of the claims."""
+    if theorem in WITHOUT_LOSSES:
+        return conservative_shape(theorem, len(hints["hit_times"]), hints.get("order", 0))
+    words, events = part(value, "itinerary", "claims"), len(hints["events"])
+    shape: dict[str, Any] = {"itinerary": [one_of(WORDS)] * events, "box": _BOX}
+    shape["event_times"] = [enclosure] * events
+    if theorem == "capture":
+        shape |= dict.fromkeys(("forcing", "accumulation_time", "release_time"), enclosure)
+        return shape | {"wall": one_of(("r", "l")), "ratio": number}
+    matched(words, shape["itinerary"], "claims.itinerary")
+    shape |= dict.fromkeys(("x", "v", "trace", "determinant"), enclosure)
+    shape |= {
+        "period": within(1, MAX_PERIODS),
+        "hit_speeds": [enclosure] * sum(w.startswith("hit") for w in words),
+        "turning_factors": [enclosure] * sum(w.startswith("turn") for w in words),
+        "jacobian": [[enclosure] * 2] * 2,
+        "multipliers": [multiplier] * 2,
+        "type": one_of(TYPES),
+    }
+    if part(value, "type", "claims") in SINKS:
+        shape["basin"] = {"matrix": [[number] * 2] * 2, "contraction": number}
+    if theorem == "persistence":
+        shape["range"] = range_shape(part(value, "range", "claims"), len(hints["cells"]))
+    return shape
+
+
+def range_shape(value: object, cells: int) -> dict[str, Any]:
+    """Return the shape of the range: the grid has as many rectangles as there are cells."""
+    sides = [
+        length(part(value, name, "claims.range"), 2, MAX_CELLS + 1, f"claims.range.{name}")
+        for name in ("epsilon", "mu")
+    ]
+    need((sides[0] - 1) * (sides[1] - 1) == cells, "the grid has not as many rectangles as cells")
+    return {"epsilon": [number] * sides[0], "mu": [number] * sides[1], "boxes": [_BOX] * cells}
+
+
+def multiplier(value: Any, where: str) -> Any:
+    """Return an enclosure of a real number, or those of the two parts of a complex number."""
+    complex_shape = {"re": enclosure, "im": enclosure}
+    return matched(value, complex_shape if isinstance(value, dict) else enclosure, where)
+
+
+def conservative_shape(theorem: str, hits: int, order: int) -> dict[str, Any]:
+    """Return the shape of the claims of the theorems without losses."""
     shape: dict[str, Any] = dict.fromkeys(
         ("x", "v", "least_speed", "trace", "determinant"), enclosure
     )
@@ -113,116 +170,6 @@ def claim_shape(theorem: str, hits: int, order: int) -> dict[str, Any]:
     }
 
 
-def matched(value: Any, shape: Any, where: str) -> Any:
-    """Return the value with its leaves read; it must have exactly the given shape."""
-    if isinstance(shape, dict):
-        need(isinstance(value, dict), f"{where} is not an object")
-        need(value.keys() == shape.keys(), f"{where} has missing or unknown fields")
-        return {key: matched(value[key], part, f"{where}.{key}") for key, part in shape.items()}
-    if isinstance(shape, list):
-        need(
-            isinstance(value, list) and len(value) == len(shape),
-            f"{where} is not a list of {len(shape)}",
-        )
-        return [
-            matched(v, part, f"{where}[{n}]")
-            for n, (v, part) in enumerate(zip(value, shape, strict=True))
-        ]
-    return shape(value, where)
-
-
-def anything(value: Any, _: str) -> Any:
-    """Return the value as it is."""
-    return value
-
-
-def text(value: Any, where: str) -> str:
-    """Return a string."""
-    if not isinstance(value, str):
-        raise Rejected(f"{where} is not a string")
-    return value
-
-
-def exactly(expected: str) -> Callable[[Any, str], str]:
-    """Return a reader that accepts this string alone."""
-
-    def reader(value: Any, where: str) -> str:
-        need(value == expected, f"{where} is not {expected}")
-        return expected
-
-    return reader
-
-
-def number(value: Any, where: str) -> Fraction:
-    """Return an exact number: an integer, a decimal without exponent, or a fraction."""
-    literal = text(value, where)
-    need(len(literal) <= MAX_CHARACTERS, f"{where} is longer than {MAX_CHARACTERS} characters")
-    need(_NUMBER.fullmatch(literal) is not None, f"{where} is not a number of the format")
-    whole, _, decimals = literal.partition(".")
-    if decimals:
-        return Fraction(int(whole + decimals), 10 ** len(decimals))
-    numerator, _, denominator = literal.partition("/")
-    return Fraction(int(numerator), int(denominator or "1"))
-
-
-def enclosure(value: Any, where: str) -> Enclosure:
-    """Return a pair of numbers with lower <= upper."""
-    lower, upper = matched(value, [number, number], where)
-    need(lower <= upper, f"{where} has lower > upper")
-    return Enclosure(lower, upper, (value[0], value[1]))
-
-
-def bounded(literal: str, least: int, most: int, name: str) -> int:
-    """Return an integer between least and most."""
-    need(re.fullmatch("0|[1-9][0-9]{0,5}", literal) is not None, f"{name} is not a small integer")
-    need(least <= int(literal) <= most, f"{name} is not between {least} and {most}")
-    return int(literal)
-
-
-def parsed(data: bytes) -> object:
-    """Return the JSON value, built of objects, lists and strings; anything else rejects."""
-    need(len(data) <= MAX_BYTES, "the file is larger than 1 MiB")
-    try:
-        value = json.loads(
-            data.decode("utf-8"),
-            object_pairs_hook=_object,
-            parse_float=_no_number,
-            parse_int=_no_number,
-            parse_constant=_no_number,
-        )
-        _refuse_literals(value)
-    except UnicodeDecodeError:
-        raise Rejected("the file is not UTF-8") from None
-    except json.JSONDecodeError:
-        raise Rejected("the file is not JSON") from None
-    except RecursionError:
-        raise Rejected("the JSON is nested too deeply") from None
-    return value
-
-
-def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
-    """Return the JSON object; a repeated key rejects."""
-    result = dict(pairs)
-    need(len(result) == len(pairs), "a JSON object repeats a key")
-    return result
-
-
-def _no_number(_: str) -> NoReturn:
-    """Reject a JSON number."""
-    raise Rejected("the file contains a JSON number; numbers must be strings")
-
-
-def _refuse_literals(value: object, depth: int = 0) -> None:
-    """Reject true, false and null, anywhere, and deep nesting."""
-    need(depth <= MAX_DEPTH, "the JSON is nested too deeply")
-    if isinstance(value, dict | list):
-        for part in value.values() if isinstance(value, dict) else value:
-            _refuse_literals(part, depth + 1)
-    else:
-        text(value, "a value (true, false or null)")
-
-
-_PARAMETERS = dict.fromkeys(Parameters._fields, number)
 _FIELDS = dict.fromkeys(("format", "theorem", "digits"), text) | dict.fromkeys(
     ("parameters", "claims", "hints", "cites", "provenance"), anything
 )

@@ -9,16 +9,34 @@ def _cite(theorem: str, reference: str, *hypotheses: tuple[str, str, str]) -> di
     return {"theorem": theorem, "reference": reference, "hypotheses": stated}
 
 
-_KRAWCZYK = _cite(
-    "Krawczyk",
-    "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-    (
-        "smooth",
-        "Phi is continuously differentiable on the box: "
-        "all hits are transverse and no velocity vanishes",
-        "box",
-    ),
-    ("inclusion", "K(box) lies in the interior of the box", "box"),
+def _krawczyk(smooth: str, inclusion: str, by: str) -> dict[str, object]:
+    """Return the citation of Krawczyk with its hypotheses, discharged by these claims."""
+    return _cite(
+        "Krawczyk",
+        "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+        ("smooth", smooth, by),
+        ("inclusion", inclusion, by),
+    )
+
+
+_KRAWCZYK = _krawczyk(
+    "Phi is continuously differentiable on the box: "
+    "all hits are transverse and no velocity vanishes",
+    "K(box) lies in the interior of the box",
+    "box",
+)
+_PERIODIC = _krawczyk(
+    "Phi^n, n the period, is continuously differentiable on the box: all hits and stops are "
+    "transverse, and every stick and capture ends at a fixed time",
+    "K(box) lies in the interior of the box",
+    "box",
+)
+_PERSISTENCE = _krawczyk(
+    "Phi is continuously differentiable on box, and on each box of range for all its epsilon and "
+    "mu: all hits are transverse and no velocity vanishes",
+    "K(box) lies in the interior of the box, and so does K of each box of range, formed with all "
+    "its epsilon and mu",
+    "box, range",
 )
 _MOSER = _cite(
     "Moser twist theorem",
@@ -64,4 +82,7 @@ _HADAMARD_PERRON = _cite(
 CITES: dict[str, list[dict[str, object]]] = {
     "elliptic": [_KRAWCZYK, _MOSER],
     "saddle": [_KRAWCZYK, _HADAMARD_PERRON],
+    "periodic": [_PERIODIC],
+    "persistence": [_PERSISTENCE],
+    "capture": [],
 }

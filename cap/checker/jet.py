@@ -1,6 +1,7 @@
-"""Truncated Taylor series in two variables, and the mean value form over a box.
+"""Truncated Taylor series in several variables, and the mean value form over a box.
 
 A jet of order n holds the coefficients c_ij, i + j <= n, of (dx)^i (dv)^j; absent ones are zero.
+With more variables, as e and mu, powers have more components, and what follows more terms.
 The scalars are intervals, or complex intervals.  Over a box a jet encloses, for each point z of the
 box, the Taylor coefficients at z; every formula below holds at each z separately, hence for the
 box.
@@ -16,15 +17,21 @@ Both enclosures of c_ij hold, so their intersection does: that is ``tightened``.
 *Cosine and sine of a jet* c + h, h without constant term: h^k has no terms of degree below k, and
 
     cos(c + h) = sum of cos^(k)(c) h^k / k!,    cos, -sin, -cos, sin, cos, ...
+
+and ``composed`` is the same for any function that is given by its derivatives at c.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from itertools import product
+from operator import add
 from typing import Generic, Protocol, TypeVar
 
 from cap.checker.elementary import cos_sin
 from cap.checker.interval import Interval
+from cap.checker.rejection import need
 
 
 class Scalar(Protocol):
@@ -38,14 +45,27 @@ class Scalar(Protocol):
 S = TypeVar("S", bound=Scalar)
 
 
+Power = tuple[int, ...]
+
+
 class Jet(Generic[S]):
-    """The sum of coefficients[i, j] dx^i dv^j for i + j <= order."""
+    """The sum of coefficients[i, j, ...] dx^i dv^j ... for i + j + ... <= order."""
 
     __slots__ = ("coefficients", "order")
 
-    def __init__(self, order: int, coefficients: dict[tuple[int, int], S]) -> None:
+    def __init__(self, order: int, coefficients: Mapping[Power, S]) -> None:
         self.order = order
-        self.coefficients = {(i, j): c for (i, j), c in coefficients.items() if i + j <= order}
+        self.coefficients = {p: c for p, c in coefficients.items() if sum(p) <= order}
+
+    @property
+    def origin(self) -> Power:
+        """The power 0, 0, ... of a jet that is not empty."""
+        return (0,) * len(next(iter(self.coefficients)))
+
+    @property
+    def constant(self) -> S:
+        """The constant term."""
+        return self.coefficients[self.origin]
 
     def truncated(self, order: int) -> Jet[S]:
         """Return the terms of degree at most order."""
@@ -66,13 +86,28 @@ class Jet(Generic[S]):
     def __mul__(self, other: Jet[S] | S | int) -> Jet[S]:
         if not isinstance(other, Jet):
             return Jet(self.order, {power: c * other for power, c in self.coefficients.items()})
-        order, total = min(self.order, other.order), dict[tuple[int, int], S]()
-        for (i, j), c in self.coefficients.items():
-            for (k, m), d in other.coefficients.items():
-                if i + j + k + m <= order:
-                    power, term = (i + k, j + m), c * d
+        order, total = min(self.order, other.order), dict[Power, S]()
+        for p, c in self.coefficients.items():
+            for q, power in partners(p, order):
+                d = other.coefficients.get(q)
+                if d is not None:
+                    term = c * d
                     total[power] = total[power] + term if power in total else term
         return Jet(order, total)
+
+
+@cache
+def partners(p: Power, order: int) -> list[tuple[Power, Power]]:
+    """Return (q, p + q) for all powers q for which p + q has a degree of at most the order."""
+    degrees = product(range(order + 1), repeat=len(p))
+    sums = ((q, tuple(map(add, p, q))) for q in degrees)
+    return [(q, total) for q, total in sums if sum(total) <= order]
+
+
+@cache
+def raised(p: Power) -> list[Power]:
+    """Return the power, raised by one in each variable."""
+    return [(*p[:n], p[n] + 1, *p[n + 1 :]) for n in range(len(p))]
 
 
 RealJet = Jet[Interval]
@@ -98,16 +133,45 @@ def substituted(polynomial: Jet[S], x: Jet[S], v: Jet[S], one: S) -> Jet[S]:
 
 def cos_sin_jet(angle: RealJet) -> tuple[RealJet, RealJet]:
     """Return the cosine and the sine of a jet with intervals as coefficients."""
-    cos, sin = cos_sin(angle.coefficients[0, 0])
-    one = cos.integer(1)
-    h = Jet(angle.order, {p: c for p, c in angle.coefficients.items() if p != (0, 0)})
-    cos_jet, sin_jet = Jet(h.order, {(0, 0): cos}), Jet(h.order, {(0, 0): sin})
-    term = Jet(h.order, {(0, 0): one})  # h^k / k!
+    cos, sin = cos_sin(angle.constant)
+    one, origin = cos.integer(1), angle.origin
+    h = Jet(angle.order, {p: c for p, c in angle.coefficients.items() if any(p)})
+    cos_jet, sin_jet = Jet(h.order, {origin: cos}), Jet(h.order, {origin: sin})
+    term = Jet(h.order, {origin: one})  # h^k / k!
     for k in range(1, h.order + 1):
         cos, sin = -sin, cos  # the next derivatives
         term = term * h * (one / k)
         cos_jet, sin_jet = cos_jet + term * cos, sin_jet + term * sin
     return cos_jet, sin_jet
+
+
+def composed(derivatives: Sequence[Interval], jet: RealJet) -> RealJet:
+    """Return g(jet) from g and its derivatives at the constant term, as many as the order."""
+    h = Jet(jet.order, {p: c for p, c in jet.coefficients.items() if any(p)})
+    one, origin = derivatives[0].integer(1), jet.origin
+    term, total = Jet(jet.order, {origin: one}), Jet(jet.order, {origin: derivatives[0]})
+    for k in range(1, jet.order + 1):
+        term = term * h * (one / k)  # h^k / k!
+        total = total + term * derivatives[k]
+    return total
+
+
+def inverse(jet: RealJet) -> RealJet:
+    """Return 1/jet."""
+    derivatives = [jet.constant.integer(1) / jet.constant]
+    for k in range(1, jet.order + 1):
+        derivatives.append(derivatives[-1] / jet.constant * -k)
+    return composed(derivatives, jet)
+
+
+def slope_along(jet: RealJet, p: Interval, q: Interval) -> RealJet:
+    """Return the derivative of a jet of two variables in the direction (p, q), one order less."""
+    total = Jet[Interval](jet.order - 1, {})
+    for (i, j), c in jet.coefficients.items():
+        for power, factor in (((i - 1, j), p * i), ((i, j - 1), q * j)):
+            if min(power) >= 0:
+                total = total + Jet(total.order, {power: c * factor})
+    return total
 
 
 class Centred:
@@ -118,13 +182,23 @@ class Centred:
 
     __slots__ = ("box", "centre", "offsets")
 
-    def __init__(self, centre: RealJet, box: RealJet, offsets: tuple[Interval, Interval]) -> None:
+    def __init__(self, centre: RealJet, box: RealJet, offsets: Sequence[Interval]) -> None:
         self.centre, self.offsets = centre, offsets
         self.box = tightened(box, centre, offsets)
 
-    def __getitem__(self, power: tuple[int, int]) -> Interval:
-        """Return the enclosure over the box of the coefficient of dx^i dv^j."""
-        return self.box.coefficients[power]
+    def __getitem__(self, power: Power) -> Interval:
+        """Return the enclosure over the box of the coefficient of dx^i dv^j ..."""
+        need(sum(power) <= self.box.order, "a coefficient beyond the order of its jet")
+        return self.box.coefficients.get(power, self.offsets[0].integer(0))
+
+    @property
+    def value(self) -> Interval:
+        """The enclosure of the quantity over the box."""
+        return self.box.constant
+
+    def slope(self, n: int) -> Interval:
+        """Return the enclosure over the box of the derivative in the n-th variable."""
+        return self[raised((0,) * len(self.offsets))[n]]
 
 
 def lift(formula: Callable[..., RealJet], *arguments: Centred) -> Centred:
@@ -133,17 +207,15 @@ def lift(formula: Callable[..., RealJet], *arguments: Centred) -> Centred:
     return Centred(centre, formula(*(a.box for a in arguments)), arguments[0].offsets)
 
 
-def tightened(box: RealJet, centre: RealJet, offsets: tuple[Interval, Interval]) -> RealJet:
+def tightened(box: RealJet, centre: RealJet, offsets: Sequence[Interval]) -> RealJet:
     """Return the jet over the box, coefficients below its order in mean value form as well."""
     result = dict(box.coefficients)
-    for i, j in sorted(result, key=sum, reverse=True):
-        if i + j < box.order:
-            value = centre.coefficients.get((i, j), offsets[0].integer(0))
-            for n, slope, offset in (
-                (i + 1, result.get((i + 1, j)), offsets[0]),
-                (j + 1, result.get((i, j + 1)), offsets[1]),
-            ):
+    for power in sorted(result, key=sum, reverse=True):
+        if sum(power) < box.order:
+            value = centre.coefficients.get(power, offsets[0].integer(0))
+            for higher, n, offset in zip(raised(power), power, offsets, strict=True):
+                slope = result.get(higher)
                 if slope is not None:
-                    value = value + slope * n * offset
-            result[i, j] = result[i, j].intersection(value)
+                    value = value + slope * (n + 1) * offset
+            result[power] = result[power].intersection(value)
     return Jet(box.order, result)

@@ -9,9 +9,11 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Any
 
-from cap.checker.certificate import Certificate, Enclosure
+from cap.checker.certificate import WITHOUT_LOSSES, Certificate
+from cap.checker.reading import Enclosure
 from cap.checker.rejection import need
 
+_AS_THEY_ARE = ("Box", "RemainderRadius", "RemainderDegree", "Basin", "Range")
 _DIGITS = ("Zero", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
 
 
@@ -19,8 +21,27 @@ def words(c: Certificate) -> str:
     """Return the theorem in one line."""
     numbers = _Pairs(c.claims | c.parameters._asdict())
     numbers["box"] = " x ".join(_pair(c.claims["box"][z]) for z in ("x", "v"))
-    numbers["hits"] = len(c.claims["hit_times"])
-    return f"{_BOTH}; {_CONCLUSIONS[c.theorem]}".format_map(numbers)
+    if c.theorem in WITHOUT_LOSSES:
+        numbers["hits"] = len(c.claims["hit_times"])
+        return f"{_BOTH}; {_CONCLUSIONS[c.theorem]}".format_map(numbers)
+    parts = [_WITH_LOSSES, _CAPTURE if c.theorem == "capture" else _PERIODIC]
+    if c.theorem != "capture":
+        multipliers = [_complex(m) for m in c.claims["multipliers"]]
+        numbers["multipliers"] = " and ".join(multipliers)
+        det = c.claims["determinant"]
+        numbers["determinant"] = det.lower if det.lower == det.upper else f"in {_pair(det)}"
+    if "basin" in c.claims:
+        parts.append(_BASIN)
+        rows = [f"({p}, {q})" for p, q in c.claims["basin"]["matrix"]]
+        numbers |= {"matrix": f"({', '.join(rows)})", "kappa": c.claims["basin"]["contraction"]}
+    if "range" in c.claims:
+        parts.append(_PERSISTENCE)
+        numbers |= {
+            "epsilon": c.claims["range"]["epsilon"][-1],
+            "most": c.claims["range"]["mu"][-1],
+        }
+        numbers["degree"] = 2 * len(c.claims["itinerary"])
+    return "".join(parts).format_map(numbers)
 
 
 _BOTH = (
@@ -37,6 +58,35 @@ _CONCLUSIONS = {
     "saddle": "the fixed point is a hyperbolic saddle with trace in {trace} and multipliers in "
     "{multipliers}: hence (Hadamard-Perron) it has stable and unstable curves, and is unstable",
 }
+_WITH_LOSSES = (
+    "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
+    "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
+)
+_PERIODIC = (
+    "with Phi the time-T map of (x, v) from t = 0, T = 2 pi/omega, and n = {period}, Phi^n has one "
+    "and only one fixed point P* in {box}, with x in {x}, v in {v}; all orbits from this box have "
+    "in (0, nT) exactly these events, in this order: {itinerary}; the Jacobian of Phi^n at P* has "
+    "its trace in {trace}, the determinant {determinant} and the multipliers {multipliers}: {type}"
+)
+_BASIN = (
+    "; the ellipse |W (z - P*)| <= 1 with the matrix W = {matrix} lies in the box, and |W "
+    "(Phi^n(z) - P*)| <= {kappa} |W (z - P*)| for all z in it: its orbits converge to that of P*"
+)
+_PERSISTENCE = (
+    "; moreover, for all 0 <= epsilon <= {epsilon} and 0 <= mu <= {most} in the place of 1 - e and "
+    "mu, Phi has one and only one fixed point P(epsilon, mu) in the box that the certificate gives "
+    "for (epsilon, mu), with the same itinerary; P is one real analytic function of (epsilon, mu), "
+    "with the value P* at the parameters above; its determinant is exp(-mu T) (1 - "
+    "epsilon)^{degree}, and |trace| < 1 + determinant: so P(epsilon, mu) is asymptotically stable "
+    "for all (epsilon, mu) but (0, 0), and elliptic there"
+)
+_CAPTURE = (
+    "every orbit that starts at t = 0 in the interior of {box} has exactly these events until it "
+    "is released, in this order: {itinerary}; its hits of the wall {wall} accumulate, infinitely "
+    "many, at a time in {accumulation_time}, under a force towards the wall in {forcing}, the "
+    "speed after each being at most {ratio} times that after the one before; from then on the mass "
+    "rests at the wall until its release, at a time in {release_time}"
+)
 
 
 class _Pairs(dict[str, Any]):
@@ -44,9 +94,18 @@ class _Pairs(dict[str, Any]):
 
     def __getitem__(self, name: str) -> str:
         claim = super().__getitem__(name)
+        if isinstance(claim, list) and isinstance(claim[0], str):
+            return ", ".join(claim)
         if isinstance(claim, list):
             return " and ".join(_pair(c) for c in claim)
         return _pair(claim) if isinstance(claim, Enclosure) else str(claim)
+
+
+def _complex(claim: Enclosure | dict[str, Enclosure]) -> str:
+    """Return where a multiplier lies."""
+    if isinstance(claim, Enclosure):
+        return f"in {_pair(claim)}"
+    return f"in {_pair(claim['re'])} + i {_pair(claim['im'])}"
 
 
 def _pair(claim: Enclosure) -> str:
@@ -57,17 +116,16 @@ def _pair(claim: Enclosure) -> str:
 def macros(c: Certificate, prefix: str, digits: int) -> Iterator[str]:
     r"""Yield a LaTeX ``\newcommand`` for each number claimed, rounded outwards to the digits.
 
-    The box and the disk of the remainder are printed as they are: what is claimed of all their
-    points need not hold of larger ones.
+    The box, the disk of the remainder, the basin and the range are printed as they are: what is
+    claimed of all their points need not hold of larger ones.
     """
     stem = "cap" + _name(prefix)
     for path, claim in _leaves(c.claims, ""):
-        if path.startswith("Box"):
-            yield f"\\newcommand{{\\{stem}{path}}}{{{_pair(claim)}}}"
-        elif path in ("RemainderRadius", "RemainderDegree"):
-            yield f"\\newcommand{{\\{stem}{path}}}{{{claim}}}"
+        if path.startswith(_AS_THEY_ARE) or isinstance(claim, str | int):
+            shown = _pair(claim) if isinstance(claim, Enclosure) else str(claim)
         else:
-            yield f"\\newcommand{{\\{stem}{path}}}{{{latex(claim, digits)}}}"
+            shown = latex(claim, digits)
+        yield f"\\newcommand{{\\{stem}{path}}}{{{shown}}}"
 
 
 def _leaves(value: Any, path: str) -> Iterator[tuple[str, Any]]:

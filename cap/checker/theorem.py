@@ -1,4 +1,6 @@
-"""The two theorems: after the fixed point and its orbit, the conclusion of each.
+"""The theorems by name; and of the first two, after the fixed point and its orbit, the conclusion.
+
+*Both* are about one period without losses: mu = 0, e = 1, hits alternately at the two walls.
 
 *Saddle.*  The multipliers are the zeros of e^2 - trace e + 1; for |trace| > 2 the outer one is
 (trace +- sqrt(trace^2 - 4))/2 with the sign of the trace, and the inner one is its inverse.
@@ -16,13 +18,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import pairwise
 
+from cap.checker.captured import Capture
 from cap.checker.certificate import Certificate, read
-from cap.checker.fixed_point import FixedPoint, Point, contains
+from cap.checker.fixed_point import FixedPoint, Point, Proof, contains, ends
 from cap.checker.interval import Interval
+from cap.checker.itinerary import Passage, PeriodMap
 from cap.checker.jet import Centred
-from cap.checker.mechanics import Passage
 from cap.checker.normal_form import EllipticFrame, elliptic_frame, in_complex_coordinate, twists
+from cap.checker.periodic import Periodic
+from cap.checker.persistence import Persistence
 from cap.checker.rejection import need
 
 RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
@@ -35,12 +41,50 @@ def check(data: bytes, step: Callable[[str], None]) -> Certificate:
     """
     certificate = read(data)
     step(f"the certificate has the form of the theorem '{certificate.theorem}'")
-    theorem = {"saddle": Saddle, "elliptic": Elliptic}[certificate.theorem]
-    theorem(certificate, step).prove()
+    THEOREMS[certificate.theorem](certificate, step).prove()
     return certificate
 
 
-class Saddle(FixedPoint):
+class Conservative(FixedPoint):
+    """The fixed point of an orbit that hits the walls alternately, without losses."""
+
+    @property
+    def phi(self) -> PeriodMap:
+        """The map over one period; the first wall is r if v > 0."""
+        windows, first = self.hints["hit_times"], int(self.claims["box"]["v"].lower <= 0)
+        words = [("hit r", "hit l")[(first + n) % 2] for n in range(len(windows))]
+        return PeriodMap(self.p, words, [ends(w) for w in windows])
+
+    def orbit(self, fixed_point: Point, orbit: Passage) -> None:
+        """Compare the claims of both theorems about P* with what is computed."""
+        R, omega, one = self.R, self.omega, Fraction(1)
+        (a, b), (c, d) = ([w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v))
+        self.confirm("x", fixed_point[0], R)
+        self.confirm("v", fixed_point[1], R * omega)
+        self.confirm("hit_times", [h.moment.t.value for h in orbit.hits], 1 / omega)
+        self.confirm("hit_speeds", [h.hit_speed for h in orbit.hits], R * omega)
+        forces = [h.forcing.magnitude() - self.number(self.p.f) for h in orbit.hits]
+        self.confirm("hit_forcing", forces, self.p.F)
+        self.confirm("least_speed", orbit.least_speed, R * omega)
+        self.confirm("jacobian", [[a, b], [c, d]], [[one, 1 / omega], [omega, one]])
+        self.confirm("trace", a + d, one)
+        self.confirm("determinant", a * d - b * c, one)
+        self.step("the claims about the orbit of P* contain what is computed")
+        self.conclusion_of_both()
+
+    def conclusion_of_both(self) -> None:
+        """Check what the numbers claimed must satisfy in both theorems."""
+        claims, times = self.claims, self.claims["hit_times"]
+        need(times[0].lower > 0, "the first hit time is not positive")
+        increasing = all(s.upper < t.lower for s, t in pairwise(times))
+        need(increasing, "the hit times are not increasing")
+        need(times[-1].upper * self.omega < 2 * self.pi().lower, "the last hit is not before T")
+        need(all(u.lower > 0 for u in claims["hit_speeds"]), "a hit speed is not positive")
+        need(claims["least_speed"].lower > 0, "the least speed is not positive")
+        need(contains(claims["determinant"], 1), "the determinant excludes 1")
+
+
+class Saddle(Conservative):
     """The fixed point is hyperbolic."""
 
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:  # noqa: ARG002
@@ -62,7 +106,7 @@ class Saddle(FixedPoint):
         self.step("one multiplier lies outside the unit circle and one inside")
 
 
-class Elliptic(FixedPoint):
+class Elliptic(Conservative):
     """The fixed point is elliptic, without low resonance, with twist."""
 
     @property
@@ -132,7 +176,7 @@ class Elliptic(FixedPoint):
         for z, name in zip(square, ("x", "v"), strict=True):
             box = self.claims["box"][name]
             need(z.lies_in(box.lower, box.upper), "the disk of the remainder is not in the box")
-        image = self.passage(square, [z.midpoint() for z in fixed_point], n)
+        image = self.near(square, fixed_point, n)
         for name, component in (("x", image.x), ("v", image.v)):
             bound = self.lagrange(component, n).upper * rho**n
             need(bound <= claim[name], f"the remainder of {name} may be larger than claimed")
@@ -147,3 +191,12 @@ class Elliptic(FixedPoint):
             weight = self.number(Fraction(i**i * (n - i) ** (n - i), n**n)).sqrt()
             total = total + component[i, n - i].magnitude() * weight
         return total
+
+
+THEOREMS: dict[str, Callable[[Certificate, Callable[[str], None]], Proof]] = {
+    "saddle": Saddle,
+    "elliptic": Elliptic,
+    "periodic": Periodic,
+    "persistence": Persistence,
+    "capture": Capture,
+}

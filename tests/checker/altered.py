@@ -4,16 +4,30 @@ from __future__ import annotations
 
 import copy
 import json
+from pathlib import Path
 
+import jsonschema
 import pytest
 
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
 
+SCHEMA = Path(__file__).parents[2] / "certificates/schema/certificate.schema.json"
+
 
 def encode(certificate):
     """Return the bytes of a certificate."""
     return json.dumps(certificate).encode()
+
+
+def fits_the_schema(certificate):
+    """Check that the JSON Schema describes a certificate, and refuses one field more or less."""
+    schema = json.loads(SCHEMA.read_text())
+    jsonschema.validate(certificate, schema)
+    fewer = {k: v for k, v in certificate["claims"].items() if k != "itinerary"}
+    for claims in (fewer, certificate["claims"] | {"extra": "1"}):
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate(certificate | {"claims": claims}, schema)
 
 
 def verify(certificate):
@@ -38,6 +52,18 @@ def changed(certificate, *path_and_value):
         part = part[key]
     part[last] = value
     return result
+
+
+def leaves(value, path=()):
+    """Give the path and the value of every enclosure in a JSON value."""
+    if isinstance(value, dict):
+        for key, part in value.items():
+            yield from leaves(part, (*path, key))
+    elif isinstance(value, list) and not (len(value) == 2 and isinstance(value[0], str)):
+        for n, part in enumerate(value):
+            yield from leaves(part, (*path, n))
+    elif isinstance(value, list):
+        yield path, value
 
 
 def decimal(q, places=60):

@@ -1,0 +1,121 @@
+"""The setting of a theorem on a fixed point of Φⁿ, and the lemmas with which each begins.
+
+Φ is the stroboscopic map of x'' = F cos ωt - f sgn x' - μ x', l < x < r; v -> -e v at the walls.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from cap import fixed_point, interval
+from cap.certificate import Rounding, Units
+from cap.errors import NotProved
+from cap.fixed_point import FixedPoint, Neighbourhood, Reach, Start
+from cap.model import Oscillator
+from cap.parameters import Parameters
+
+
+@dataclass(frozen=True)
+class Setting:
+    """The parameters of a theorem, the guess that it starts from, and how sharp it is to be.
+
+    ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
+    expanded, where it is.
+    """
+
+    parameters: Parameters
+    start: Start
+    digits: int
+    order: int = 3
+    guard: int = 15
+
+    @property
+    def units(self) -> Units:
+        """The natural units."""
+        return Units.of(self.parameters)
+
+    @property
+    def rounding(self) -> Rounding:
+        """How claims are rounded."""
+        return Rounding(self.digits)
+
+    @property
+    def scale(self) -> tuple[Fraction, Fraction]:
+        """The natural units of the state (x, v)."""
+        return self.units.length, self.units.speed
+
+    @property
+    def precise(self) -> int:
+        """Digits of the fixed point that are computed, relative to the natural units."""
+        return self.digits + self.guard
+
+    @property
+    def bits(self) -> int:
+        """Working precision: what cancels are the walls' distance from 0, and F/ω², against R."""
+        p = self.parameters
+        large = max(abs(p.l), abs(p.r), p.F / p.omega**2) / p.R
+        return bits(self.precise + max(0, interval.decade(large))) + 80
+
+    @property
+    def checker_bits(self) -> int:
+        """Precision for the checker, whose rounding is absolute: the least unit decides."""
+        units = self.units
+        least = min(*self.scale, units.time, units.force, 1 / units.speed, 1 / units.area)
+        orders = max(0, -interval.decade(least)) * self.order
+        return self.bits + bits(orders) + 40
+
+
+Proof = Callable[[Fraction], dict[str, Any]]
+"""What is left to do of a proof when all that does not depend on the size of the box is done.
+
+Called with the part of the largest box found that is to be claimed, less than 1, so that a looser
+arithmetic can follow, it returns the certificate, or raises `NotProved`.
+"""
+
+
+def bits(digits: int) -> int:
+    """Return how many bits hold as many decimal digits, log2(10) < 10/3 each."""
+    return digits * 10 // 3 + 1
+
+
+def lemma_1_fixed_point(osc: Oscillator[Any], setting: Setting) -> FixedPoint:
+    """*Statement.* Φⁿ has a fixed point P* near the guess; its orbit has the itinerary guessed.
+
+    *Computed.* A tiny rectangle S around a refined guess: the itinerary over S (each event exists,
+    is the only one in its window and transverse, and nothing else happens), (Φⁿ)' over S by
+    flights and saltation matrices, and Krawczyk's inclusion K(S) in the interior of S.
+    """
+    return fixed_point.prove(osc, setting.start, setting.precise, setting.scale)
+
+
+def lemma_2_uniqueness(
+    osc: Oscillator[Any], point: FixedPoint, reach: Reach
+) -> tuple[Neighbourhood, dict[str, Any]]:
+    """*Statement.* P* is the only fixed point in an explicit box, and all orbits from the box
+    have the same itinerary.
+
+    *Computed.* As in Lemma 1 over Taylor models, on the rectangle of half-widths ``reach``.  The
+    box contains P*, so the one fixed point of the rectangle is in the box.
+    """
+    around = fixed_point.neighbourhood(osc, point, reach)
+    box = {}
+    for name, centre, half, where in zip("xv", point.hint.centre, reach, point.box, strict=True):
+        box[name] = inside(centre, half)
+        lower, upper = interval.ends(where)
+        if not Fraction(box[name][0]) < lower <= upper < Fraction(box[name][1]):
+            raise NotProved("Lemma 2", "P* may leave the box", {name: where, "box": box[name]})
+    return around, box
+
+
+def largest_reach(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> Reach:
+    """Return the half-widths of the largest rectangle found with which Lemma 2 succeeds."""
+    return fixed_point.largest_neighbourhood(osc, point, setting.scale).reach
+
+
+def inside(centre: Fraction, half: Fraction) -> list[str]:
+    """Return short decimals [lower, upper] inside [centre - half, centre + half]."""
+    places = max(0, 3 - interval.decade(half))
+    scale = 10**places
+    lower, upper = -(-(centre - half) * scale // 1), (centre + half) * scale // 1
+    return [interval.decimal(Fraction(end, scale), places) for end in (lower, upper)]

@@ -1,0 +1,217 @@
+"""Theorem (persistence).  Let Φ be the stroboscopic map of
+
+    x'' = F cos ωt - f sgn x' - μ x',   l < x < r,   v -> -(1-ε) v at the walls,   T = 2π/ω,
+
+and let P(0, 0) be an elliptic fixed point of it for ε = μ = 0, with N hits per period and no
+turning.  If the lemmas succeed, then
+
+ (i)   at the ε and μ given, Φ has exactly one fixed point P(ε, μ) in an explicit box, with the same
+       hits, det Φ'(P) = exp(-μT) (1-ε)^(2N), both multipliers inside the unit circle, and an
+       explicit ellipse around it in its basin: theorem `proofs.periodic`;
+ (ii)  for all (ε, μ) of an explicit rectangle [0, e_0] x [0, m_0] there is a fixed point P(ε, μ)
+       with these hits, it is one real analytic function of (ε, μ), elliptic at (0, 0), and
+       asymptotically stable everywhere else.
+
+Lemma 5 gives (ii), over the cells of a grid.  This is Theorem persistence of the paper with "small
+ε and μ" made explicit, and its saltation matrix of an inelastic wall corrected: the lower left
+entry is ((1+e) F cos ωt + (1-e) f sgn v)/v, v the velocity before the hit.
+"""
+
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+from cap import certificate, family, interval, matrix
+from cap.errors import BadInput, NotProved
+from cap.event import TAYLOR_MODELS
+from cap.family import Cell, Pair
+from cap.fixed_point import FixedPoint, Start, refined
+from cap.flow import oscillator
+from cap.interval import Ball
+from cap.model import Constants
+from cap.parameters import Parameters
+from proofs import periodic
+from proofs.fixed_point import Proof, Setting
+
+KRAWCZYK = {
+    "theorem": "Krawczyk",
+    "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+    "hypotheses": [
+        {
+            "name": "smooth",
+            "statement": "Phi is continuously differentiable on box, and on each box of range for "
+            "all its epsilon and mu: all hits are transverse and no velocity vanishes",
+            "by": ["box", "range"],
+        },
+        {
+            "name": "inclusion",
+            "statement": "K(box) lies in the interior of the box, and so does K of each box of "
+            "range, formed with all its epsilon and mu",
+            "by": ["box", "range"],
+        },
+    ],
+}
+
+BITS = 64  # enough for boxes of a thousandth
+PLACES = 9  # decimals of the hints
+STEP = Fraction(1, 200), Fraction(1, 400)  # of the grid, in ε and μ, at first
+FINEST = Fraction(1, 8)  # of that
+MOST_CELLS = 150
+
+
+@dataclass
+class Grid:
+    """Cells over the rectangles between ``nodes`` of ε and of μ, which begin with 0."""
+
+    nodes: tuple[list[Fraction], list[Fraction]]
+    cells: dict[tuple[int, int], Cell] = field(default_factory=dict)
+
+    def claims(self) -> dict[str, Any]:
+        """Return the claim ``range``."""
+        epsilon, mu = ([interval.exact_decimal(q) for q in side] for side in self.nodes)
+        return {"epsilon": epsilon, "mu": mu, "boxes": [_box(c) for c in self.ordered()]}
+
+    def ordered(self) -> list[Cell]:
+        """Return the cells, μ changing fastest."""
+        return [self.cells[key] for key in sorted(self.cells)]
+
+
+def _box(cell: Cell) -> dict[str, list[str]]:
+    exact, sides = interval.exact_decimal, zip(cell.hint.centre, cell.reach, strict=True)
+    x, v = ([exact(m - half), exact(m + half)] for m, half in sides)
+    return {"x": x, "v": v}
+
+
+def _hint(cell: Cell) -> dict[str, Any]:
+    exact = interval.exact_decimal
+    return {
+        "centre": [exact(q) for q in cell.hint.centre],
+        "preconditioner": [[exact(q) for q in row] for row in cell.hint.matrix],
+        "events": [certificate.window(event.window) for event in cell.expected],
+    }
+
+
+def prove(setting: Setting) -> Proof:
+    """Prove the theorem up to the size of the box of P*; return the rest of the proof.
+
+    ``setting.start`` is a guess of P at its parameters.  Raises `NotProved` with the step that
+    failed and the sets at which it did.
+    """
+    words = {word.split()[0] for word, _ in setting.start.events}
+    if words != {"hit"} or setting.start.periods != 1:
+        raise BadInput("persistence is about T-periodic orbits with hits only")
+    orbit = periodic.Prepared(setting)
+    with interval.workprec(BITS):
+        grid = lemma_5_family(setting, orbit.point)
+
+    def certified(part: Fraction) -> dict[str, Any]:
+        claims, hints = orbit.proved(part)
+        claims["range"] = grid.claims()
+        hints["cells"] = [_hint(cell) for cell in grid.ordered()]
+        return periodic.assembled("persistence", setting, claims, hints, KRAWCZYK)
+
+    return certified
+
+
+def lemma_5_family(setting: Setting, point: FixedPoint) -> Grid:
+    """*Statement.* Statement (ii), on a rectangle that contains the (ε, μ) given.
+
+    *Computed.* `cap.family` over each cell, that neighbours have the same fixed point on the
+    common side, |trace| < 1 + det with det = exp(-μT) (1-ε)^(2N), and |trace| < 2 at (0, 0).  As
+    det < 1 except at (0, 0), this means that both multipliers lie inside the unit circle.  The
+    first cells end at the (ε, μ) given, where P is P*.
+    """
+    p = setting.parameters
+    grid = Grid(([Fraction(0)], [Fraction(0)]))
+    given = 1 - p.e, p.mu
+    first = tuple(q if q else step for q, step in zip(given, STEP, strict=True))
+    start = replace(setting.start, x=float(point.box[0].mid()), v=float(point.box[1].mid()))
+    builder = _Builder(p, grid, start)
+    builder.begin((first[0], first[1]))
+    builder.grow()
+    cell = grid.cells[0, 0]
+    if not cell.hint.contains(point.box, cell.reach):
+        raise NotProved("Lemma 5", "P* may be another fixed point than that of the family")
+    return grid
+
+
+class _Builder:
+    """Adds cells to a grid, proved one by one, column by column and row by row."""
+
+    def __init__(self, p: Parameters, grid: Grid, start: Start) -> None:
+        self.p, self.grid, self.start = p, grid, start
+        self.period = 2 * interval.pi() / interval.ball(p.omega)
+
+    def begin(self, corner: Pair) -> None:
+        """Prove the cell between (0, 0) and the corner, in parts if need be."""
+        self.grid.nodes[0].append(corner[0])
+        self.grid.nodes[1].append(corner[1])
+        self._add((0, 0), self.start)
+
+    def grow(self) -> None:
+        """Extend the rectangle in turn to larger ε and larger μ while that succeeds."""
+        steps, open_sides = list(STEP), [0, 1]
+        while open_sides:
+            for side in tuple(open_sides):
+                others = len(self.grid.nodes[1 - side]) - 1
+                if len(self.grid.cells) + others > MOST_CELLS:
+                    open_sides.remove(side)
+                elif not self._extend(side, steps[side]):
+                    steps[side] /= 2
+                    if steps[side] < STEP[side] * FINEST:
+                        open_sides.remove(side)
+
+    def _extend(self, side: int, step: Fraction) -> bool:
+        """Add a strip of cells beyond the largest ε or μ; return whether that succeeded."""
+        nodes, number = self.grid.nodes[side], len(self.grid.nodes[side]) - 1
+        nodes.append(nodes[-1] + step)
+        keys = [
+            (number, k) if side == 0 else (k, number)
+            for k in range(len(self.grid.nodes[1 - side]) - 1)
+        ]
+        try:
+            for key in keys:
+                before = (key[0] - 1, key[1]) if side == 0 else (key[0], key[1] - 1)
+                self._add(key, self._start_from(self.grid.cells[before]))
+        except NotProved:
+            nodes.pop()
+            for key in keys:
+                self.grid.cells.pop(key, None)
+            return False
+        return True
+
+    def _start_from(self, cell: Cell) -> Start:
+        events = ((e.word, float(e.window.mid())) for e in cell.expected)
+        x, v = map(float, cell.hint.centre)
+        return Start(x, v, tuple(events))
+
+    def _rectangle(self, key: tuple[int, int]) -> tuple[Pair, Pair]:
+        (i, j), (epsilon, mu) = key, self.grid.nodes
+        return (epsilon[i], epsilon[i + 1]), (mu[j], mu[j + 1])
+
+    def _add(self, key: tuple[int, int], start: Start) -> None:
+        """Prove a cell and that it agrees with its neighbours so far."""
+        rectangle = self._rectangle(key)
+        (a, b), (c, d) = rectangle
+        middle = replace(self.p, e=1 - (a + b) / 2, mu=(c + d) / 2)
+        hint, events = refined(oscillator(middle), start, [PLACES, PLACES])
+        cell = family.Problem(self._constants, rectangle, hint, events).prove()
+        for neighbour in ((key[0] - 1, key[1]), (key[0], key[1] - 1)):
+            if neighbour in self.grid.cells:
+                family.agree(cell, self.grid.cells[neighbour])
+        _stable(cell, len(start.events), self.period, origin=key == (0, 0))
+        self.grid.cells[key] = cell
+
+    def _constants(self, epsilon: Any, mu: Any) -> Constants[Any]:
+        constants = Constants.of(replace(self.p, e=Fraction(1), mu=Fraction(0)), interval.ball)
+        return constants._replace(e=1 - epsilon, mu=mu)
+
+
+def _stable(cell: Cell, hits: int, period: Ball, *, origin: bool) -> None:
+    """Prove |trace| < 1 + det over the cell, and |trace| < 2 if it contains (0, 0)."""
+    (_, most), (_, thick) = cell.rectangle
+    trace = abs(TAYLOR_MODELS.bound(matrix.trace(cell.orbit.monodromy)))
+    least = interval.ball((1 - most) ** (2 * hits)) * (-interval.ball(thick) * period).exp()
+    if not trace < 1 + least or (origin and not trace < 2):
+        sets = {"trace": trace, "least determinant": least}
+        raise NotProved("Lemma 5", "a multiplier may lie outside the unit circle", sets)
