@@ -1,9 +1,12 @@
 """Ellipses around a sink that its map contracts.
 
-Let P* be a fixed point of Φⁿ and W an invertible matrix.  If W M W⁻¹ has a norm of at most κ < 1
-for all matrices M in a convex set that contains (Φⁿ)' at each point of a convex set around P*, then
-|W(Φⁿ(z) - P*)| <= κ |W(z - P*)| for z in it, by the mean value theorem.  So the ellipse |W(z - P*)|
-<= 1, if it lies in the set, is mapped into itself, and its points converge to P*.
+Let P* be a fixed point of Φⁿ and W an invertible matrix.  For z in a convex set around P*,
+
+    W(Φⁿ(z) - P*) = N W(z - P*),      N = W M W⁻¹, M the mean of (Φⁿ)' from P* to z.
+
+If N has a norm of at most κ < 1 for all z of the set, then |W(Φⁿ(z) - P*)| <= κ |W(z - P*)|.  So
+the ellipse |W(z - P*)| <= 1, if it lies in the set, is mapped into itself, and its points converge
+to P*.  Over Taylor models in y = z - P* the mean is exact: a term of degree k is divided by k + 1.
 """
 
 import math
@@ -19,9 +22,10 @@ from cap.event import TAYLOR_MODELS
 from cap.fixed_point import FixedPoint, Itinerary, find_windows
 from cap.flow import strobe
 from cap.interval import Ball
+from cap.jet import Jet
 from cap.matrix import Matrix
 from cap.model import Oscillator
-from cap.taylor_model import Domain
+from cap.taylor_model import Domain, TaylorModel
 
 Rows = tuple[tuple[Fraction, Fraction], tuple[Fraction, Fraction]]
 DOUBLINGS = 60
@@ -33,6 +37,11 @@ class Basin:
 
     matrix: Rows
     contraction: Fraction
+
+    def reach(self) -> tuple[Fraction, Fraction]:
+        """Return upper bounds of the half-widths of the ellipse: the norms of the rows of W⁻¹."""
+        x, v = (interval.ends(half)[1] for half in _reach(self.matrix))
+        return x, v
 
 
 def shape(point: FixedPoint) -> Rows:
@@ -70,16 +79,30 @@ def contraction(
     """
     rows = _balls(W)
     inverse = matrix.inverse(rows)
-    reach = tuple((p * p + q * q).sqrt() * interval.ball(size) for p, q in inverse)
+    reach = [half * interval.ball(size) for half in _reach(W)]
     x, v = Domain(reach, 2).variables(point.box)
     n = point.periods
     expected = find_windows(osc, (x, v), events, TAYLOR_MODELS, n)
     slope = strobe(osc, (x, v), expected, TAYLOR_MODELS, n).monodromy
     product = matrix.product(matrix.product(rows, slope), inverse)
-    norm = _norm([[TAYLOR_MODELS.bound(entry) for entry in row] for row in product])
+    norm = _norm([[TAYLOR_MODELS.bound(_mean(entry)) for entry in row] for row in product])
     if not norm < 1:
         raise NotProved("basin", "the ellipse is not certain to be contracted", {"norm": norm})
     return interval.ends(norm)[1]
+
+
+def _reach(W: Rows) -> list[Ball]:
+    return [(p * p + q * q).sqrt() for p, q in matrix.inverse(_balls(W))]
+
+
+def _mean(model: Any) -> Any:
+    """Return the means of the functions from 0 to y, as functions of y."""
+    if not isinstance(model, TaylorModel):
+        return model
+    jet = model.polynomial
+    degrees = map(sum, jet.space.exponents)
+    means = [(c + Ball(0)) / (k + 1) for c, k in zip(jet.coefficients, degrees, strict=True)]
+    return TaylorModel(model.domain, Jet(jet.space, means), model.remainder)
 
 
 def _balls(W: Rows) -> Matrix[Any]:
@@ -106,13 +129,10 @@ def _length(p: Ball, q: Ball) -> Ball:
 def largest(
     osc: Oscillator[Any], point: FixedPoint, events: Itinerary, room: tuple[Fraction, Fraction]
 ) -> tuple[Rows, Fraction]:
-    """Return W and the largest size found, at most what fits between P* and ``room``."""
+    """Return W and the largest size found; at most what fits into ±``room`` around P*."""
     W = shape(point)
-    inverse = matrix.inverse(_balls(W))
-    reach = [float((p * p + q * q).sqrt()) for p, q in inverse]
-    upper = min(float(half) / side for half, side in zip(room, reach, strict=True))
-    upper = 0.999 * upper
-    tried = Fraction(f"{upper:.3e}")
+    upper = min(float(half) / float(side) for half, side in zip(room, _reach(W), strict=True))
+    tried = Fraction(f"{0.99 * upper:.3e}")
 
     def succeeds(size: Fraction) -> bool:
         try:

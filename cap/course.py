@@ -72,7 +72,7 @@ class Course(Generic[E]):
         self.place, self.wall, self.pending = start.x, start.wall, start.at.t
         self.released: int | None = None
         self.now, self.before = start.at.t, cast(E, start.at.t)
-        self.monodromy = cast(Matrix[E], ((1, 0), (0, 1)))
+        self.monodromy = cast("Matrix[E]", ((1, 0), (0, 1)))
         self.events: list[Event[E]] = []
         self.least = abs(self.bound(start.v))
         self.s = _begin(self, start)
@@ -177,7 +177,7 @@ class Course(Generic[E]):
         if self.wall == side:
             raise NotProved(f"event {number}", f"the wall is in the way: no {expected.word}")
         k = self._release_number(side, number)
-        moment = cast(Moment[E], self.osc.slow(side, k))
+        moment = cast("Moment[E]", self.osc.slow(side, k))
         self.flight = self.osc.launch(side, moment, self.place, cast(E, Ball(0)))
         self.now, self.before, self.released = self.bound(moment.t), moment.t, k
         self.events.append(Event(expected.word, moment.t, cast(E, Ball(0)), moment.cos))
@@ -202,7 +202,7 @@ class Course(Generic[E]):
             self._rests_until(end)
             state = self.place, cast(E, Ball(0))
         else:
-            moment = cast(Moment[E], end)
+            moment = cast("Moment[E]", end)
             state = osc.position(flight, moment), osc.velocity(flight, moment)
             x, v = state
             speed = flight.s * self.bound(v)
@@ -213,7 +213,9 @@ class Course(Generic[E]):
             if not osc.l < self.bound(x) < osc.r:
                 reason = "the orbit may reach a wall once more before the end"
                 raise NotProved("end", reason, {"x": self.bound(x)})
-        return Orbit(self.s, tuple(self.events), state, self.monodromy, self.least)
+        (a, b), (c, d) = self.monodromy
+        monodromy = (_scalar(a), _scalar(b)), (_scalar(c), _scalar(d))
+        return Orbit(self.s, tuple(self.events), state, monodromy, self.least)
 
     def _rests_until(self, end: Moment[Ball]) -> None:
         """Prove that the rest has begun and not ended: no slow moment to a free side is between."""
@@ -226,6 +228,11 @@ class Course(Generic[E]):
                 t = osc.slow(side, k).t
                 if side != self.wall and not (t < since or t > end.t):
                     raise NotProved("end", "the mass may be released before the end", {"at": t})
+
+
+def _scalar(entry: E) -> E:
+    """Return the entry, a ball if it still is the integer that it was at the start."""
+    return cast(E, Ball(entry)) if isinstance(entry, int) else entry
 
 
 def _begin(course: Course[E], start: State[E]) -> int:
@@ -262,7 +269,7 @@ def _begin_at_rest(course: Course[E], start: State[E]) -> int:
     if start.wall and start.wall * force > osc.f:
         course.monodromy = (zero, zero), (zero, zero)
     elif abs(force) < osc.f:
-        course.monodromy = cast(Matrix[E], ((1, 0), (0, 0)))
+        course.monodromy = cast("Matrix[E]", ((1, 0), (0, 0)))
     else:
         raise NotProved("start", "whether the mass moves at once is undecided", {"F cos wt": force})
     return 0

@@ -107,7 +107,7 @@ def _certified(
     Repeated while the window shrinks markedly.
     """
     value, slope, sign = crossing
-    window, time = expected.window, cast(E | None, None)
+    window, time = expected.window, cast("E | None", None)
     while True:
         rate = kind.bound(slope(osc, flight, osc.moment(window)))
         if not (rate > 0 if sign > 0 else rate < 0):
@@ -145,10 +145,10 @@ def flies(
         raise NotProved("flight", "events may be out of order", {"start": start, "end": end})
     least: Ball | None = None
     for k in slow_numbers(osc, flight.s, start, end):
-        slow = cast(Moment[Ball], osc.slow(flight.s, k))
+        slow = cast("Moment[Ball]", osc.slow(flight.s, k))
         if k == released or slow.t < start or slow.t > end:
             continue
-        velocity = bound(osc.velocity(flight, cast(Moment[E], slow)))
+        velocity = bound(osc.velocity(flight, cast("Moment[E]", slow)))
         speed = velocity if flight.s > 0 else -velocity
         if not speed > 0:
             sets = {"start": start, "end": end, "when": slow.t, "speed": speed}
@@ -163,12 +163,14 @@ def flies(
 
 def slow_numbers(osc: Oscillator[Any], s: int, start: Ball, end: Ball) -> range:
     """Return numbers k that include all with `Oscillator.slow` (s, k) between the times."""
-    periods = [(t - osc.slow(s, 0).t) / osc.T for t in (start, end)]
-    first, last = (float(q.mid()) for q in periods)
-    slack = 1e-6 + sum(float(q.rad()) for q in periods)
+    origin, period = osc.slow_right if s > 0 else osc.slow_left, float(osc.T.mid())
+    first, last = (float((t - origin).mid()) / period for t in (start, end))
+    spread = float(start.rad() + end.rad() + origin.rad())
+    spread += float(osc.T.rad()) * (2 + abs(first) + abs(last))
+    slack = 1e-6 + spread / period
     if not (isfinite(first + last) and slack < 1):
         raise NotProved("flight", "its time is too uncertain", {"start": start, "end": end})
-    return range(floor(first - slack), ceil(last + slack) + 1)
+    return range(ceil(first - slack), floor(last + slack) + 1)
 
 
 def next_slow(osc: Oscillator[Any], s: int, since: Ball) -> int:
@@ -204,7 +206,7 @@ def _curve(
         return interval.point(window)
     domain = models[0].domain
     near = Flight(flight.s, *(_polynomial(q) for q in (flight.t, flight.x, flight.v)))
-    constants = {name: _polynomial(getattr(osc, name)) for name in ("e", "mu", "amplitude")}
+    constants = {name: _polynomial(getattr(osc, name)) for name in ("e", "mu", "F_v", "F_x", "lag")}
     jets = replace(osc, **constants)
     t = Jet.constant(interval.point(window), domain.space)
     for _ in range(domain.space.order.bit_length() + 6):

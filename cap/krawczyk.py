@@ -58,7 +58,7 @@ def operator(
     x, v = hint.point
     (p, q), (r, s) = hint.matrix
     c = (interval.ball(p), interval.ball(q)), (interval.ball(r), interval.ball(s))
-    rows = matrix.product(cast(Matrix[S], c), matrix.minus_identity(slope))
+    rows = matrix.product(cast("Matrix[S]", c), matrix.minus_identity(slope))
     (a, b), (e, d) = ((bound(p), bound(q)) for p, q in rows)
     g, h = map(bound, matrix.apply(c, (image[0] - x, image[1] - v)))
     dx, dv = box[0] - x, box[1] - v

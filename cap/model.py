@@ -19,7 +19,7 @@ with the time t, because each is used several times.
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Generic, NamedTuple
+from typing import Generic, NamedTuple, cast
 
 from cap.matrix import Matrix
 from cap.parameters import Parameters
@@ -87,13 +87,14 @@ class Oscillator(Generic[S]):
 
     Its constants may stay balls while the states are jets or Taylor models over balls.
     ``F``, ``omega``, ``f``, ``l``, ``r``, ``e``, ``mu`` as above; ``T`` = 2π/ω.  ``sin_cos`` and
-    ``relax`` work in the type of the states.
+    ``relax`` work in the type of the states.  ``viscous`` and ``elastic`` say whether μ may be
+    other than 0, and e is exactly 1.  ``F_v`` = Fω/(ω² + μ²), ``F_x`` = F/(ω² + μ²), ``lag`` = μ/ω.
 
     ``slow_right``, ``slow_left``: on a flight of sign s, p = exp(μt) s v has the derivative
     exp(μt) (s F cos ωt - f), so p has its local minima where s cos ωt = f/F and s sin ωt < 0: at
     ``slow_right`` + kT for s > 0, at ``slow_left`` + kT for s < 0, both in (0, T).  These are also
     the times at which a mass at rest is released to that side.  ``sine`` = sqrt(1 - (f/F)²) is
-    -s sin ωt there, ``ratio`` = f/F.  ``viscous`` says whether μ may be other than zero.
+    -s sin ωt there, ``ratio`` = f/F.
     """
 
     F: S
@@ -104,8 +105,11 @@ class Oscillator(Generic[S]):
     e: S
     mu: S
     viscous: bool
+    elastic: bool
     T: S
-    amplitude: S
+    F_v: S
+    F_x: S
+    lag: S
     slow_right: S
     slow_left: S
     ratio: S
@@ -123,14 +127,17 @@ class Oscillator(Generic[S]):
         """Return the oscillator with these constants, which may be sets of parameters."""
         pi, ratio = functions.pi, c.f / c.F
         angle = functions.acos(ratio)
-        zero: object = 0
+        zero, one = cast("tuple[object, object]", (0, 1))
         dry = zero == c.mu  # a set that contains zero and more is not equal to it
-        square = c.omega * c.omega + (0 if dry else c.mu * c.mu)
+        F_x = c.F / (c.omega * c.omega + (0 if dry else c.mu * c.mu))
         return cls(
             *c,
             viscous=not dry,
+            elastic=one == c.e,
             T=2 * pi / c.omega,
-            amplitude=c.F / square,
+            F_v=c.F / c.omega if dry else F_x * c.omega,
+            F_x=F_x,
+            lag=c.mu / c.omega,
             slow_right=(2 * pi - angle) / c.omega,
             slow_left=(pi - angle) / c.omega,
             ratio=ratio,
@@ -153,13 +160,11 @@ class Oscillator(Generic[S]):
 
     def response_velocity(self, at: Moment[S]) -> S:
         """Return V(t)."""
-        sway = self.omega * at.sin
-        return self.amplitude * (sway + self.mu * at.cos if self.viscous else sway)
+        return self.F_v * (at.sin + self.lag * at.cos if self.viscous else at.sin)
 
     def response_position(self, at: Moment[S]) -> S:
         """Return X(t)."""
-        sway = self.mu * at.sin / self.omega - at.cos if self.viscous else -at.cos
-        return self.amplitude * sway
+        return self.F_x * (self.lag * at.sin - at.cos if self.viscous else -at.cos)
 
     def launch(self, s: int, at: Moment[S], x: S, v: S) -> Flight[S]:
         """Return the flight of sign ``s`` through (x, v) at a moment."""
@@ -198,11 +203,12 @@ class Oscillator(Generic[S]):
             if s > 0
             else (self.slow_left, self.sine, -self.ratio)
         )
-        return Moment(first + k * self.T, sine, cosine)
+        return Moment(first + k * self.T if k else first, sine, cosine)
 
     def reflect(self, flight: Flight[S], at: Moment[S], velocity: S) -> Flight[S]:
         """Return the flight that leaves the wall which ``flight`` hits with this velocity."""
-        return self.launch(-flight.s, at, self.wall(flight.s), -self.e * velocity)
+        after = -velocity if self.elastic else -self.e * velocity
+        return self.launch(-flight.s, at, self.wall(flight.s), after)
 
     def saltation(self, s: int, velocity: S, cos: S) -> S:
         """Return ((1+e) F cos ωt + (1-e) s f)/v, the lower left entry of a hit's saltation matrix.
@@ -210,11 +216,15 @@ class Oscillator(Generic[S]):
         The matrix is ((-e, 0), (this, -e)), v the ``velocity`` just before the hit, s its sign.
         """
         force = self.F * cos
+        if self.elastic:
+            return 2 * force / velocity
         return (force + self.e * force + (1 - self.e) * self.drag(s)) / velocity
 
     def hit(self, monodromy: Matrix[S], salt: S) -> Matrix[S]:
         """Return ((-e, 0), (salt, -e)) monodromy."""
         (a, b), (c, d) = monodromy
+        if self.elastic:
+            return (-a, -b), (salt * a - c, salt * b - d)
         e = self.e
         return (-e * a, -e * b), (salt * a - e * c, salt * b - e * d)
 

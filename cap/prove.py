@@ -188,7 +188,8 @@ def _proved(
     theorem, parameters = THEOREMS[options.theorem], request.parameters
     order = int(options.order) if options.order else candidate.order
     try:
-        proved = _accepted(theorem, Setting(parameters, candidate.start, digits, order))
+        setting = Setting(parameters, candidate.start, digits, order, progress=_progress)
+        proved = _accepted(theorem, setting)
     except NotProved as failure:
         print(f"NOT PROVED ({options.theorem}, {candidate.shown}).  {failure}", file=sys.stderr)
         return 1
@@ -202,6 +203,12 @@ def _proved(
         raise BadInput(f"cannot write {path}: {error.strerror}") from None
     print(f"\nCertificate: {path} ({written}; the independent checker accepts it)\n")
     return 0
+
+
+def _progress(words: str) -> None:
+    """Show how far a proof is, on one line of a terminal."""
+    if sys.stderr is not None and sys.stderr.isatty():
+        print(f"\r{words:<70}", end="\r", file=sys.stderr, flush=True)
 
 
 def _special(parameters: Parameters) -> str:

@@ -4,7 +4,7 @@
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
@@ -21,7 +21,7 @@ class Setting:
     """The parameters of a theorem, the guess that it starts from, and how sharp it is to be.
 
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
-    expanded, where it is.
+    expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
     """
 
     parameters: Parameters
@@ -29,6 +29,7 @@ class Setting:
     digits: int
     order: int = 3
     guard: int = 15
+    progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
 
     @property
     def units(self) -> Units:

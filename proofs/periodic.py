@@ -23,6 +23,7 @@ from typing import Any
 from cap import basin, certificate, interval, matrix
 from cap.basin import Basin
 from cap.errors import NotProved
+from cap.event import Expected
 from cap.fixed_point import FixedPoint, Neighbourhood
 from cap.flow import Orbit, oscillator
 from cap.interval import Ball
@@ -73,6 +74,9 @@ class Prepared:
                 **lemma_3_type(self.osc, setting, self.point),
             }
             self.reach = largest_reach(self.osc, setting, self.point)
+            if self.numbers["type"] in SINKS:
+                known = tuple(Expected(e.word, e.time) for e in self.point.orbit.events)
+                self.ellipse = basin.largest(self.osc, self.point, known, self.reach)
 
     def proved(self, part: Fraction) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return the claims and the hints, for a part of the largest sets found."""
@@ -87,7 +91,8 @@ class Prepared:
                 **self.numbers,
             }
             if claims["type"] in SINKS:
-                claims["basin"] = lemma_4_basin(osc, point, around, box, part)
+                found = basin.scaled(osc, point, around.expected, self.ellipse, part)
+                claims["basin"] = lemma_4_basin(found, point, box)
             return claims, hints_of(setting, point, around)
 
 
@@ -177,27 +182,17 @@ def lemma_3_type(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> d
     }
 
 
-def lemma_4_basin(
-    osc: Oscillator[Any],
-    point: FixedPoint,
-    around: Neighbourhood,
-    box: dict[str, list[str]],
-    part: Fraction,
-) -> dict[str, Any]:
+def lemma_4_basin(found: Basin, point: FixedPoint, box: dict[str, list[str]]) -> dict[str, Any]:
     """*Statement.* |W(Φⁿ(z) - P*)| <= κ |W(z - P*)|, κ < 1, for |W(z - P*)| <= 1, inside the box.
 
-    *Computed.* (Φⁿ)' over the rectangle around the ellipse, as a Taylor model; W (Φⁿ)' W⁻¹ is
-    bounded as a whole and has norms of at most κ there.  The mean value theorem does the rest.  The
-    largest ellipse of one shape is looked for, and a part of it claimed, with κ nearer to 1.
+    *Computed.* (Φⁿ)' over the rectangle around the ellipse, as a Taylor model; the mean of W (Φⁿ)'
+    W⁻¹ from P* to any point is bounded as a whole and has a norm of at most κ.  The largest ellipse
+    of one shape is looked for, and a part of it claimed, with κ nearer to 1.
     """
-    room = []
-    for name, where in zip("xv", point.box, strict=True):
+    for name, where, reach in zip("xv", point.box, found.reach(), strict=True):
         (low, high), (a, b) = map(Fraction, box[name]), interval.ends(where)
-        room.append(min(a - low, high - b))
-    largest = basin.largest(osc, point, around.expected, (room[0], room[1]))
-    found: Basin = basin.scaled(osc, point, around.expected, largest, part)
-    if not found.contraction < 1:
-        raise NotProved("Lemma 4", "no ellipse is certain to be mapped into itself")
+        if not low < a - reach < b + reach < high:
+            raise NotProved("Lemma 4", "the ellipse may leave the box", {name: where})
     return {
         "matrix": [[interval.exact_decimal(q) for q in row] for row in found.matrix],
         "contraction": interval.exact_decimal(found.contraction),

@@ -29,7 +29,6 @@ from cap.fixed_point import FixedPoint, Start, refined
 from cap.flow import oscillator
 from cap.interval import Ball
 from cap.model import Constants
-from cap.parameters import Parameters
 from proofs import periodic
 from proofs.fixed_point import Proof, Setting
 
@@ -126,7 +125,7 @@ def lemma_5_family(setting: Setting, point: FixedPoint) -> Grid:
     given = 1 - p.e, p.mu
     first = tuple(q if q else step for q, step in zip(given, STEP, strict=True))
     start = replace(setting.start, x=float(point.box[0].mid()), v=float(point.box[1].mid()))
-    builder = _Builder(p, grid, start)
+    builder = _Builder(setting, grid, start)
     builder.begin((first[0], first[1]))
     builder.grow()
     cell = grid.cells[0, 0]
@@ -138,8 +137,9 @@ def lemma_5_family(setting: Setting, point: FixedPoint) -> Grid:
 class _Builder:
     """Adds cells to a grid, proved one by one, column by column and row by row."""
 
-    def __init__(self, p: Parameters, grid: Grid, start: Start) -> None:
-        self.p, self.grid, self.start = p, grid, start
+    def __init__(self, setting: Setting, grid: Grid, start: Start) -> None:
+        p = setting.parameters
+        self.p, self.grid, self.start, self.progress = p, grid, start, setting.progress
         self.period = 2 * interval.pi() / interval.ball(p.omega)
 
     def begin(self, corner: Pair) -> None:
@@ -201,6 +201,9 @@ class _Builder:
                 family.agree(cell, self.grid.cells[neighbour])
         _stable(cell, len(start.events), self.period, origin=key == (0, 0))
         self.grid.cells[key] = cell
+        (_, e), (_, m) = rectangle
+        cells = len(self.grid.cells)
+        self.progress(f"{cells} cells, up to epsilon = {float(e):.4g}, mu = {float(m):.4g}")
 
     def _constants(self, epsilon: Any, mu: Any) -> Constants[Any]:
         constants = Constants.of(replace(self.p, e=Fraction(1), mu=Fraction(0)), interval.ball)

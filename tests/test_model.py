@@ -45,7 +45,7 @@ def test_constants(p):
     assert (osc.F, osc.omega, osc.f, osc.l, osc.r) == (F, w, f, float(p.l), float(p.r))
     assert (osc.e, osc.mu, osc.viscous) == (float(p.e), mu, mu > 0)
     assert pytest.approx(2 * math.pi / w) == osc.T
-    assert osc.amplitude == pytest.approx(F / (w**2 + mu**2))
+    assert (osc.F_v, osc.F_x) == pytest.approx((F * w / (w**2 + mu**2), F / (w**2 + mu**2)))
     assert (osc.wall(1), osc.wall(-1)) == (osc.r, osc.l)
     assert (osc.drag(1), osc.drag(-1)) == (f, -f)
 
@@ -198,7 +198,8 @@ def test_hit_and_drift_are_matrix_products():
     for _ in range(rounds(20)):
         a, b, c, d, duration, salt, e = (Fraction(random.randint(-9, 9), 7) for _ in range(7))
         m = (a, b), (c, d)
-        soft = replace(osc, e=e)
+        soft = replace(osc, e=e, elastic=False)
+        assert osc.hit(m, salt) == ((-a, -b), (salt * a - c, salt * b - d))
         assert osc.drift(m, duration) == ((a + duration * c, b + duration * d), (c, d))
         assert soft.hit(m, salt) == ((-e * a, -e * b), (salt * a - e * c, salt * b - e * d))
         thick = replace(osc, viscous=True, relax=lambda _mu, d: (3 * d, 5 * d, None))
@@ -259,7 +260,7 @@ def test_ball_constants_contain_the_exact_ones(p):
         for name in ("F", "omega", "f", "l", "r", "e", "mu"):
             lower, upper = interval.ends(getattr(balls, name))
             assert lower <= getattr(p, name) <= upper
-        for name in ("T", "amplitude", "slow_right", "slow_left", "ratio", "sine"):
+        for name in ("T", "F_v", "F_x", "slow_right", "slow_left", "ratio", "sine"):
             assert float(getattr(balls, name)) == pytest.approx(getattr(osc, name), rel=1e-14)
             assert width(getattr(balls, name)) < 1e-25
         for _ in range(rounds(10)):

@@ -13,13 +13,15 @@ one lies inside the unit circle, for 0 <= det <= 1.
 
 *Basin.*  Let E be the ellipse |W (z - P*)| <= 1.  From z - P* = W^-1 y, |y| <= 1: the components of
 z - P* are at most the norms of the rows of W^-1.  So E lies in the rectangle B of these half-widths
-around P*.  B is convex; if N = W M W^-1 has a norm of at most kappa for each M in an enclosure of
-(Phi^n)'(B) that is a product of intervals, hence convex, the mean value theorem
+around P*.  B is convex, so for z in B
 
-    W (Phi^n(z) - P*) = N W (z - P*),      M = the mean of (Phi^n)' on the segment from P* to z,
+    W (Phi^n(z) - P*) = N W (z - P*),      N = the mean of N(.) = W (Phi^n)'(.) W^-1 from P* to z,
 
-gives |W (Phi^n(z) - P*)| <= kappa |W (z - P*)| on E.  The entries of N are the derivatives of the
-rows of W Phi^n in the directions of the columns of W^-1, each in mean value form.
+and |W (Phi^n(z) - P*)| <= kappa |W (z - P*)| on E if the norm of each such N is at most kappa.  The
+entries of N(.) are the derivatives of the rows of W Phi^n in the directions of the columns of W^-1.
+With G an enclosure over B of the gradient of one of them,
+
+    N(P* + s (z - P*)) in N(P*) + s G (z - P*),    mean in N(m) + G (P* - m) + G (z - P*)/2.
 
 *The norm.*  A matrix ((a, b), (c, d)) is the sum of a similarity and a reflected one, of the norms
 |(a + d, c - b)|/2 and |(a - d, b + c)|/2; its norm is their sum.  The norm of the rest, N minus the
@@ -34,7 +36,7 @@ from cap.checker.certificate import SINKS
 from cap.checker.fixed_point import KRAWCZYK_ORDER, FixedPoint, Point, ends
 from cap.checker.interval import Interval
 from cap.checker.itinerary import Passage, PeriodMap, determinant, turning_factor
-from cap.checker.jet import lift, slope_along
+from cap.checker.jet import Centred, lift, slope_along
 from cap.checker.reading import Enclosure
 from cap.checker.rejection import Rejected, need
 
@@ -138,9 +140,19 @@ class Periodic(FixedPoint):
             p, q = (self.number(w) for w in row)
             component = lift(lambda x, v, p=p, q=q: x * p + v * q, image.x, image.v)
             columns = [[self.number(w[j]) for w in inverse] for j in (0, 1)]
-            N.append([lift(lambda u, w=w: slope_along(u, *w), component)[0, 0] for w in columns])
+            derivatives = [lift(lambda u, w=w: slope_along(u, *w), component) for w in columns]
+            N.append([mean(u, fixed_point) for u in derivatives])
         need(norm(N).upper <= kappa, "the basin may not be contracted as claimed")
         self.step("the basin lies in the box and is mapped into itself, contracted as claimed")
+
+
+def mean(u: Centred, start: Point) -> Interval:
+    """Return an enclosure of the means of a quantity on the segments from a point to the box."""
+    total = u.centre.constant
+    for n, (offset, z) in enumerate(zip(u.offsets, start, strict=True)):
+        here = z - z.midpoint()
+        total = total + u.slope(n) * (here + (offset - here) / 2)
+    return total
 
 
 def real(trace: Interval, det: Interval) -> list[Interval]:
