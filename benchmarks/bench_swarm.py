@@ -29,7 +29,8 @@ def spread(count):
 
 
 def report(benchmark, work):
-    benchmark.extra_info["states x periods / s"] = round(work / benchmark.stats.stats.median)
+    if benchmark.stats:  # not with --benchmark-disable
+        benchmark.extra_info["states x periods / s"] = round(work / benchmark.stats.stats.median)
 
 
 @pytest.mark.parametrize("threads", [1, 2])

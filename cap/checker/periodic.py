@@ -148,7 +148,7 @@ class Periodic(FixedPoint):
 
 def mean(u: Centred, start: Point) -> Interval:
     """Return an enclosure of the means of a quantity on the segments from a point to the box."""
-    total = u.centre.constant
+    total = u.centre.coefficients.get((0, 0), start[0].integer(0))
     for n, (offset, z) in enumerate(zip(u.offsets, start, strict=True)):
         here = z - z.midpoint()
         total = total + u.slope(n) * (here + (offset - here) / 2)
