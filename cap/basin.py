@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from cap import interval, matrix
+from cap import bisection, interval, matrix
 from cap.errors import NotProved
 from cap.event import TAYLOR_MODELS
 from cap.fixed_point import FixedPoint, Itinerary, find_windows
@@ -28,7 +28,6 @@ from cap.model import Oscillator
 from cap.taylor_model import Domain, TaylorModel
 
 Rows = tuple[tuple[Fraction, Fraction], tuple[Fraction, Fraction]]
-DOUBLINGS = 60
 
 
 @dataclass(frozen=True)
@@ -132,29 +131,12 @@ def largest(
     """Return W and the largest size found; at most what fits into ±``room`` around P*."""
     W = shape(point)
     upper = min(float(half) / float(side) for half, side in zip(room, _reach(W), strict=True))
-    tried = Fraction(f"{0.99 * upper:.3e}")
-
-    def succeeds(size: Fraction) -> bool:
-        try:
-            contraction(osc, point, events, W, size)
-        except NotProved:
-            return False
-        return True
-
-    lower = tried
-    for _ in range(DOUBLINGS):
-        if succeeds(lower):
-            break
-        lower, tried = lower / 2, lower
-    else:
+    size = bisection.largest(
+        lambda size: contraction(osc, point, events, W, size), Fraction(f"{0.99 * upper:.3e}"), 4
+    )
+    if size is None:
         raise NotProved("basin", "no ellipse around the fixed point is contracted")
-    for _ in range(4 if tried > lower else 0):
-        middle = (lower + tried) / 2
-        if succeeds(middle):
-            lower = middle
-        else:
-            tried = middle
-    return W, lower
+    return W, size
 
 
 def scaled(

@@ -88,7 +88,7 @@ def existence(
 
 
 def passed(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
-    """Return the itinerary with the windows that ``orbit`` proves; those of captures stay."""
+    """Return the itinerary with windows little wider than ``orbit`` proves; captures' stay."""
     return tuple(
         old if old.word.startswith("capture") else Expected(event.word, event.time)
         for event, old in zip(orbit.events, expected, strict=True)

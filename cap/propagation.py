@@ -62,7 +62,10 @@ def propagate(p: Parameters, start: State[Ball], end: Ball) -> Image:
     """
     osc = oscillator(p)
     cloud, events = _Cloud(start), list[Happened]()
-    while cloud.time < end:
+    while cloud.time is not end:
+        if not cloud.time < end:
+            sets = {"time": cloud.time, "end": end}
+            raise NotProved("propagation", "the end may not be after all that comes before", sets)
         if len(events) > MOST_STEPS:
             raise NotProved("propagation", f"more than {MOST_STEPS} events")
         expected, until = _plan(p, osc, cloud, end)

@@ -111,7 +111,7 @@ def _captured(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
     side = "right" if claims["wall"] == "r" else "left"
     yield (
         f"{'then it' if before else 'it'} makes infinitely many hits of the {side} wall, which "
-        f"accumulate (speeds fall by {claims['ratio']} or less each time);"
+        f"accumulate (each speed is at most {claims['ratio']} times the one before);"
     )
     yield f"from then on the mass rests at this wall until its {release}."
     yield from _numbers(claims)

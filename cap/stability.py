@@ -40,6 +40,8 @@ def multipliers(trace: Ball, det: Ball) -> tuple[Multiplier, Multiplier]:
 
     Raises `NotProved` if they may be a double one.
     """
+    if det.is_zero():
+        return trace, Ball(0)
     half = trace / 2
     square = half * half - det
     if square > 0:

@@ -24,7 +24,7 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from cap import certificate, interval
+from cap import bisection, certificate, interval
 from cap.capture import Accumulation, Entry, accumulation
 from cap.errors import BadInput, NotProved
 from cap.event import TAYLOR_MODELS, Expected, next_slow
@@ -37,7 +37,6 @@ from proofs.fixed_point import Proof, Setting
 
 BITS = 128  # the box is of no extreme size
 SIDES = {"r": 1, "l": -1}
-HALVINGS = 40
 Range = tuple[Fraction, Fraction]
 
 
@@ -92,24 +91,11 @@ def lemma_1_box(osc: Oscillator[Any], setting: Setting, side: int) -> Box:
     *Computed.* The certified flow over Taylor models of order two, for the largest box found with
     sides in the ratio of the natural units; a part of it is claimed.
     """
-    size = Fraction(1, 8)
-    for _ in range(HALVINGS):
-        try:
-            _followed(osc, setting, side, size)
-            break
-        except NotProved:
-            size /= 2
-    else:
+    size = bisection.largest(lambda size: _followed(osc, setting, side, size), Fraction(1, 8), 4)
+    if size is None:
         raise NotProved("Lemma 1", "no box around the state is captured as a whole")
-    larger = 2 * size
-    for _ in range(4):
-        middle = (size + larger) / 2
-        try:
-            _followed(osc, setting, side, middle)
-            size = middle
-        except NotProved:
-            larger = middle
-    return lambda part: _followed(osc, setting, side, size * part)
+    largest = size
+    return lambda part: _followed(osc, setting, side, largest * part)
 
 
 def _followed(osc: Oscillator[Any], setting: Setting, side: int, size: Fraction) -> Captured:
@@ -171,15 +157,10 @@ def _fastest(
     osc: Oscillator[Any], setting: Setting, side: int, choice: tuple[Fraction, Fraction]
 ) -> Fraction:
     """Return the largest speed found for an end of the window and a ratio, 0 if there is none."""
-    lower, upper = Fraction(0), setting.units.speed
-    for _ in range(16):
-        middle = (lower + upper) / 2
-        try:
-            _lemma(osc, setting, side, choice, middle)
-            lower = middle
-        except NotProved:
-            upper = middle
-    return lower
+    speed = bisection.largest(
+        lambda u: _lemma(osc, setting, side, choice, u), setting.units.speed, 8
+    )
+    return speed or Fraction(0)
 
 
 def _lemma(

@@ -67,6 +67,22 @@ class Setting:
         return self.bits + bits(orders) + 40
 
 
+def krawczyk(
+    smooth: str,
+    inclusion: str = "K(box) lies in the interior of the box",
+    by: tuple[str, ...] = ("box",),
+) -> dict[str, Any]:
+    """Return the citation of Krawczyk's theorem, its hypotheses discharged by these claims."""
+    return {
+        "theorem": "Krawczyk",
+        "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+        "hypotheses": [
+            {"name": "smooth", "statement": smooth, "by": list(by)},
+            {"name": "inclusion", "statement": inclusion, "by": list(by)},
+        ],
+    }
+
+
 Proof = Callable[[Fraction], dict[str, Any]]
 """What is left to do of a proof when all that does not depend on the size of the box is done.
 

@@ -14,24 +14,16 @@ from cap.model import Oscillator
 from proofs.fixed_point import (
     Proof,
     Setting,
+    krawczyk,
     largest_reach,
     lemma_1_fixed_point,
     lemma_2_uniqueness,
 )
 
-KRAWCZYK = {
-    "theorem": "Krawczyk",
-    "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-    "hypotheses": [
-        {
-            "name": "smooth",
-            "statement": "Phi is continuously differentiable on the box: all hits are transverse "
-            "and no velocity vanishes",
-            "by": ["box"],
-        },
-        {"name": "inclusion", "statement": "K(box) lies in the interior of the box", "by": ["box"]},
-    ],
-}
+KRAWCZYK = krawczyk(
+    "Phi is continuously differentiable on the box: "
+    "all hits are transverse and no velocity vanishes"
+)
 
 
 def proof_of(

@@ -32,24 +32,16 @@ from cap.stability import SINKS, Multiplier, multipliers, stability
 from proofs.fixed_point import (
     Proof,
     Setting,
+    krawczyk,
     largest_reach,
     lemma_1_fixed_point,
     lemma_2_uniqueness,
 )
 
-KRAWCZYK = {
-    "theorem": "Krawczyk",
-    "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-    "hypotheses": [
-        {
-            "name": "smooth",
-            "statement": "Phi^n, n the period, is continuously differentiable on the box: all hits "
-            "and stops are transverse, and every stick and capture ends at a fixed time",
-            "by": ["box"],
-        },
-        {"name": "inclusion", "statement": "K(box) lies in the interior of the box", "by": ["box"]},
-    ],
-}
+KRAWCZYK = krawczyk(
+    "Phi^n, n the period, is continuously differentiable on the box: all hits and stops are "
+    "transverse, and every stick and capture ends at a fixed time"
+)
 
 
 def prove(setting: Setting) -> Proof:
@@ -173,10 +165,10 @@ def lemma_3_type(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> d
             return {"re": pair(multiplier[0]), "im": pair(multiplier[1])}
         return pair(multiplier)
 
-    exact = {Fraction(0): ["0", "0"], Fraction(1): ["1", "1"]}
+    exact = next(([str(n)] * 2 for n in (0, 1) if det == n), None)
     return {
         "trace": pair(trace),
-        "determinant": pair(det) if det.rad() > 0 else exact[interval.rational(det)],
+        "determinant": exact or pair(det),
         "multipliers": [shown(multiplier) for multiplier in multipliers(trace, det)],
         "type": stability(trace, det),
     }

@@ -30,27 +30,15 @@ from cap.flow import oscillator
 from cap.interval import Ball
 from cap.model import Constants
 from proofs import periodic
-from proofs.fixed_point import Proof, Setting
+from proofs.fixed_point import Proof, Setting, krawczyk
 
-KRAWCZYK = {
-    "theorem": "Krawczyk",
-    "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-    "hypotheses": [
-        {
-            "name": "smooth",
-            "statement": "Phi is continuously differentiable on box, and on each box of range for "
-            "all its epsilon and mu: all hits are transverse and no velocity vanishes",
-            "by": ["box", "range"],
-        },
-        {
-            "name": "inclusion",
-            "statement": "K(box) lies in the interior of the box, and so does K of each box of "
-            "range, formed with all its epsilon and mu",
-            "by": ["box", "range"],
-        },
-    ],
-}
-
+KRAWCZYK = krawczyk(
+    "Phi is continuously differentiable on box, and on each box of range for all its epsilon and "
+    "mu: all hits are transverse and no velocity vanishes",
+    "K(box) lies in the interior of the box, and so does K of each box of range, formed with all "
+    "its epsilon and mu",
+    ("box", "range"),
+)
 BITS = 64  # enough for boxes of a thousandth
 PLACES = 9  # decimals of the hints
 STEP = Fraction(1, 200), Fraction(1, 400)  # of the grid, in ε and μ, at first

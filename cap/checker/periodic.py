@@ -151,7 +151,7 @@ def mean(u: Centred, start: Point) -> Interval:
     total = u.centre.coefficients.get((0, 0), start[0].integer(0))
     for n, (offset, z) in enumerate(zip(u.offsets, start, strict=True)):
         here = z - z.midpoint()
-        total = total + u.slope(n) * (here + (offset - here) / 2)
+        total = total + u.slope(n) * here + u.slope(n) * ((offset - here) / 2)
     return total
 
 

@@ -81,11 +81,12 @@ _PERSISTENCE = (
     "for all (epsilon, mu) but (0, 0), and elliptic there"
 )
 _CAPTURE = (
-    "every orbit that starts at t = 0 in the interior of {box} has exactly these events until it "
-    "is released, in this order: {itinerary}; its hits of the wall {wall} accumulate, infinitely "
-    "many, at a time in {accumulation_time}, under a force towards the wall in {forcing}, the "
-    "speed after each being at most {ratio} times that after the one before; from then on the mass "
-    "rests at the wall until its release, at a time in {release_time}"
+    "every orbit that starts at t = 0 in the interior of {box} has these events until it is "
+    "released, in this order: {itinerary}; here the capture means: from the event before it on, or "
+    "from t = 0 if there is none, infinitely many hits of the wall {wall}, with one turn between "
+    "two of them, accumulate at a time in {accumulation_time}, under a force towards the wall in "
+    "{forcing}, the speed after each of these hits being at most {ratio} times that after the one "
+    "before; from then on the mass rests at the wall until its release, at a time in {release_time}"
 )
 
 
