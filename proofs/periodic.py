@@ -165,10 +165,10 @@ def lemma_3_type(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> d
             return {"re": pair(multiplier[0]), "im": pair(multiplier[1])}
         return pair(multiplier)
 
-    exact = next(([str(n)] * 2 for n in (0, 1) if det == n), None)
+    exact = next(([str(n)] * 2 for n in (0, 1) if det == n), None)  # else the checker rounds
     return {
         "trace": pair(trace),
-        "determinant": exact or pair(det),
+        "determinant": exact or pair(det + interval.symmetric(det) * interval.rounding()),
         "multipliers": [shown(multiplier) for multiplier in multipliers(trace, det)],
         "type": stability(trace, det),
     }
