@@ -30,6 +30,11 @@ def guarded() -> AbstractContextManager[object]:
     return ctx.workprec(ctx.prec + 11)
 
 
+def working_bits() -> int:
+    """Return the working precision."""
+    return int(ctx.prec)
+
+
 def ball(value: Fraction | int) -> arb:
     """Return a ball that contains the rational ``value``."""
     return arb(fmpq(value.numerator, value.denominator))

@@ -8,7 +8,9 @@ import argparse
 import re
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from hashlib import sha256
@@ -22,8 +24,10 @@ from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
 from cap.console import Parser, closing_quietly
 from cap.errors import BadInput, NotProved, TooFewDigits
+from cap.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
-from proofs import capture, elliptic, periodic, persistence, saddle
+from cap.subdivision import Workers
+from proofs import branch, capture, elliptic, periodic, persistence, pitchfork, saddle, symmetric
 from proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 10) for n in (9, 7, 5, 3, 1)]  # of the largest box found
@@ -63,7 +67,23 @@ THEOREMS = {
         capture.prove,
         candidates.capturing,
     ),
+    "symmetric": Theorem(
+        "the symmetric orbits with one hit of each wall per period, and where they bifurcate",
+        symmetric.prove,
+        candidates.closed_form,
+    ),
+    "pitchfork": Theorem(
+        "the asymmetric orbits with one hit of each wall per period are born, for any f",
+        pitchfork.prove,
+        candidates.closed_form,
+    ),
+    "branch": Theorem(
+        "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
+        branch.prove,
+        candidates.closed_form,
+    ),
 }
+WITHOUT_F = ("pitchfork", "branch")  # theorems that hold for more than one f
 
 
 def parser() -> Parser:
@@ -77,12 +97,12 @@ def parser() -> Parser:
         "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
         "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "
         "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
-        "python -m cap.prove capture",
+        "python -m cap.prove capture;  python -m cap.prove branch --from 2/5",
     )
     p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(THEOREMS))
     p.add_argument("--list", action="store_true", help="say what can be proved")
     for name, value in PAPER.strings().items():
-        p.add_argument(f"--{name}", default=value, metavar="Q", help=f"default {value}")
+        p.add_argument(f"--{name}", metavar="Q", help=f"default {value}")
     p.add_argument(
         "--orbit",
         nargs=2,
@@ -93,6 +113,15 @@ def parser() -> Parser:
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
+    p.add_argument("--from", dest="lowest", metavar="Q", help="branch: for f from here")
+    p.add_argument("--to", dest="highest", metavar="Q", help="branch: for f up to here")
+    p.add_argument("--jobs", default="1", metavar="N", help="branch: processes (default 1)")
+    p.add_argument(
+        "--journal",
+        type=Path,
+        metavar="FILE",
+        help="branch: a file of what is done, from which an interrupted proof goes on",
+    )
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
         "--order",
@@ -148,20 +177,59 @@ def _run(options: argparse.Namespace) -> int:
     digits = _integer(options.digits, "--digits", (6, 1000))
     found = THEOREMS[options.theorem].search(request)
     print("\n".join(found.lines), end="\n\n", flush=True)
-    return max(_proved(options, request, each, digits) for each in found.candidates)
+    with _workers(options) as workers:
+        ask = Setting(
+            request.parameters,
+            Start(0.0, 0.0, ()),
+            digits,
+            progress=_progress,
+            f_range=_range(options),
+            workers=workers,
+        )
+        return max(_proved(options, ask, each) for each in found.candidates)
+
+
+@contextmanager
+def _workers(options: argparse.Namespace) -> Iterator[Workers]:
+    """Give what examines the cells of a theorem on a range of parameters."""
+    jobs = _integer(options.jobs, "--jobs", (1, 1024))
+    if options.theorem != "branch" and (jobs > 1 or options.journal):
+        raise BadInput("--jobs and --journal are for the theorem branch")
+    if jobs == 1:
+        yield Workers(None, options.journal, _progress)
+        return
+    with ProcessPoolExecutor(jobs) as executor:
+        yield Workers(executor, options.journal, _progress)
+
+
+def _range(options: argparse.Namespace) -> tuple[Fraction | None, Fraction | None]:
+    """Return the range of f that is asked for."""
+    low, high = (word and exact(word) for word in (options.lowest, options.highest))
+    if options.theorem != "branch" and (low or high):
+        raise BadInput("--from and --to are for the theorem branch")
+    if (low is not None and low <= 0) or (low and high and low >= high):
+        raise BadInput("the range must be 0 < from < to")
+    return low, high
 
 
 def _request(options: argparse.Namespace) -> Request:
     """Return what is asked for."""
     if options.epsilon is not None:
-        if options.e != PAPER.strings()["e"]:
+        if options.e is not None:
             raise BadInput("--epsilon Q means --e 1-Q: give one of them")
         options.e = str(1 - exact(options.epsilon))
     if options.theorem != "periodic" and options.period != "1":
         raise BadInput("--period is for the theorem periodic")
     if options.order and options.theorem != "elliptic":
         raise BadInput("--order is for the theorem elliptic")
-    parameters = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
+    if options.theorem in WITHOUT_F:
+        if options.f is not None:
+            raise BadInput(
+                f"the theorem {options.theorem} holds for more than one f: leave out --f"
+            )
+        options.f = str(exact(options.F or PAPER.strings()["F"]) / 2)  # any f will do
+    words = {name: getattr(options, name) or value for name, value in PAPER.strings().items()}
+    parameters = Parameters(*map(exact, words.values()))
     orbit = tuple(float(exact(word)) for word in options.orbit or ())
     return Request(
         options.theorem,
@@ -181,15 +249,12 @@ def _integer(text: str, option: str, limits: tuple[int, int]) -> int:
     return int(text)
 
 
-def _proved(
-    options: argparse.Namespace, request: Request, candidate: Candidate, digits: int
-) -> int:
+def _proved(options: argparse.Namespace, ask: Setting, candidate: Candidate) -> int:
     """Prove the theorem of one orbit, print it and write its certificate; return the status."""
-    theorem, parameters = THEOREMS[options.theorem], request.parameters
     order = int(options.order) if options.order else candidate.order
     try:
-        setting = Setting(parameters, candidate.start, digits, order, progress=_progress)
-        proved = _accepted(theorem, setting)
+        setting = replace(ask, start=candidate.start, order=order)
+        proved = _accepted(THEOREMS[options.theorem], setting)
     except NotProved as failure:
         print(f"NOT PROVED ({options.theorem}, {candidate.shown}).  {failure}", file=sys.stderr)
         return 1
@@ -197,7 +262,7 @@ def _proved(
     path = options.out
     try:
         if path.suffix != ".json":
-            path = certificate.place(proved, path, _special(parameters))
+            path = certificate.place(proved, path, _special(proved))
         written = certificate.write(proved, path)
     except OSError as error:
         raise BadInput(f"cannot write {path}: {error.strerror}") from None
@@ -211,10 +276,10 @@ def _progress(words: str) -> None:
         print(f"\r{words:<70}", end="\r", file=sys.stderr, flush=True)
 
 
-def _special(parameters: Parameters) -> str:
+def _special(proved: dict[str, Any]) -> str:
     """Return what tells the parameters from the paper's, for a file name."""
     paper = PAPER.strings()
-    changed = [f"{k}={v}" for k, v in parameters.strings().items() if v != paper[k]]
+    changed = [f"{k}={v}" for k, v in proved["parameters"].items() if v != paper[k]]
     name = "-".join(changed).replace("/", "_") or "paper"
     return name if len(name) <= 80 else sha256(name.encode()).hexdigest()[:12]
 
@@ -239,9 +304,12 @@ def _accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
 
 def _followed(proof: Proof) -> dict[str, Any]:
     """Return the certificate for the largest of the `PARTS` to which the checker can follow."""
-    rejection = ""
+    rejection, before = "", None
     for part in PARTS:
         proved = {**proof(part), "provenance": {}}
+        if proved == before:
+            break  # nothing in it depends on the part
+        before = proved
         try:
             check(certificate.dumps(proved).encode(), lambda _step: None)
         except Rejected as reason:

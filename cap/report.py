@@ -52,16 +52,24 @@ def theorem(certificate: dict[str, Any]) -> str:
     """Return the theorem that a certificate of this package states, with its numbers."""
     claims, kind = certificate["claims"], certificate["theorem"]
     parameters = ", ".join(f"{k} = {v}" for k, v in certificate["parameters"].items())
-    box = " x ".join(f"[{lower}, {upper}]" for lower, upper in claims["box"].values())
-    say = {"periodic": _periodic, "persistence": _persistent, "capture": _captured}
     lines = [
         f"Theorem ({kind}).  {parameters}.",
         "",
-        *say.get(kind, _non_sticking)(kind, claims, box),
+        *_statement(kind, claims),
         "",
         *_citations(certificate),
     ]
     return "\n".join(lines).rstrip()
+
+
+def _statement(kind: str, claims: dict[str, Any]) -> Iterator[str]:
+    """Give the lines that state a theorem."""
+    closed_form = {"symmetric": _symmetric, "pitchfork": _pitchfork, "branch": _branch}
+    if kind in closed_form:
+        return closed_form[kind](claims)
+    box = " x ".join(f"[{lower}, {upper}]" for lower, upper in claims["box"].values())
+    of_orbits = {"periodic": _periodic, "persistence": _persistent, "capture": _captured}
+    return of_orbits.get(kind, _non_sticking)(kind, claims, box)
 
 
 def _non_sticking(kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
@@ -117,6 +125,77 @@ def _captured(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
     yield from _numbers(claims)
 
 
+_ORBIT = {
+    "x": "x at t = 0",
+    "v": "v at t = 0",
+    "hit_times": "hit time",
+    "hit_speed": "hit speed",
+    "least_speed": "least speed",
+    "half_trace": "trace of half map",
+    "trace": "trace",
+}
+
+
+def _symmetric(claims: dict[str, Any]) -> Iterator[str]:
+    yield "Orbits that never stop, hit each wall once per period, and are their own mirror image"
+    yield "x(t + T/2) = l + r - x(t):"
+    for name, orbit in claims["branches"].items():
+        if orbit is None:
+            yield f"\n{name}: there is none."
+            continue
+        exists = orbit["genuine"] == "yes"
+        kind = orbit["type"] if exists else "it would stop, so there is none"
+        yield f"\n{name}: {kind}"
+        yield from _aligned(_rows(_ORBIT, orbit))
+    yield "\nThey bifurcate at these f:"
+    names = {
+        "saddle_center": "plus and minus meet",
+        "pitchfork": "asymmetric pair is born",
+        "minus_identity": "Phi' = -1",
+    }
+    yield from _aligned(_rows(names, claims))
+    for root in claims["paper_roots"]:
+        yield f"\nThe paper's equation has the root theta in [{', '.join(root['theta'])}],"
+        yield f"where x' would arrive at the left wall with [{', '.join(root['velocity'])}] < 0,"
+        yield "while its ansatz has x' > 0 there: that is no orbit."
+
+
+def _pitchfork(claims: dict[str, Any]) -> Iterator[str]:
+    yield "At this f the half-period map has the multiplier -1 twice at the symmetric orbit, which"
+    yield "is elliptic for f a little above and a saddle a little below; there a pair of asymmetric"
+    yield "orbits is born for f below, elliptic at birth:"
+    yield "  f = f0 + c delta^2 + ..., trace = 2 + d delta^2 + ..., with\n"
+    names = {
+        "f": "f0",
+        **_ORBIT,
+        "half_trace_slope": "slope of the half map's trace in f",
+        "cubic": "cubic coefficient",
+        "linear_slope": "slope of the linear coefficient in f/F",
+        "curvature": "c",
+        "trace_curvature": "d",
+    }
+    yield from _aligned(_rows(names, claims))
+
+
+def _branch(claims: dict[str, Any]) -> Iterator[str]:
+    low, high = claims["f_range"]
+    yield f"For every f in [{low}, {high}] there is exactly one pair of"
+    yield "asymmetric orbits that never stop and hit each wall once per period; trace and least speed"
+    yield f"grow with f ({len(claims['cells'])} cells).  In f:\n"
+    rows = [("born at", claims["f_start"])]
+    if claims["f_end"]:
+        rows.append(("least speed vanishes at", claims["f_end"]))
+        rows.append(("  with trace", claims["trace_end"]))
+    rows += [(f"rotation number {each['ratio']}", each["f"]) for each in claims["resonances"]]
+    yield from _aligned(rows)
+    for zero in claims["twist_zeros"]:
+        yield f"The twist vanishes at an f in [{', '.join(zero)}]."
+    yield "\nFor every f of the range with trace > -2, but for"
+    yield "  " + ", ".join(f"[{a}, {b}]" for a, b in claims["exceptions"])
+    yield "both orbits are elliptic, without resonance of order <= 4, and their twist does not"
+    yield "vanish: hence (Moser) each is stable and surrounded by invariant curves."
+
+
 def _walls(claims: dict[str, Any]) -> str:
     """Return the itinerary: the walls alternate, the first is r if the mass starts to the right."""
     rightwards = not claims["v"][0].startswith("-")
@@ -145,24 +224,37 @@ def _numbers(claims: dict[str, Any]) -> Iterator[str]:
         for key, name in labels.items()
         for label, pair in _labelled(key, name, claims)
     ]
-    whole, part = (max(len(side) for *_, pair in rows for side in _sides(pair, n)) for n in (0, 1))
-    width = max(len(label) for _, label, _ in rows)
+    lines = _aligned([(label, pair) for _, label, pair in rows])
     before = ""
-    for section, label, pair in rows:
+    for (section, _, _), line in zip(rows, lines, strict=True):
         if section != before:
             yield f"\n{section}"
             before = section
-        lower, upper = (
-            f"{a:>{whole}}{b:<{part}}"
-            for a, b in zip(*(_sides(pair, n) for n in (0, 1)), strict=True)
-        )
-        yield f"  {label:<{width}}  [{lower}, {upper}]"
+        yield line
     if "remainder" in claims:
         r = claims["remainder"]
         yield (
             f"\nOn the disk of radius {r['radius']} around P* the map differs from its Taylor "
             f"polynomial of degree {r['degree']}\nby at most {r['x']} in x and {r['v']} in v."
         )
+
+
+def _rows(names: dict[str, str], claims: dict[str, Any]) -> list[tuple[str, list[str]]]:
+    """Return labels and pairs of those of the claims that there are."""
+    present = ((key, name) for key, name in names.items() if claims.get(key))
+    return [row for key, name in present for row in _labelled(key, name, claims)]
+
+
+def _aligned(rows: list[tuple[str, list[str]]]) -> Iterator[str]:
+    """Give a line for each label and enclosure, aligned at the decimal points."""
+    whole, part = (max(len(side) for _, pair in rows for side in _sides(pair, n)) for n in (0, 1))
+    width = max(len(label) for label, _ in rows)
+    for label, pair in rows:
+        lower, upper = (
+            f"{a:>{whole}}{b:<{part}}"
+            for a, b in zip(*(_sides(pair, n) for n in (0, 1)), strict=True)
+        )
+        yield f"  {label:<{width}}  [{lower}, {upper}]"
 
 
 def _sides(pair: list[str], side: int) -> list[str]:

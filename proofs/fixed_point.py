@@ -14,6 +14,7 @@ from cap.errors import NotProved
 from cap.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.model import Oscillator
 from cap.parameters import Parameters
+from cap.subdivision import Workers
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,7 @@ class Setting:
 
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
+    Of a theorem on a range of f, ``f_range`` limits it; ``workers`` examine its cells.
     """
 
     parameters: Parameters
@@ -30,6 +32,8 @@ class Setting:
     order: int = 3
     guard: int = 15
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
+    f_range: tuple[Fraction | None, Fraction | None] = (None, None)
+    workers: Workers = field(default_factory=Workers, compare=False)
 
     @property
     def units(self) -> Units:

@@ -149,6 +149,17 @@ def capturing(request: Request) -> Found:
     return Found(lines, [Candidate(Start(*request.orbit, tuple(before)), "captured")])
 
 
+def closed_form(request: Request) -> Found:
+    """Find nothing: these theorems start from formulas."""
+    request.parameters.elastic_strings()
+    if request.orbit or request.every:
+        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    if not request.parameters.f:
+        raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
+    start = Start(0.0, 0.0, ())
+    return Found(["In closed form: no search is needed."], [Candidate(start, "closed form")])
+
+
 def _newton(request: Request) -> str:
     return f"Newton's method leads from {_state(request.orbit)} to:"
 

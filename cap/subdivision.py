@@ -1,0 +1,138 @@
+"""Adaptive subdivision of an interval into cells, on one core, many, or a cluster.
+
+A cell is examined; where the verdict is `UNDECIDED` it is halved, unless it is small already.  Any
+executor of `concurrent.futures` serves.  Verdicts are written to a journal as they come, so that an
+interrupted run goes on where it was; a verdict does not depend on what else is examined.
+"""
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+from typing import NamedTuple
+
+from cap.errors import BadInput
+
+UNDECIDED = "?"
+
+
+class Cell(NamedTuple):
+    """The interval [lower, upper]."""
+
+    lower: Fraction
+    upper: Fraction
+
+    def halves(self) -> tuple["Cell", "Cell"]:
+        """Return two cells that make up this one, meeting at a short decimal near the middle."""
+        scale = Fraction(100)
+        while (self.upper - self.lower) * scale < 1000:
+            scale *= 10
+        middle = Fraction(round((self.lower + self.upper) / 2 * scale)) / scale
+        return Cell(self.lower, middle), Cell(middle, self.upper)
+
+
+Examine = Callable[[Cell], str]
+Verdicts = dict[Cell, str]
+
+
+@dataclass(frozen=True)
+class Workers:
+    """How cells are examined: on which executor (None: here), with which journal, telling whom."""
+
+    executor: Executor | None = None
+    journal: Path | None = None
+    progress: Callable[[str], None] = field(default=lambda _: None)
+
+
+def cells_between(ends: Sequence[Fraction]) -> list[Cell]:
+    """Return the cells between consecutive ends."""
+    return [Cell(a, b) for a, b in pairwise(ends)]
+
+
+def subdivide(
+    examine: Examine, cells: Sequence[Cell], smallest: Fraction, workers: Workers, key: str
+) -> list[tuple[Cell, str]]:
+    """Return cells that make up those given, in order, each with its verdict.
+
+    Undecided cells are shorter than 2 ``smallest``.  ``examine`` must be picklable for executors
+    that are other processes; what it raises is raised.  ``key`` tells the journal what is examined.
+    """
+    with _journal(workers.journal, key) as (known, write):
+        verdicts: Verdicts = {}
+        pending = list(cells)
+        while pending:
+            fresh = [cell for cell in pending if cell not in known]
+            for cell, verdict in _examined(examine, fresh, workers.executor):
+                known[cell] = verdict
+                write(cell, verdict)
+                workers.progress(f"{len(verdicts)} cells decided, {len(pending)} in work")
+            undecided = [
+                cell
+                for cell in pending
+                if known[cell] == UNDECIDED and cell.upper - cell.lower >= 2 * smallest
+            ]
+            verdicts.update((cell, known[cell]) for cell in pending if cell not in undecided)
+            pending = [half for cell in undecided for half in cell.halves()]
+    return sorted(verdicts.items())
+
+
+def _examined(
+    examine: Examine, cells: Sequence[Cell], executor: Executor | None
+) -> Iterator[tuple[Cell, str]]:
+    """Give cells and verdicts as they come; if interrupted, cancel what has not begun."""
+    if executor is None:
+        yield from ((cell, examine(cell)) for cell in cells)
+        return
+    futures: dict[Future[str], Cell] = {executor.submit(examine, cell): cell for cell in cells}
+    try:
+        waiting = set(futures)
+        while waiting:
+            done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+            for future in done:
+                yield futures[future], future.result()
+    finally:
+        for future in futures:
+            future.cancel()
+
+
+@contextmanager
+def _journal(path: Path | None, key: str) -> Iterator[tuple[Verdicts, Callable[[Cell, str], None]]]:
+    """Give the verdicts known, and a function that records one more."""
+    if path is None:
+        yield {}, lambda _cell, _verdict: None
+        return
+    try:
+        known = _read(path, key)
+        with path.open("a", encoding="ascii") as file:
+            if not path.stat().st_size:
+                file.write(json.dumps({"cells of": key}) + "\n")
+
+            def write(cell: Cell, verdict: str) -> None:
+                file.write(json.dumps([str(cell.lower), str(cell.upper), verdict]) + "\n")
+                file.flush()
+
+            yield known, write
+    except OSError as error:
+        raise BadInput(f"cannot use the journal {path}: {error.strerror}") from None
+
+
+def _read(path: Path, key: str) -> Verdicts:
+    """Return the verdicts of a journal; a last line that was cut short is removed."""
+    if not path.exists():
+        return {}
+    text = path.read_text(encoding="ascii", errors="replace")
+    whole = text[: text.rfind("\n") + 1]
+    try:
+        lines = [json.loads(line) for line in whole.splitlines()]
+        if lines and lines[0] != {"cells of": key}:
+            raise BadInput(f"the journal {path} is about something else")
+        known = {Cell(Fraction(a), Fraction(b)): str(verdict) for a, b, verdict in lines[1:]}
+    except (ValueError, TypeError):
+        raise BadInput(f"{path} is no journal of cells") from None
+    if whole != text:
+        path.write_text(whole, encoding="ascii")
+    return known

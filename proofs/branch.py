@@ -1,0 +1,219 @@
+"""Theorem (branch).  Let ρ = Rω²/F < (π² - 4)/2.  Consider the asymmetric non-sticking T-periodic
+orbits of
+
+    x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
+
+with one hit of each wall per period, for all f at once.
+
+ (i)   They are born in the pitchfork at ``f_start`` as f decreases, in pairs: mirror images under
+       (x, v, t) -> (l + r - x, -v, t + T/2).  For every f in ``f_range`` there is exactly one
+       pair; it is analytic in f.
+ (ii)  Its trace and its least speed grow with f.  The least speed vanishes at ``f_end``, where the
+       pair ends; with ``f_end`` = None it is positive throughout ``f_range``.
+ (iii) Its rotation number takes each of the values p/q, q <= 8, listed, once, at an f enclosed.
+ (iv)  For every f in ``f_range`` where the trace is greater than -2, outside the ``exceptions``,
+       both orbits are elliptic, without resonance of order <= 4, and τ_1 != 0: by Moser's twist
+       theorem each is stable and surrounded by invariant curves.  Each of ``twist_zeros`` contains
+       an f with τ_1 = 0.
+
+Proof.  In scaled units the pair is explicit in a parameter δ, half of what the time between the
+hits exceeds T/2, and α = f/F decreases in δ on (0, δ_max) (`cap.impact`): uniqueness and (i)
+follow where the least speed is positive.  The rest is computed: cells [δ', δ''] cover [0, δ_end].
+On each, the closed form is evaluated over Taylor models in δ, with the derivatives by δ as a jet
+over them:
+
+ - after the right hit u has its local minimum on the flight; it is less than u at the hits and at
+   the other local minimum (on the first cell, where these are equal at δ = 0, by the derivative),
+   so it is the least speed; and its derivative is negative;
+ - the trace T has T'(0) = 0, as it is even in δ, T'' < 0 on the first cell, and T' < 0 on the
+   others;
+ - (1 + T) τ_1, which has no pole at the resonance 1/3, from jets of order three of the two impacts
+   over Taylor models (`cap.impact_map`, `cap.twist`): its sign, where that is certain.
+
+Changes of sign of T - 2 cos 2πp/q, of the least speed, and of (1 + T) τ_1 are enclosed by
+evaluation at exact δ.  The ``exceptions`` are the values of f on cells without a sign, and those
+at resonances of order <= 4.
+"""
+
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from math import ceil
+from typing import NamedTuple
+
+from cap import certificate, interval
+from cap.errors import NotProved
+from cap.impact import asymmetric
+from cap.impact_map import period_jet
+from cap.interval import Ball
+from cap.jet import Jet
+from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
+from cap.taylor_model import Domain, TaylorModel
+from cap.twist import regular_twist
+from proofs.branch_curve import Bracket, Curve, Part, decimals
+from proofs.elliptic import MOSER
+from proofs.fixed_point import Proof, Setting
+from proofs.one_one import Scale, lemma_1_closed_form
+from proofs.pitchfork import lemma_2_parabolic, parameters
+
+FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
+GROWTH = Fraction(5, 4)  # like 1/δ²; those after it grow
+LONGEST = Fraction(1, 50)  # to this length
+SMALLEST = Fraction(1, 10**9)  # the shortest cell
+ORDER = 10  # of the Taylor models
+BITS = 200
+
+
+def prove(setting: Setting) -> Proof:
+    """Prove the theorem; there is no box whose size is left to choose."""
+    lemma_1_closed_form()
+    with interval.workprec(setting.bits):
+        scale = Scale(setting)
+        branch = Curve(scale, lemma_2_parabolic(scale).alpha)
+        end, last = branch.end()
+        resonances = branch.resonances(last)
+        steps = lemma_3_monotone(setting, last, resonances.get(Fraction(1, 2)))
+        cells = lemma_4_twist(setting, steps)
+        claims, zeros = branch.claims(end, resonances, cells)
+    proved = {
+        "format": certificate.FORMAT,
+        "theorem": "branch",
+        "parameters": parameters(setting),
+        "digits": str(setting.digits),
+        "claims": claims,
+        "hints": {
+            "bits": str(max(setting.checker_bits, BITS)),
+            "end": end and decimals(end),
+            "resonances": [decimals(ends) for ends in resonances.values()],
+            "twist_zeros": [decimals(ends) for ends in zeros],
+        },
+        "cites": [MOSER],
+    }
+    return lambda _part: proved
+
+
+class Steps(NamedTuple):
+    """Cells that cover the branch: the first, those where it is elliptic, and those beyond."""
+
+    first: Cell
+    elliptic: list[Cell]
+    beyond: list[Cell]
+
+
+def lemma_3_monotone(setting: Setting, last: Fraction, parabolic: Bracket | None) -> Steps:
+    """*Statement.* Trace and least speed decrease in δ on [0, last].
+
+    *Computed.* `decreases` on cells that grow from the birth on.  One begins where the trace may be
+    below -2, at the bracket ``parabolic``, if there is one.
+    """
+    elliptic = parabolic[0] if parabolic else last
+    first, *others = cells_between(_ends(elliptic))
+    beyond = cells_between([elliptic, *_steps(elliptic, last)]) if parabolic else []
+    p = setting.parameters
+    step = partial(examine_monotone, p.R * p.omega**2 / p.F)
+    workers = replace(setting.workers, journal=None)
+    found = dict(subdivide(step, [first, *others, *beyond], LONGEST / 50, workers, ""))
+    for cell, verdict in found.items():
+        if verdict == UNDECIDED:
+            words = "trace and least speed may not be monotone in the asymmetry"
+            raise NotProved("Lemma 3", words, {"delta": tuple(map(float, cell))})
+    first, *rest = found
+    return Steps(
+        first,
+        [cell for cell in rest if cell.upper <= elliptic],
+        [cell for cell in rest if cell.upper > elliptic],
+    )
+
+
+def lemma_4_twist(setting: Setting, steps: Steps) -> list[Part]:
+    """*Statement.* The sign of (1 + T) τ_1, on cells.
+
+    *Computed.* `examine_twist` on the cells where the pair is elliptic, halved until the sign is
+    certain or they are short.
+    """
+    p = setting.parameters
+    rho = p.R * p.omega**2 / p.F
+    key = f"twist along the branch of rho = {rho}"
+    step = partial(examine_twist, rho)
+    found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, key)
+    signs = [Part(cell, None if sign == UNDECIDED else sign) for cell, sign in found]
+    others = [Part(cell, None) for cell in (steps.first, *steps.beyond)]
+    return sorted(_merged(signs) + others)
+
+
+def _merged(parts: list[Part]) -> list[Part]:
+    """Return the cells with neighbours that have no sign made one."""
+    merged: list[Part] = []
+    for cell, sign in parts:
+        if merged and sign is None and merged[-1].twist is None:
+            merged[-1] = Part(Cell(merged[-1].cell.lower, cell.upper), None)
+        else:
+            merged.append(Part(cell, sign))
+    return merged
+
+
+def _ends(last: Fraction) -> list[Fraction]:
+    """Return the ends of cells that grow up to the longest."""
+    first = min(FIRST, interval.short(last / 8))
+    ends, step = [Fraction(0), first], first * (GROWTH - 1)
+    while ends[-1] + 2 * step < last and step < LONGEST:
+        ends.append(ends[-1] + Fraction(f"{float(step):.1e}"))
+        step *= GROWTH
+    return ends + _steps(ends[-1], last)
+
+
+def _steps(first: Fraction, last: Fraction) -> list[Fraction]:
+    """Return the ends of equal cells from ``first`` to ``last``, but for the first."""
+    number = max(1, ceil((last - first) / LONGEST))
+    return [*(round(first + (last - first) * k / number, 6) for k in range(1, number)), last]
+
+
+def examine_monotone(rho: Fraction, cell: Cell) -> str:
+    """Return "-" if trace and least speed certainly decrease on a cell, else `UNDECIDED`."""
+    with interval.workprec(BITS):
+        delta = _model(cell)
+        return "-" if decreases(delta, interval.ball(rho), first=not cell.lower) else UNDECIDED
+
+
+def examine_twist(rho: Fraction, cell: Cell) -> str:
+    """Return "+" or "-", the certain sign of (1 + T) τ_1 on a cell, or `UNDECIDED`."""
+    with interval.workprec(BITS):
+        E, t = period_jet(asymmetric(_model(cell), interval.ball(rho)), 3)
+        lower_left = _sign(t[1, 0].bound())
+        if lower_left == UNDECIDED:
+            return UNDECIDED
+        return _sign(regular_twist(E, t, 1 if lower_left == "+" else -1).bound())
+
+
+def _sign(x: Ball) -> str:
+    return "+" if x > 0 else "-" if x < 0 else UNDECIDED
+
+
+def _model(cell: Cell) -> TaylorModel:
+    """Return δ on a cell."""
+    half, middle = (cell.upper - cell.lower) / 2, (cell.upper + cell.lower) / 2
+    (delta,) = Domain([interval.ball(half)], ORDER).variables((interval.ball(middle),))
+    return delta
+
+
+def decreases(delta: TaylorModel, rho: Ball, *, first: bool) -> bool:
+    """Return whether it is certain that trace and least speed decrease on a cell; see above.
+
+    ``first``: the cell begins at δ = 0, where T' = 0 and both local minima are equal.
+    """
+    (variable,) = Jet.variables((delta,), 2)
+    orbit = asymmetric(variable, rho)
+    least, other = orbit.slowest()
+    _, u2 = orbit.speeds  # the lower one, as δ > 0
+    delay, duration = orbit.delays()[0], orbit.durations[0]
+
+    def certainly(jet: Jet, power: int = 0) -> bool:
+        """Return whether this derivative is positive on the cell."""
+        return bool(jet.coefficients[power].bound() > 0)
+
+    return (
+        all(certainly(q) for q in (delay, duration - delay, u2, u2 - least))
+        and certainly(other - least, 1 if first else 0)
+        and certainly(-orbit.trace(), 2 if first else 1)
+        and certainly(-least, 1)
+    )

@@ -1,0 +1,202 @@
+"""The curve of asymmetric orbits at exact values of δ: where it passes what, as claims.
+
+See `proofs.branch`.
+"""
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from cap import bisection, interval
+from cap.certificate import Pair
+from cap.errors import BadInput, NotProved
+from cap.impact import Orbit, asymmetric
+from cap.interval import Ball
+from cap.subdivision import Cell
+from proofs.one_one import Scale
+
+MOST = 8  # the largest denominator of the resonances listed
+WIDE = 12  # digits of what holds for a whole cell
+LOWEST = Fraction(1, 50)  # f/F down to which the pair is followed if it does not end
+
+Bracket = tuple[Fraction, Fraction]
+
+
+class Part(NamedTuple):
+    """A cell, and the sign of (1 + trace) τ_1 on it, or None if none is claimed."""
+
+    cell: Cell
+    twist: str | None
+
+
+class Curve:
+    """The pair at exact δ, in the units of the parameters, and what is claimed of it."""
+
+    def __init__(self, scale: Scale, birth: Ball) -> None:
+        self.scale, self.birth = scale, birth
+        self.places = scale.setting.precise
+        self.low, self.high = scale.setting.f_range
+
+    def at(self, delta: Fraction) -> Orbit:
+        """Return the orbit."""
+        return asymmetric(interval.ball(delta), self.scale.rho)
+
+    def force(self, delta: Fraction) -> Ball:
+        """Return f."""
+        f: Ball = self.at(delta).alpha * self.scale.F
+        return f
+
+    def least(self, delta: Fraction) -> Ball:
+        """Return the least speed."""
+        speed: Ball = self.at(delta).slowest()[0] * self.scale.F / self.scale.omega
+        return speed
+
+    def trace(self, delta: Fraction) -> Ball:
+        """Return the trace."""
+        trace: Ball = self.at(delta).trace()
+        return trace
+
+    def end(self) -> tuple[Bracket | None, Fraction]:
+        """Return where the least speed vanishes, if it does, and where the cells end.
+
+        If it does not above the lowest f of interest, or `LOWEST`, they end a little below that.
+        """
+        p = self.scale.p
+        lowest = interval.ball(self.low * Fraction(999, 1000) if self.low else LOWEST * p.F)
+
+        def above(delta: Fraction) -> Ball:
+            force = self.force(delta) - lowest
+            return force if force.is_finite() else Ball(-1)  # no orbit: S may exceed 1
+
+        if not self.birth * self.scale.F > lowest:
+            born = float(self.birth * self.scale.F)
+            raise BadInput(f"the pair exists for f < {born:.6g} only: give a lower --from")
+        top, _ = bisection.crossing(above, Fraction(0), Fraction(157, 100), 12)
+        if self.least(top) > 0:
+            return None, top
+        end = bisection.crossing(self.least, Fraction(0), top, self.places)
+        return end, end[1]
+
+    def resonances(self, last: Fraction) -> dict[Fraction, Bracket]:
+        """Return p/q with the δ between which the rotation number passes it, ascending in p/q."""
+        found = {}
+        for ratio in sorted(
+            {Fraction(p, q) for q in range(2, MOST + 1) for p in range(1, q // 2 + 1)}
+        ):
+            level = 2 * (2 * interval.pi() * interval.ball(ratio)).cos()
+            if ratio == Fraction(1, 2):
+                level = Ball(-2)
+            above = self.trace(last) - level
+            if above < 0:
+                found[ratio] = self._passes(level, last)
+            elif not above > 0:
+                raise NotProved("resonances", f"the pair may end at the resonance {ratio}")
+        return found
+
+    def _passes(self, level: Ball, last: Fraction) -> Bracket:
+        """Return the δ between which the trace, 2 at δ = 0, passes a level."""
+        return bisection.crossing(
+            lambda delta: self.trace(delta) - level, Fraction(0), last, self.places
+        )
+
+    def claims(
+        self, end: Bracket | None, resonances: dict[Fraction, Bracket], cells: list[Part]
+    ) -> tuple[dict[str, Any], list[Bracket]]:
+        """Return the claims, and where in δ the twist vanishes."""
+        scale = self.scale
+        zeros = list(_zeros(cells))
+        return {
+            "f_start": scale.force(self.birth),
+            "f_end": end and self._force_pair(end),
+            "trace_end": end and scale.number(interval.hull(*map(self.trace, end))),
+            "f_range": self._range(end, cells[-1].cell.upper),
+            "resonances": [
+                {"ratio": str(ratio), "f": self._force_pair(ends)}
+                for ratio, ends in resonances.items()
+            ],
+            "twist_zeros": [self._forces(ends) for ends in zeros],
+            "exceptions": self._exceptions(resonances, cells),
+            "cells": [self._cell(part) for part in cells],
+        }, zeros
+
+    def _force_pair(self, ends: Bracket) -> Pair:
+        """Return the claim on f, for δ in a tiny interval."""
+        alphas = (self.at(delta).alpha for delta in ends)
+        return self.scale.force(interval.hull(*alphas))
+
+    def _range(self, end: Bracket | None, last: Fraction) -> Pair:
+        """Return decimals inside which all f have a pair."""
+        lower, upper = self.force(end[0] if end else last), self.birth * self.scale.F
+        places = self.scale.setting.digits - interval.decade(self.scale.p.F)
+        low, high = interval.outward(lower, places)[1], interval.outward(upper, places)[0]
+        if self.low and self.low > Fraction(low):
+            low = _shown(self.low, places, up=True)
+        if self.high and self.high < Fraction(high):
+            high = _shown(self.high, places, up=False)
+        if not Fraction(low) < Fraction(high):
+            raise BadInput(f"there is no pair between f = {low} and {high}")
+        return [low, high]
+
+    def _forces(self, ends: Bracket) -> Pair:
+        """Return the claim on f, for δ in a cell."""
+        return self._wide(self.force, ends, self.scale.p.F)
+
+    def _wide(self, value: Callable[[Fraction], Ball], ends: Bracket, unit: Fraction) -> Pair:
+        """Return decimals around the values at both ends, between which a monotone function is."""
+        places = max(0, WIDE - interval.decade(unit))
+        pairs = [interval.outward(value(delta), places) for delta in ends]
+        return [
+            min((low for low, _ in pairs), key=Fraction),
+            max((h for _, h in pairs), key=Fraction),
+        ]
+
+    def _cell(self, part: Part) -> dict[str, Any]:
+        p = self.scale.p
+        return {
+            "delta": decimals(part.cell),
+            "f": self._forces(part.cell),
+            "trace": self._wide(self.trace, part.cell, Fraction(1)),
+            "least_speed": self._wide(self.least, part.cell, p.F / p.omega),
+            "twist": part.twist,
+        }
+
+    def _exceptions(self, resonances: dict[Fraction, Bracket], cells: list[Part]) -> list[Pair]:
+        """Return the f for which invariant curves are not claimed, as disjoint intervals."""
+        elliptic = resonances.get(Fraction(1, 2), (cells[-1].cell.upper,))[0]
+        excluded: list[Bracket] = [
+            part.cell for part in cells if not part.twist and part.cell.lower < elliptic
+        ]
+        excluded += [ends for ratio, ends in resonances.items() if ratio.denominator <= 4]
+        pairs = sorted((self._forces(ends) for ends in excluded), key=_lower)
+        joined: list[Pair] = []
+        for low, high in pairs:
+            if joined and Fraction(low) <= Fraction(joined[-1][1]):
+                joined[-1][1] = max(joined[-1][1], high, key=Fraction)
+            else:
+                joined.append([low, high])
+        return joined
+
+
+def _zeros(cells: list[Part]) -> Iterator[Bracket]:
+    """Give the cells without sign between cells of different signs."""
+    for before, part, after in zip(cells, cells[1:], cells[2:], strict=False):
+        if {before.twist, part.twist, after.twist} == {"+", None, "-"} and not part.twist:
+            yield part.cell
+
+
+def _lower(pair: Pair) -> Fraction:
+    return Fraction(pair[0])
+
+
+def _shown(value: Fraction, places: int, *, up: bool) -> str:
+    """Return a decimal not below, or not above, a number."""
+    low, high = interval.outward(interval.ball(value), places)
+    exact = Fraction(value) * 10**places
+    if exact.denominator == 1:
+        return interval.decimal(value, places)
+    return high if up else low
+
+
+def decimals(ends: Bracket) -> Pair:
+    """Return exact decimals."""
+    return [interval.exact_decimal(delta) for delta in ends]

@@ -1,0 +1,93 @@
+"""All (1,1) orbits at given parameters: non-sticking, T-periodic, one hit of each wall per period.
+
+By `cap.impact` they are at most four: the symmetric ones, plus and minus, and one asymmetric pair.
+Each is decided in balls: whether it exists, and its type.
+"""
+
+from fractions import Fraction
+from typing import NamedTuple
+
+from cap import bisection, interval
+from cap.errors import NotProved
+from cap.impact import Orbit, asymmetric, symmetric
+from cap.interval import Ball
+from proofs.symmetric import alpha_of, least_speed
+
+BITS = 160
+PLACES = 25
+
+
+class Member(NamedTuple):
+    """A (1,1) orbit: ``plus``, ``minus``, or ``pair`` for two; its type, trace and least speed.
+
+    The speed is in units of F/ω.
+    """
+
+    name: str
+    kind: str
+    trace: Ball
+    least_speed: Ball
+
+
+def census(alpha: Fraction, rho: Fraction) -> list[Member]:
+    """Return all (1,1) orbits for f = αF, R = ρF/ω², 0 < α < 1.
+
+    Raises `NotProved` if for one of them existence or type is not certain.
+    """
+    with interval.workprec(BITS):
+        a, ratio = interval.ball(alpha), interval.ball(rho)
+        found = [_symmetric(name, a, ratio, sign) for name, sign in (("plus", 1), ("minus", -1))]
+        return [member for member in (*found, _pair(alpha, a, ratio)) if member]
+
+
+def _symmetric(name: str, alpha: Ball, rho: Ball, sign: int) -> Member | None:
+    bound = 2 / interval.pi()
+    if alpha > bound:
+        return None
+    if not alpha < bound:
+        raise NotProved("census", "f may be 2F/pi")
+    orbit = symmetric(alpha, rho, sign)
+    if orbit.mean_speed < 0:
+        return None
+    return _member(name, orbit, least_speed(orbit))
+
+
+def _pair(alpha: Fraction, ball: Ball, rho: Ball) -> Member | None:
+    """Return the pair, if α is below its birth and its speed is positive at δ(α)."""
+    S = 2 * rho / (interval.pi() ** 2 - 4)
+    if S > 1 or ball > alpha_of(S):
+        return None
+    if not ball < alpha_of(S):
+        raise NotProved("census", "a pair may be born at these parameters", {"f/F": float(alpha)})
+
+    def above(delta: Fraction) -> Ball:
+        difference = asymmetric(interval.ball(delta), rho).alpha - ball
+        return difference if difference.is_finite() else Ball(-1)  # beyond the end of the curve
+
+    ends = bisection.crossing(above, Fraction(0), Fraction(157, 100), PLACES)
+    orbit = asymmetric(interval.hull(*map(interval.ball, ends)), rho)
+    return _member("pair", orbit, pair_speed(orbit))
+
+
+def pair_speed(orbit: Orbit) -> Ball:
+    """Return the least speed of an asymmetric orbit: at a hit or at a local minimum on a flight."""
+    least: Ball = interval.least(*orbit.speeds)
+    for delay, duration, speed in zip(
+        orbit.delays(), orbit.durations, orbit.slowest(), strict=True
+    ):
+        if 0 < delay < duration:
+            least = interval.least(least, speed)
+        elif not (delay < 0 or delay > duration):
+            raise NotProved("census", "the speed may be least at a hit", {"delay": delay})
+    return least
+
+
+def _member(name: str, orbit: Orbit, least: Ball) -> Member | None:
+    if least < 0:
+        return None
+    trace: Ball = orbit.trace()
+    elliptic, saddle = -2 < trace < 2, trace > 2 or trace < -2
+    if not (least > 0 and (elliptic or saddle)):
+        sets = {"least speed": least, "trace": trace}
+        raise NotProved("census", f"{name}: existence or type is not certain", sets)
+    return Member(name, "elliptic" if elliptic else "saddle", trace, least)

@@ -1,0 +1,169 @@
+"""The closed form of the orbits with one hit of each wall per period, derived by machine.
+
+`cap.impact` states it.  Here the flights are integrated, and that each step of the derivation is an
+identity is left to a computer algebra system.  Units: time 1/ω, length F/ω², speed F/ω.
+"""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+from cap import interval
+from cap.certificate import Pair
+from cap.errors import NotProved
+from cap.impact import Orbit
+from cap.interval import Ball
+from proofs.fixed_point import Setting
+
+
+def lemma_1_closed_form() -> None:
+    """*Statement.* The formulas of `cap.impact` hold.
+
+    *Computed.* Each of the `identities` simplifies to 0.
+    """
+    import sympy as sp  # noqa: PLC0415 (it takes a third of a second)
+
+    for name, difference in identities():
+        if sp.simplify(sp.expand(sp.expand_trig(difference))) != 0:
+            raise NotProved("Lemma 1", f"this identity was not confirmed: {name}")
+
+
+def identities() -> Iterator[tuple[str, Any]]:
+    """Give the steps of the derivation: a sentence, and an expression that is 0 if it is true."""
+    yield from _flights()
+    yield from _linear_part()
+    yield from _symmetric_orbit()
+    yield from _asymmetric_orbits()
+
+
+def _flights() -> Iterator[tuple[str, Any]]:
+    """The three equations for δ, φ and W."""
+    import sympy as sp  # noqa: PLC0415
+
+    t, delta, phi, W, alpha = sp.symbols("t delta phi W alpha", real=True)
+    t1, t2 = phi + sp.pi / 2 - delta, phi + 3 * sp.pi / 2 + delta
+    left = W + alpha * delta - (sp.sin(t) - sp.sin(t1)) - alpha * (t - t1)
+    u2 = left.subs(t, t2)
+    right = u2 + sp.sin(t) - sp.sin(t2) - alpha * (t - t2)
+    yield "u' = -cos t - α after the right hit", sp.diff(left, t) + sp.cos(t) + alpha
+    yield "u' = cos t - α after the left hit", sp.diff(right, t) - sp.cos(t) + alpha
+    change = right.subs(t, t1 + 2 * sp.pi) - left.subs(t, t1)
+    yield (
+        "over a period u changes by 4 cos φ cos δ - 2πα",
+        change - (4 * sp.cos(phi) * sp.cos(delta) - 2 * sp.pi * alpha),
+    )
+    periodic = {alpha: 2 * sp.cos(phi) * sp.cos(delta) / sp.pi}
+    yield "the speed at the left hit is W - αδ", (u2 - W + alpha * delta).subs(periodic)
+    first = sp.integrate(sp.expand(left), (t, t1, t2)).subs(periodic)
+    second = sp.integrate(sp.expand(right), (t, t2, t1 + 2 * sp.pi)).subs(periodic)
+    yield (
+        "the distances differ by 4 Wδ + 2π sin φ sin δ",
+        first - second - (4 * W * delta + 2 * sp.pi * sp.sin(phi) * sp.sin(delta)),
+    )
+    arc = sp.cos(delta) + delta * sp.sin(delta)
+    yield (
+        "the distances add up to 2πW + 4 sin φ (cos δ + δ sin δ)",
+        first + second - (2 * sp.pi * W + 4 * sp.sin(phi) * arc),
+    )
+
+
+def _linear_part() -> Iterator[tuple[str, Any]]:
+    """The traces of Φ' and of the half-period map."""
+    import sympy as sp  # noqa: PLC0415
+
+    k1, k2, delta, S, rho = sp.symbols("k1 k2 delta S rho", real=True)
+
+    def flight(duration: Any) -> Any:
+        return sp.Matrix([[1, duration], [0, 1]])
+
+    def hit(kappa: Any) -> Any:
+        """The saltation of an elastic hit: -1 times a shear, with κ = 2 F cos ωt/v, up to sign."""
+        return -sp.Matrix([[1, 0], [-kappa, 1]])
+
+    d1, d2 = sp.pi + 2 * delta, sp.pi - 2 * delta
+    product = hit(k2) * flight(d1) * hit(k1) * flight(d2)
+    claimed = 2 - 2 * sp.pi * (k1 + k2) + k1 * k2 * (sp.pi**2 - 4 * delta**2)
+    yield "the trace of Φ' is 2 - 2π(κ1 + κ2) + κ1 κ2 (π² - 4δ²)", product.trace() - claimed
+    kappa = 2 * S / ((rho + 2 * S) / sp.pi)
+    half = -hit(kappa) * flight(sp.pi)  # the reflection is -1
+    k = 2 * sp.pi**2 * S / (rho + 2 * S)
+    yield "the half-period map of the symmetric orbit has the trace 2 - k", half.trace() - (2 - k)
+    same = {k1: kappa, k2: kappa, delta: 0}
+    yield "Φ' has the trace (2 - k)² - 2", claimed.subs(same) - ((2 - k) ** 2 - 2)
+
+
+def _symmetric_orbit() -> Iterator[tuple[str, Any]]:
+    """Where it bifurcates."""
+    import sympy as sp  # noqa: PLC0415
+
+    S, rho, nu = sp.symbols("S rho nu", positive=True)
+    k = 2 * sp.pi**2 * S / (rho + 2 * S)
+    yield "k = 4 where S = 2ρ/(π² - 4)", k.subs(S, 2 * rho / (sp.pi**2 - 4)) - 4
+    yield "k = 2 where S = ρ/(π² - 2)", k.subs(S, rho / (sp.pi**2 - 2)) - 2
+    yield "k increases with S", sp.diff(k, S) - 2 * sp.pi**2 * rho / (rho + 2 * S) ** 2
+    alpha = 2 / sp.pi - nu
+    square = 1 - (sp.pi * alpha / 2) ** 2
+    yield "S² = πν - (πν/2)², ν = 2/π - α", square - (sp.pi * nu - (sp.pi * nu / 2) ** 2)
+    trace = (2 - k) ** 2 - 2
+    yield "trace Φ' = 2 - 8π² S/ρ + O(S²)", sp.diff(trace, S).subs(S, 0) + 8 * sp.pi**2 / rho
+
+
+def _asymmetric_orbits() -> Iterator[tuple[str, Any]]:
+    """The equations for S and W, and the derivative of G."""
+    import sympy as sp  # noqa: PLC0415
+
+    delta, S = sp.symbols("delta S", positive=True)
+    G = sp.pi**2 / 2 * sp.sin(delta) / delta - 2 * sp.cos(delta) - 2 * delta * sp.sin(delta)
+    W = sp.pi / 2 * S * sp.sin(delta) / delta
+    arc = sp.cos(delta) + delta * sp.sin(delta)
+    yield "πW - 2S (cos δ + δ sin δ) = S G", sp.pi * W - 2 * S * arc - S * G
+    slope = sp.pi**2 / 2 * (delta * sp.cos(delta) - sp.sin(delta)) / delta**2
+    yield "the derivative of G", sp.diff(G, delta) - slope + 2 * delta * sp.cos(delta)
+    yield "G(π/2) = 0", G.subs(delta, sp.pi / 2)
+
+
+class Scale:
+    """From scaled units to those of the parameters, and to claims."""
+
+    def __init__(self, setting: Setting) -> None:
+        p = setting.parameters
+        self.setting, self.p = setting, p
+        self.rho = interval.ball(p.R * p.omega**2 / p.F)
+        self.omega, self.F = interval.ball(p.omega), interval.ball(p.F)
+
+    def time(self, t: Ball) -> Pair:
+        """Return the claim on a time."""
+        return self._pair(t / self.omega, self.setting.units.time)
+
+    def speed(self, u: Ball) -> Pair:
+        """Return the claim on a speed."""
+        return self._pair(u * self.F / self.omega, self.setting.units.speed)
+
+    def force(self, alpha: Ball) -> Pair:
+        """Return the claim on a force, αF."""
+        return self._pair(alpha * self.F, self.setting.units.force)
+
+    def per_force(self, x: Ball) -> Pair:
+        """Return the claim on a derivative by α, as one by f."""
+        return self._pair(x / self.F, 1 / self.setting.units.force)
+
+    def number(self, x: Ball) -> Pair:
+        """Return the claim on a number without unit."""
+        return self._pair(x, Fraction(1))
+
+    def state(self, orbit: Orbit) -> dict[str, Any]:
+        """Return the claims on a symmetric orbit: the state at t = 0, hit times, hit speed."""
+        t1 = interval.pi() - orbit.cos_phi.asin() if orbit.S < 0 else orbit.cos_phi.asin()
+        v0 = orbit.mean_speed - orbit.cos_phi + orbit.alpha * t1
+        way = v0 * t1 + 1 - orbit.S - orbit.alpha * t1 * t1 / 2
+        x0 = interval.ball(self.p.r) - way * self.F / self.omega**2
+        return {
+            "x": self._pair(x0, self.setting.units.length),
+            "v": self.speed(v0),
+            "hit_times": [self.time(t1), self.time(t1 + interval.pi())],
+            "hit_speed": self.speed(orbit.mean_speed),
+        }
+
+    def _pair(self, x: Ball, unit: Fraction) -> Pair:
+        """Return an outward rounding of the ball, widened so that a looser arithmetic agrees."""
+        return self.setting.rounding.pair(x + interval.symmetric(x) * interval.rounding(), unit)

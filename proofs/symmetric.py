@@ -1,0 +1,191 @@
+"""Theorem (symmetric).  Let 0 < f < F, ρ = Rω²/F, and consider the T-periodic orbits of
+
+    x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
+
+that never stop, hit each wall once per period, and satisfy x(t + T/2) = l + r - x(t).
+
+ (i)   There are at most two, S = ±sqrt(1 - (πf/2F)²), called plus and minus; none for f > 2F/π.
+       The right wall is hit at the time t1 in (0, T/2) with sin ωt1 = πf/2F, cos ωt1 = S, with the
+       speed U = (F/πω)(ρ + 2S), the left wall half a period later.  Such an orbit exists if and
+       only if the least speed of the formula is positive.
+ (ii)  The half-period map σ, σ² = Φ, has at its fixed point the trace 2 - k, k = 2π²S/(ρ + 2S),
+       and Φ has (2 - k)² - 2.  So minus, where k < 0, is a saddle.  Plus is elliptic where k < 4,
+       a saddle where k > 4.
+ (iii) They meet at f = 2F/π, for all ρ: with ν = 2/π - f/F, S² = πν - (πν/2)² and trace Φ' = 2 ∓
+       8π² sqrt(πν)/ρ + O(ν), a non-degenerate saddle-center.  The multipliers are 1 up to a
+       multiple of ν^(1/4).
+ (iv)  k = 4 for S = 2ρ/(π² - 4), if ρ < (π² - 4)/2: σ' has the double multiplier -1 there; the
+       asymmetric orbits branch off (theorem pitchfork).  k = 2 for S = ρ/(π² - 2), if ρ < π² - 2:
+       σ' has the multipliers ±i, and Φ' = -1.
+ (v)   The equation eq:theta-eq of the paper has no root, or two, θ and π - θ, or the one π/2.  No
+       root is a solution of the system.
+
+Proof of (i) to (iv): `cap.impact`, derived in `proofs.one_one`; the trace of an area preserving
+half-period map is in (-2, 2) if 0 < k < 4.  The existence claim of (i): the speed has one local
+minimum on each flight, and by symmetry they are equal.
+
+Proof of (v).  The paper's orbit leaves the right wall at t = 0, moves left, turns at τ = θ/ω, and
+"x' > 0 on (τ, T/2)", until it hits the left wall at T/2.  But whoever moves to the right arrives
+at no left wall: x(T/2) = l and x' > 0 before give x < l before.  And so it is with the formulas:
+eq:xpiece2 has, for every θ in (0, π),
+
+    x'(T/2) = -(F/ω) sin θ - (f/ω)(π - θ) < 0,
+
+so x' changes its sign on (τ, T/2), where the formula has the friction of x' > 0 throughout.  (Nor
+is the reflection elastic unless θ = π/2: by the symmetry it needs x'(T/2-) = x'(0+) = -(F/ω) sin θ
+- (f/ω) θ; and at θ = π/2 there is no turning, as |F cos θ| < f.)  So Theorem symmetric of the
+paper describes no orbit, and its Proposition two-solutions and Theorem saddlecenter count and
+continue none.
+
+Number of roots: Ψ(θ) = Fπ sin θ - 2F - Rω² + fπ²/2 - fθ(π - θ) has Ψ(π - θ) = Ψ(θ), and on (0,
+π/2) Ψ' = Fπ cos θ - f(π - 2θ) > 0, since cos θ > 1 - 2θ/π there and f < F.
+"""
+
+from fractions import Fraction
+from typing import Any
+
+from cap import bisection, certificate, interval
+from cap.errors import NotProved
+from cap.impact import Orbit, symmetric
+from cap.interval import Ball
+from proofs.fixed_point import Proof, Setting
+from proofs.one_one import Scale, lemma_1_closed_form
+
+SIGNS = {"plus": 1, "minus": -1}
+
+
+def prove(setting: Setting) -> Proof:
+    """Prove the theorem; there is no box whose size is left to choose."""
+    lemma_1_closed_form()
+    with interval.workprec(setting.bits):
+        scale = Scale(setting)
+        claims = {
+            "branches": {name: lemma_2_orbit(scale, name, sign) for name, sign in SIGNS.items()},
+            **lemma_3_bifurcations(scale),
+            "paper_roots": lemma_4_paper(scale),
+        }
+    proved = {
+        "format": certificate.FORMAT,
+        "theorem": "symmetric",
+        "parameters": setting.parameters.elastic_strings(),
+        "digits": str(setting.digits),
+        "claims": claims,
+        "hints": {"bits": str(setting.checker_bits)},
+        "cites": [],
+    }
+    return lambda _part: proved
+
+
+def lemma_2_orbit(scale: Scale, name: str, sign: int) -> dict[str, Any] | None:
+    """*Statement.* The symmetric orbit of this sign exists, with these numbers; or it does not.
+
+    *Computed.* The formulas, and the sign of the least speed.
+    """
+    p = scale.p
+    alpha = interval.ball(p.f / p.F)
+    bound = 2 / interval.pi()
+    if alpha > bound:
+        return None
+    if not alpha < bound:
+        raise NotProved("Lemma 2", "f may be 2F/pi", {"f/F": alpha})
+    orbit = symmetric(alpha, scale.rho, sign)
+    if orbit.mean_speed < 0:
+        return None
+    least = least_speed(orbit)
+    claims: dict[str, Any] = {
+        "hit_speed": scale.speed(orbit.mean_speed),
+        "least_speed": scale.speed(least),
+    }
+    if least < 0:
+        return {"genuine": "no", **claims}
+    if not least > 0:
+        raise NotProved("Lemma 2", f"the least speed of {name} may vanish", {"speed": least})
+    half = 2 - k_of(orbit)
+    trace = half * half - 2
+    return {
+        "genuine": "yes",
+        **scale.state(orbit),
+        **claims,
+        "half_trace": scale.number(half),
+        "trace": scale.number(trace),
+        "type": type_of(half),
+    }
+
+
+def k_of(orbit: Orbit) -> Ball:
+    """Return k = 2π²S/(ρ + 2S)."""
+    k: Ball = 2 * interval.pi() ** 2 * orbit.S / (orbit.rho + 2 * orbit.S)
+    return k
+
+
+def type_of(half: Ball) -> str:
+    """Return the type from the trace of the half-period map."""
+    if -2 < half < 2:
+        return "elliptic"
+    if half > 2 or half < -2:
+        return "saddle"
+    raise NotProved("Lemma 2", "the orbit may be parabolic", {"trace of the half map": half})
+
+
+def least_speed(orbit: Orbit) -> Ball:
+    """Return the least speed of a symmetric orbit.
+
+    The local minimum counts if it is on the flight; then it is not above the speed at the hits.
+    """
+    speed: Ball = orbit.mean_speed
+    slowest: Ball = orbit.slowest()[0]
+    delay, duration = orbit.delays()[0], orbit.durations[0]
+    if 0 < delay < duration:
+        return slowest
+    if delay < 0:
+        return speed
+    raise NotProved("Lemma 2", "the speed may be least at a hit", {"delay": delay})
+
+
+def lemma_3_bifurcations(scale: Scale) -> dict[str, Any]:
+    """*Statement.* The values of f at which the orbits meet, and at which k = 4 and k = 2."""
+    square = interval.pi() ** 2
+    return {
+        "saddle_center": scale.force(2 / interval.pi()),
+        "pitchfork": _critical(scale, 2 * scale.rho / (square - 4)),
+        "minus_identity": _critical(scale, scale.rho / (square - 2)),
+    }
+
+
+def _critical(scale: Scale, S: Ball) -> Any:
+    """Return the claim on f = (2F/π) sqrt(1 - S²), or None if S > 1."""
+    if S > 1:
+        return None
+    if not S < 1:
+        raise NotProved("Lemma 3", "a bifurcation may lie at f = 0", {"S": S})
+    return scale.force(alpha_of(S))
+
+
+def alpha_of(S: Ball) -> Ball:
+    """Return α of the symmetric orbit with this S."""
+    return 2 / interval.pi() * (1 - S * S).sqrt()
+
+
+def lemma_4_paper(scale: Scale) -> list[dict[str, Any]]:
+    """*Statement.* The roots of the paper's equation, and x'(T/2-) there, which is negative.
+
+    *Computed.* Ψ increases on (0, π/2): signs at the ends of a short interval enclose its root.
+    """
+    pi, alpha = interval.pi(), interval.ball(scale.p.f / scale.p.F)
+
+    def psi(theta: Ball) -> Ball:
+        return pi * theta.sin() - 2 - scale.rho + alpha * (pi * pi / 2 - theta * (pi - theta))
+
+    if psi(pi / 2) < 0 or psi(Ball(0)) >= 0:
+        return []
+    ends = bisection.crossing(
+        lambda q: -psi(interval.ball(q)), Fraction(0), Fraction(157, 100), scale.setting.precise
+    )
+    theta = interval.hull(*map(interval.ball, ends))
+    return [
+        {
+            "theta": scale.number(root),
+            "velocity": scale.speed(-root.sin() - alpha * (pi - root)),
+        }
+        for root in (theta, pi - theta)
+    ]
