@@ -15,6 +15,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from cap import bisection, interval, matrix
 from cap.errors import NotProved
@@ -27,6 +28,8 @@ from cap.matrix import Matrix
 from cap.model import Oscillator
 from cap.taylor_model import Domain, TaylorModel
 
+Array = npt.NDArray[np.float64]
+SLOW = 1e-3  # a spectral radius so near 1
 Rows = tuple[tuple[Fraction, Fraction], tuple[Fraction, Fraction]]
 
 
@@ -44,11 +47,75 @@ class Basin:
 
 
 def shape(point: FixedPoint) -> Rows:
-    """Return a matrix W in whose norm the derivative at P* contracts well; it only steers.
+    """Return a matrix W in whose norm the derivative J = (Φⁿ)'(P*) contracts well; it only steers.
 
-    WᵀW = Σ (Jᵀ/c)ᵏ (J/c)ᵏ with c between the spectral radius of J = (Φⁿ)'(P*) and 1.
+    In the units of x and v in which P* is known equally well.  Raises `NotProved` if J is not that
+    of a sink, as far as the digits of P* tell.
     """
-    J = np.array([[float(entry.mid()) for entry in row] for row in point.orbit.monodromy])
+    unit = interval.ball(_unit(point))
+    (a, b), (c, d) = point.orbit.monodromy
+    J = (a, b * unit), (c / unit, d)
+    places, rows = 6 + _extra(point), (_normal_form(J) if _is_slow(J) else _metric(_floats(J)))
+    (p, q), (r, s) = ((round(Fraction(entry), places) for entry in row) for row in rows)
+    return (p, q / _unit(point)), (r, s / _unit(point))
+
+
+def _floats(J: Matrix[Ball]) -> Array:
+    return np.array([[float(entry.mid()) for entry in row] for row in J])
+
+
+def _radius(J: Matrix[Ball]) -> float:
+    """Return the spectral radius in floats."""
+    floats = _floats(J)
+    return float(max(abs(np.linalg.eigvals(floats)))) if np.isfinite(floats).all() else math.inf
+
+
+def _is_slow(J: Matrix[Ball]) -> bool:
+    """Return whether floats hardly tell the multipliers from 1 in size; raise if they are larger.
+
+    The power iteration of `_metric` would not end.
+    """
+    radius = _radius(J)
+    if not radius < 1 + SLOW:
+        raise NotProved("basin", f"P* is no sink: the spectral radius is {radius:.6g}")
+    return radius > 1 - SLOW
+
+
+def _extra(point: FixedPoint) -> int:
+    """Return how many more digits of W it takes to tell the multipliers from 1."""
+    if not _is_slow(point.orbit.monodromy):
+        return 0
+    slack = 1 - interval.midpoint(matrix.determinant(point.orbit.monodromy))
+    if not slack > 0:
+        raise NotProved("basin", "P* is no sink: its determinant is not certain to be below 1")
+    return -interval.decade(slack)
+
+
+def _normal_form(J: Matrix[Ball]) -> list[list[Fraction]]:
+    """Return W such that W J W⁻¹ is a rotation times the square root of det J.
+
+    q = c x² + (d - a) x v - b v² has q(Jz) = det J q(z); it is definite if the multipliers are not
+    real, and then |W z|² = c q.
+    """
+    (a, b), (c, d) = J
+    h = (d - a) / 2
+    beta = (-b * c - h * h).sqrt()
+    if not beta > 0:
+        raise NotProved("basin", "P* attracts too slowly for a node", {"beta": beta})
+    size = abs(c).max(abs(h)).max(beta)
+    return [[interval.midpoint(q / size) for q in row] for row in ((c, h), (Ball(0), beta))]
+
+
+def _unit(point: FixedPoint) -> Fraction:
+    """Return the unit of v, that of x being 1."""
+    return point.reach[1] / point.reach[0]
+
+
+def _metric(J: Array) -> Array:
+    """Return an upper triangular W, of largest entry 1: WᵀW = Σ (Jᵀ/c)ᵏ (J/c)ᵏ.
+
+    c is between the spectral radius of J and 1.
+    """
     radius = float(max(abs(np.linalg.eigvals(J))))
     scaled = J / (radius + (1 - radius) / 4)
     total, power = np.eye(2), np.eye(2)
@@ -58,15 +125,11 @@ def shape(point: FixedPoint) -> Rows:
         total = total + term
         if np.abs(term).max() < 1e-6 * np.abs(total).max():
             break
-    W = np.linalg.cholesky(total).T
-    W = W / np.abs(W).max()
-    (a, b), (c, d) = ((_short(q) for q in row) for row in W)
-    return (a, b), (c, d)
-
-
-def _short(q: float) -> Fraction:
-    """Return a decimal of few digits near ``q``."""
-    return Fraction(f"{q:.6f}")
+    try:
+        W = np.linalg.cholesky(total).T
+    except np.linalg.LinAlgError:
+        raise NotProved("basin", "its ellipses are too thin for floats") from None
+    return np.asarray(W / np.abs(W).max())
 
 
 def contraction(
@@ -131,11 +194,14 @@ def largest(
     """Return W and the largest size found; at most what fits into ±``room`` around P*."""
     W = shape(point)
     upper = min(float(half) / float(side) for half, side in zip(room, _reach(W), strict=True))
+    if not math.isfinite(upper):
+        raise NotProved("basin", "its ellipses are too thin for floats")
     size = bisection.largest(
         lambda size: contraction(osc, point, events, W, size), Fraction(f"{0.99 * upper:.3e}"), 4
     )
     if size is None:
-        raise NotProved("basin", "no ellipse around the fixed point is contracted")
+        sets = {"spectral radius": _radius(point.orbit.monodromy)}
+        raise NotProved("basin", "no ellipse around the fixed point is contracted", sets)
     return W, size
 
 
@@ -149,10 +215,18 @@ def scaled(
     """Return the ellipse that is smaller by ``margin``, with a contraction nearer to 1."""
     W, size = found
     size = interval.short(size * margin)
-    scale = 10 ** max(0, 7 - interval.decade(1 / size))
-    (a, b), (c, d) = ((Fraction(round(q / size * scale), scale) for q in row) for row in W)
+    units, digits = (Fraction(1), _unit(point)), 7 + _extra(point)
+    (a, b), (c, d) = (
+        (_decimal(q / size, 1 / (size * unit), digits) for q, unit in zip(row, units, strict=True))
+        for row in W
+    )
     smaller = (a, b), (c, d)
     bound = contraction(osc, point, events, smaller, Fraction(1))
     places = max(3, 2 - interval.decade(1 - bound))
     kappa = Fraction(math.ceil((bound + (1 - bound) / 4) * 10**places), 10**places)
     return Basin(smaller, kappa)
+
+
+def _decimal(q: Fraction, size: Fraction, digits: int) -> Fraction:
+    """Return a decimal near ``q``, to so many digits of ``size``."""
+    return round(q, max(0, digits - interval.decade(size)))

@@ -14,8 +14,9 @@ If H < R, q² < 2 (b_1 + f) R, g > 0, k < 1 and, with D = 1/(b_1 + f) + 1/sqrt((
 
     t + u/(b_1 + f) + sqrt(2H/g) + D e q/(1 - k) <= t_d,
 
-then infinitely many hits of this wall, and nothing else but one turning between two of them,
-accumulate at a time in (t, t_d].  From there the mass rests at the wall until b falls to -f.
+then infinitely many hits of this wall, and nothing else but one turning between any two of them and
+at most one before the first, accumulate at a time in (t, t_d].  From there the mass rests at the
+wall until b falls to -f.
 
 *Proof.*  While w > 0, w' <= -(b_1 + f): the mass rises for u/(b_1 + f) at most, and as d(w²/2)/dy
 <= -(b_1 + f), not above H < R.  While w < 0, |w|' = b - f - μ|w| <= b_2 - f, so |w| grows in a
@@ -67,6 +68,15 @@ class Accumulation:
     forcing: Ball
 
 
+class TooEarly(NotProved):
+    """The hits are certain to accumulate only before ``until``, after the end of the window."""
+
+    def __init__(self, until: Ball, end: Ball) -> None:
+        self.until = until
+        reason = "the hits may not accumulate before the end of the window"
+        super().__init__("capture", reason, {"accumulated": until, "end": end})
+
+
 def accumulation(osc: Oscillator[Any], side: int, entry: Entry, window: Ball) -> Accumulation:
     """Apply the lemma at the wall of this side, until the end t_d of the ``window``.
 
@@ -99,7 +109,6 @@ def accumulation(osc: Oscillator[Any], side: int, entry: Entry, window: Ball) ->
     first = Ball(0) if entry.leaving else u / press + (2 * height / g).sqrt()
     last = first + bounce * osc.e * arrival / (1 - ratio)
     if not entry.time + last <= end:
-        sets = {"last hit": entry.time + last, "end": end}
-        raise NotProved("capture", "the hits may not accumulate before the end of the window", sets)
+        raise TooEarly(interval.upper(entry.time + last), end)
     time = interval.hull(entry.time, entry.time + interval.upper(last))
     return Accumulation(time, interval.upper(ratio), force)

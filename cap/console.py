@@ -3,6 +3,7 @@
 import argparse
 import io
 import os
+import re
 import sys
 from collections.abc import Callable
 from typing import NoReturn, TextIO
@@ -14,6 +15,11 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Print the complaint and exit."""
         self.exit(2, f"error: {message} (--help says more)\n")
+
+
+def protected(word: str) -> str:
+    """Return ``word`` such that argparse takes a negative number, also -1/2, for a value."""
+    return " " + word if re.fullmatch(r"-[\d.]\S*", word) else word
 
 
 def closing_quietly(command: Callable[[], int]) -> int:

@@ -13,6 +13,7 @@ from cap.event import (
     Enclosure,
     Event,
     Expected,
+    NoCertainEvent,
     flies,
     hit_time,
     next_slow,
@@ -160,7 +161,11 @@ class Course(Generic[E]):
             raise NotProved(f"event {number}", f"a capture must follow a hit {wall}")
         speed = osc.e * abs(self.bound(last.velocity))
         entry = capture.Entry(self.now, Ball(0), speed, leaving=True)
-        found = capture.accumulation(osc, side, entry, expected.window)
+        try:
+            found = capture.accumulation(osc, side, entry, expected.window)
+        except capture.TooEarly as miss:
+            later = interval.hull(self.now, miss.until)
+            raise NoCertainEvent(number, expected, later) from miss
         self._captured(side, found, expected)
 
     def _captured(self, side: int, found: capture.Accumulation, expected: Expected) -> None:

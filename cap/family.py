@@ -114,15 +114,17 @@ def _rounded(size: Fraction) -> Fraction:
     return Fraction(size * 10**places // 1 + 1, 10**places)
 
 
-def agree(one: Cell, other: Cell) -> None:
+def agree(one: Cell, other: Cell, part: Fraction = Fraction(1)) -> None:
     """Prove that the fixed points of two cells are the same for common parameters.
 
     That of one cell lies in its image; where this lies in the other's box, it is the only one.
+    With a ``part`` of the box below 1 a looser arithmetic can follow.
     """
-    if not (_lies_in(one, other) or _lies_in(other, one)):
+    if not (_lies_in(one, other, part) or _lies_in(other, one, part)):
         raise NotProved("family", "the fixed points of two cells may differ")
 
 
-def _lies_in(one: Cell, other: Cell) -> bool:
-    """Return whether the image of one cell is certain to lie in the other's box."""
-    return other.hint.contains(one.image, other.reach)
+def _lies_in(one: Cell, other: Cell, part: Fraction) -> bool:
+    """Return whether the image of one cell is certain to lie in this part of the other's box."""
+    x, v = other.reach
+    return other.hint.contains(one.image, (part * x, part * v))

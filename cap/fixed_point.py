@@ -88,11 +88,23 @@ def existence(
 
 
 def passed(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
-    """Return the itinerary with windows little wider than ``orbit`` proves; captures' stay."""
+    """Return the itinerary with windows little wider than ``orbit`` proves; captures' stay.
+
+    After a capture the times are the same for all orbits: there is only the rounding to pass.
+    """
     return tuple(
-        old if old.word.startswith("capture") else Expected(event.word, event.time)
+        old if _is_capture(old) else Expected(event.word, _rounded(event.time))
         for event, old in zip(orbit.events, expected, strict=True)
     )
+
+
+def _is_capture(event: Expected) -> bool:
+    return event.word.startswith("capture")
+
+
+def _rounded(time: Ball) -> Ball:
+    """Return a ball larger than ``time`` by what rounding may add to it."""
+    return time + interval.symmetric(time) * interval.rounding()
 
 
 def prove(
@@ -132,7 +144,7 @@ def refined(
         windows = find_windows(osc, point, events, BALLS, start.periods)
         orbit = strobe(osc, point, windows, BALLS, start.periods)
         events = tuple(
-            Expected(word, interval.point(window)) for word, window in passed(orbit, windows)
+            event._replace(window=_representative(event)) for event in passed(orbit, windows)
         )
         inverse = matrix.inverse(matrix.minus_identity(orbit.monodromy))
         defect = orbit.end[0] - point[0], orbit.end[1] - point[1]
@@ -143,6 +155,11 @@ def refined(
     (a, b), (c, d) = inverse
     rows = (_short(a), _short(b)), (_short(c), _short(d))
     return Preconditioner(centre, rows), events
+
+
+def _representative(event: Expected) -> Ball:
+    """Return the middle of the window of an event, the end of that of a capture."""
+    return (interval.upper if _is_capture(event) else interval.point)(event.window)
 
 
 def _short(x: Ball) -> Fraction:
@@ -189,15 +206,18 @@ def _with_slack(
     bound: Callable[[S], Ball],
 ) -> Itinerary | None:
     """Return windows a little larger than the event times of ``orbit``, if they succeed."""
-    events = tuple(
-        old if old.word.startswith("capture") else old._replace(window=_inflated(bound(new.time)))
-        for new, old in zip(orbit.events, expected, strict=True)
-    )
+    events: list[Expected] = []
+    for new, old in zip(orbit.events, expected, strict=True):
+        window = _inflated(bound(new.time))
+        if _is_capture(old):  # from before the hit until an end that is known to be late enough
+            hit = events[-1].window
+            window = interval.hull(interval.hull(window, old.window), hit)
+        events.append(old._replace(window=window))
     try:
-        attempt(events)
+        attempt(tuple(events))
     except NotProved:
         return None
-    return events
+    return tuple(events)
 
 
 def _inflated(window: Ball) -> Ball:

@@ -1,4 +1,4 @@
-"""Non-sticking T-periodic orbits with one hit of each wall per period, in closed form.
+"""T-periodic orbits that never stop, with one hit of each wall per period, in closed form.
 
 Units: time 1/ω, length F/ω², speed F/ω.  Then α = f/F and ρ = Rω²/F are all that matters.  Such an
 orbit hits the right wall at t1 and the left wall at t2, and its speed u = |v| obeys

@@ -80,7 +80,9 @@ def itinerary(
     runner.begin(x, v, wall)
     while runner.step():
         if len(runner.events) > MOST_EVENTS:
-            raise BadInput(f"more than {MOST_EVENTS} events: v = {v!r} is too fast")
+            raise BadInput(
+                f"more than {MOST_EVENTS} events before t = {end:.6g}, from (x, v) = ({x!r}, {v!r})"
+            )
     return Path(tuple(runner.events), runner.state, runner.monodromy, runner.wall)
 
 
@@ -93,6 +95,7 @@ class _Runner:
         self.events: list[Happening] = []
         self.monodromy: Matrix[float] = (1.0, 0.0), (0.0, 1.0)
         self.flight: Flight[float] | None = None
+        self.from_rest = False  # the flight began with a turning or a release: its speed rises
         self.state, self.wall = (0.0, 0.0), 0
 
     def begin(self, x: float, v: float, wall: int) -> None:
@@ -110,6 +113,7 @@ class _Runner:
 
     def _launch(self, s: int, x: float, v: float) -> None:
         self.flight, self.wall = self.o.launch(s, self.o.moment(self.now), x, v), 0
+        self.from_rest = v == 0
 
     def _stopped(self, x: float, wall: int) -> str:
         """Let the forcing decide what becomes of a mass with v = 0; return the word."""
@@ -178,10 +182,9 @@ class _Runner:
             return s * (o.position(flight, moment) - wall), s * o.velocity(flight, moment)
 
         for a, b in self._pieces(s):
-            last = root(speed, a, b) if (stops := speed(b)[0] <= 0) else b
-            if stops and last == start:
-                last = b  # the turning with which the flight began
-                stops = False
+            rises = self.from_rest and a == start
+            stops = not rises and speed(b)[0] <= 0
+            last = root(speed, a, b) if stops else b
             if excess(last)[0] >= 0:
                 self._pass(flight, root(excess, a, last))
                 return self._hit(flight)
@@ -191,7 +194,7 @@ class _Runner:
                 return True
         self._pass(flight, self.end)
         end = o.moment(self.end)
-        self.state = o.position(flight, end), o.velocity(flight, end)
+        self.state = o.position(flight, end), s * max(s * o.velocity(flight, end), 0.0)
         return False
 
     def _pass(self, flight: Flight[float], time: float) -> None:
@@ -214,7 +217,7 @@ class _Runner:
         if s * velocity > 0:
             salt = o.saltation(s, velocity, moment.cos)
             self.monodromy = o.hit(self.monodromy, salt)
-            self.flight = o.reflect(flight, moment, velocity)
+            self.flight, self.from_rest = o.reflect(flight, moment, velocity), False
             self._capture(s, o.e * abs(velocity))
         else:
             self._stopped(o.wall(s), s)

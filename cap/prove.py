@@ -9,11 +9,12 @@ import re
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from hashlib import sha256
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,7 @@ from cap.approx import candidates
 from cap.approx.candidates import Candidate, Request, Search
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
-from cap.console import Parser, closing_quietly
+from cap.console import Parser, closing_quietly, protected
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
@@ -147,7 +148,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _main(arguments: Sequence[str]) -> int:
     """Run the command line; bad input and interrupts become a line and an exit status."""
-    options = parser().parse_args([_protected(word) for word in arguments])
+    options = parser().parse_args([protected(word) for word in arguments])
     if options.list:
         for name, theorem in THEOREMS.items():
             print(f"{name:<10} {theorem.summary}")
@@ -155,16 +156,12 @@ def _main(arguments: Sequence[str]) -> int:
     try:
         return _run(options)
     except BadInput as error:
+        _progress("")
         print(f"error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("interrupted; nothing half-written", file=sys.stderr)
         return 130
-
-
-def _protected(word: str) -> str:
-    """Return ``word`` such that argparse takes a negative number, also -1/2, for a value."""
-    return " " + word if re.fullmatch(r"-[\d.]\S*", word) else word
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -176,6 +173,7 @@ def _run(options: argparse.Namespace) -> int:
     request = _request(options)
     digits = _integer(options.digits, "--digits", (6, 1000))
     found = THEOREMS[options.theorem].search(request)
+    _progress("")
     print("\n".join(found.lines), end="\n\n", flush=True)
     with _workers(options) as workers:
         ask = Setting(
@@ -198,16 +196,21 @@ def _workers(options: argparse.Namespace) -> Iterator[Workers]:
     if jobs == 1:
         yield Workers(None, options.journal, _progress)
         return
-    with ProcessPoolExecutor(jobs) as executor:
-        yield Workers(executor, options.journal, _progress)
+    try:
+        with ProcessPoolExecutor(jobs) as executor:
+            yield Workers(executor, options.journal, _progress)
+    except BrokenExecutor:
+        raise BadInput("a process of --jobs was killed (what a journal has is kept)") from None
 
 
 def _range(options: argparse.Namespace) -> tuple[Fraction | None, Fraction | None]:
     """Return the range of f that is asked for."""
-    low, high = (word and exact(word) for word in (options.lowest, options.highest))
-    if options.theorem != "branch" and (low or high):
+    words = options.lowest, options.highest
+    if options.theorem != "branch" and words != (None, None):
         raise BadInput("--from and --to are for the theorem branch")
-    if (low is not None and low <= 0) or (low and high and low >= high):
+    low, high = (None if word is None else exact(word) for word in words)
+    ends = [f for f in (Fraction(0), low, high) if f is not None]
+    if any(a >= b for a, b in pairwise(ends)):
         raise BadInput("the range must be 0 < from < to")
     return low, high
 
@@ -227,9 +230,12 @@ def _request(options: argparse.Namespace) -> Request:
             raise BadInput(
                 f"the theorem {options.theorem} holds for more than one f: leave out --f"
             )
-        options.f = str(exact(options.F or PAPER.strings()["F"]) / 2)  # any f will do
-    words = {name: getattr(options, name) or value for name, value in PAPER.strings().items()}
-    parameters = Parameters(*map(exact, words.values()))
+        F = PAPER.F if options.F is None else exact(options.F)
+        options.f = str(F / 2)  # any f will do
+    given = {name: getattr(options, name) for name in PAPER.strings()}
+    paper = PAPER.strings()
+    words = (paper[name] if word is None else word for name, word in given.items())
+    parameters = Parameters(*map(exact, words))
     orbit = tuple(float(exact(word)) for word in options.orbit or ())
     return Request(
         options.theorem,
@@ -237,6 +243,7 @@ def _request(options: argparse.Namespace) -> Request:
         (orbit[0], orbit[1]) if orbit else None,
         every=options.all,
         periods=_integer(options.period, "--period", (1, 16)),
+        progress=_progress,
     )
 
 
@@ -254,10 +261,12 @@ def _proved(options: argparse.Namespace, ask: Setting, candidate: Candidate) -> 
     order = int(options.order) if options.order else candidate.order
     try:
         setting = replace(ask, start=candidate.start, order=order)
-        proved = _accepted(THEOREMS[options.theorem], setting)
+        proved = accepted(THEOREMS[options.theorem], setting)
     except NotProved as failure:
+        _progress("")
         print(f"NOT PROVED ({options.theorem}, {candidate.shown}).  {failure}", file=sys.stderr)
         return 1
+    _progress("")
     print(report.theorem(proved))
     path = options.out
     try:
@@ -271,7 +280,7 @@ def _proved(options: argparse.Namespace, ask: Setting, candidate: Candidate) -> 
 
 
 def _progress(words: str) -> None:
-    """Show how far a proof is, on one line of a terminal."""
+    """Show how far a search or a proof is, on one line of a terminal; no words clear it."""
     if sys.stderr is not None and sys.stderr.isatty():
         print(f"\r{words:<70}", end="\r", file=sys.stderr, flush=True)
 
@@ -284,7 +293,7 @@ def _special(proved: dict[str, Any]) -> str:
     return name if len(name) <= 80 else sha256(name.encode()).hexdigest()[:12]
 
 
-def _accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
+def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
     """Return a certificate that the independent checker accepts, or raise `NotProved`.
 
     More guard digits are computed until all digits claimed are certain.

@@ -125,6 +125,7 @@ def _captured(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
     yield from _numbers(claims)
 
 
+NONE = "none"  # for what does not exist
 _ORBIT = {
     "x": "x at t = 0",
     "v": "v at t = 0",
@@ -140,7 +141,7 @@ def _symmetric(claims: dict[str, Any]) -> Iterator[str]:
     yield "Orbits that never stop, hit each wall once per period, and are their own mirror image"
     yield "x(t + T/2) = l + r - x(t):"
     for name, orbit in claims["branches"].items():
-        if orbit is None:
+        if orbit == NONE:
             yield f"\n{name}: there is none."
             continue
         exists = orbit["genuine"] == "yes"
@@ -180,10 +181,10 @@ def _pitchfork(claims: dict[str, Any]) -> Iterator[str]:
 def _branch(claims: dict[str, Any]) -> Iterator[str]:
     low, high = claims["f_range"]
     yield f"For every f in [{low}, {high}] there is exactly one pair of"
-    yield "asymmetric orbits that never stop and hit each wall once per period; trace and least speed"
-    yield f"grow with f ({len(claims['cells'])} cells).  In f:\n"
+    yield "asymmetric orbits that never stop and hit each wall once per period; trace and least"
+    yield f"speed grow with f ({len(claims['cells'])} cells).  In f:\n"
     rows = [("born at", claims["f_start"])]
-    if claims["f_end"]:
+    if claims["f_end"] != NONE:
         rows.append(("least speed vanishes at", claims["f_end"]))
         rows.append(("  with trace", claims["trace_end"]))
     rows += [(f"rotation number {each['ratio']}", each["f"]) for each in claims["resonances"]]
@@ -241,7 +242,7 @@ def _numbers(claims: dict[str, Any]) -> Iterator[str]:
 
 def _rows(names: dict[str, str], claims: dict[str, Any]) -> list[tuple[str, list[str]]]:
     """Return labels and pairs of those of the claims that there are."""
-    present = ((key, name) for key, name in names.items() if claims.get(key))
+    present = ((key, name) for key, name in names.items() if claims.get(key, NONE) != NONE)
     return [row for key, name in present for row in _labelled(key, name, claims)]
 
 

@@ -8,16 +8,18 @@ interrupted run goes on where it was; a verdict does not depend on what else is 
 import json
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
+from threading import Lock
 from typing import NamedTuple
 
 from cap.errors import BadInput
 
 UNDECIDED = "?"
+_LOCK = Lock()
 
 
 class Cell(NamedTuple):
@@ -87,7 +89,9 @@ def _examined(
     if executor is None:
         yield from ((cell, examine(cell)) for cell in cells)
         return
-    futures: dict[Future[str], Cell] = {executor.submit(examine, cell): cell for cell in cells}
+    futures: dict[Future[str], Cell] = {
+        executor.submit(_alone, examine, cell): cell for cell in cells
+    }
     try:
         waiting = set(futures)
         while waiting:
@@ -99,40 +103,69 @@ def _examined(
             future.cancel()
 
 
+def _alone(examine: Examine, cell: Cell) -> str:
+    """Examine one cell at a time in a process: its threads share the precision of balls."""
+    with _LOCK:
+        return examine(cell)
+
+
 @contextmanager
 def _journal(path: Path | None, key: str) -> Iterator[tuple[Verdicts, Callable[[Cell, str], None]]]:
     """Give the verdicts known, and a function that records one more."""
     if path is None:
         yield {}, lambda _cell, _verdict: None
         return
-    try:
+    with _usable(path):
         known = _read(path, key)
-        with path.open("a", encoding="ascii") as file:
-            if not path.stat().st_size:
-                file.write(json.dumps({"cells of": key}) + "\n")
+        file = path.open("a", encoding="ascii")
+        if not path.stat().st_size:
+            file.write(_header(key))
 
-            def write(cell: Cell, verdict: str) -> None:
-                file.write(json.dumps([str(cell.lower), str(cell.upper), verdict]) + "\n")
-                file.flush()
+    def write(cell: Cell, verdict: str) -> None:
+        with _usable(path):
+            file.write(json.dumps([str(cell.lower), str(cell.upper), verdict]) + "\n")
+            file.flush()
 
-            yield known, write
+    try:
+        yield known, write
+    finally:
+        with suppress(OSError):  # all that was written has been flushed
+            file.close()
+
+
+@contextmanager
+def _usable(path: Path) -> Iterator[None]:
+    """Turn an error of the file into one line; what `subdivide` examines may raise its own."""
+    try:
+        yield
     except OSError as error:
         raise BadInput(f"cannot use the journal {path}: {error.strerror}") from None
+
+
+def _header(key: str) -> str:
+    return json.dumps({"cells of": key}) + "\n"
 
 
 def _read(path: Path, key: str) -> Verdicts:
     """Return the verdicts of a journal; a last line that was cut short is removed."""
     if not path.exists():
         return {}
-    text = path.read_text(encoding="ascii", errors="replace")
+    text, header = path.read_text(encoding="ascii", errors="replace"), _header(key)
     whole = text[: text.rfind("\n") + 1]
+    if not (whole.startswith(header) or (not whole and header.startswith(text))):
+        raise BadInput(f"{path} is no journal, or one about something else: give another file")
     try:
-        lines = [json.loads(line) for line in whole.splitlines()]
-        if lines and lines[0] != {"cells of": key}:
-            raise BadInput(f"the journal {path} is about something else")
-        known = {Cell(Fraction(a), Fraction(b)): str(verdict) for a, b, verdict in lines[1:]}
-    except (ValueError, TypeError):
-        raise BadInput(f"{path} is no journal of cells") from None
+        known = dict(map(_verdict, whole.splitlines()[1:]))
+    except (ValueError, TypeError, ArithmeticError, RecursionError):
+        raise BadInput(f"the journal {path} is damaged: remove it") from None
     if whole != text:
         path.write_text(whole, encoding="ascii")
     return known
+
+
+def _verdict(line: str) -> tuple[Cell, str]:
+    """Return what a line of a journal says."""
+    lower, upper, verdict = json.loads(line)
+    if not all(isinstance(word, str) for word in (lower, upper, verdict)):
+        raise TypeError(line)
+    return Cell(Fraction(lower), Fraction(upper)), verdict

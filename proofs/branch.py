@@ -1,15 +1,14 @@
-"""Theorem (branch).  Let ρ = Rω²/F < (π² - 4)/2.  Consider the asymmetric non-sticking T-periodic
-orbits of
+"""Theorem (branch).  Let ρ = Rω²/F < (π² - 4)/2.  Consider the asymmetric T-periodic orbits of
 
     x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
 
-with one hit of each wall per period, for all f at once.
+that never stop and hit each wall once per period, for all f at once.
 
  (i)   They are born in the pitchfork at ``f_start`` as f decreases, in pairs: mirror images under
        (x, v, t) -> (l + r - x, -v, t + T/2).  For every f in ``f_range`` there is exactly one
        pair; it is analytic in f.
  (ii)  Its trace and its least speed grow with f.  The least speed vanishes at ``f_end``, where the
-       pair ends; with ``f_end`` = None it is positive throughout ``f_range``.
+       pair ends; without ``f_end`` it is positive throughout ``f_range``.
  (iii) Its rotation number takes each of the values p/q, q <= 8, listed, once, at an f enclosed.
  (iv)  For every f in ``f_range`` where the trace is greater than -2, outside the ``exceptions``,
        both orbits are elliptic, without resonance of order <= 4, and τ_1 != 0: by Moser's twist
@@ -51,17 +50,61 @@ from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.taylor_model import Domain, TaylorModel
 from cap.twist import regular_twist
 from proofs.branch_curve import Bracket, Curve, Part, decimals
-from proofs.elliptic import MOSER
 from proofs.fixed_point import Proof, Setting
 from proofs.one_one import Scale, lemma_1_closed_form
 from proofs.pitchfork import lemma_2_parabolic, parameters
+from proofs.symmetric import NONE
 
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
-GROWTH = Fraction(5, 4)  # like 1/δ²; those after it grow
-LONGEST = Fraction(1, 50)  # to this length
+GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow
+LONGEST = Fraction(1, 100)  # to this length
 SMALLEST = Fraction(1, 10**9)  # the shortest cell
 ORDER = 10  # of the Taylor models
 BITS = 200
+SIGNS = {"+": "+", "-": "-", UNDECIDED: None}
+
+MOSER = {
+    "theorem": "Moser twist theorem",
+    "reference": "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
+    "Theorem kam of the paper",
+    "hypotheses": [
+        {
+            "name": "H1",
+            "statement": "for every f in f_range, both orbits of the pair hit each wall once in a "
+            "period, transversely, and never turn or stick",
+            "by": ["f_range", "cells"],
+        },
+        {
+            "name": "H2",
+            "statement": "Phi is exact symplectic near the fixed point: flights and hits preserve "
+            "dx^dv, and a disk is simply connected",
+            "by": ["f_range", "cells"],
+        },
+        {
+            "name": "H3",
+            "statement": "Phi is real analytic near the fixed point: the hit times are, by the "
+            "implicit function theorem",
+            "by": ["f_range", "cells"],
+        },
+        {
+            "name": "H4",
+            "statement": "trace > -2 is assumed and trace < 2 is proved: the eigenvalues of the "
+            "Jacobian are exp(+-i Theta), 0 < |Theta| < pi",
+            "by": ["cells", "resonances"],
+        },
+        {
+            "name": "H5",
+            "statement": "no resonance of order at most four, for f outside the exceptions",
+            "by": ["resonances", "exceptions"],
+        },
+        {
+            "name": "H6",
+            "statement": "the first Birkhoff twist coefficient does not vanish, for f outside the "
+            "exceptions",
+            "by": ["cells", "twist_zeros", "exceptions"],
+        },
+    ],
+}
 
 
 def prove(setting: Setting) -> Proof:
@@ -71,10 +114,11 @@ def prove(setting: Setting) -> Proof:
         scale = Scale(setting)
         branch = Curve(scale, lemma_2_parabolic(scale).alpha)
         end, last = branch.end()
+        limits = branch.range(end, last)
         resonances = branch.resonances(last)
         steps = lemma_3_monotone(setting, last, resonances.get(Fraction(1, 2)))
         cells = lemma_4_twist(setting, steps)
-        claims, zeros = branch.claims(end, resonances, cells)
+        claims, zeros = branch.claims(end, limits, resonances, cells)
     proved = {
         "format": certificate.FORMAT,
         "theorem": "branch",
@@ -83,7 +127,7 @@ def prove(setting: Setting) -> Proof:
         "claims": claims,
         "hints": {
             "bits": str(max(setting.checker_bits, BITS)),
-            "end": end and decimals(end),
+            "end": decimals(end) if end else NONE,
             "resonances": [decimals(ends) for ends in resonances.values()],
             "twist_zeros": [decimals(ends) for ends in zeros],
         },
@@ -112,7 +156,7 @@ def lemma_3_monotone(setting: Setting, last: Fraction, parabolic: Bracket | None
     p = setting.parameters
     step = partial(examine_monotone, p.R * p.omega**2 / p.F)
     workers = replace(setting.workers, journal=None)
-    found = dict(subdivide(step, [first, *others, *beyond], LONGEST / 50, workers, ""))
+    found = dict(subdivide(step, [first, *others, *beyond], SMALLEST, workers, ""))
     for cell, verdict in found.items():
         if verdict == UNDECIDED:
             words = "trace and least speed may not be monotone in the asymmetry"
@@ -133,10 +177,10 @@ def lemma_4_twist(setting: Setting, steps: Steps) -> list[Part]:
     """
     p = setting.parameters
     rho = p.R * p.omega**2 / p.F
-    key = f"twist along the branch of rho = {rho}"
+    key = f"twist along the branch of rho = {rho}, order {ORDER}, {BITS} bits"
     step = partial(examine_twist, rho)
     found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, key)
-    signs = [Part(cell, None if sign == UNDECIDED else sign) for cell, sign in found]
+    signs = [Part(cell, SIGNS[verdict]) for cell, verdict in found]
     others = [Part(cell, None) for cell in (steps.first, *steps.beyond)]
     return sorted(_merged(signs) + others)
 

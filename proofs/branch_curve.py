@@ -9,14 +9,16 @@ from typing import Any, NamedTuple
 
 from cap import bisection, interval
 from cap.certificate import Pair
-from cap.errors import BadInput, NotProved
+from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.impact import Orbit, asymmetric
 from cap.interval import Ball
 from cap.subdivision import Cell
 from proofs.one_one import Scale
+from proofs.symmetric import NONE
 
 MOST = 8  # the largest denominator of the resonances listed
 WIDE = 12  # digits of what holds for a whole cell
+LOW_ORDER = (Fraction(1, 4), Fraction(1, 3))  # with 1/2, where the pair ceases to be elliptic
 LOWEST = Fraction(1, 50)  # f/F down to which the pair is followed if it does not end
 
 Bracket = tuple[Fraction, Fraction]
@@ -72,6 +74,8 @@ class Curve:
             born = float(self.birth * self.scale.F)
             raise BadInput(f"the pair exists for f < {born:.6g} only: give a lower --from")
         top, _ = bisection.crossing(above, Fraction(0), Fraction(157, 100), 12)
+        if not top:
+            raise NotProved("range", "the pair is born too near the lowest f: give a lower --from")
         if self.least(top) > 0:
             return None, top
         end = bisection.crossing(self.least, Fraction(0), top, self.places)
@@ -100,35 +104,48 @@ class Curve:
         )
 
     def claims(
-        self, end: Bracket | None, resonances: dict[Fraction, Bracket], cells: list[Part]
+        self,
+        end: Bracket | None,
+        limits: Pair,
+        resonances: dict[Fraction, Bracket],
+        cells: list[Part],
     ) -> tuple[dict[str, Any], list[Bracket]]:
         """Return the claims, and where in δ the twist vanishes."""
-        scale = self.scale
-        zeros = list(_zeros(cells))
+        scale, zeros = self.scale, list(_zeros(cells))
+        for ends in zeros:
+            self._is_no_pole(ends)
         return {
             "f_start": scale.force(self.birth),
-            "f_end": end and self._force_pair(end),
-            "trace_end": end and scale.number(interval.hull(*map(self.trace, end))),
-            "f_range": self._range(end, cells[-1].cell.upper),
+            "f_end": self._force_pair(end) if end else NONE,
+            "trace_end": scale.number(interval.hull(*map(self.trace, end))) if end else NONE,
+            "f_range": limits,
             "resonances": [
                 {"ratio": str(ratio), "f": self._force_pair(ends)}
                 for ratio, ends in resonances.items()
             ],
             "twist_zeros": [self._forces(ends) for ends in zeros],
-            "exceptions": self._exceptions(resonances, cells),
+            "exceptions": self._exceptions(limits, resonances, cells),
             "cells": [self._cell(part) for part in cells],
         }, zeros
+
+    def _is_no_pole(self, ends: Bracket) -> None:
+        """Prove that the trace is not -1 in a bracket: there N = (1 + T) τ_1 may vanish alone."""
+        above, below = (self.trace(delta) + 1 for delta in ends)
+        if not (below > 0 or above < 0):
+            raise NotProved("twist", "it may vanish at the resonance 1/3", {"delta": ends})
 
     def _force_pair(self, ends: Bracket) -> Pair:
         """Return the claim on f, for δ in a tiny interval."""
         alphas = (self.at(delta).alpha for delta in ends)
         return self.scale.force(interval.hull(*alphas))
 
-    def _range(self, end: Bracket | None, last: Fraction) -> Pair:
+    def range(self, end: Bracket | None, last: Fraction) -> Pair:
         """Return decimals inside which all f have a pair."""
         lower, upper = self.force(end[0] if end else last), self.birth * self.scale.F
         places = self.scale.setting.digits - interval.decade(self.scale.p.F)
         low, high = interval.outward(lower, places)[1], interval.outward(upper, places)[0]
+        if not Fraction(low) < Fraction(high):
+            raise TooFewDigits("range", "birth and end of the pair are too close", {"f": low})
         if self.low and self.low > Fraction(low):
             low = _shown(self.low, places, up=True)
         if self.high and self.high < Fraction(high):
@@ -157,23 +174,30 @@ class Curve:
             "f": self._forces(part.cell),
             "trace": self._wide(self.trace, part.cell, Fraction(1)),
             "least_speed": self._wide(self.least, part.cell, p.F / p.omega),
-            "twist": part.twist,
+            "twist": part.twist or NONE,
         }
 
-    def _exceptions(self, resonances: dict[Fraction, Bracket], cells: list[Part]) -> list[Pair]:
-        """Return the f for which invariant curves are not claimed, as disjoint intervals."""
-        elliptic = resonances.get(Fraction(1, 2), (cells[-1].cell.upper,))[0]
-        excluded: list[Bracket] = [
-            part.cell for part in cells if not part.twist and part.cell.lower < elliptic
-        ]
-        excluded += [ends for ratio, ends in resonances.items() if ratio.denominator <= 4]
-        pairs = sorted((self._forces(ends) for ends in excluded), key=_lower)
+    def _exceptions(
+        self, limits: Pair, resonances: dict[Fraction, Bracket], cells: list[Part]
+    ) -> list[Pair]:
+        """Return the f of the range for which invariant curves are not claimed.
+
+        Disjoint intervals; where the trace is below -2 nothing is claimed anyway.
+        """
+        low, high = limits
+        parabolic = resonances.get(Fraction(1, 2))
+        if parabolic:
+            low = max(low, self._force_pair(parabolic)[0], key=Fraction)
+        excluded: list[Bracket] = [part.cell for part in cells if not part.twist]
+        pairs = [self._forces(ends) for ends in excluded]
+        pairs += [self._force_pair(resonances[ratio]) for ratio in LOW_ORDER if ratio in resonances]
+        cut = [[max(a, low, key=Fraction), min(b, high, key=Fraction)] for a, b in pairs]
         joined: list[Pair] = []
-        for low, high in pairs:
-            if joined and Fraction(low) <= Fraction(joined[-1][1]):
-                joined[-1][1] = max(joined[-1][1], high, key=Fraction)
+        for a, b in sorted((p for p in cut if Fraction(p[0]) <= Fraction(p[1])), key=_lower):
+            if joined and Fraction(a) <= Fraction(joined[-1][1]):
+                joined[-1][1] = max(joined[-1][1], b, key=Fraction)
             else:
-                joined.append([low, high])
+                joined.append([a, b])
         return joined
 
 
@@ -190,11 +214,9 @@ def _lower(pair: Pair) -> Fraction:
 
 def _shown(value: Fraction, places: int, *, up: bool) -> str:
     """Return a decimal not below, or not above, a number."""
-    low, high = interval.outward(interval.ball(value), places)
-    exact = Fraction(value) * 10**places
-    if exact.denominator == 1:
-        return interval.decimal(value, places)
-    return high if up else low
+    unit, shown = Fraction(10) ** -places, max(places, 0)
+    multiple = -(-value // unit) if up else value // unit
+    return interval.decimal(multiple * unit, shown)
 
 
 def decimals(ends: Bracket) -> Pair:

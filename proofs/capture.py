@@ -3,9 +3,9 @@ given at rational parameters.  If the lemmas below succeed, then every orbit tha
 the interior of an explicit box makes infinitely many impacts with one wall, which accumulate at a
 time in an explicit interval; then the mass rests at the wall until an explicit release time.
 
-Lemma 1 follows all orbits from the box to a last hit; if the box lies at the wall, there is nothing
-to follow.  Lemma 2 is the lemma of `cap.capture` (ratio and duration of the bounces over a window
-of time, geometric sum), applied to the whole box.
+Lemma 1 follows all orbits from the box to a hit, with which the infinitely many begin; if the box
+lies at the wall, there is nothing to follow.  Lemma 2 is the lemma of `cap.capture` (ratio and
+duration of the bounces over a window of time, geometric sum), applied to the whole box.
 
 *Against Theorem wellposed of the paper.*  Step 4 of its proof excludes that hits accumulate, since
 two consecutive hits are a distance R apart.  Hits of the same wall are not: between them the mass
@@ -85,8 +85,8 @@ def prove(setting: Setting) -> Proof:
 
 
 def lemma_1_box(osc: Oscillator[Any], setting: Setting, side: int) -> Box:
-    """*Statement.* All orbits from an explicit box have the same events, up to a last hit, with
-    which the lemma of capture applies to all of them.
+    """*Statement.* All orbits from an explicit box have the same events, up to a hit, with which
+    the lemma of capture applies to all of them.
 
     *Computed.* The certified flow over Taylor models of order two, for the largest box found with
     sides in the ratio of the natural units; a part of it is claimed.
@@ -101,7 +101,7 @@ def lemma_1_box(osc: Oscillator[Any], setting: Setting, side: int) -> Box:
 def _followed(osc: Oscillator[Any], setting: Setting, side: int, size: Fraction) -> Captured:
     """Follow the box of half-widths ``size`` times the natural units to the end of the window."""
     start, centre = setting.start, (Fraction(setting.start.x), Fraction(setting.start.v))
-    x, v = (_inside(m, size * unit) for m, unit in zip(centre, setting.scale, strict=True))
+    x, v = (_inside(m, size * unit) for m, unit in zip(centre, _scale(setting), strict=True))
     middle = [interval.ball((a + b) / 2) for a, b in (x, v)]
     domain = Domain([interval.ball((b - a) / 2) for a, b in (x, v)], 2)
     begin = Moment(Ball(0), Ball(0), Ball(1))
@@ -131,20 +131,47 @@ def box_at_the_wall(osc: Oscillator[Any], setting: Setting, side: int) -> Box:
 
     *Computed.* The largest product δ u found among ends of the window and ratios δ F/u².
     """
-    best, choice = Fraction(0), (Fraction(0), Fraction(0))
-    for part, ratio in product(range(3, 20), (1, 2, 4, 8)):
-        until = interval.midpoint(osc.slow(-side, 0).t) * part / 20
-        tried = _rounded(until, setting), Fraction(ratio, 4)
-        u = _fastest(osc, setting, side, tried)
-        if tried[1] * u**3 > best:
-            best, choice, speed = tried[1] * u**3, tried, u
-    if not best:
+    leaving = interval.midpoint(osc.slow(-side, 0).t)
+    pressed = interval.midpoint((osc.f / osc.F).acos() / osc.omega)
+    for latest in (leaving, pressed):  # with f near F the wall is pressed for a short time only
+        speed, choice = _best(osc, setting, side, latest)
+        if speed:
+            break
+    else:
         raise NotProved("Lemma 2", "no box at the wall is captured from t = 0 on")
     return lambda part: _at_the_wall(osc, setting, side, choice, interval.short(speed * part))
 
 
+def _best(
+    osc: Oscillator[Any], setting: Setting, side: int, latest: Fraction
+) -> tuple[Fraction, tuple[Fraction, Fraction]]:
+    """Return the speed, the end of the window and the ratio of the largest box; speed 0 if none."""
+    best, speed, choice = Fraction(0), Fraction(0), (Fraction(0), Fraction(0))
+    for part, ratio in product(range(3, 20), (1, 2, 4, 8)):
+        tried = _rounded(latest * part / 20, setting), Fraction(ratio, 4)
+        u = _fastest(osc, setting, side, tried)
+        if tried[1] * u**3 > best:
+            best, choice, speed = tried[1] * u**3, tried, u
+    return speed, choice
+
+
+def _scale(setting: Setting) -> tuple[Fraction, Fraction]:
+    """Return R and Rω, halved until the forcing moves the mass as far and as fast in 1/ω."""
+    p, (length, speed) = setting.parameters, setting.scale
+    while length > 2 * p.F / p.omega**2:
+        length /= 2
+    while speed > 2 * p.F / p.omega:
+        speed /= 2
+    return length, speed
+
+
+def _finest(time: Fraction, setting: Setting) -> Fraction:
+    """Return the unit of time, a shorter one if ``time`` is short."""
+    return min(setting.units.time, 100 * time)
+
+
 def _rounded(time: Fraction, setting: Setting) -> Fraction:
-    grid = 10 ** max(0, 6 - interval.decade(setting.units.time))
+    grid = 10 ** max(0, 6 - interval.decade(_finest(time, setting)))
     return Fraction(round(time * grid) + 1, grid)
 
 
@@ -158,7 +185,7 @@ def _fastest(
 ) -> Fraction:
     """Return the largest speed found for an end of the window and a ratio, 0 if there is none."""
     speed = bisection.largest(
-        lambda u: _lemma(osc, setting, side, choice, u), setting.units.speed, 8
+        lambda u: _lemma(osc, setting, side, choice, u), _scale(setting)[1], 8
     )
     return speed or Fraction(0)
 
@@ -220,7 +247,7 @@ def _certificate(setting: Setting, side: int, captured: Captured, release: Ball)
     before = [window(event.window) for event in captured.events[:-1]]
     since, until = captured.window
     latest = (interval.ends(captured.found.time)[1] + until) / 2  # for the checker, looser
-    places = 4 - interval.decade(setting.units.time)
+    places = 4 - interval.decade(_finest(until, setting))
     accumulated = [_shown(since), interval.outward(interval.ball(latest), places)[1]]
     hints = [*before, [_shown(end) for end in captured.window], window(release)]
     return {

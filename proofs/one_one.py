@@ -34,6 +34,7 @@ def identities() -> Iterator[tuple[str, Any]]:
     yield from _linear_part()
     yield from _symmetric_orbit()
     yield from _asymmetric_orbits()
+    yield from _least_speed()
 
 
 def _flights() -> Iterator[tuple[str, Any]]:
@@ -108,6 +109,27 @@ def _symmetric_orbit() -> Iterator[tuple[str, Any]]:
     yield "trace Φ' = 2 - 8π² S/ρ + O(S²)", sp.diff(trace, S).subs(S, 0) + 8 * sp.pi**2 / rho
 
 
+def _least_speed() -> Iterator[tuple[str, Any]]:
+    """Sine and cosine of the hit times, and u at its local minima; S = sin σ, α = sin β."""
+    import sympy as sp  # noqa: PLC0415
+
+    t, delta, sigma, beta, W = sp.symbols("t delta sigma beta W", real=True)
+    S, C, alpha = sp.sin(sigma), sp.cos(sigma), sp.sin(beta)
+    sin, cos = sp.sin(delta), sp.cos(delta)
+    t1, t2 = -sigma + sp.pi / 2 - delta, -sigma + 3 * sp.pi / 2 + delta
+    yield "sin t1", sp.sin(t1) - (C * cos - S * sin)
+    yield "cos t1", sp.cos(t1) - (S * cos + C * sin)
+    yield "sin t2", sp.sin(t2) + (C * cos + S * sin)
+    yield "cos t2", sp.cos(t2) - (C * sin - S * cos)
+    left = W + alpha * delta - (sp.sin(t) - sp.sin(t1)) - alpha * (t - t1)
+    right = W - alpha * delta + sp.sin(t) - sp.sin(t2) - alpha * (t - t2)
+    for name, u, hit, side in (("right", left, t1, 1), ("left", right, t2, -1)):
+        delay = beta + sigma + side * delta
+        yield f"after the {name} hit u' = 0", sp.diff(u, t).subs(t, hit + delay)
+        value = u.subs(t, hit) + side * sp.sin(hit) - sp.cos(beta) - alpha * delay
+        yield f"after the {name} hit u there", u.subs(t, hit + delay) - value
+
+
 def _asymmetric_orbits() -> Iterator[tuple[str, Any]]:
     """The equations for S and W, and the derivative of G."""
     import sympy as sp  # noqa: PLC0415
@@ -119,6 +141,8 @@ def _asymmetric_orbits() -> Iterator[tuple[str, Any]]:
     yield "πW - 2S (cos δ + δ sin δ) = S G", sp.pi * W - 2 * S * arc - S * G
     slope = sp.pi**2 / 2 * (delta * sp.cos(delta) - sp.sin(delta)) / delta**2
     yield "the derivative of G", sp.diff(G, delta) - slope + 2 * delta * sp.cos(delta)
+    bracket = delta * sp.cos(delta) - sp.sin(delta)
+    yield "δ cos δ - sin δ decreases from 0", sp.diff(bracket, delta) + delta * sp.sin(delta)
     yield "G(π/2) = 0", G.subs(delta, sp.pi / 2)
 
 

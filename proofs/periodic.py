@@ -24,7 +24,7 @@ from cap import basin, certificate, interval, matrix
 from cap.basin import Basin
 from cap.errors import NotProved
 from cap.event import Expected
-from cap.fixed_point import FixedPoint, Neighbourhood
+from cap.fixed_point import FixedPoint, Itinerary, Neighbourhood
 from cap.flow import Orbit, oscillator
 from cap.interval import Ball
 from cap.model import Oscillator
@@ -67,7 +67,7 @@ class Prepared:
             }
             self.reach = largest_reach(self.osc, setting, self.point)
             if self.numbers["type"] in SINKS:
-                known = tuple(Expected(e.word, e.time) for e in self.point.orbit.events)
+                known = events_of(self.point.orbit)
                 self.ellipse = basin.largest(self.osc, self.point, known, self.reach)
 
     def proved(self, part: Fraction) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -81,6 +81,7 @@ class Prepared:
                 "itinerary": [event.word for event in point.orbit.events],
                 "box": box,
                 **self.numbers,
+                "event_times": event_times(setting, point.orbit, around.expected),
             }
             if claims["type"] in SINKS:
                 found = basin.scaled(osc, point, around.expected, self.ellipse, part)
@@ -113,16 +114,31 @@ def orbit_claims(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> d
     return {
         "x": pair(point.box[0], units.length),
         "v": pair(point.box[1], units.speed),
-        "event_times": [
-            certificate.window(event.time)
-            if event.word.startswith("capture")
-            else pair(event.time, units.time)
-            for event in orbit.events
-        ],
+        "event_times": event_times(setting, orbit, events_of(orbit)),
         "hit_speeds": [pair(abs(hit.velocity), units.speed) for hit in orbit.hits],
         "turning_factors": [pair(factor) for factor in turning_factors(osc, orbit)],
         "jacobian": setting.rounding.matrix(orbit.monodromy, units),
     }
+
+
+def events_of(orbit: Orbit[Ball]) -> Itinerary:
+    """Return the events of P* with the times proved for windows."""
+    return tuple(Expected(event.word, event.time) for event in orbit.events)
+
+
+def event_times(
+    setting: Setting, orbit: Orbit[Ball], expected: Itinerary
+) -> list[certificate.Pair]:
+    """Return when the events of P* happen; of a capture the window ``expected`` of its lemma.
+
+    That of the whole box is what a looser arithmetic finds room in.
+    """
+    return [
+        certificate.window(near.window)
+        if near.word.startswith("capture")
+        else setting.rounding.pair(event.time, setting.units.time)
+        for event, near in zip(orbit.events, expected, strict=True)
+    ]
 
 
 def turning_factors(osc: Oscillator[Any], orbit: Orbit[Ball]) -> list[Ball]:

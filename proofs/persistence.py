@@ -17,18 +17,21 @@ Lemma 5 gives (ii), over the cells of a grid.  This is Theorem persistence of th
 entry is ((1+e) F cos ωt + (1-e) f sgn v)/v, v the velocity before the hit.
 """
 
+from bisect import bisect_left
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from cap import certificate, family, interval, matrix
 from cap.errors import BadInput, NotProved
 from cap.event import TAYLOR_MODELS
 from cap.family import Cell, Pair
-from cap.fixed_point import FixedPoint, Start, refined
+from cap.fixed_point import FixedPoint, Itinerary, Start, refined
 from cap.flow import oscillator
 from cap.interval import Ball
 from cap.model import Constants
+from cap.parameters import Parameters
 from proofs import periodic
 from proofs.fixed_point import Proof, Setting, krawczyk
 
@@ -40,10 +43,19 @@ KRAWCZYK = krawczyk(
     ("box", "range"),
 )
 BITS = 64  # enough for boxes of a thousandth
+LONGEST = 40  # decimals of a node
 PLACES = 9  # decimals of the hints
 STEP = Fraction(1, 200), Fraction(1, 400)  # of the grid, in ε and μ, at first
 FINEST = Fraction(1, 8)  # of that
-MOST_CELLS = 150
+FILLED = Fraction(1, 2)  # of a box, at most, by K: the checker loses more in its bounds
+SHARED = (  # of its box holds the K of a neighbour, where this part of the orbit's box is claimed
+    (Fraction(1, 2), Fraction(99, 100)),
+    (Fraction(3, 10), Fraction(9, 10)),
+    (Fraction(0), Fraction(3, 4)),
+)
+CROWDED = Fraction(9, 10)  # the same where it takes many cells to reach the (ε, μ) given
+MOST_CELLS = 150  # the rectangle grows no further
+MOST_CELLS_BELOW = 1000  # the (ε, μ) given
 
 
 @dataclass
@@ -57,6 +69,11 @@ class Grid:
         """Return the claim ``range``."""
         epsilon, mu = ([interval.exact_decimal(q) for q in side] for side in self.nodes)
         return {"epsilon": epsilon, "mu": mu, "boxes": [_box(c) for c in self.ordered()]}
+
+    def below(self, corner: Pair) -> tuple[int, int]:
+        """Return the cell that contains a point, the one below and left of it if it is a node."""
+        i, j = (bisect_left(side, q) for side, q in zip(self.nodes, corner, strict=True))
+        return max(i - 1, 0), max(j - 1, 0)
 
     def ordered(self) -> list[Cell]:
         """Return the cells, μ changing fastest."""
@@ -88,11 +105,15 @@ def prove(setting: Setting) -> Proof:
     if words != {"hit"} or setting.start.periods != 1:
         raise BadInput("persistence is about T-periodic orbits with hits only")
     orbit = periodic.Prepared(setting)
-    with interval.workprec(BITS):
-        grid = lemma_5_family(setting, orbit.point)
+
+    @cache
+    def family_with(shared: Fraction) -> Grid:
+        with interval.workprec(BITS):
+            return lemma_5_family(setting, orbit.point, shared)
 
     def certified(part: Fraction) -> dict[str, Any]:
         claims, hints = orbit.proved(part)
+        grid = family_with(next(shared for least, shared in SHARED if part >= least))
         claims["range"] = grid.claims()
         hints["cells"] = [_hint(cell) for cell in grid.ordered()]
         return periodic.assembled("persistence", setting, claims, hints, KRAWCZYK)
@@ -100,23 +121,23 @@ def prove(setting: Setting) -> Proof:
     return certified
 
 
-def lemma_5_family(setting: Setting, point: FixedPoint) -> Grid:
+def lemma_5_family(setting: Setting, point: FixedPoint, shared: Fraction) -> Grid:
     """*Statement.* Statement (ii), on a rectangle that contains the (ε, μ) given.
 
     *Computed.* `cap.family` over each cell, that neighbours have the same fixed point on the
     common side, |trace| < 1 + det with det = exp(-μT) (1-ε)^(2N), and |trace| < 2 at (0, 0).  As
-    det < 1 except at (0, 0), this means that both multipliers lie inside the unit circle.  The
-    first cells end at the (ε, μ) given, where P is P*.
+    det < 1 except at (0, 0), this means that both multipliers lie inside the unit circle.  In
+    a cell that contains the (ε, μ) given, P is P* there.  Neighbours agree with only a part
+    ``shared`` of their boxes.
     """
     p = setting.parameters
     grid = Grid(([Fraction(0)], [Fraction(0)]))
     given = 1 - p.e, p.mu
-    first = tuple(q if q else step for q, step in zip(given, STEP, strict=True))
-    start = replace(setting.start, x=float(point.box[0].mid()), v=float(point.box[1].mid()))
-    builder = _Builder(setting, grid, start)
-    builder.begin((first[0], first[1]))
+    x, v = (float(side.mid()) for side in point.box)
+    builder = _Builder(setting, grid, replace(setting.start, x=x, v=v), shared)
+    builder.reach(given)
     builder.grow()
-    cell = grid.cells[0, 0]
+    cell = grid.cells[grid.below(given)]
     if not cell.hint.contains(point.box, cell.reach):
         raise NotProved("Lemma 5", "P* may be another fixed point than that of the family")
     return grid
@@ -125,26 +146,71 @@ def lemma_5_family(setting: Setting, point: FixedPoint) -> Grid:
 class _Builder:
     """Adds cells to a grid, proved one by one, column by column and row by row."""
 
-    def __init__(self, setting: Setting, grid: Grid, start: Start) -> None:
+    def __init__(self, setting: Setting, grid: Grid, start: Start, shared: Fraction) -> None:
         p = setting.parameters
         self.p, self.grid, self.start, self.progress = p, grid, start, setting.progress
+        self.shared = shared
         self.period = 2 * interval.pi() / interval.ball(p.omega)
 
-    def begin(self, corner: Pair) -> None:
-        """Prove the cell between (0, 0) and the corner, in parts if need be."""
-        self.grid.nodes[0].append(corner[0])
-        self.grid.nodes[1].append(corner[1])
-        self._add((0, 0), self.start)
+    def reach(self, given: Pair) -> None:
+        """Prove cells up to the (ε, μ) given: a single one, or if that fails as many as it takes.
 
-    def grow(self) -> None:
-        """Extend the rectangle in turn to larger ε and larger μ while that succeeds."""
+        ``start`` is a guess of P there.  Raises `NotProved` with the rectangle that is reached.
+        """
+        corner = _or_steps(given)
+        try:
+            self._begin(corner, self.start)
+        except NotProved:
+            self.shared = min(self.shared, CROWDED)
+            self._begin_small(given)
+            self.grow(corner)
+        reached = self.grid.nodes[0][-1], self.grid.nodes[1][-1]
+        if reached != corner:
+            e, m = map(float, reached)
+            reason = f"the family is proved for epsilon <= {e:.4g}, mu <= {m:.4g} only"
+            raise NotProved("Lemma 5", f"{reason} ({len(self.grid.cells)} cells)")
+
+    def _begin(self, corner: Pair, start: Start) -> None:
+        """Prove the cell between (0, 0) and the corner."""
+        for side, end in zip(self.grid.nodes, corner, strict=True):
+            side[:] = [Fraction(0), end]
+        self._add((0, 0), start)
+
+    def _begin_small(self, given: Pair) -> None:
+        """Prove the cell between (0, 0) and the (ε, μ) given, or less far."""
+        corner = _or_steps((min(given[0], STEP[0]), min(given[1], STEP[1])))
+        try:
+            self._begin(corner, self._back(given, corner))
+        except NotProved as failure:
+            reason = "P*, followed back to epsilon = mu = 0, is not proved to be of a family there"
+            raise NotProved("Lemma 5", f"{reason}: {failure}") from None
+
+    def _back(self, given: Pair, corner: Pair, steps: int = 50) -> Start:
+        """Follow the guess from the (ε, μ) given to the middle of the cell up to the corner."""
+        start = self.start
+        for k in range(1, steps + 1):
+            e, m = (q + (c / 2 - q) * k / steps for q, c in zip(given, corner, strict=True))
+            hint, events = refined(oscillator(self._at(e, m)), start, [PLACES, PLACES])
+            start = _start(hint.centre, events)
+        return start
+
+    def _at(self, epsilon: Fraction, mu: Fraction) -> Parameters:
+        return replace(self.p, e=1 - epsilon, mu=mu)
+
+    def grow(self, corner: Pair | None = None) -> None:
+        """Extend the rectangle in turn to larger ε and larger μ while that succeeds.
+
+        Not beyond the ``corner``, if there is one.
+        """
         steps, open_sides = list(STEP), [0, 1]
+        most = MOST_CELLS if corner is None else MOST_CELLS_BELOW
         while open_sides:
             for side in tuple(open_sides):
                 others = len(self.grid.nodes[1 - side]) - 1
-                if len(self.grid.cells) + others > MOST_CELLS:
+                room = corner[side] - self.grid.nodes[side][-1] if corner else steps[side]
+                if room == 0 or len(self.grid.cells) + others > most:
                     open_sides.remove(side)
-                elif not self._extend(side, steps[side]):
+                elif not self._extend(side, min(steps[side], room)):
                     steps[side] /= 2
                     if steps[side] < STEP[side] * FINEST:
                         open_sides.remove(side)
@@ -160,18 +226,14 @@ class _Builder:
         try:
             for key in keys:
                 before = (key[0] - 1, key[1]) if side == 0 else (key[0], key[1] - 1)
-                self._add(key, self._start_from(self.grid.cells[before]))
+                cell = self.grid.cells[before]
+                self._add(key, _start(cell.hint.centre, cell.expected))
         except NotProved:
             nodes.pop()
             for key in keys:
                 self.grid.cells.pop(key, None)
             return False
         return True
-
-    def _start_from(self, cell: Cell) -> Start:
-        events = ((e.word, float(e.window.mid())) for e in cell.expected)
-        x, v = map(float, cell.hint.centre)
-        return Start(x, v, tuple(events))
 
     def _rectangle(self, key: tuple[int, int]) -> tuple[Pair, Pair]:
         (i, j), (epsilon, mu) = key, self.grid.nodes
@@ -181,12 +243,14 @@ class _Builder:
         """Prove a cell and that it agrees with its neighbours so far."""
         rectangle = self._rectangle(key)
         (a, b), (c, d) = rectangle
-        middle = replace(self.p, e=1 - (a + b) / 2, mu=(c + d) / 2)
+        middle = self._at((a + b) / 2, (c + d) / 2)
         hint, events = refined(oscillator(middle), start, [PLACES, PLACES])
         cell = family.Problem(self._constants, rectangle, hint, events).prove()
+        if not cell.hint.contains(cell.image, _part(FILLED, cell.reach)):
+            raise NotProved("Lemma 5", "the box is too tight for a looser arithmetic to follow")
         for neighbour in ((key[0] - 1, key[1]), (key[0], key[1] - 1)):
             if neighbour in self.grid.cells:
-                family.agree(cell, self.grid.cells[neighbour])
+                family.agree(cell, self.grid.cells[neighbour], self.shared)
         _stable(cell, len(start.events), self.period, origin=key == (0, 0))
         self.grid.cells[key] = cell
         (_, e), (_, m) = rectangle
@@ -194,8 +258,29 @@ class _Builder:
         self.progress(f"{cells} cells, up to epsilon = {float(e):.4g}, mu = {float(m):.4g}")
 
     def _constants(self, epsilon: Any, mu: Any) -> Constants[Any]:
-        constants = Constants.of(replace(self.p, e=Fraction(1), mu=Fraction(0)), interval.ball)
+        constants = Constants.of(self._at(Fraction(0), Fraction(0)), interval.ball)
         return constants._replace(e=1 - epsilon, mu=mu)
+
+
+def _start(centre: Pair, events: Itinerary) -> Start:
+    """Return the guess of a centre and events in windows."""
+    x, v = map(float, centre)
+    return Start(x, v, tuple((e.word, float(e.window.mid())) for e in events))
+
+
+def _part(factor: Fraction, sides: Pair) -> Pair:
+    return factor * sides[0], factor * sides[1]
+
+
+def _or_steps(corner: Pair) -> Pair:
+    """Return the corner, of decimals, of a rectangle up to there at least, no side being zero."""
+    return _decimal(corner[0] or STEP[0]), _decimal(corner[1] or STEP[1])
+
+
+def _decimal(q: Fraction) -> Fraction:
+    """Return ``q`` if it is a decimal of at most `LONGEST` places, else one a little larger."""
+    scale = 10 ** max(PLACES, 6 - interval.decade(q))
+    return q if 10**LONGEST % q.denominator == 0 else Fraction(-(-q * scale // 1), scale)
 
 
 def _stable(cell: Cell, hits: int, period: Ball, *, origin: bool) -> None:

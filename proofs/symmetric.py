@@ -52,6 +52,20 @@ from proofs.fixed_point import Proof, Setting
 from proofs.one_one import Scale, lemma_1_closed_form
 
 SIGNS = {"plus": 1, "minus": -1}
+NONE = "none"  # for what does not exist
+
+MOORE = {
+    "theorem": "Moore",
+    "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+    "hypotheses": [
+        {
+            "name": "inclusion",
+            "statement": "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: X contains "
+            "exactly one zero of Psi",
+            "by": ["paper_roots"],
+        }
+    ],
+}
 
 
 def prove(setting: Setting) -> Proof:
@@ -71,12 +85,12 @@ def prove(setting: Setting) -> Proof:
         "digits": str(setting.digits),
         "claims": claims,
         "hints": {"bits": str(setting.checker_bits)},
-        "cites": [],
+        "cites": [MOORE],
     }
     return lambda _part: proved
 
 
-def lemma_2_orbit(scale: Scale, name: str, sign: int) -> dict[str, Any] | None:
+def lemma_2_orbit(scale: Scale, name: str, sign: int) -> dict[str, Any] | str:
     """*Statement.* The symmetric orbit of this sign exists, with these numbers; or it does not.
 
     *Computed.* The formulas, and the sign of the least speed.
@@ -85,12 +99,12 @@ def lemma_2_orbit(scale: Scale, name: str, sign: int) -> dict[str, Any] | None:
     alpha = interval.ball(p.f / p.F)
     bound = 2 / interval.pi()
     if alpha > bound:
-        return None
+        return NONE
     if not alpha < bound:
         raise NotProved("Lemma 2", "f may be 2F/pi", {"f/F": alpha})
     orbit = symmetric(alpha, scale.rho, sign)
     if orbit.mean_speed < 0:
-        return None
+        return NONE
     least = least_speed(orbit)
     claims: dict[str, Any] = {
         "hit_speed": scale.speed(orbit.mean_speed),
@@ -120,7 +134,7 @@ def k_of(orbit: Orbit) -> Ball:
 
 def type_of(half: Ball) -> str:
     """Return the type from the trace of the half-period map."""
-    if -2 < half < 2:
+    if 0 < abs(half) < 2:
         return "elliptic"
     if half > 2 or half < -2:
         return "saddle"
@@ -153,9 +167,9 @@ def lemma_3_bifurcations(scale: Scale) -> dict[str, Any]:
 
 
 def _critical(scale: Scale, S: Ball) -> Any:
-    """Return the claim on f = (2F/π) sqrt(1 - S²), or None if S > 1."""
+    """Return the claim on f = (2F/π) sqrt(1 - S²), or that there is none, if S > 1."""
     if S > 1:
-        return None
+        return NONE
     if not S < 1:
         raise NotProved("Lemma 3", "a bifurcation may lie at f = 0", {"S": S})
     return scale.force(alpha_of(S))

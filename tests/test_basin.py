@@ -27,8 +27,8 @@ ROOM = Fraction(1, 2), Fraction(1, 2)
 def prepared(p, state):
     """Return the oscillator, the fixed point near a state, the events of its orbit."""
     cycle = near(p, *state)
-    osc = oscillator(p)
-    point = fixed_point.prove(osc, Start(cycle.x, cycle.v, cycle.events), 30)
+    osc, units = oscillator(p), (Fraction(1), p.omega)
+    point = fixed_point.prove(osc, Start(cycle.x, cycle.v, cycle.events), 30, units)
     return osc, point, fixed_point.passed(point.orbit, Start(0, 0, cycle.events).expected())
 
 
@@ -151,3 +151,44 @@ def test_the_norm_bounds_all_matrices_of_the_balls():
             for signs in (random.choice([-1, 1], (2, 2)), random.uniform(-1, 1, (2, 2)), -1, 1):
                 assert np.linalg.norm(M + radius * signs, 2) <= bound * (1 + 1e-12)
             assert bound <= np.linalg.norm(M, 2) + 2 * radius + 1e-7
+
+
+@pytest.mark.parametrize("omega", [Fraction(10**6), Fraction(1, 10**6), Fraction(7)])
+def test_other_units_of_time(omega):
+    """The same ellipse, v in the new units, with the same bound of its contraction."""
+    told = []
+    for w in (Fraction(1), omega):
+        p = replace(PAPER, F=3 * w**2, f=Fraction(2, 5) * w**2, omega=w)
+        with interval.workprec(160):
+            set_up = prepared(p, (0.4064, -0.6708 * float(w)))
+            room = ROOM[0], ROOM[1] * w
+            found = basin.largest(*set_up, room)
+            told.append(basin.scaled(*set_up, found, Fraction(9, 10)))
+    plain, other = told
+    assert plain.contraction == other.contraction
+    assert rows(other.matrix) @ np.diag([1, float(omega)]) == pytest.approx(
+        rows(plain.matrix), rel=1e-5, abs=1e-3
+    )
+    assert all(Fraction(interval.exact_decimal(q)) == q for row in other.matrix for q in row)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("entry", [None, "1e200", "nan"])
+def test_a_shape_of_nothing(entry):
+    """Saddles have none, nor derivatives that are huge or no numbers; numpy says nothing."""
+    with interval.workprec(160):
+        _, point, _ = prepared(STRONG, (0.4064, -0.6708) if entry else (0.1992, -1.4002))
+        (a, b), row = point.orbit.monodromy
+        orbit = replace(point.orbit, monodromy=((interval.Ball(entry) if entry else a, b), row))
+        with pytest.raises(NotProved, match="no sink"):
+            basin.shape(replace(point, orbit=orbit))
+
+
+@pytest.mark.parametrize("loss", [Fraction(1, 10**6), Fraction(1, 10**12)])
+def test_a_sink_that_hardly_attracts(loss):
+    """The multipliers are 1 - 2 ε in size: in the normal form that is what W contracts by."""
+    with interval.workprec(250):
+        p = replace(PAPER, e=1 - loss)
+        set_up = prepared(p, (0.1003, 0.5419))
+        told = basin.scaled(*set_up, basin.largest(*set_up, ROOM), Fraction(1, 2))
+        assert 1 - 2 * loss <= told.contraction < 1 - loss / 4

@@ -85,17 +85,17 @@ def test_they_are_what_they_are_said_to_be(force, periods):
             assert distance(p, itinerary(p, c.x, c.v, 2 * math.pi * n).end, c) > 1e-3
 
 
-@pytest.mark.parametrize("force", ["1", *TABLE])
-def test_closed_under_the_symmetry(force):
-    """With an attracting orbit its mirror image half a period later is found, with its numbers."""
+@pytest.mark.parametrize(("force", "periods"), [*((f, 1) for f in ("1", *TABLE)), ("1", 2)])
+def test_closed_under_the_symmetry(force, periods):
+    """With each orbit its mirror image half a period later is found, with its numbers."""
     p = at(force)
-    for c in found(force):
-        if c.kind(conserves=True) in ATTRACTING:
-            z = mirrored(p, c)
-            (other,) = [d for d in found(force) if distance(p, z, d) < 1e-7]
-            assert abs(other.trace - c.trace) < 1e-5
-            assert abs(other.determinant - c.determinant) < 1e-5
-            assert len(other.events) == len(c.events)
+    for c in found(force, periods):
+        z, close = mirrored(p, c), 1e-7 * (1 + abs(c.trace))
+        near_it = [d for d in found(force, periods) if distance(p, z, d) < close]
+        other = min(near_it, key=lambda d: distance(p, z, d))
+        assert abs(other.trace - c.trace) < 1e-5 * (1 + abs(c.trace)) ** 2
+        assert abs(other.determinant - c.determinant) < 1e-5 * (1 + abs(c.trace))
+        assert len(other.events) == len(c.events)
 
 
 def test_the_images_of_a_period_two_orbit_are_one_orbit():
@@ -125,7 +125,7 @@ def test_walls_and_units():
 @pytest.mark.parametrize("force", ["3/2", "3", "6"])
 def test_sinks_are_first_among_the_candidates(force, monkeypatch):
     """In the order of the types; one candidate, or all of them."""
-    monkeypatch.setattr(candidates, "cycles", lambda p, n: found(p.F, n))
+    monkeypatch.setattr(candidates, "cycles", lambda p, n, _progress: found(p.F, n))
     first = candidates.cyclic(Request("periodic", at(force)))
     every = candidates.cyclic(Request("periodic", at(force), every=True))
     kinds = [line.split(", ")[2] for line in first.lines[1:]]
@@ -184,9 +184,39 @@ def test_types_in_floats():
     assert parabolic.kind(conserves=True) == "degenerate"
 
 
+def test_without_friction_a_turn_takes_nothing():
+    """At f = 0 its factor is exactly 1: an orbit with turns is elliptic or a saddle, no sink."""
+    p = replace(at("3"), f=Fraction(0))
+    cycle = near(p, -0.893816, 1e-9)
+    assert "turn" in {word.split()[0] for word, _ in cycle.events}
+    assert cycle.kind(conserves=True) == "elliptic"
+    assert "elliptic" in candidates._described(p, cycle)
+
+
 def test_nothing_is_found_where_nothing_is():
     """Walls out of reach: orbits come in families, none alone; the request says so in one line."""
     wide = replace(PAPER, f=Fraction(9, 10), l=Fraction(-1000), r=Fraction(1000))
     assert cycles(wide) == []
     with pytest.raises(BadInput, match="no periodic orbit of period 1 T was found"):
         candidates.cyclic(Request("periodic", wide))
+
+
+@pytest.mark.parametrize(
+    "p", [replace(PAPER, F=Fraction(10**30)), replace(PAPER, omega=Fraction(1, 20))]
+)
+def test_searches_end(p, monkeypatch):
+    """Where a period has thousands of events: soon, with one line and with progress before."""
+    monkeypatch.setattr("cap.approx.cycles.MOST_FOLLOWED", 20_000)
+    told = []
+    with pytest.raises(BadInput, match="too many of them in a period") as caught:
+        cycles(p, progress=told.append)
+    assert "\n" not in str(caught.value)
+    assert "0 starts" in told[0]
+    assert len(told) < 100
+
+
+def test_a_search_that_ends_early_keeps_what_it_has_found(monkeypatch):
+    """Not all orbits, but some, and their mirror images."""
+    monkeypatch.setattr("cap.approx.cycles.MOST_FOLLOWED", 3000)
+    some = cycles(at("3"))
+    assert 0 < len(some) < len(found("3"))

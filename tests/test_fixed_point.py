@@ -13,6 +13,7 @@ from mpmath import mpf
 from support import holds, number, rational, rounds, seeded, width
 
 from cap import fixed_point, interval
+from cap.approx.cycles import near
 from cap.errors import NotProved
 from cap.event import BALLS
 from cap.fixed_point import Start, existence, find_windows, neighbourhood, prove
@@ -231,6 +232,24 @@ def test_the_derivative_is_enclosed_on_the_whole_box(paper, monkeypatch):
                         holds(q, value, Fraction(1, 10**30))
                         for q, value in zip(row, values, strict=True)
                     )
+
+
+def test_windows_after_a_capture_have_room():
+    """There the times are the same for all orbits; a little more precision must still fit in."""
+    p = replace(PAPER, F=Fraction(2), e=Fraction(1, 10))
+    cycle = near(p, -0.2915, 1.4118)
+    with interval.workprec(200):
+        osc, start = oscillator(p), Start(cycle.x, cycle.v, cycle.events)
+        state = interval.ball(Fraction(cycle.x)), interval.ball(Fraction(cycle.v))
+        windows = find_windows(osc, state, start.expected(), BALLS)
+        orbit = strobe(osc, state, windows, BALLS)
+        passed = fixed_point.passed(orbit, windows)
+        strobe(osc, state, passed, BALLS)
+        for event, old, new in zip(orbit.events, windows, passed, strict=True):
+            assert interval.subset_interior(event.time, new.window)
+            if event.word.startswith("capture"):
+                assert new == old
+        assert fixed_point.prove(osc, start, 40).orbit.events[-1].word == "release right"
 
 
 def test_find_windows():

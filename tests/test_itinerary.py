@@ -79,6 +79,19 @@ def test_words_on_the_way(name):
 
 
 @NAMES
+@pytest.mark.parametrize("later", [1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7])
+def test_ends_just_after_an_event(name, later):
+    """A turning or a release is not followed by turnings that only rounding sees."""
+    p, x, v, start, end = given(name)
+    events = itinerary(p, x, v, end, start=start).events
+    for k, event in enumerate(events):
+        cut = itinerary(p, x, v, event.time + later, start=start)
+        assert [e.word for e in cut.events] == [e.word for e in events[: k + 1]]
+        if event.word.startswith(("turn", "release")):
+            assert cut.end[1] * (1 if event.word.endswith("right") else -1) >= 0
+
+
+@NAMES
 def test_monodromy_against_divided_differences(name):
     """To five digits, through every kind of event."""
     p, x, v, start, end = given(name)

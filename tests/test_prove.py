@@ -188,7 +188,7 @@ def test_interrupt_leaves_nothing(capsys, tmp_path, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(prove, "_accepted", interrupted)
+    monkeypatch.setattr(prove, "accepted", interrupted)
     status, _, err = run(capsys, "saddle", "--out", str(tmp_path))
     assert status == 130
     assert "interrupted" in err

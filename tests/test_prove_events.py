@@ -231,8 +231,7 @@ def test_captures(capsys, tmp_path, name):
                 assert abs(other.after) <= ratio * abs(one.after) * (1 + mpf(10) ** -12)
 
 
-@pytest.mark.parametrize("digits", ["10", "30"])
-@pytest.mark.xfail(reason="windows after a capture are rounding-wide", strict=False)
+@pytest.mark.parametrize("digits", ["6", "10", "30", "100"])
 def test_a_periodic_orbit_with_captures(capsys, tmp_path, digits):
     """Both walls catch the mass in every period: Φ is constant near P*, both multipliers are 0."""
     path = tmp_path / "c.json"
@@ -244,6 +243,61 @@ def test_a_periodic_orbit_with_captures(capsys, tmp_path, digits):
     assert [word for word in claims["itinerary"] if "capture" in word] == ["capture r", "capture l"]
     assert claims["determinant"] == ["0", "0"]
     assert all(Fraction(low) <= 0 <= Fraction(high) for low, high in claims["multipliers"])
+
+
+@pytest.mark.parametrize(
+    ("words", "state"),
+    [
+        (("--l", "-3/20", "--r", "3/20", "--e", "3/10"), ("0.0437", "0.4528")),
+        (("--F", "3", "--e", "3/10"), ("0.25967", "2.39839")),
+        (("--F", "5", "--e", "1/5"), ("0.9498", "-0.29528")),
+        (("--omega", "1/2", "--e", "1/4"), ("-0.22515", "0.9056")),
+    ],
+)
+def test_captures_at_the_times_of_exact_orbits(capsys, tmp_path, words, state):
+    """The accumulation lies in the interval claimed, and all other times in theirs."""
+    path = tmp_path / "c.json"
+    words = (*words, "--orbit", *state, "--digits", "10")
+    assert run(capsys, "periodic", *words, "--out", str(path))[0] == 0
+    certificate = json.loads(path.read_text())
+    claims, p = certificate["claims"], parameters(certificate)
+    with workdps(30):
+        x, v = (sum(map(Fraction, claims[key])) / 2 for key in "xv")
+        events, _ = orbit(p, 0, x, v, rational(System(p).T))
+        for word, times in zip(claims["itinerary"], claims["event_times"], strict=True):
+            assert any(e.word == word and among(times, e.time, Fraction(1, 10**9)) for e in events)
+
+
+@pytest.mark.parametrize(
+    ("words", "latest"),
+    [
+        (("--omega", "1e12"), 1.2e-12),
+        (("--r", "1e30"), 1.2),
+        (("--f", "0.999999"), 1.5e-3),
+        (("--omega", "1e12", "--F", "1e24", "--f", "4e23", "--orbit", ".99", "1e10"), 1.2e-12),
+    ],
+)
+def test_captures_in_other_units(capsys, tmp_path, words, latest):
+    """Walls far away for the forcing; a wall that is pressed for a short time only."""
+    path = tmp_path / "c.json"
+    assert run(capsys, "capture", *words, "--out", str(path))[0] == 0
+    claims = json.loads(path.read_text())["claims"]
+    assert 0 < Fraction(claims["accumulation_time"][1]) < latest
+    assert Fraction(claims["ratio"]) < 1
+
+
+@pytest.mark.parametrize(
+    ("epsilon", "mu"), [("1/1000000", "0"), ("1/3000", "1/7000"), ("1/50", "1/50")]
+)
+def test_persistence_at_other_losses(capsys, tmp_path, epsilon, mu):
+    """Hardly any; no finite decimals; so many that it takes several cells to reach them."""
+    path = tmp_path / "c.json"
+    words = ("--epsilon", epsilon, "--mu", mu, "--digits", "10", "--out", str(path))
+    assert run(capsys, "persistence", *words)[0] == 0
+    claims = json.loads(path.read_text())["claims"]
+    assert Fraction(claims["basin"]["contraction"]) < 1
+    assert Fraction(claims["range"]["epsilon"][-1]) >= Fraction(epsilon)
+    assert Fraction(claims["range"]["mu"][-1]) >= Fraction(mu)
 
 
 @pytest.mark.parametrize("e", ["1/2", "7/8", "0.75"])

@@ -56,8 +56,11 @@ ORBIT = ("--orbit", "0.1003", "0.5419")
         (("saddle", "--mu", "1/10"), "elastic walls"),
         (("elliptic", "--epsilon", "1/10"), "elastic walls"),
         (("capture", "--orbit", "0.1003", "0.5419"), "not captured"),
-        (("persistence", "--e", "1/3", "--mu", "1/2"), "orbit"),
-        (("persistence", "--orbit", "0.3435", "0.7753"), "no elliptic orbit"),
+        (("persistence", "--e", "1/3", "--mu", "1/2"), "cannot be continued from epsilon"),
+        (("persistence", "--epsilon", "1/3", "--mu", "1/2"), "beyond epsilon = 0.2"),
+        (("persistence", "--epsilon", "0", "--mu", "0"), "`elliptic`"),
+        (("persistence",), "`elliptic`"),
+        (("persistence", "--epsilon", "1/9", "--orbit", "0.3435", "0.7753"), "no elliptic orbit"),
         (("periodic", "--all", "--orbit", "0.4", "-0.6"), "--all"),
         (("periodic", "--digits", "5"), "--digits"),
     ],
@@ -81,3 +84,33 @@ def test_not_proved_is_said(capsys, tmp_path):
     assert status == 1
     assert "NOT PROVED" in err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("losses", "reason"),
+    [
+        (("1/20", "1/20"), "the family is proved for epsilon <= "),
+        (("1/12", "1/12"), "followed back to epsilon = mu = 0"),
+    ],
+)
+def test_how_far_the_family_reaches_is_said(capsys, tmp_path, monkeypatch, losses, reason):
+    """Where no single cell will do: as far as they go, or that the orbit is another one."""
+    monkeypatch.setattr("proofs.persistence.MOST_CELLS_BELOW", 6)
+    epsilon, mu = losses
+    words = ("persistence", "--epsilon", epsilon, "--mu", mu, "--digits", "8")
+    status, _, err = run(capsys, *words, "--out", str(tmp_path))
+    assert status == 1
+    assert "Lemma 5" in err
+    assert reason in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_progress_line_is_cleared(capsys, tmp_path, monkeypatch):
+    """Nothing is printed onto what a search or a proof has told of its progress."""
+    told = []
+    monkeypatch.setattr(prove, "_progress", told.append)
+    words = ("periodic", "--F", "3/2", "--digits", "8", "--out", str(tmp_path))
+    assert run(capsys, *words)[0] == 0
+    assert told[0].startswith("searching: 0 starts")
+    assert told.count("") == 2
+    assert told[-1] == ""

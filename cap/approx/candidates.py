@@ -5,7 +5,7 @@ Nothing here is proved.  Each function returns what it found, in words, and the 
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -18,18 +18,23 @@ from cap.itinerary import itinerary
 from cap.parameters import Parameters
 
 TYPES = ("sink focus", "sink node", "superstable", "elliptic", "saddle", "flip saddle")
+SMALLEST = Fraction(1, 64)  # of the first step, when an orbit is continued
 PATIENCE = 10  # periods after which an orbit that has not been captured is given up
 
 
 @dataclass(frozen=True)
 class Request:
-    """The theorem (a ``kind`` of orbits), the parameters, and what was said about the orbit."""
+    """The theorem (a ``kind`` of orbits), the parameters, and what was said about the orbit.
+
+    ``progress`` is told, in a few words, how far a long search is.
+    """
 
     kind: str
     parameters: Parameters
     orbit: tuple[float, float] | None = None
     every: bool = False
     periods: int = 1
+    progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
 
 
 class Candidate(NamedTuple):
@@ -87,7 +92,9 @@ def cyclic(request: Request) -> Found:
     if request.orbit:
         cycle = near(p, *request.orbit, n)
         return Found([_newton(request), f"  {_described(p, cycle)}"], [_of_cycle(p, cycle)])
-    found = sorted(cycles(p, n), key=lambda c: _rank(c.kind(conserves=p.conserves)))
+    found = sorted(
+        cycles(p, n, request.progress), key=lambda c: _rank(c.kind(conserves=p.conserves))
+    )
     if not found:
         raise BadInput(
             f"no periodic orbit of period {n} T was found (a guess can be given with --orbit X V)"
@@ -105,6 +112,8 @@ def cyclic(request: Request) -> Found:
 def continued(request: Request) -> Found:
     """Follow an elliptic orbit from e = 1, μ = 0 to the parameters, in small steps."""
     p = request.parameters
+    if p.conserves:
+        raise BadInput("with epsilon = mu = 0 nothing is lost: the theorem is `elliptic`")
     elastic = replace(p, e=Fraction(1), mu=Fraction(0))
     before = non_sticking(replace(request, kind="elliptic", parameters=elastic))
     candidates = []
@@ -116,17 +125,36 @@ def continued(request: Request) -> Found:
 
 
 def _continued(p: Parameters, start: Start, steps: int = 10) -> Cycle:
+    """Follow the orbit of ``start``, at e = 1 and μ = 0, to the parameters.
+
+    Raises `BadInput` with the parameters reached, if even small steps lead nowhere or elsewhere.
+    """
     z, words = (start.x, start.v), tuple(word for word, _ in start.events)
-    for k in range(1, steps + 1):
-        partial = replace(p, e=1 - (1 - p.e) * k / steps, mu=p.mu * k / steps)
-        cycle = near(partial, *z)
-        z = cycle.x, cycle.v
-        if cycle.path.words != words:
+    part, step = Fraction(0), Fraction(1, steps)
+    while True:
+        then = min(part + step, Fraction(1))
+        partial = replace(p, e=1 - (1 - p.e) * then, mu=p.mu * then)
+        following = _near(partial, z)
+        if following and following.path.words == words:
+            if then == 1:
+                return following
+            part, z = then, (following.x, following.v)
+        elif step * steps > SMALLEST:
+            step /= 2
+        else:
+            why = "changes its itinerary" if following else "is lost by Newton's method"
             raise BadInput(
-                "the elliptic orbit cannot be followed so far: it changes its itinerary at "
-                f"e = {float(partial.e):.6g}, mu = {float(partial.mu):.6g}"
+                f"the elliptic orbit cannot be continued from epsilon = mu = 0 to epsilon = "
+                f"{float(1 - p.e):.6g}, mu = {float(p.mu):.6g}: beyond epsilon = "
+                f"{float((1 - p.e) * part):.6g}, mu = {float(p.mu * part):.6g} it {why}"
             )
-    return cycle
+
+
+def _near(p: Parameters, z: tuple[float, float]) -> Cycle | None:
+    try:
+        return near(p, *z)
+    except BadInput:
+        return None
 
 
 def capturing(request: Request) -> Found:

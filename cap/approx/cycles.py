@@ -5,13 +5,13 @@ found is no proof that there is none.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from cap import matrix
 from cap.errors import BadInput, NotProved
 from cap.interval import Ball
-from cap.itinerary import Path, itinerary
+from cap.itinerary import MOST_EVENTS, Path, itinerary
 from cap.matrix import Matrix
 from cap.parameters import Parameters
 from cap.stability import stability
@@ -20,6 +20,7 @@ SAME = 1e-7  # orbits whose states at t = 0 differ by less, in units of R and R�
 MOST_STEPS = 40  # of Newton's method
 CLOSE = 1e-9  # the residual, in the same units, of an orbit that is accepted
 SEEDS = 24  # positions, and as many velocities
+MOST_FOLLOWED = 1_000_000  # events: half a minute
 TRANSIENT = 30  # times n periods that a seed is followed before Newton's method, for sinks
 
 State = tuple[float, float]
@@ -27,12 +28,16 @@ State = tuple[float, float]
 
 @dataclass(frozen=True)
 class Cycle:
-    """A float orbit of period ``periods`` T through (x, v) at t = 0, with its events."""
+    """A float orbit of period ``periods`` T through (x, v) at t = 0, with its events.
+
+    ``frictionless``: f = 0, so that a turn takes nothing.
+    """
 
     x: float
     v: float
     periods: int
     path: Path
+    frictionless: bool = False
 
     @property
     def events(self) -> tuple[tuple[str, float], ...]:
@@ -55,7 +60,7 @@ class Cycle:
         det = Ball(self.determinant)
         if words & {"stick", "capture"}:
             det = Ball(0)
-        elif conserves and words <= {"hit"}:
+        elif conserves and words <= ({"hit", "turn"} if self.frictionless else {"hit"}):
             det = Ball(1)
         try:
             return stability(Ball(self.trace), det)
@@ -70,10 +75,17 @@ class Search:
         self.p, self.periods = p, periods
         self.T = 2 * math.pi / float(p.omega)
         self.scale = float(p.R), float(p.R * p.omega)
+        self.followed = 0
 
     def path(self, z: State, periods: int | None = None) -> Path:
-        """Return the orbit of z over n periods."""
-        return itinerary(self.p, *z, end=(periods or self.periods) * self.T)
+        """Return the orbit of z over n periods; ``followed`` counts its events."""
+        try:
+            path = itinerary(self.p, *z, end=(periods or self.periods) * self.T)
+        except BadInput:
+            self.followed += MOST_EVENTS
+            raise
+        self.followed += len(path.events)
+        return path
 
     def defect(self, path: Path, z: State) -> State:
         """Return Φⁿ(z) - z."""
@@ -93,7 +105,9 @@ class Search:
                 return None
             large = self.size(step)
             if large < CLOSE and self.size(self.defect(path, z)) < CLOSE:
-                return None if path.wall or z[1] == 0 else Cycle(*z, self.periods, path)
+                if path.wall or z[1] == 0:
+                    return None
+                return Cycle(*z, self.periods, path, frictionless=self.p.f == 0)
             if not large < 1e6:
                 return None
             damping = min(1.0, 0.2 / large)
@@ -103,6 +117,23 @@ class Search:
     @staticmethod
     def _step(monodromy: Matrix[float], defect: State) -> State:
         return matrix.apply(matrix.inverse(matrix.minus_identity(monodromy)), defect)
+
+    def mirrored(self, cycle: Cycle) -> State | None:
+        """Return the state at t = 0 of the orbit that the symmetry makes of one, None at a wall.
+
+        That is (x, v, t) -> (l + r - x, -v, t + T/2).
+        """
+        half = itinerary(self.p, cycle.x, cycle.v, end=self.T / 2)
+        x, v = half.end
+        return None if half.wall else (float(self.p.l + self.p.r) - x, -v)
+
+    def add(self, found: list[Cycle], z: State | None) -> None:
+        """Add the orbit to which Newton's method leads from z, if it is new."""
+        cycle = self.newton(z) if z else None
+        if cycle is None or not self.is_primitive(cycle):
+            return
+        if all(self.size((cycle.x - c.x, cycle.v - c.v)) >= SAME for c in found):
+            found.append(cycle)
 
     def is_primitive(self, cycle: Cycle) -> bool:
         """Return whether no part of n periods is a period already."""
@@ -126,21 +157,30 @@ def near(p: Parameters, x: float, v: float, periods: int = 1) -> Cycle:
     return found
 
 
-def cycles(p: Parameters, periods: int = 1) -> list[Cycle]:
+def cycles(
+    p: Parameters, periods: int = 1, progress: Callable[[str], None] = lambda _: None
+) -> list[Cycle]:
     """Return the orbits found of least period ``periods`` T, ascending in x, then v.
 
     Seeds fill the rectangle of all x and |v| <= 2 F/ω + Rω/2.  Newton's method starts from each,
-    and from where it is after a transient, which finds the sinks.
+    and from where it is after a transient, which finds the sinks; and from the mirror images of the
+    orbits found.  ``progress`` is told how far the search is; after `MOST_FOLLOWED` events it ends.
+    Raises `BadInput` if it has found nothing by then.
     """
     search = Search(p, periods)
     found: list[Cycle] = []
-    for z in _starts(search):
-        cycle = search.newton(z)
-        if cycle is None or not search.is_primitive(cycle):
-            continue
-        same = (search.size((cycle.x - c.x, cycle.v - c.v)) < SAME for c in found)
-        if not any(same):
-            found.append(cycle)
+    for number, z in enumerate(_starts(search)):
+        progress(f"searching: {number} starts, orbits found: {len(found)}")
+        search.add(found, z)
+        if search.followed > MOST_FOLLOWED:
+            break
+    if not found and search.followed > MOST_FOLLOWED:
+        raise BadInput(
+            f"no periodic orbit was found among the first {MOST_FOLLOWED} events: the orbits have "
+            "too many of them in a period for a search (a guess can be given with --orbit X V)"
+        )
+    for cycle in found:  # and those that this adds
+        search.add(found, search.mirrored(cycle))
     return sorted(found, key=lambda c: (c.x, c.v))
 
 

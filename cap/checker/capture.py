@@ -13,20 +13,20 @@ At the time t in [t_a, t_b] let y <= delta and |y'| <= u.  Put rise = b_1 + f, f
 
     t_b + u/rise + sqrt(2 H/g) + (1/rise + 1/sqrt(rise g)) e q/(1 - k).
 
-Then up to t_d nothing but hits of this wall happens, infinitely many, and they accumulate there.
+Then infinitely many hits of this wall happen, with one turn between any two of them and at most
+one before the first; they accumulate at a time up to t_d, from which on the mass rests there.  Up
+to t_d nothing else happens.
 
 1. Rising, y'' <= -rise: for at most u/rise, to at most H < R.  No stick: |F cos wt| >= b_1 > f.
 2. Falling, y'' >= -fall, so y'^2 grows by at most 2 fall times the descent.  From rest at most H
-high
-   the mass arrives with y'^2 <= 2 fall H = u^2 fall/rise + 2 fall delta; from y' = -u, y <= delta,
-   with y'^2 <= u^2 + 2 fall delta: in both cases |y'| <= q.  Therefore y'' <= -g, and the fall
-   lasts at most sqrt(2 H/g).
+   high the mass arrives with y'^2 <= 2 fall H = u^2 fall/rise + 2 fall delta; from y' = -u and y <=
+   delta, with y'^2 <= u^2 + 2 fall delta: in both cases |y'| <= q.  Therefore y'' <= -g, and the
+   fall lasts at most sqrt(2 H/g).
 3. The mass leaves with a speed u' <= e q.  As in 1, it rises for at most u'/rise, to at most
-u'^2/(2
-   rise) < R; it falls for at most u'/sqrt(rise g), and arrives with at most u' sqrt(fall/rise),
-   which is k u'/e < u'/e <= q.  So it leaves with at most k u'; speeds and times decrease like k^n,
-   and their sum is the last term.  As y'' <= -g while falling, it arrives with positive speed if y
-   > 0 or y' /= 0 before: the hits are infinitely many.
+   u'^2/(2 rise) < R; it falls for at most u'/sqrt(rise g), and arrives with at most u'
+   sqrt(fall/rise), which is k u'/e < u'/e <= q.  So it leaves with at most k u'; speeds and times
+   decrease like k^n, and their sum is the last term.  As y'' <= -g while falling, it arrives with
+   positive speed if y > 0 or y' /= 0 before: the hits are infinitely many.
 
 *After a hit* at the time t, with the speed at most q before it: begin with 3, u' <= e q.  Then only
 g > 0, k < 1, q^2 < 2 rise R and t + (1/rise + 1/sqrt(rise g)) e q/(1 - k) <= t_d are needed.
@@ -45,7 +45,7 @@ from cap.checker.rejection import need
 def capture(
     M: Mechanics, before: Event | None, side: int, word: str, window: Ends
 ) -> tuple[Event, Rest]:
-    """Prove that hits of the wall on this side accumulate within the window [t_a, t_d].
+    """Prove that hits of the wall on this side, and turns between, accumulate within [t_a, t_d].
 
     ``before`` is the hit of this wall that the mass leaves, or None: then the mass is in the box at
     the time 0, and the claim is made for orbits from its interior.  On return, the mass rests at

@@ -6,8 +6,10 @@ the hints and the itinerary.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any, NamedTuple
 
+from cap.checker import forms
 from cap.checker.citations import CITES
 from cap.checker.itinerary import WORDS
 from cap.checker.mechanics import Parameters
@@ -70,11 +72,16 @@ def read(data: bytes) -> Certificate:
 
 
 def read_parameters(theorem: str, value: object) -> Parameters:
-    """Return the parameters, of which e and mu belong to the theorems with losses."""
-    names = _NAMES[:5] if theorem in WITHOUT_LOSSES else _NAMES
-    p = Parameters(**matched(value, dict.fromkeys(names, number), "parameters"))
+    """Return the parameters, of which e and mu belong to the theorems with losses.
+
+    Two theorems are about all f: theirs is set to 0, and is not used.
+    """
+    names = _NAMES[:5] if theorem in (*WITHOUT_LOSSES, *forms.THEOREMS) else _NAMES
+    shape = {name: number for name in names if name != "f" or theorem not in forms.FOR_ALL_F}
+    p = Parameters(**{"f": Fraction(0)} | matched(value, shape, "parameters"))
     need(p.omega > 0, "omega is not positive")
     need(0 <= p.f < p.F, "0 <= f < F does not hold")
+    need(theorem != "symmetric" or p.f > 0, "0 < f does not hold")
     need(p.l < p.r, "l < r does not hold")
     need(0 < p.e <= 1, "0 < e <= 1 does not hold")
     need(p.mu >= 0, "mu >= 0 does not hold")
@@ -83,6 +90,8 @@ def read_parameters(theorem: str, value: object) -> Parameters:
 
 def read_hints(theorem: str, value: object) -> dict[str, Any]:
     """Return the hints: exact numbers, precision and order as integers."""
+    if theorem in forms.THEOREMS:
+        return forms.hints(theorem, value)
     name = "hit_times" if theorem in WITHOUT_LOSSES else "events"
     windows = [enclosure] * length(part(value, name, "hints"), 1, MAX_EVENTS, f"hints.{name}")
     inverse = {"centre": [number] * 2, "preconditioner": [[number] * 2] * 2}
@@ -108,6 +117,8 @@ def read_hints(theorem: str, value: object) -> dict[str, Any]:
 
 def claim_shape(theorem: str, value: object, hints: dict[str, Any]) -> dict[str, Any]:
     """Return the shape of the claims."""
+    if theorem in forms.THEOREMS:
+        return forms.claims(theorem, value, hints)
     if theorem in WITHOUT_LOSSES:
         return conservative_shape(theorem, len(hints["hit_times"]), hints.get("order", 0))
     words, events = part(value, "itinerary", "claims"), len(hints["events"])

@@ -79,10 +79,62 @@ _HADAMARD_PERRON = _cite(
         "multipliers",
     ),
 )
+_MOORE = _cite(
+    "Moore",
+    "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+    (
+        "inclusion",
+        "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: "
+        "X contains exactly one zero of Psi",
+        "paper_roots",
+    ),
+)
+_MOSER_ON_A_BRANCH = _cite(
+    "Moser twist theorem",
+    "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
+    "Theorem kam of the paper",
+    (
+        "H1",
+        "for every f in f_range, both orbits of the pair hit each wall once in a period, "
+        "transversely, and never turn or stick",
+        "f_range, cells",
+    ),
+    (
+        "H2",
+        "Phi is exact symplectic near the fixed point: "
+        "flights and hits preserve dx^dv, and a disk is simply connected",
+        "f_range, cells",
+    ),
+    (
+        "H3",
+        "Phi is real analytic near the fixed point: "
+        "the hit times are, by the implicit function theorem",
+        "f_range, cells",
+    ),
+    (
+        "H4",
+        "trace > -2 is assumed and trace < 2 is proved: "
+        "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi",
+        "cells, resonances",
+    ),
+    (
+        "H5",
+        "no resonance of order at most four, for f outside the exceptions",
+        "resonances, exceptions",
+    ),
+    (
+        "H6",
+        "the first Birkhoff twist coefficient does not vanish, for f outside the exceptions",
+        "cells, twist_zeros, exceptions",
+    ),
+)
 CITES: dict[str, list[dict[str, object]]] = {
     "elliptic": [_KRAWCZYK, _MOSER],
     "saddle": [_KRAWCZYK, _HADAMARD_PERRON],
     "periodic": [_PERIODIC],
     "persistence": [_PERSISTENCE],
     "capture": [],
+    "symmetric": [_MOORE],
+    "pitchfork": [],
+    "branch": [_MOSER_ON_A_BRANCH],
 }

@@ -100,9 +100,13 @@ class Proof(ABC):
         contained = computed.lies_in(claim.lower, claim.upper)
         need(contained, f"{name} does not contain the enclosure computed")
         if unit is not None:
-            size = max(abs(claim.lower), abs(claim.upper), unit)
-            narrow = (claim.upper - claim.lower) * 10**self.certificate.digits <= size
-            need(narrow, f"{name} is wider than its digits allow")
+            self.narrow(name, claim, unit)
+
+    def narrow(self, name: str, claim: Enclosure, unit: Fraction) -> None:
+        """Check that an enclosure is as narrow as the digits that are claimed."""
+        size = max(abs(claim.lower), abs(claim.upper), unit)
+        narrow = (claim.upper - claim.lower) * 10**self.certificate.digits <= size
+        need(narrow, f"{name} is wider than its digits allow")
 
 
 class FixedPoint(Proof):

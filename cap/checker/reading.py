@@ -29,6 +29,10 @@ class Enclosure(NamedTuple):
     upper: Fraction
     text: tuple[str, str]
 
+    def __str__(self) -> str:
+        """Return the enclosure exactly as it is stated."""
+        return f"[{self.text[0]}, {self.text[1]}]"
+
 
 def matched(value: Any, shape: Any, where: str) -> Any:
     """Return the value with its leaves read; it must have exactly the given shape."""

@@ -9,16 +9,22 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Any
 
+from cap.checker import forms, sentences
 from cap.checker.certificate import WITHOUT_LOSSES, Certificate
 from cap.checker.reading import Enclosure
 from cap.checker.rejection import need
 
-_AS_THEY_ARE = ("Box", "RemainderRadius", "RemainderDegree", "Basin", "Range")
+_AS_THEY_ARE = (
+    *("Box", "RemainderRadius", "RemainderDegree", "Basin", "Range"),
+    *("FRange", "Exceptions", "Cells"),
+)
 _DIGITS = ("Zero", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
 
 
 def words(c: Certificate) -> str:
     """Return the theorem in one line."""
+    if c.theorem in forms.THEOREMS:
+        return sentences.words(c)
     numbers = _Pairs(c.claims | c.parameters._asdict())
     numbers["box"] = " x ".join(_pair(c.claims["box"][z]) for z in ("x", "v"))
     if c.theorem in WITHOUT_LOSSES:
@@ -111,14 +117,14 @@ def _complex(claim: Enclosure | dict[str, Enclosure]) -> str:
 
 def _pair(claim: Enclosure) -> str:
     """Return an enclosure exactly as it is claimed."""
-    return f"[{claim.text[0]}, {claim.text[1]}]"
+    return str(claim)
 
 
 def macros(c: Certificate, prefix: str, digits: int) -> Iterator[str]:
     r"""Yield a LaTeX ``\newcommand`` for each number claimed, rounded outwards to the digits.
 
-    The box, the disk of the remainder, the basin and the range are printed as they are: what is
-    claimed of all their points need not hold of larger ones.
+    The box, the disk of the remainder, the basin, ranges, exceptions and cells are printed as they
+    are: what is claimed of all their points need not hold of larger ones.
     """
     stem = "cap" + _name(prefix)
     for path, claim in _leaves(c.claims, ""):
@@ -137,7 +143,7 @@ def _leaves(value: Any, path: str) -> Iterator[tuple[str, Any]]:
     elif isinstance(value, list):
         for n, part in enumerate(value, start=1):
             yield from _leaves(part, path + _name(str(n)))
-    else:
+    elif value is not None:
         yield path, value
 
 

@@ -20,6 +20,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise
 
+from cap.checker.branch import Branch
 from cap.checker.captured import Capture
 from cap.checker.certificate import Certificate, read
 from cap.checker.fixed_point import FixedPoint, Point, Proof, contains, ends
@@ -29,7 +30,9 @@ from cap.checker.jet import Centred
 from cap.checker.normal_form import EllipticFrame, elliptic_frame, in_complex_coordinate, twists
 from cap.checker.periodic import Periodic
 from cap.checker.persistence import Persistence
+from cap.checker.pitchfork import Pitchfork
 from cap.checker.rejection import need
+from cap.checker.symmetric import SymmetricOrbits
 
 RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
 
@@ -199,4 +202,7 @@ THEOREMS: dict[str, Callable[[Certificate, Callable[[str], None]], Proof]] = {
     "periodic": Periodic,
     "persistence": Persistence,
     "capture": Capture,
+    "symmetric": SymmetricOrbits,
+    "pitchfork": Pitchfork,
+    "branch": Branch,
 }

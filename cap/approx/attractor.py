@@ -1,0 +1,238 @@
+"""Where orbits end: the attractors of Φ, from many seeds, with their basins."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cap.approx import swarm
+from cap.approx.grid import Box, grid, whole
+from cap.approx.study import Floats, Study, described
+from cap.approx.work import Work
+from cap.parameters import Parameters
+
+LONGEST = 64  # of the periods that are looked for
+CLOSE = 1e-6  # a state that returns, in units of R and Rω
+SAME = 1e-4  # states of one attractor, in the same units
+CHAOTIC = 1e-3  # least exponent, per period, of a chaotic attractor
+CELLS = 12  # per side, by which aperiodic attractors are told apart
+NONE = -1
+PIECE = 200  # seeds at a time: all their states are kept
+
+
+@dataclass(frozen=True)
+class Attractor:
+    """One attractor: ``period`` in units of T, 0 if it has none, and a sample of states (K, 2).
+
+    ``share`` of the seeds; ``hits`` right and left, ``turns`` and ``sticks`` per period T;
+    ``exponent`` the larger one, per period T.
+    """
+
+    kind: str
+    period: int
+    share: float
+    hits: tuple[float, float]
+    turns: float
+    sticks: float
+    exponent: float
+    states: Floats
+
+    def line(self) -> str:
+        """Return it in words."""
+        x, v = self.states[0]
+        return (
+            f"{self.share:7.2%}  {self.kind:<24} hits r {self.hits[0]:.4g}, l {self.hits[1]:.4g}, "
+            f"turns {self.turns:.4g}, sticks {self.sticks:.4g} per T; exponent "
+            f"{self.exponent:.4g} per T; through ({x:.8g}, {v:.8g})"
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Attractors(Study):
+    """The attractors (L) that seeds (x_j, v_i) end on, the largest share first.
+
+    ``label`` (M, N) is the place of each seed's attractor in ``found``, -1: none.
+    """
+
+    x: Floats
+    v: Floats
+    label: NDArray[np.int64]
+    found: tuple[Attractor, ...]
+
+    def columns(self) -> dict[str, NDArray[np.generic]]:
+        """Return the seeds and where they end."""
+        return {"x": self.x[None, :], "v": self.v[:, None], "attractor": self.label}
+
+    def lines(self) -> list[str]:
+        """Return the attractors."""
+        head = f"attractors at {described(self.parameters)} from {self.label.size} seeds"
+        return [head, *(f"  {k}  {each.line()}" for k, each in enumerate(self.found, 1))]
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The ends of N orbits: states (N, K, 2) once a period, what happened per period, exponents."""
+
+    states: Floats
+    counts: Floats
+    exponent: Floats
+    period: NDArray[np.int64]
+    turned: NDArray[np.bool_]
+
+
+def attractors(
+    p: Parameters,
+    *,
+    box: Box | None = None,
+    points: int = 40,
+    transient: int = 2000,
+    periods: int = 200,
+    work: Work | None = None,
+) -> Attractors:
+    """Follow the seeds of a box, or of the whole plane, and sort out where they are at the end."""
+    work = work or Work()
+    cells = grid(p, box or whole(p), points)
+    seen = max(periods, 2 * LONGEST)
+    pieces = [slice(k, min(k + PIECE, cells.count)) for k in range(0, cells.count, PIECE)]
+    ends = work.map(
+        lambda part: settle(p, cells.states(part), transient, seen), pieces, "attractors"
+    )
+    label, found = sort(p, ends)
+    full = np.full(cells.count, NONE)
+    full[: len(label)] = label
+    return Attractors(
+        parameters=p,
+        complete=not work.interrupted,
+        x=cells.x,
+        v=cells.v,
+        label=full.reshape(cells.shape),
+        found=found,
+    )
+
+
+def settle(p: Parameters, seeds: Floats, transient: int, periods: int) -> Ends:
+    """Follow seeds (N, 2) through a transient, and then for some periods."""
+    late = swarm.follow(p, seeds, transient).states
+    found = swarm.follow(p, late, periods, every=True, derivative=True)
+    if found.monodromy is None:  # it was asked for
+        raise TypeError
+    _, growth = swarm.stretch(found.monodromy, [[0.6, 0.8]])
+    unit = np.array([float(p.R), float(p.R * p.omega)])
+    return Ends(
+        found.states,
+        found.counts / periods,
+        growth[..., 0].mean(axis=1),
+        _least_period(found.states / unit),
+        found.turned | found.stuck | found.captured,
+    )
+
+
+def _least_period(states: Floats) -> NDArray[np.int64]:
+    """Return the least n for which states (N, K, 2) return after n periods, at the end; else 0."""
+    period = np.zeros(len(states), dtype=np.int64)
+    tail = states[:, -LONGEST:]
+    backs = [states[:, -LONGEST - n : -n] for n in range(1, LONGEST + 1)]
+    distance = np.stack([np.abs(tail - back).max(axis=(1, 2)) for back in backs], axis=1)
+    settled = (distance < CLOSE).any(axis=1)
+    period[settled] = 1 + (distance[settled] < SAME).argmax(axis=1)
+    return period
+
+
+def sort(p: Parameters, ends: list[Ends]) -> tuple[NDArray[np.int64], tuple[Attractor, ...]]:
+    """Return the attractor (N,) of each orbit, -1 if it was lost, and the attractors."""
+    if not ends:
+        return np.empty(0, dtype=np.int64), ()
+    joined = Ends(*(np.concatenate([getattr(e, name) for e in ends]) for name in _NAMES))
+    label, marks, chosen = _labelled(p, joined)
+    shares = np.array([(label == k).mean() for k in range(len(marks))])
+    order = np.argsort(-shares, kind="stable")
+    found = tuple(
+        _attractor(joined, chosen[k], marks[k].name, label == k, float(shares[k])) for k in order
+    )
+    place = np.append(np.argsort(order, kind="stable"), NONE)  # the last is that of the label -1
+    return place[label], found
+
+
+_NAMES = ("states", "counts", "exponent", "period", "turned")
+
+
+@dataclass(frozen=True)
+class _Mark:
+    """By what an end is recognised: a state of a cycle, or the cells that it visits."""
+
+    name: str
+    period: int = 0
+    state: tuple[float, float] = (0.0, 0.0)
+    cells: frozenset[tuple[int, int]] = frozenset()
+
+    def fits(self, other: "_Mark") -> bool:
+        """Return whether both are of one attractor."""
+        if (self.name, self.period) != (other.name, other.period):
+            return False
+        if self.name == "other":
+            shared = len(self.cells & other.cells)
+            return shared > 0.2 * min(len(self.cells), len(other.cells))
+        return max(abs(a - b) for a, b in zip(self.state, other.state, strict=True)) < SAME
+
+
+def _labelled(p: Parameters, ends: Ends) -> tuple[NDArray[np.int64], list[_Mark], list[int]]:
+    """Return a label for each orbit, and of each label its mark and its first orbit."""
+    unit = np.array([float(p.R), float(p.R * p.omega)])
+    aperiodic = ends.states[ends.period == 0]
+    spread = np.nanmax(aperiodic, axis=(0, 1)) - np.nanmin(aperiodic, axis=(0, 1)) if len(
+        aperiodic) and np.isfinite(aperiodic).any() else unit  # fmt: skip
+    marks: list[_Mark] = []
+    chosen: list[int] = []
+    label = np.full(len(ends.states), NONE)
+    for i in np.flatnonzero(np.isfinite(ends.states[:, -1, 0])).tolist():
+        mark = _mark(ends, i, unit, np.maximum(unit, spread))
+        k = next((k for k, other in enumerate(marks) if mark.fits(other)), len(marks))
+        if k == len(marks):
+            marks.append(mark)
+            chosen.append(i)
+        label[i] = k
+    return label, marks, chosen
+
+
+def _mark(ends: Ends, i: int, unit: Floats, spread: Floats) -> _Mark:
+    period = int(ends.period[i])
+    if not ends.turned[i]:
+        return _Mark("conservative")
+    if ends.counts[i, :2].sum() == 0:
+        return _Mark("free")
+    if period:
+        own = ends.states[i, -period:] / unit
+        first = np.lexsort((own[:, 1], np.round(own[:, 0], 5)))[0]
+        return _Mark("cycle", period, (float(own[first, 0]), float(own[first, 1])))
+    cells = np.floor(ends.states[i] / spread * CELLS).astype(int)
+    return _Mark("other", cells=frozenset((a, b) for a, b in cells.tolist()))
+
+
+def _attractor(ends: Ends, i: int, name: str, own: NDArray[np.bool_], share: float) -> Attractor:
+    """Return the attractor of the orbit i and of those that are its ``own``."""
+    period, counts = int(ends.period[i]), ends.counts[i].tolist()
+    cycle = name == "cycle"
+    return Attractor(
+        kind=_kind(name, period, float(ends.exponent[i])),
+        period=period if cycle else 0,
+        share=share,
+        hits=(counts[0], counts[1]),
+        turns=counts[2] + counts[3],
+        sticks=counts[4],
+        exponent=float(ends.exponent[i]),
+        states=ends.states[i, -period:] if cycle else ends.states[own][:400].reshape(-1, 2),
+    )
+
+
+def _kind(name: str, period: int, exponent: float) -> str:
+    """Return the kind of an end in words."""
+    if name == "cycle":
+        return f"period {period}"
+    names = {"conservative": "never turns", "free": "stick-slip without hits"}
+    return names.get(name, "chaotic" if exponent > CHAOTIC else "no short period")
+
+
+def strongest(p: Parameters, points: int = 12) -> Attractor | None:
+    """Return the attractor of the largest share of seeds all over the plane."""
+    found = attractors(p, points=points, transient=5000, periods=2 * LONGEST).found
+    return found[0] if found else None

@@ -1,0 +1,166 @@
+"""All periodic orbits that Newton's method finds from a grid of seeds, over a parameter."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from cap.approx.candidates import TYPES
+from cap.approx.cycles import Cycle, cycles
+from cap.approx.grid import polished
+from cap.approx.study import Floats, Study, described, short, value_of, varied
+from cap.approx.work import Work
+from cap.errors import NotProved
+from cap.fixed_point import Start
+from cap.parameters import Parameters
+
+UNASKED, PROVED, FAILED = "", "proved", "not proved"
+DIGITS = 12  # claimed, with --prove
+KINDS = (*TYPES, "degenerate")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An orbit of period n T at the ``value`` of the parameter, with the number of its events.
+
+    ``verdict``: proved (and accepted by the checker), not proved, or empty if nobody asked.
+    """
+
+    value: float
+    x: float
+    v: float
+    kind: str
+    trace: float
+    determinant: float
+    hits: int
+    turns: int
+    sticks: int
+    captures: int
+    verdict: str
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inventory(Study):
+    """The orbits of least period n T found at the values (K,) of a parameter."""
+
+    parameter: str
+    periods: int
+    values: Floats
+    orbits: tuple[Entry, ...]
+
+    @property
+    def failed(self) -> int:
+        """How many orbits were to be proved and were not."""
+        return sum(each.verdict == FAILED for each in self.orbits)
+
+    def count(self, kind: str) -> "np.ndarray[tuple[int], np.dtype[np.int64]]":
+        """Return how many orbits of a kind there are at each value."""
+        return np.array(
+            [
+                sum(o.kind == kind and o.value == value for o in self.orbits)
+                for value in self.values
+            ],
+            dtype=np.int64,
+        )
+
+    def columns(self) -> dict[str, "np.ndarray[tuple[int], np.dtype[np.generic]]"]:
+        """Return one row for each orbit."""
+        names = [name for name in Entry.__dataclass_fields__ if name != "value"]
+        columns = {name: np.array([getattr(each, name) for each in self.orbits]) for name in names}
+        return {self.parameter: np.array([each.value for each in self.orbits]), **columns}
+
+    def lines(self) -> list[str]:
+        """Return the counts by type, and the orbits."""
+        head = (
+            f"orbits of period {self.periods} over {self.parameter} at {described(self.parameters)}"
+        )
+        rows = []
+        for value in self.values:
+            own = [each for each in self.orbits if each.value == value]
+            kinds = [each.kind for each in own]
+            counts = ", ".join(f"{kinds.count(k)} {k}" for k in KINDS if k in kinds) or "none found"
+            rows.append(f"{self.parameter} = {short(str(value))}: {len(own)} orbits: {counts}")
+            rows += [f"  {_shown(each)}" for each in own]
+        return [head, *rows]
+
+
+def _shown(each: Entry) -> str:
+    events = f"{each.hits} hits, {each.turns} turns, {each.sticks} sticks, {each.captures} captures"
+    return (
+        f"({each.x:< .10g}, {each.v:< .10g}) {each.kind:<12} trace {each.trace:< .6g}, det "
+        f"{each.determinant:.4g}; {events}" + (f"  {each.verdict}" if each.verdict else "")
+        + (f": {each.reason[:90]}" if each.reason else "")
+    )  # fmt: skip
+
+
+def inventory(
+    p: Parameters,
+    *,
+    parameter: str = "F",
+    values: tuple[float, ...] = (),
+    period: int = 1,
+    prove: bool = False,
+    work: Work | None = None,
+) -> Inventory:
+    """Search at each value, or at the parameters as they are; then, if asked, prove each orbit."""
+    work = work or Work()
+    systems = [varied(p, parameter, value) for value in values] or [p]
+    own = values or (value_of(p, parameter),)
+    tasks = [(*each, period) for each in zip(systems, own, strict=True)]
+    found = work.map(_search, tasks, "inventory", processes=True)
+    orbits = [each for part in found for each in part]
+    entries = [entry for entry, _ in orbits]
+    if prove:
+        starts = [(systems[own.index(entry.value)], entry, start) for entry, start in orbits]
+        proved = work.map(_proved, starts, "proving", processes=True)
+        entries = proved + entries[len(proved) :]
+    return Inventory(
+        parameters=p,
+        complete=not work.interrupted,
+        parameter=parameter,
+        periods=period,
+        values=np.array(own[: len(found)]),
+        orbits=tuple(entries),
+    )
+
+
+def _search(task: tuple[Parameters, float, int]) -> list[tuple[Entry, Start]]:
+    p, value, period = task
+    return [(_entry(p, value, cycle), _start(p, cycle)) for cycle in cycles(p, period)]
+
+
+def _start(p: Parameters, cycle: Cycle) -> Start:
+    return Start(*polished(p, (cycle.x, cycle.v), cycle.periods), cycle.events, cycle.periods)
+
+
+def _entry(p: Parameters, value: float, cycle: Cycle) -> Entry:
+    words = [word.split()[0] for word, _ in cycle.events]
+    counts = [words.count(kind) for kind in ("hit", "turn", "stick", "capture")]
+    kind = cycle.kind(conserves=p.conserves)
+    hits, turns, sticks, captures = counts
+    return Entry(
+        value,
+        cycle.x,
+        cycle.v,
+        kind,
+        cycle.trace,
+        cycle.determinant,
+        hits,
+        turns,
+        sticks,
+        captures,
+        UNASKED,
+    )
+
+
+def _proved(task: tuple[Parameters, Entry, Start]) -> Entry:
+    """Hand an orbit to the prover: Theorem periodic, which the independent checker accepts."""
+    from cap import prove  # noqa: PLC0415 (it imports the searches of this package)
+    from proofs.fixed_point import Setting  # noqa: PLC0415
+
+    p, entry, start = task
+    try:
+        prove.accepted(prove.THEOREMS["periodic"], Setting(p, start, DIGITS))
+    except NotProved as failure:
+        return replace(entry, verdict=FAILED, reason=str(failure))
+    return replace(entry, verdict=PROVED)

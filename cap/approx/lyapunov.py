@@ -1,0 +1,134 @@
+"""Lyapunov exponents by Benettin's method, with the way in which they converge."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cap.approx import swarm
+from cap.approx.grid import island
+from cap.approx.study import Floats, State, Study, described
+from cap.approx.work import PIECE, Work
+from cap.errors import BadInput
+from cap.parameters import Parameters
+
+STRETCH = 200  # periods at a time
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lyapunov(Study):
+    """Exponents (N, K, 2) per unit of time of N orbits, after ``after`` (K,) periods.
+
+    The larger first.  The second is -inf after a stick or a capture, which take areas to 0.
+    ``turned`` (N,) says which orbits turned, stuck or were captured.
+    """
+
+    starts: Floats
+    after: Floats
+    exponents: Floats
+    turned: NDArray[np.bool_]
+    period: float
+
+    def columns(self) -> dict[str, object]:  # type: ignore[override]
+        """Return one row for each orbit and time."""
+        return {
+            "x": self.starts[:, None, 0],
+            "v": self.starts[:, None, 1],
+            "periods": self.after[None, :],
+            "lambda1": self.exponents[..., 0],
+            "lambda2": self.exponents[..., 1],
+        }
+
+    def lines(self) -> list[str]:
+        """Return the last exponents, per unit of time and per period."""
+        head = f"Lyapunov exponents per unit of time at {described(self.parameters)}"
+        rows = []
+        for start, values, turned in zip(self.starts, self.exponents, self.turned, strict=True):
+            known = np.flatnonzero(~np.isnan(values[:, 0]))
+            last = values[known[-1]] if len(known) else (math.nan, math.nan)
+            after = f"{self.after[known[-1]]:.0f}" if len(known) else "0"
+            rows.append(
+                f"  from ({start[0]:.8g}, {start[1]:.8g}): {last[0]:.8g}, {last[1]:.8g} after "
+                f"{after} periods" + (" (turns or sticks)" if turned else "")
+            )
+        return [head, *rows]
+
+
+def lyapunov(
+    p: Parameters,
+    *,
+    orbit: State | None = None,
+    orbits: int = 5,
+    radius: float = 0.04,
+    periods: int = 5000,
+    work: Work | None = None,
+) -> Lyapunov:
+    """Return the exponents of ``orbit``; without one, of orbits on a ray from the elliptic point.
+
+    The ray is ``radius`` R long.  Where no elliptic point is found, all over the plane.
+    """
+    work = work or Work()
+    starts = np.array([orbit]) if orbit is not None else _ray(p, orbits, radius)
+    return exponents(p, starts, periods, work)
+
+
+def exponents(p: Parameters, starts: Floats, periods: int, work: Work | None = None) -> Lyapunov:
+    """Return the exponents of the orbits of ``starts`` (N, 2)."""
+    work = work or Work()
+    T = 2 * math.pi / float(p.omega)
+    after = np.unique(np.geomspace(1, periods, min(periods, 400)).astype(int))
+    sums = np.full((len(starts), len(after), 2), np.nan)
+    total, turned = np.zeros((len(starts), 2)), np.zeros(len(starts), dtype=np.bool_)
+    cuts = [slice(k, min(k + PIECE, len(starts))) for k in range(0, len(starts), PIECE)]
+    states, frame = starts.astype(float), np.tile([0.6, 0.8], (len(starts), 1))
+
+    def follow(begin: int) -> None:
+        end = min(begin + STRETCH, periods)
+        shown = np.flatnonzero((after > begin) & (after <= end))
+        for part in cuts:
+            found = swarm.follow(p, states[part], end - begin, every=True, derivative=True)
+            if found.monodromy is None:  # it was asked for
+                raise TypeError
+            if begin == 0 and found.lost.all():
+                raise BadInput("no orbit starts there: x must lie between the walls")
+            growth, frame[part] = _growth(found.monodromy, frame[part])
+            with np.errstate(invalid="ignore"):  # inf - inf, after a hit with speed 0
+                own = total[part, None] + np.cumsum(growth, axis=1)
+            sums[part, shown], total[part] = own[:, after[shown] - begin - 1], own[:, -1]
+            states[part] = found.states[:, -1]
+            turned[part] |= found.turned | found.stuck | found.captured
+
+    sequence = Work(tell=work.tell, interrupted=work.interrupted)  # one stretch after the other
+    sequence.map(follow, range(0, periods, STRETCH), "lyapunov")
+    return Lyapunov(
+        parameters=p,
+        complete=not sequence.interrupted,
+        starts=starts,
+        after=after.astype(float),
+        exponents=np.sort(sums / (after[:, None] * T), axis=-1)[..., ::-1],
+        turned=turned,
+        period=T,
+    )
+
+
+def _growth(monodromy: Floats, frame: Floats) -> tuple[Floats, Floats]:
+    """Return the logarithms (N, K, 2) of the stretch of a vector and of what is left of the area.
+
+    The area is exact: the logarithm of |det|.  Also returns the last vectors (N, 2).
+    """
+    units, first = swarm.stretch(monodromy, frame[:, None, :])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        area = np.log(np.abs(np.linalg.det(monodromy)))
+        second = np.where(np.isneginf(area), -np.inf, area - first[..., 0])
+    return np.stack([first[..., 0], second], axis=-1), units[:, -1, 0]
+
+
+def _ray(p: Parameters, orbits: int, radius: float) -> Floats:
+    centre = island(p)
+    part = (np.arange(orbits) + 0.5) / orbits
+    if centre is None:
+        x = float(p.l) + float(p.R) * part
+        return np.stack([x, np.full(orbits, float(p.F / p.omega))], axis=-1)
+    x = np.minimum(centre[0] + radius * float(p.R) * part, float(p.r))
+    return np.stack([x, np.full(orbits, centre[1])], axis=-1)

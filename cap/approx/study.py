@@ -1,0 +1,95 @@
+"""What an exploration gives: named arrays and numbers, and what they say in words."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from cap.errors import BadInput
+from cap.parameters import PAPER, Parameters
+
+Floats = NDArray[np.float64]
+State = tuple[float, float]
+
+VARIABLE = ("F", "omega", "f", "R", "e", "mu")
+"""The parameters that may vary; R moves both walls, their middle stays."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Study:
+    """The data of one picture.  ``complete`` is False if it was interrupted: the rest is nan."""
+
+    parameters: Parameters
+    complete: bool = True
+
+    def columns(self) -> Mapping[str, ArrayLike]:
+        """Return the columns of a table; they broadcast to one shape."""
+        raise NotImplementedError
+
+    def lines(self) -> list[str]:
+        """Return its numbers in words."""
+        raise NotImplementedError
+
+    def arrays(self) -> dict[str, NDArray[np.generic]]:
+        """Return all fields under their names, the exact parameters as strings."""
+        found: dict[str, NDArray[np.generic]] = {}
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if field.name == "parameters":
+                found |= {name: np.array(text) for name, text in value.strings().items()}
+            elif value is not None:
+                found |= _named(field.name, value)
+        return found
+
+
+def _named(name: str, value: object) -> dict[str, NDArray[np.generic]]:
+    """Return an array, number or text as an array; a tuple of studies or records one by one."""
+    if isinstance(value, tuple) and value and hasattr(value[0], "__dataclass_fields__"):
+        found: dict[str, NDArray[np.generic]] = {}
+        for k, each in enumerate(value):
+            inner = each.arrays() if isinstance(each, Study) else _fields(each)
+            found |= {f"{name}.{k}.{key}": array for key, array in inner.items()}
+        return found
+    array = np.asarray(value)
+    return {} if array.dtype == object else {name: array}
+
+
+def _fields(record: object) -> dict[str, NDArray[np.generic]]:
+    found: dict[str, NDArray[np.generic]] = {}
+    for field in fields(record):  # type: ignore[arg-type]
+        found |= _named(field.name, getattr(record, field.name))
+    return found
+
+
+def varied(p: Parameters, name: str, value: float) -> Parameters:
+    """Return the parameters with one of `VARIABLE` changed to the double ``value``, exactly."""
+    if name not in VARIABLE:
+        raise BadInput(f"no such parameter: {name!r} (one of {', '.join(VARIABLE)})")
+    exact = Fraction(value)
+    if name == "R":
+        middle = (p.l + p.r) / 2
+        return replace(p, l=middle - exact / 2, r=middle + exact / 2)
+    return replace(p, **{name: exact})
+
+
+def value_of(p: Parameters, name: str) -> float:
+    """Return one of `VARIABLE` as a float."""
+    if name not in VARIABLE:
+        raise BadInput(f"no such parameter: {name!r} (one of {', '.join(VARIABLE)})")
+    return float(getattr(p, name))
+
+
+def described(p: Parameters) -> str:
+    """Return the parameters for a line of text; those of losses only if there are any."""
+    paper = PAPER.strings()
+    strings = {**p.strings(), "R": str(p.R)}
+    shown = ["F", "omega", "f", "R"]
+    shown += [name for name in ("e", "mu") if strings[name] != paper[name]]
+    return ", ".join(f"{name} = {short(strings[name])}" for name in shown)
+
+
+def short(number: str) -> str:
+    """Return an exact number as it is if it is short, else six digits of it."""
+    return number if len(number) <= 8 else f"{float(Fraction(number)):.6g}"

@@ -1,0 +1,82 @@
+"""Long computations in pieces: on several cores, with progress, and kept when interrupted."""
+
+import multiprocessing
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+A = TypeVar("A")
+B = TypeVar("B")
+
+PIECE = 500  # orbits: few enough that `cap.approx.swarm` follows them in one thread
+
+
+@dataclass
+class Work:
+    """How the pieces of a computation are done; ``tell`` hears what is done, and which part.
+
+    After ctrl-C the pieces that are done are kept, ``interrupted`` is set, and no other piece
+    begins: arrays stay as they were prepared.
+    """
+
+    jobs: int = 1
+    tell: Callable[[str, float], None] = field(default=lambda _words, _part: None)
+    interrupted: bool = False
+
+    @contextmanager
+    def keeping(self) -> Iterator[None]:
+        """Note an interrupt of what is inside, and go on after it."""
+        try:
+            yield
+        except KeyboardInterrupt:
+            self.interrupted = True
+
+    def map(
+        self, function: Callable[[A], B], tasks: Sequence[A], words: str, *, processes: bool = False
+    ) -> list[B]:
+        """Return the results of the tasks in their order; fewer after an interrupt.
+
+        Compiled code runs in threads.  With ``processes``, ``function`` and tasks are pickled.
+        """
+        done: list[B] = []
+        with self.keeping():
+            if self.interrupted:
+                return done
+            if self.jobs == 1 or len(tasks) < 2:
+                for task in tasks:
+                    done.append(function(task))
+                    self.tell(words, len(done) / len(tasks))
+            else:
+                self._in_parallel(function, tasks, words, done, self._pool(processes))
+        return done
+
+    def pieces(self, count: int, function: Callable[[slice], None], words: str) -> None:
+        """Call ``function`` for slices of ``count`` orbits, each at most `PIECE` long."""
+        cuts = range(0, count, PIECE)
+        self.map(function, [slice(k, min(k + PIECE, count)) for k in cuts], words)
+
+    def _pool(self, processes: bool) -> Executor:
+        if not processes:
+            return ThreadPoolExecutor(self.jobs)
+        fresh = multiprocessing.get_context("spawn")
+        return ProcessPoolExecutor(self.jobs, fresh, signal.signal, (signal.SIGINT, signal.SIG_IGN))
+
+    def _in_parallel(
+        self,
+        function: Callable[[A], B],
+        tasks: Sequence[A],
+        words: str,
+        done: list[B],
+        pool: Executor,
+    ) -> None:
+        futures: list[Future[B]] = []
+        try:
+            futures = [pool.submit(function, task) for task in tasks]
+            for future in futures:
+                done.append(future.result())
+                self.tell(words, len(done) / len(tasks))
+        finally:
+            pool.shutdown(cancel_futures=True)

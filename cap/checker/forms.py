@@ -1,0 +1,104 @@
+"""The form of the certificates on (1,1) orbits; what does not exist is the string "none"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from cap.checker.reading import (
+    bounded,
+    enclosure,
+    exactly,
+    length,
+    matched,
+    number,
+    one_of,
+    part,
+    text,
+)
+from cap.checker.rejection import need
+
+THEOREMS = ("symmetric", "pitchfork", "branch")
+FOR_ALL_F = ("pitchfork", "branch")
+MAX_CELLS = 1024
+MAX_BITS = 8192
+MAX_WORK = 1 << 17  # bits times cells
+MAX_RESONANCES = 16
+MAX_ZEROS = 64
+
+_STATE = {
+    "x": enclosure,
+    "v": enclosure,
+    "hit_times": [enclosure] * 2,
+    "hit_speed": enclosure,
+    "least_speed": enclosure,
+}
+
+
+def or_none(shape: Any) -> Callable[[Any, str], Any]:
+    """Return a reader of values of this shape, and of "none" as None."""
+    return lambda value, where: None if value == "none" else matched(value, shape, where)
+
+
+def hints(theorem: str, value: object) -> dict[str, Any]:
+    """Return the hints of one of these theorems."""
+    shape: dict[str, Any] = {"bits": text}
+    if theorem == "branch":
+        shape["end"] = or_none([number] * 2)
+        for name, most in (("resonances", MAX_RESONANCES), ("twist_zeros", MAX_ZEROS)):
+            count = length(part(value, name, "hints"), 0, most, f"hints.{name}")
+            shape[name] = [enclosure] * count
+    result: dict[str, Any] = matched(value, shape, "hints")
+    result["bits"] = bounded(result["bits"], 64, MAX_BITS, "bits")
+    return result
+
+
+def claims(theorem: str, value: object, hints: dict[str, Any]) -> dict[str, Any]:
+    """Return the shape of the claims of one of these theorems."""
+    if theorem == "symmetric":
+        return symmetric_shape(value)
+    if theorem == "pitchfork":
+        slopes = ("half_trace_slope", "cubic", "linear_slope", "curvature", "trace_curvature")
+        return {"f": enclosure} | _STATE | dict.fromkeys(slopes, enclosure)
+    return branch_shape(value, hints)
+
+
+def symmetric_shape(value: object) -> dict[str, Any]:
+    """Return the shape of the claims about symmetric orbits."""
+    roots = length(part(value, "paper_roots", "claims"), 0, 2, "claims.paper_roots")
+    return {
+        "branches": dict.fromkeys(("plus", "minus"), or_none(symmetric_orbit)),
+        "saddle_center": enclosure,
+        "pitchfork": or_none(enclosure),
+        "minus_identity": or_none(enclosure),
+        "paper_roots": [{"theta": enclosure, "velocity": enclosure}] * roots,
+    }
+
+
+def symmetric_orbit(value: Any, where: str) -> Any:
+    """Return the claims about a symmetric orbit, or about a formula that is not one."""
+    if part(value, "genuine", where) == "no":
+        shape = {"genuine": exactly("no"), "hit_speed": enclosure, "least_speed": enclosure}
+        return matched(value, shape, where)
+    kind = {"genuine": exactly("yes"), "type": one_of(("elliptic", "saddle"))}
+    return matched(value, _STATE | kind | {"half_trace": enclosure, "trace": enclosure}, where)
+
+
+def branch_shape(value: object, hints: dict[str, Any]) -> dict[str, Any]:
+    """Return the shape of the claims about a branch."""
+    cells = length(part(value, "cells", "claims"), 1, MAX_CELLS, "claims.cells")
+    need(hints["bits"] * cells <= MAX_WORK, "bits times cells is too large")
+    most = cells + MAX_RESONANCES
+    exceptions = length(part(value, "exceptions", "claims"), 0, most, "claims.exceptions")
+    end = enclosure if hints["end"] is not None else or_none(exactly("none"))
+    cell = dict.fromkeys(("delta", "f", "trace", "least_speed"), enclosure)
+    return {
+        "f_start": enclosure,
+        "f_end": end,
+        "trace_end": end,
+        "f_range": enclosure,
+        "resonances": [{"ratio": text, "f": enclosure}] * len(hints["resonances"]),
+        "twist_zeros": [enclosure] * len(hints["twist_zeros"]),
+        "exceptions": [enclosure] * exceptions,
+        "cells": [cell | {"twist": or_none(one_of(("+", "-")))}] * cells,
+    }

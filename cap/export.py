@@ -1,0 +1,90 @@
+"""Files of what was explored: pictures, and tables of their data.  Written whole or not at all."""
+
+import csv
+import io
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from errno import ENOENT
+from pathlib import Path
+from typing import IO, TYPE_CHECKING
+
+import numpy as np
+
+from cap.approx.study import Study
+from cap.errors import BadInput
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+IMAGES = ("png", "pdf", "svg")
+DATA = ("csv", "npz")
+MOST_ROWS = 5_000_000  # of a table in text
+
+
+def kind(path: Path) -> str:
+    """Return what is to be written to ``path``, by its suffix; `BadInput` if nobody can."""
+    suffix = path.suffix[1:].lower()
+    if suffix not in IMAGES + DATA:
+        known = ", ".join("." + name for name in IMAGES + DATA)
+        raise BadInput(f"cannot tell what to write to {str(path)!r}: end it in one of {known}")
+    if not path.parent.is_dir():
+        raise BadInput(f"cannot write {path}: {os.strerror(ENOENT)}: {path.parent}")
+    if path.is_dir() or not os.access(path.parent, os.W_OK):
+        raise BadInput(f"cannot write {path}: {'a directory' if path.is_dir() else 'not allowed'}")
+    return suffix
+
+
+def write(study: Study, path: Path, draw: Callable[[], "Figure"]) -> None:
+    """Write a study to ``path``; ``draw`` is called if that is an image."""
+    suffix = kind(path)
+    try:
+        with _replacing(path) as file:
+            if suffix == "npz":
+                arrays = study.arrays()
+                np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
+            elif suffix == "csv":
+                _table(study, file)
+            else:
+                _image(draw(), suffix, file)
+    except OSError as error:
+        raise BadInput(f"cannot write {path}: {error.strerror}") from None
+
+
+@contextmanager
+def _replacing(path: Path) -> Iterator[IO[bytes]]:
+    """Open a file that becomes ``path`` at the end, unless something fails."""
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".explore-")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            yield file
+        Path(name).chmod(0o644)
+        Path(name).replace(path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+def _table(study: Study, file: IO[bytes]) -> None:
+    """Write the columns, after the parameters as a comment; numbers are read back exactly."""
+    columns = study.columns()
+    arrays = np.broadcast_arrays(*(np.asarray(column) for column in columns.values()))
+    if arrays[0].size > MOST_ROWS:
+        raise BadInput(f"a table of {arrays[0].size} rows is too long: write .npz instead")
+    text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
+    parameters = ", ".join(f"{k} = {q}" for k, q in study.parameters.strings().items())
+    text.write(f"# {parameters}{'' if study.complete else '; interrupted'}\n")
+    writer = csv.writer(text)
+    writer.writerow(columns)
+    writer.writerows(zip(*(array.ravel().tolist() for array in arrays), strict=True))
+    text.detach()
+
+
+def _image(figure: "Figure", suffix: str, file: IO[bytes]) -> None:
+    """Write a figure, the same bytes every time."""
+    import matplotlib as mpl  # noqa: PLC0415 (only who draws waits for it)
+
+    stamp = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}
+    with mpl.rc_context({"svg.hashsalt": "cap", "pdf.fonttype": 42}):
+        figure.savefig(file, format=suffix, metadata=stamp[suffix])

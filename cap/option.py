@@ -1,0 +1,86 @@
+"""Options of a command line: how each is read from its words."""
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from cap.errors import BadInput
+from cap.parameters import exact
+
+PARAMETERS = ("f", "F", "omega", "R", "e", "mu")
+Reader = Callable[[Sequence[str], str], Any]
+
+
+@dataclass(frozen=True)
+class Option:
+    """An option of a command: how it is read, from how many words."""
+
+    name: str
+    reader: Reader | None
+    help: str
+    metavar: str | tuple[str, ...] | None = None
+    nargs: int | str | None = None
+
+    @property
+    def flag(self) -> bool:
+        """Whether it is given without a value."""
+        return self.reader is None
+
+    @property
+    def keyword(self) -> str:
+        """The keyword argument that it becomes."""
+        return self.name.replace("-", "_")
+
+    def read(self, text: str | Sequence[str]) -> Any:
+        """Return its value; raise `BadInput` if it has none."""
+        words = [text] if isinstance(text, str) else list(text)
+        return self.reader(words, self.name) if self.reader else None
+
+    @staticmethod
+    def integer(name: str, text: str, limits: tuple[int, int]) -> int:
+        """Return an integer within limits."""
+        least, most = limits
+        text = text.strip()
+        if not re.fullmatch(r"\d{1,9}", text, re.ASCII) or not least <= int(text) <= most:
+            raise BadInput(f"--{name} must be an integer from {least} to {most}: {text[:40]!r}")
+        return int(text)
+
+
+def count(least: int, most: int) -> Reader:
+    """Read an integer within limits."""
+    return lambda words, name: Option.integer(name, words[0], (least, most))
+
+
+def positive(words: Sequence[str], name: str) -> float:
+    """Read a positive number."""
+    value = float(exact(words[0]))
+    if value <= 0:
+        raise BadInput(f"--{name} must be positive: {words[0].strip()}")
+    return value
+
+
+def numbers(words: Sequence[str], _name: str) -> tuple[float, ...]:
+    """Read numbers."""
+    return tuple(float(exact(word)) for word in words)
+
+
+def counts(words: Sequence[str], name: str) -> tuple[int, ...]:
+    """Read positive integers."""
+    return tuple(Option.integer(name, word, (1, 100_000)) for word in words)
+
+
+def choice(*names: str) -> Reader:
+    """Read one of some names."""
+
+    def read(words: Sequence[str], name: str) -> str:
+        if words[0] not in names:
+            raise BadInput(f"--{name} must be one of {', '.join(names)}: {words[0][:40]!r}")
+        return words[0]
+
+    return read
+
+
+def names(words: Sequence[str], name: str) -> tuple[str, ...]:
+    """Read names of parameters."""
+    return tuple(choice(*PARAMETERS)([word], name) for word in words)

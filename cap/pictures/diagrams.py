@@ -1,0 +1,208 @@
+"""Pictures over parameters: branches, maps, inventories."""
+
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.figure import FigureBase
+from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
+
+from cap.approx.continuation import Branch, Continuation
+from cap.approx.inventory import KINDS, PROVED, Inventory
+from cap.approx.plane import Plane
+from cap.pictures.style import (
+    BLACK,
+    BLUE,
+    CYCLE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PALE,
+    PURPLE,
+    RED,
+    SKY,
+    SYMBOLS,
+    UNITS,
+    YELLOW,
+    parameters,
+    stroboscopic,
+)
+
+MARKS = {  # of special points: marker, colour
+    "fold": ("o", RED),
+    "pitchfork": ("D", PURPLE),
+    "branch point": ("X", BLACK),
+    "flip": ("^", GREEN),
+    "grazing": ("s", ORANGE),
+    "sticking border": ("p", SKY),
+    "end": ("|", BLACK),
+}
+TYPE_MARKS = dict(zip(KINDS, ("o", "s", "P", "*", "^", "v", "x"), strict=True))
+TYPE_COLOURS = dict(zip(KINDS, (BLUE, SKY, PURPLE, GREEN, RED, ORANGE, GREY), strict=True))
+
+
+def continuation(study: Continuation, figure: FigureBase) -> None:
+    """Draw the branches: positions above, traces below; unstable orbits dashed."""
+    axes = figure.subplots(2, 1, sharex=True, height_ratios=[1.5, 1])
+    for k, branch in enumerate(study.branches):
+        for name, each in (("x", axes[0]), ("trace", axes[1])):
+            _line(each, branch, name, CYCLE[k % len(CYCLE)])
+    for label, (marker, colour) in MARKS.items():
+        own = [s for s in study.special if _mark(s.label) == label]
+        for values, each in (([s.x for s in own], axes[0]), ([s.trace for s in own], axes[1])):
+            each.plot([s.value for s in own], values, marker, ms=5.5, mfc="white", mec=colour,
+                      mew=1.1, ls="none", label=label if own else None, zorder=3)  # fmt: skip
+    axes[0].set_ylabel("$x$ at $t = 0$  [length]")
+    axes[1].set_ylabel("trace")
+    traces = np.concatenate([branch.trace for branch in study.branches])
+    axes[1].set_ylim(max(-6, np.nanmin(traces) - 0.4), min(6, np.nanmax(traces) + 0.4))
+    for level in (-2, 2):
+        axes[1].axhline(level, color=GREY, ls=":", lw=0.8)
+    axes[1].set_xlabel(f"${SYMBOLS[study.parameter]}$")
+    axes[0].plot([], [], color=BLACK, lw=1.1, label="stable")
+    axes[0].plot([], [], color=BLACK, lw=0.8, ls="--", label="unstable")
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    period = "T" if study.periods == 1 else f"{study.periods}T"
+    _title(figure, study, f"Periodic orbits of period ${period}$", (study.parameter,))
+
+
+def _mark(label: str) -> str:
+    """Return the mark of a label: where a branch ends, that of the reason."""
+    reason = label.removeprefix("end: ").removesuffix(", fold")
+    return reason if reason in MARKS else "end"
+
+
+def _line(axes: Axes, branch: Branch, name: str, colour: str) -> None:
+    """Draw a branch in pieces, cut where the stability changes or the state jumps at a wall."""
+    y = getattr(branch, name)
+    change = np.flatnonzero(np.diff(branch.stable) | (np.diff(branch.itinerary) != 0)) + 1
+    for begin, end in zip([0, *change], [*change, len(y)], strict=True):
+        joins = end < len(y) and branch.itinerary[end - 1] == branch.itinerary[end]
+        part = slice(begin, end + joins)
+        stable = branch.stable[begin]
+        look = {"lw": 1.4} if stable else {"lw": 0.9, "ls": (0, (4, 2))}
+        axes.plot(branch.value[part], y[part], color=colour, **look)
+
+
+def plane(study: Plane, figure: FigureBase) -> None:
+    """Draw what is found over two parameters."""
+    axes = figure.subplots()
+    shades = {
+        "none": "white", "elliptic only": BLUE, "saddle only": ORANGE, "both": SKY,
+        "period 1": BLUE, "period 2": SKY, "period 3": GREEN, "period 4": PURPLE,
+        "longer period": ORANGE, "chaotic": RED, "stick-slip without hits": PALE,
+        "never turns": YELLOW,
+    }  # fmt: skip
+    colours = ListedColormap(["#777777", *(shades[name] for name in study.names)])
+    count = len(study.names) + 1
+    norm = BoundaryNorm(np.arange(-1.5, count - 1), count)
+    a, b = study.first, study.second
+    da, db = (a[1] - a[0]) / 2, (b[1] - b[0]) / 2
+    extent = (a[0] - da, a[-1] + da, b[0] - db, b[-1] + db)
+    axes.imshow(study.code, origin="lower", extent=extent, aspect="auto", cmap=colours, norm=norm)
+    handles: list[Artist] = [
+        Patch(fc=shades[name], ec=BLACK, lw=0.4, label=name)
+        for k, name in enumerate(study.names)
+        if (study.code == k).any()
+    ]
+    if (study.code < 0).any():
+        handles.append(Patch(fc="#777777", ec=BLACK, lw=0.4, label="no oscillator, or none found"))
+    _border(axes, study)
+    handles += [each for each in axes.get_legend_handles_labels()[0] if not isinstance(each, Patch)]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, handlelength=1.0)
+    axes.set_xlabel(f"${SYMBOLS[study.parameter_1]}$")
+    axes.set_ylabel(f"${SYMBOLS[study.parameter_2]}$")
+    what = (
+        "Orbits that hit each wall once and never turn" if study.what == "orbits" else "Attractors"
+    )
+    _title(figure, study, what, (study.parameter_1, study.parameter_2))
+
+
+def _border(axes: Axes, study: Plane) -> None:
+    """Draw f = 2F/π, above which no orbit hits each wall once and never turns."""
+    names, p = (study.parameter_1, study.parameter_2), study.parameters
+    if study.what != "orbits" or "f" not in names:
+        return
+    limits = axes.get_xlim(), axes.get_ylim()
+    label = r"$f = 2F/\pi$"
+    if "F" in names:
+        F = np.array([0.0, 1e3])
+        line = (2 * F / np.pi, F) if names[0] == "f" else (F, 2 * F / np.pi)
+        axes.plot(*line, color=BLACK, ls=":", lw=1.1, label=label)
+    elif names[0] == "f":
+        axes.axvline(2 * float(p.F) / np.pi, color=BLACK, ls=":", lw=1.1, label=label)
+    else:
+        axes.axhline(2 * float(p.F) / np.pi, color=BLACK, ls=":", lw=1.1, label=label)
+    axes.set_xlim(limits[0])
+    axes.set_ylim(limits[1])
+
+
+def inventory(study: Inventory, figure: FigureBase) -> None:
+    """Draw the orbits: at one value in the plane of states, else counts and positions over it."""
+    if len(study.values) <= 1:
+        last = figure.subplots()
+        _orbits(last, study, "x", "v")
+        but: tuple[str, ...] = ()
+    else:
+        axes = figure.subplots(2, 1, sharex=True)
+        _counts(axes[0], study)
+        _orbits(axes[1], study, "value", "x")
+        axes[0].tick_params(labelbottom=False)
+        axes[1].set_xlabel(f"${SYMBOLS[study.parameter]}$")
+        axes[1].set_ylabel("$x$ at $t = 0$  [length]")
+        last = axes[1]
+        but = (study.parameter,)
+    handles, labels = last.get_legend_handles_labels()
+    if handles:
+        figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    period = "T" if study.periods == 1 else f"{study.periods}T"
+    _title(figure, study, f"{len(study.orbits)} orbits of period ${period}$ found", but)
+
+
+def _orbits(axes: Axes, study: Inventory, first: str, second: str) -> None:
+    proved = [each for each in study.orbits if each.verdict == PROVED]
+    for kind in KINDS:
+        own = [each for each in study.orbits if each.kind == kind]
+        if own:
+            axes.plot([getattr(o, first) for o in own], [getattr(o, second) for o in own],
+                      TYPE_MARKS[kind], ms=5.5, mfc=TYPE_COLOURS[kind], mec=BLACK, mew=0.5,
+                      ls="none", label=kind)  # fmt: skip
+    if proved:
+        axes.plot([getattr(o, first) for o in proved], [getattr(o, second) for o in proved], "o",
+                  ms=9.5, mfc="none", mec=BLACK, mew=0.9, ls="none", label="proved")  # fmt: skip
+    if second == "v":
+        stroboscopic(axes)
+        l, r = float(study.parameters.l), float(study.parameters.r)
+        axes.set_xlim(l - 0.04 * (r - l), r + 0.04 * (r - l))
+        for wall in (l, r):
+            axes.axvline(wall, color=GREY, ls="--", lw=0.7)
+    else:
+        axes.set_ylabel(UNITS["x"])
+
+
+def _counts(axes: Axes, study: Inventory) -> None:
+    """Draw bars of the counts by type."""
+    values = study.values
+    width = 0.8 * float(np.diff(np.sort(values)).min())
+    below = np.zeros(len(values))
+    for kind in KINDS:
+        count = study.count(kind)
+        if count.any():
+            axes.bar(values, count, width, below, color=TYPE_COLOURS[kind], ec=BLACK, lw=0.4)
+            below += count
+    for value, total in zip(values, below, strict=True):
+        axes.annotate(f"{total:.0f}", (value, total), xytext=(0, 1.5), ha="center",
+                      textcoords="offset points", fontsize=8)  # fmt: skip
+    axes.set_ylim(0, 1.15 * max(1.0, float(below.max())))
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_ylabel("number of orbits")
+
+
+def _title(
+    figure: FigureBase, study: Continuation | Plane | Inventory, words: str, but: tuple[str, ...]
+) -> None:
+    """Write what is shown, and the parameters that do not vary."""
+    rest = "" if study.complete else "  (interrupted)"
+    figure.suptitle(f"{words}{rest}\n{parameters(study.parameters, but=but)}", fontsize=10)

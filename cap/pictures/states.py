@@ -1,0 +1,208 @@
+"""Pictures of the plane of states at t = 0 mod T."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.figure import FigureBase
+from matplotlib.image import AxesImage
+from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from cap.approx.alignment import THRESHOLD, Alignment
+from cap.approx.attractor import Attractors
+from cap.approx.fate import FATES, Fate
+from cap.approx.manifold import Manifolds
+from cap.approx.portrait import Portrait
+from cap.approx.study import Floats
+from cap.pictures.style import (
+    BLACK,
+    BLUE,
+    CYCLE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PALE,
+    PURPLE,
+    RED,
+    YELLOW,
+    star,
+    stroboscopic,
+    title,
+)
+
+DENSE = 20_000  # points above which they are drawn as pixels
+FATE_COLOURS = (BLUE, YELLOW, ORANGE, PURPLE)
+
+
+def portrait(study: Portrait, figure: FigureBase) -> None:
+    """Draw the points of many orbits; those that turn or stick in grey, below.
+
+    Around a fixed point, the picture ends a little outside the orbits that never turn.
+    """
+    axes = figure.subplots()
+    points(axes, study)
+    star(axes, study.centre)
+    regular = study.states[~study.turned].reshape(-1, 2)
+    regular = regular[np.isfinite(regular).all(axis=1)]
+    if study.centre is not None and len(regular):
+        low, high = np.nanquantile(regular, [0.002, 0.998], axis=0)
+        rim = 0.15 * (high - low) + 1e-12
+        axes.set_xlim(low[0] - rim[0], high[0] + rim[0])
+        axes.set_ylim(low[1] - rim[1], high[1] + rim[1])
+    stroboscopic(axes)
+    count, periods = len(study.states), study.states.shape[1] - 1
+    words = f"Stroboscopic portrait: {count} orbits, {periods} periods"
+    title(figure, study, words + (" (grey: turns or sticks)" if study.turned.any() else ""))
+
+
+def points(axes: Axes, study: Portrait) -> None:
+    """Draw the orbits; those that never turn in four colours, by their mean distance.
+
+    Without a fixed point to be seen, the first periods of those that turn are left out.
+    """
+    size = float(np.clip(1e5 / max(1, study.states[..., 0].size), 0.3, 4))
+    regular = np.flatnonzero(~study.turned)
+    if study.centre is not None and len(regular):
+        away = study.states[regular] - np.array(study.centre)
+        regular = regular[np.argsort(np.hypot(*np.moveaxis(away, -1, 0)).mean(axis=1))]
+    shades = (BLUE, ORANGE, GREEN, PURPLE)
+    late = 0 if study.centre is not None else min(20, study.states.shape[1] // 4)
+    groups = [(study.states[study.turned, late:], "#AAAAAA")]
+    groups += [(study.states[regular[k::4]], shade) for k, shade in enumerate(shades)]
+    for states, colour in groups:
+        own = states.reshape(-1, 2)
+        axes.scatter(own[:, 0], own[:, 1], s=size, c=colour, lw=0, rasterized=len(own) > DENSE)
+
+
+def alignment(study: Alignment, figure: FigureBase) -> None:
+    """Draw the map of log10 of an index, and how it falls along some orbits."""
+    axes = figure.subplots(1, 2, width_ratios=[1.35, 1])
+    name = study.name.upper()
+    image = index_map(axes[0], study)
+    figure.colorbar(image, ax=axes[0], label=rf"$\log_{{10}}$ {name} after {study.periods} periods")
+    for k, (start, curve) in enumerate(zip(study.starts, study.curves, strict=True)):
+        if np.isfinite(curve).any():
+            n = np.arange(1, len(curve) + 1)
+            axes[1].loglog(n, np.maximum(curve, 1e-17), color=CYCLE[k], lw=0.9,
+                           label=f"$x_0 = {start[0]:.4g}$")  # fmt: skip
+            axes[0].plot(*start, "o", ms=4, mfc=CYCLE[k], mec="white", mew=0.6)
+    axes[1].axhline(10**THRESHOLD, color=GREY, ls=":", lw=0.8)
+    axes[1].set_xlabel(r"periods $n$")
+    axes[1].set_ylabel(f"{name}$(n)$")
+    if axes[1].get_legend_handles_labels()[0]:
+        axes[1].legend(title="orbits that never turn", loc="lower left")
+    counts = study.counts
+    words = ", ".join(f"{counts[kind]} {kind}" for kind in ("regular", "chaotic", "turned"))
+    title(figure, study, f"{name}: {study.index.size} states, {words}")
+
+
+def index_map(axes: Axes, study: Alignment) -> AxesImage:
+    """Draw log10 of the index; states whose orbit turned are grey."""
+    with np.errstate(divide="ignore"):
+        shown = np.log10(np.maximum(study.index, 1e-16))
+    axes.set_facecolor(PALE)
+    image = _field(axes, study.x, study.v, shown, cmap="cividis_r", vmin=-14, vmax=0)
+    if study.centre is not None:
+        axes.plot(*study.centre, "*", ms=9, mfc="white", mec=BLACK, mew=0.7)
+    stroboscopic(axes)
+    return image
+
+
+def fate(study: Fate, figure: FigureBase) -> None:
+    """Draw who turns, sticks or is captured, and when first."""
+    axes = figure.subplots(1, 2, sharey=True)
+    fates(axes[0], study)
+    T = 2 * np.pi / float(study.parameters.omega)
+    axes[1].set_facecolor(BLUE)
+    first = study.first / T
+    top = float(np.nanmax(first)) if np.isfinite(first).any() else 1.0
+    image = _field(axes[1], study.x, study.v, first, cmap="magma", vmin=0, vmax=max(top, 1e-9))
+    stroboscopic(axes[1])
+    axes[1].set_ylabel("")
+    star(axes[1], study.centre)
+    figure.colorbar(image, ax=axes[1], label="first turn, stick or capture, $t/T$")
+    axes[0].xaxis.set_major_locator(MaxNLocator(5, prune="upper"))
+    axes[1].xaxis.set_major_locator(MaxNLocator(5, prune="lower"))
+    title(figure, study, f"Fates within {study.periods} periods")
+
+
+def fates(axes: Axes, study: Fate) -> None:
+    """Draw the partition of the plane."""
+    colours = ListedColormap(["white", *FATE_COLOURS])
+    norm = BoundaryNorm([-1.5, -0.5, 0.5, 1.5, 2.5, 3.5], 5)
+    _field(axes, study.x, study.v, study.fate, cmap=colours, norm=norm)
+    star(axes, study.centre, None)
+    stroboscopic(axes)
+    counts, total = study.counts, max(1, study.fate.size)
+    handles = [
+        Patch(fc=colour, ec=BLACK, lw=0.4, label=f"{name} ({counts[name] / total:.1%})")
+        for name, colour in zip(FATES, FATE_COLOURS, strict=True)
+        if counts[name]
+    ]
+    axes.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2,
+                handlelength=0.9, columnspacing=1.2)  # fmt: skip
+
+
+def manifolds(study: Manifolds, figure: FigureBase) -> None:
+    """Draw the manifolds of a saddle and the points in which they meet."""
+    axes = figure.subplots()
+    for points, colour, name in ((study.stable, BLUE, "$W^s$"), (study.unstable, RED, "$W^u$")):
+        axes.plot(*points.T, color=colour, lw=0.6, label=name)
+    if len(study.homoclinic):
+        axes.plot(*study.homoclinic.T, "o", ms=2, mfc="white", mec=BLACK, mew=0.4, ls="none",
+                  label=f"{len(study.homoclinic)} homoclinic points")  # fmt: skip
+    known = study.unstable[np.isfinite(study.unstable).all(axis=1)]
+    if (
+        len(known) and np.ptp(known, axis=0).min() > 1e-9 * np.abs(known).max()
+    ):  # the stable one goes far, through orbits that turn
+        rim = 0.2 * np.ptp(known, axis=0) + 1e-12
+        low, high = known.min(axis=0) - rim, known.max(axis=0) + rim
+        axes.set_xlim(
+            max(float(study.parameters.l), low[0]), min(float(study.parameters.r), high[0])
+        )
+        axes.set_ylim(low[1], high[1])
+    axes.plot(*study.saddle, "s", ms=5, mfc=ORANGE, mec=BLACK, mew=0.6, ls="none", label="saddle")
+    stroboscopic(axes)
+    axes.legend(loc="best", handlelength=1.2)
+    title(figure, study, "Stable and unstable manifolds")
+
+
+def attractors(study: Attractors, figure: FigureBase) -> None:
+    """Draw where each seed ends, and the attractors themselves."""
+    axes = figure.subplots(1, 2)
+    shades = _shades(len(study.found))
+    colours = ListedColormap(["white", *(shades or ["white"])])
+    norm = BoundaryNorm(np.arange(-1.5, colours.N - 1), colours.N)
+    _field(axes[0], study.x, study.v, study.label, cmap=colours, norm=norm)
+    for each, colour in zip(study.found, shades, strict=True):
+        few = len(each.states) <= 64
+        look = {"ms": 5, "mec": BLACK, "mew": 0.5} if few else {"ms": 0.7, "mew": 0}
+        many = len(each.states) > DENSE
+        axes[1].plot(*each.states.T, "o", mfc=colour, ls="none", rasterized=many, **look)
+    axes[1].margins(0.1)
+    for each_axes, words in zip(axes, ("basins (by seed)", "attractors"), strict=True):
+        stroboscopic(each_axes)
+        each_axes.set_title(words)
+    handles = [
+        Patch(fc=colour, ec=BLACK, lw=0.4, label=f"{each.kind} ({each.share:.1%})")
+        for each, colour in zip(study.found[:9], shades, strict=False)
+    ]
+    if handles:
+        figure.legend(handles=handles, loc="outside lower center", ncols=3, handlelength=0.9)
+    title(figure, study, "Attractors and their basins")
+
+
+def _shades(count: int) -> list[str]:
+    """Return colours; after the palette, lighter and darker greys."""
+    greys = [str(round(0.35 + 0.5 * k / max(1, count), 3)) for k in range(max(0, count - 8))]
+    return [*CYCLE[:count], *greys]
+
+
+def _field(axes: Axes, x: Floats, v: Floats, values: NDArray[np.generic], **look: Any) -> AxesImage:
+    """Draw a value at each state of a grid as a cell."""
+    dx, dv = (float(a[1] - a[0]) / 2 for a in (x, v))
+    extent = (float(x[0]) - dx, float(x[-1]) + dx, float(v[0]) - dv, float(v[-1]) + dv)
+    return axes.imshow(values, origin="lower", extent=extent, aspect="auto", **look)

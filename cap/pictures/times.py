@@ -1,0 +1,170 @@
+"""Pictures of orbits in time, with the marks of their events."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import FigureBase
+
+from cap.approx.chatter import Chatter
+from cap.approx.gallery import Gallery
+from cap.approx.study import Floats
+from cap.approx.trajectory import Trajectory
+from cap.pictures.style import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    RED,
+    SYMBOLS,
+    UNITS,
+    parameters,
+    star,
+    title,
+)
+
+MARKS = {  # of events: marker, colour
+    "hit r": ("v", BLUE),
+    "hit l": ("^", BLUE),
+    "turn": ("o", GREEN),
+    "stick": ("s", RED),
+    "release": ("D", ORANGE),
+    "capture": ("X", PURPLE),
+}
+
+
+def orbit(study: Trajectory, figure: FigureBase) -> None:
+    """Draw x(t) and v(t) beside the orbit in the plane of (x, v)."""
+    axes = figure.subplot_mosaic([["x", "plane"], ["v", "plane"]], width_ratios=[1.25, 1])
+    position(axes["x"], study)
+    velocity(axes["v"], study)
+    axes["x"].tick_params(labelbottom=False)
+    axes["x"].set_xlabel("")
+    plane(axes["plane"], study)
+    legend(axes["plane"], figure)
+    title(figure, study, "Orbit and its events")
+
+
+def position(axes: Axes, study: Trajectory) -> None:
+    """Draw x(t), with the walls."""
+    axes.plot(study.t / study.period, study.x, color="black", lw=0.9)
+    for wall in (study.parameters.l, study.parameters.r):
+        axes.axhline(float(wall), color=GREY, ls="--", lw=0.7)
+    for name, chosen in _events(study).items():
+        _mark(axes, name, study.times[chosen] / study.period, study.places[chosen])
+    _time_axis(axes, study)
+    axes.set_ylabel(UNITS["x"])
+
+
+def velocity(axes: Axes, study: Trajectory) -> None:
+    """Draw v(t); hits are jumps."""
+    axes.axhline(0, color=GREY, lw=0.5)
+    axes.plot(study.t / study.period, study.v, color="black", lw=0.9)
+    for name, chosen in _events(study).items():
+        _mark(axes, name, study.times[chosen] / study.period, study.before[chosen])
+    _time_axis(axes, study)
+    axes.set_ylabel(UNITS["v"])
+
+
+def plane(axes: Axes, study: Trajectory) -> None:
+    """Draw the orbit in the plane of (x, v), with its states at t = 0, T, …."""
+    axes.axhline(0, color=GREY, lw=0.5)
+    for wall in (study.parameters.l, study.parameters.r):
+        axes.axvline(float(wall), color=GREY, ls="--", lw=0.7)
+    axes.plot(study.x, study.v, color="black", lw=0.8)
+    for name, chosen in _events(study).items():
+        _mark(axes, name, study.places[chosen], study.before[chosen])
+    for k, state in enumerate(study.strobe):
+        star(axes, (state[0], state[1]), r"$t \equiv 0$ mod $T$" if k == 0 else None)
+    axes.set_xlabel(UNITS["x"])
+    axes.set_ylabel(UNITS["v"])
+
+
+def legend(axes: Axes, figure: FigureBase) -> None:
+    """Explain the marks below the figure."""
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=max(1, len(labels)))
+
+
+def _time_axis(axes: Axes, study: Trajectory) -> None:
+    axes.set_xlim(0, max(float(study.t[-1]) / study.period, 1e-9))
+    axes.set_xlabel(UNITS["t"])
+
+
+def _events(study: Trajectory) -> dict[str, "np.ndarray[tuple[int], np.dtype[np.bool_]]"]:
+    """Return which events bear which mark, for those that there are."""
+    found = {}
+    for name in MARKS:
+        chosen = np.array([str(w) == name or str(w).split()[0] == name for w in study.words], bool)
+        if chosen.any():
+            found[name] = chosen
+    return found
+
+
+def _mark(axes: Axes, name: str, x: Floats, y: Floats) -> None:
+    marker, colour = MARKS[name]
+    words = {"hit r": "hit at $r$", "hit l": "hit at $l$"}.get(name, name)
+    axes.plot(x, y, marker, ms=4.5, mfc="white", mec=colour, mew=1.1, ls="none", label=words)
+
+
+def gallery(study: Gallery, figure: FigureBase) -> None:
+    """Draw one row for each value: x(t), and the orbit in the plane."""
+    rows = max(1, len(study.orbits))
+    axes = figure.subplots(rows, 2, squeeze=False, width_ratios=[2.2, 1])
+    for k, (value, found, each) in enumerate(
+        zip(study.values, study.attractors, study.orbits, strict=True)
+    ):
+        left, right = axes[k]
+        position(left, each)
+        plane(right, each)
+        left.set_title(_regime(study, k, float(value), found.kind), loc="left")
+        for one in (left, right):
+            one.set_xlabel(one.get_xlabel() if k == rows - 1 else "")
+        left.set_ylabel("$x$  [length]")
+        right.set_ylabel(r"$\dot x$  [length / time]")
+    handles: dict[str, Any] = {}
+    for row in axes:
+        found_handles, labels = row[1].get_legend_handles_labels()
+        handles |= dict(zip(labels, found_handles, strict=True))
+    figure.legend([*handles.values()], [*handles], loc="outside lower center", ncols=8)
+    rest = "" if study.complete else "  (interrupted)"
+    given = parameters(study.parameters, but=(study.parameter,))
+    figure.suptitle(f"Regimes over ${SYMBOLS[study.parameter]}${rest}\n{given}", fontsize=10)
+
+
+def _regime(study: Gallery, k: int, value: float, kind: str) -> str:
+    words = f"${SYMBOLS[study.parameter]} = {value:.6g}$: {kind}"
+    if np.isfinite(study.trace[k]):
+        words += rf", tr $= {study.trace[k]:.3f}$, det $= {study.determinant[k]:.3f}$"
+    return words
+
+
+def chatter(study: Chatter, figure: FigureBase) -> None:
+    """Draw the orbit up to its capture, and the speeds and times of the hits on log scales."""
+    axes = figure.subplots(1, 3, width_ratios=[1.3, 1, 1])
+    orbit, wall = study.orbit[0], study.wall
+    gap = np.abs(wall - orbit.x)
+    begin = study.times[0] - 0.35 * (study.end - study.times[0])
+    chosen = orbit.t >= begin
+    axes[0].plot(orbit.t[chosen], gap[chosen], color="black", lw=0.9)
+    axes[0].plot(study.times, np.zeros_like(study.times), "v", ms=4, mfc="white", mec=BLUE,
+                 mew=1, ls="none", clip_on=False, label="hits")  # fmt: skip
+    axes[0].axvline(study.end, color=PURPLE, ls="--", lw=0.9, label=r"$t_\infty$")
+    axes[0].set_ylim(bottom=0)
+    axes[0].set_xlabel("time $t$  [time]")
+    axes[0].set_ylabel("distance from the wall  [length]")
+    axes[0].legend()
+    k = np.arange(1, len(study.times) + 1)
+    left = np.maximum(study.end - study.times, 1e-16)
+    for each, values, name in (
+        (axes[1], study.speeds, "speed after the hit  [length / time]"),
+        (axes[2], left, r"time left $t_\infty - t_k$  [time]"),
+    ):
+        each.semilogy(k, values, "o", ms=3.5, mfc="white", mec=BLUE, mew=1)
+        line = values[-1] * study.ratio ** (k - k[-1])
+        each.semilogy(k, line, "--", color=RED, lw=0.9, label=f"ratio {study.ratio:.5f}")
+        each.set_xlabel("hit $k$")
+        each.set_ylabel(name)
+        each.legend()
+    title(figure, study, rf"Capture at $t_\infty = {study.end:.9g}$: infinitely many hits")

@@ -1,0 +1,91 @@
+"""Every number claimed moved out of its place, for the theorems on (1,1) orbits."""
+
+from __future__ import annotations
+
+import copy
+import json
+from fractions import Fraction
+
+import jsonschema
+import pytest
+
+from cap.checker.rejection import Rejected
+from cap.checker.theorem import check
+from checker.altered import SCHEMA, changed, encode, leaves
+
+
+def accepted(certificate):
+    """Return whether a certificate is verified; any exception but a rejection is an error."""
+    try:
+        check(encode(certificate), lambda _: None)
+    except Rejected:
+        return False
+    return True
+
+
+def moved(pair):
+    """Give enclosures that miss the number, or are much wider."""
+    low, high = map(Fraction, pair)
+    width = max(high - low, Fraction(1, 10**8)) * 1000 * max(1, abs(high), abs(low))
+    yield from ([low - width, low - width / 2], [high + width / 2, high + width])
+    yield from ([low - width, high], [low, high + width])
+
+
+def survivors(certificate, skipped=()):
+    """Return the paths of the claims that can be moved without being noticed."""
+    result = []
+    for path, pair in leaves(certificate["claims"]):
+        if path[0] not in skipped:
+            for ends in moved(pair):
+                value = [str(end) for end in ends]
+                if accepted(changed(certificate, "claims", *path, value)):
+                    result.append((path, value))
+    return result
+
+
+def containers(value, path=()):
+    """Give the path of every object and list, but those of enclosures' ends."""
+    if isinstance(value, dict | list):
+        yield path
+        for key in value if isinstance(value, dict) else range(len(value)):
+            yield from containers(value[key], (*path, key))
+
+
+def at(value, path):
+    """Return the part at a path."""
+    for key in path:
+        value = value[key]
+    return value
+
+
+def malformed(certificate):
+    """Give copies with a field or an item more, less, or of another type."""
+    for path in containers(certificate):
+        part = at(certificate, path)
+        if path[:1] == ("provenance",):
+            continue
+        keys = list(part) if isinstance(part, dict) else range(len(part))
+        for key in keys:
+            bad = copy.deepcopy(certificate)
+            del at(bad, path)[key]
+            yield (*path, key), bad
+            for junk in (None, 1, 0.5, True, [], {}, "", "nan", "None", ["2", "1"]):
+                if junk != part[key] and ((*path, key) != ("provenance",) or junk != {}):
+                    yield (*path, key, junk), changed(certificate, *path, key, junk)
+        bad = copy.deepcopy(certificate)
+        if isinstance(part, dict):
+            at(bad, path)["surplus"] = "1"
+        else:
+            at(bad, path).append("1")
+        yield (*path, "more"), bad
+
+
+def fits_the_schema(certificate):
+    """Check that the JSON Schema describes a certificate, and refuses one field more or less."""
+    schema = json.loads(SCHEMA.read_text())
+    jsonschema.validate(certificate, schema)
+    for part in ("parameters", "claims", "hints"):
+        fields = certificate[part]
+        for wrong in (dict(list(fields.items())[1:]), fields | {"extra": "1"}):
+            with pytest.raises(jsonschema.ValidationError):
+                jsonschema.validate(certificate | {part: wrong}, schema)
