@@ -31,6 +31,16 @@ def parser() -> Parser:
         "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",
         epilog="Examples:\n" + "\n".join(f"  {c.line(name)}" for name, c in COMMANDS.items()),
     )
+    p.add_argument(
+        "--paper", metavar="LABEL", help="a figure of the paper (fig:sali, or all), and its numbers"
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        dest="paper_out",
+        metavar="PATH",
+        help="of --paper: a file; of --paper all: a directory",
+    )
     commands = p.add_subparsers(dest="command", metavar="WHAT", title="what to explore")
     for name, command in COMMANDS.items():
         _add(commands.add_parser(name, **_described(name, command)), command)
@@ -82,6 +92,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _main(arguments: Sequence[str]) -> int:
     options = parser().parse_args([protected(word) for word in arguments])
     try:
+        if options.paper is not None and options.command is None:
+            return _paper(options.paper, options.paper_out)
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
         return _run(options, COMMANDS[options.command])
@@ -94,6 +106,16 @@ def _main(arguments: Sequence[str]) -> int:
     except KeyboardInterrupt:
         say("interrupted; nothing half-written", sys.stderr)
         return INTERRUPTED
+
+
+def _paper(label: str, out: Path | None) -> int:
+    """Compute a figure of the paper, or all, and compare its numbers."""
+    from cap.paper import command  # noqa: PLC0415 (numpy is slow to load: not for --help)
+
+    bar = _Bar()
+    status = command.run(label, out, bar.tell)
+    bar.clear()
+    return status
 
 
 def _run(options: argparse.Namespace, command: Command) -> int:

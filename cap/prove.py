@@ -151,7 +151,7 @@ def _main(arguments: Sequence[str]) -> int:
     options = parser().parse_args([protected(word) for word in arguments])
     if options.list:
         for name, theorem in THEOREMS.items():
-            print(f"{name:<10} {theorem.summary}")
+            print(f"{name:<12} {theorem.summary}")
         return 0
     try:
         return _run(options)

@@ -1,0 +1,279 @@
+"""fig:bifurcation: the elliptic orbit over f, from the closed form, and where it is born."""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import FigureBase
+
+from cap import interval
+from cap.approx import swarm
+from cap.approx.grid import island
+from cap.approx.study import Floats, State
+from cap.certificate import Pair
+from cap.errors import BadInput
+from cap.fixed_point import Start
+from cap.paper import certified, closed_form
+from cap.paper.closed_form import (
+    asymmetry,
+    pair_member,
+    state,
+    symmetric_member,
+    symmetric_state,
+    turn,
+)
+from cap.paper.comparison import Comparison, claim, number, proved
+from cap.paper.figure import Figure, Result, Run, at
+from cap.parameters import PAPER
+from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
+from proofs.branch_curve import Curve
+from proofs.fixed_point import Setting
+from proofs.one_one import Scale
+from proofs.pitchfork import lemma_2_parabolic
+
+RHO = float(PAPER.R * PAPER.omega**2 / PAPER.F)
+FOLD = 0.467  # the paper's
+MOST_STEPS = 40  # of Newton's method
+SHOWN = ("1/3", "1/4", "1/5", "1/6")
+ASYMMETRIC = 1e-6  # of x_*, against the symmetric orbit
+
+
+class Landmarks(NamedTuple):
+    """Where the pair ends, and takes rotation numbers: f, proved; where its twist vanishes."""
+
+    end: Pair
+    resonances: dict[str, Pair]
+    twist: float
+
+
+class Step(NamedTuple):
+    """A value of the paper's sweep: f, x, the rotation number, and the steps of Newton's method."""
+
+    f: float
+    x: float
+    turn: float
+    steps: int
+
+
+@dataclass(frozen=True)
+class Branches:
+    """Orbits over f as rows (f, x, trace): the pair, the symmetric orbit; and the sweep."""
+
+    pair: Floats
+    mirror: Floats
+    symmetric: Floats
+    pitchfork: float
+    landmarks: Landmarks
+    sweep: list[Step]
+
+
+def landmarks() -> Landmarks:
+    """Prove where the pair ends and which rotation numbers it has; find where the twist is 0."""
+    setting = Setting(PAPER, Start(0.0, 0.0, ()), certified.DIGITS)
+    with interval.workprec(setting.bits):
+        scale = Scale(setting)
+        curve = Curve(scale, lemma_2_parabolic(scale).alpha)
+        end, last = curve.end()
+        if end is None:
+            raise BadInput("the pair does not end")
+
+        def force(ends: tuple[Fraction, Fraction]) -> Pair:
+            return scale.force(interval.hull(*(curve.at(delta).alpha for delta in ends)))
+
+        resonances = {str(q): force(ends) for q, ends in curve.resonances(last).items()}
+        found = Landmarks(force(end), resonances, math.nan)
+    zero = closed_form.root(lambda d: closed_form.twist(d, RHO), 0.35, 0.37)
+    return found._replace(twist=pair_member(zero, RHO).alpha * float(PAPER.F))
+
+
+def sweep(values: Floats) -> list[Step]:
+    """Follow the orbit by Newton's method on Φ - 1, from each fixed point to the next f."""
+    z = island(PAPER)
+    if z is None:
+        raise BadInput("the elliptic orbit was not found")
+    found = []
+    for f in values.tolist():
+        z, trace, steps = _newton(f, z)
+        found.append(Step(f, z[0], float(turn(trace)), steps))
+    return found
+
+
+def _newton(f: float, z: State) -> tuple[State, float, int]:
+    p = at(f=str(Fraction(f)))
+    point = np.array(z)
+    for k in range(1, MOST_STEPS + 1):  # noqa: B007
+        path = swarm.follow(p, [point], 1, derivative=True)
+        if path.monodromy is None:  # it was asked for
+            raise TypeError
+        jacobian = path.monodromy[0]
+        step = np.linalg.solve(jacobian - np.eye(2), path.states[0] - point)
+        point = point - step
+        if np.abs(step).max() < 1e-11:
+            break
+    return (float(point[0]), float(point[1])), float(np.trace(jacobian)), k
+
+
+def compute(run: Run) -> Result:
+    """Follow both branches."""
+    points = run.size(400, 60)
+    marks = landmarks()
+    birth = float(certified.pitchfork()["f"][0])
+    last = asymmetry(float(marks.end[0]) / float(PAPER.F), RHO)
+    delta = np.linspace(1e-4, last, points)
+    pair, mirror = (
+        np.array([(*_place(side * d), pair_member(d, RHO).trace) for d in delta.tolist()])
+        for side in (-1, 1)
+    )
+    symmetric = []
+    for alpha in np.linspace(0.30, 2 / math.pi - 1e-9, points).tolist():
+        way, _ = symmetric_state(alpha, RHO, 1)
+        member = symmetric_member(alpha, RHO, 1)
+        symmetric.append((alpha * float(PAPER.F), _x(way), member.trace))
+    values = np.linspace(0.40, FOLD - 0.001, run.size(25, 9))
+    steps = sweep(values)
+    data = Branches(pair, mirror, np.array(symmetric), birth, marks, steps)
+    return Result(tuple(_rows(data)), data)
+
+
+def _place(delta: float) -> tuple[float, float]:
+    alpha, way, _ = state(delta, RHO)
+    return alpha * float(PAPER.F), _x(way)
+
+
+def _x(way: float) -> float:
+    return float(PAPER.r) - way * float(PAPER.F / PAPER.omega**2)
+
+
+def _rows(data: Branches) -> list[Comparison]:
+    own, marks = certified.pitchfork(), data.landmarks
+    above = data.pair[data.pair[:, 0] >= 0.4]
+    numbers = turn(data.pair[:, 2])
+    on = [step for step in data.sweep if step.f > data.pitchfork]
+    beyond = [f"f = {step.f:.4f}" for step in on if _is_symmetric(step)]
+    quarter = marks.resonances["1/4"]
+    sc = 4 * (2 + 2 - math.pi) / math.pi**2
+    return [
+        proved("f at which the branch ends", "0.467", own["f"],
+               "no fold is there but the pitchfork, at a smaller f; Newton's sweep passes it and "
+               "goes on along the symmetric orbit, which is elliptic there"),
+        claim("what happens there", "a fold: the orbit meets a saddle",
+              "a pitchfork: both orbits of the pair meet the symmetric one, elliptic for larger f "
+              "(proved)", False,
+              "orbits come in mirror pairs; the saddle for smaller f is the symmetric one"),
+        claim("x_* on [0.4, f_fold)", "increases", _direction(above),
+              _direction(above) == "increases", "it does not",
+              note="of this orbit of the pair; of its mirror image it decreases"),
+        claim("rotation number", "decreases to 0 at f_fold",
+              f"decreases to 0 at {data.pitchfork:.6f}",
+              bool((np.diff(numbers[numbers > 0]) > 0).all()), "it does not decrease everywhere"),
+        claim("rotation number 1/4", "close to, but distinct",
+              f"taken at f = {quarter[0][:14]} (proved)", False,
+              "every value from 0 to 0.40 is taken once; the sweep's 25 values miss it"),
+        *(_taken(name, marks.resonances[name]) for name in ("1/5", "1/6")),
+        claim("Newton's method converges in the sweep", "< 20 iterations",
+              f"{max(step.steps for step in data.sweep)} at most",
+              max(step.steps for step in data.sweep) < 20, "damping, or a later start"),
+        claim("the orbit tracked up to f = 0.466", "is on the elliptic branch",
+              f"on the symmetric one at {', '.join(beyond)}" if beyond else "is on that branch",
+              not beyond, "the pair has merged with the symmetric orbit before"),
+        number("exponent of rotation number over distance from the end", "0.5", _exponent(),
+               "", note="as at a pitchfork, where trace - 2 is linear in f; a fold has 1/4"),
+        number("f_sc", "0.34790", sc, note="the formula; what ends near there is the pair, at "
+               f"f = {marks.end[0][:12]}, where its speed vanishes (proved)"),
+        claim("what happens at f_sc", "a fold of the symmetric branch with turns",
+              "nothing: no root of eq:theta-eq is an orbit (theorem `symmetric`)", False,
+              "its formula moves right where it hits the left wall: see README"),
+        claim("twist at f = 0.4", "well separated from zero",
+              f"a zero at f = {marks.twist:.12f}", abs(marks.twist - float(PAPER.f)) > 0.01,
+              f"f = 0.4 is {marks.twist - float(PAPER.f):.2e} below: hence the small tau_1 at P_*"),
+    ]  # fmt: skip
+
+
+def _taken(name: str, pair: Pair) -> Comparison:
+    return claim(
+        f"rotation number {name}", "passed (dotted line)", f"at f = {pair[0][:14]} (proved)", True
+    )
+
+
+def _is_symmetric(step: Step) -> bool:
+    way, _ = symmetric_state(step.f / float(PAPER.F), RHO, 1)
+    return abs(step.x - _x(way)) < ASYMMETRIC
+
+
+def _direction(rows: Floats) -> str:
+    """Say how x changes with f; the rows descend in f."""
+    change = -np.diff(rows[:, 1])
+    return "increases" if (change > 0).all() else "decreases" if (change < 0).all() else "neither"
+
+
+def _exponent() -> float:
+    """Fit the rotation number near the birth of the pair."""
+    delta = np.geomspace(1e-4, 1e-2, 12)
+    birth = float(certified.pitchfork()["f"][0])
+    members = [pair_member(d, RHO) for d in delta.tolist()]
+    f = np.array([m.alpha for m in members]) * float(PAPER.F)
+    numbers = turn(np.array([m.trace for m in members]))
+    return float(np.polyfit(np.log(birth - f), np.log(numbers), 1)[0])
+
+
+def draw(data: Branches, figure: FigureBase) -> None:
+    """Draw positions and rotation numbers."""
+    axes = figure.subplots(1, 2)
+    _positions(axes[0], data)
+    _numbers(axes[1], data)
+    for each in axes:
+        each.set_xlabel("$f$  [force]")
+        each.set_xlim(0.32, 0.645)
+    handles, labels = axes[0].get_legend_handles_labels()
+    more, words = axes[1].get_legend_handles_labels()
+    known = dict(zip(words + labels, more + handles, strict=True))
+    figure.legend(known.values(), known.keys(), loc="outside lower center", ncols=4)
+    given = parameters(PAPER, but=("f",))
+    figure.suptitle(f"Orbits with one hit of each wall over $f$\n{given}", fontsize=10)
+
+
+def _positions(axes: Axes, data: Branches) -> None:
+
+    axes.plot(data.pair[:, 0], data.pair[:, 1], color=BLUE, lw=1.5, label="the paper's orbit")
+    axes.plot(data.mirror[:, 0], data.mirror[:, 1], color=SKY, lw=1.5, label="its mirror image")
+    f, x, trace = data.symmetric.T
+    for chosen, line in ((abs(trace) < 2, "-"), (abs(trace) > 2, "--")):
+        kind = "elliptic" if line == "-" else "saddle"
+        axes.plot(np.where(chosen, f, np.nan), x, line, color=BLACK, lw=1.1,
+                  label=f"symmetric, {kind}")  # fmt: skip
+    axes.plot([s.f for s in data.sweep], [s.x for s in data.sweep], ".", ms=4, color=RED,
+              label="Newton's sweep as in the paper")  # fmt: skip
+    k = int(np.argmin(abs(f - data.pitchfork)))
+    axes.plot(data.pitchfork, x[k], "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, ls="none",
+              label=f"pitchfork, $f = {data.pitchfork:.7f}$")  # fmt: skip
+    axes.axvline(FOLD, color=RED, ls=":", lw=1.0, label=f"the paper's fold, {FOLD}")
+    axes.set_ylabel("$x_*$ at $t = 0$  [length]")
+
+
+def _numbers(axes: Axes, data: Branches) -> None:
+
+    axes.plot(data.pair[:, 0], turn(data.pair[:, 2]), color=BLUE, lw=1.5)
+    f, _, trace = data.symmetric.T
+    numbers = turn(trace)
+    axes.plot(f, numbers, color=BLACK, lw=1.1)
+    axes.plot([s.f for s in data.sweep], [s.turn for s in data.sweep], ".", ms=4, color=RED)
+    for name in SHOWN:
+        level = float(Fraction(name))
+        axes.axhline(level, color=GREY, ls=":", lw=0.7)
+        axes.annotate(name, (0.322, level), xytext=(0, 1.5), textcoords="offset points",
+                      fontsize=8, color="#555555")  # fmt: skip
+        axes.plot(float(data.landmarks.resonances[name][0]), level, "o", ms=4.5, mfc="white",
+                  mec=BLUE, mew=1.1)  # fmt: skip
+    axes.plot(data.landmarks.twist, np.interp(data.landmarks.twist, data.pair[::-1, 0],
+              turn(data.pair[::-1, 2])), "s", ms=5.5, mfc="white", mec=GREEN, mew=1.2, ls="none",
+              label=rf"$\tau_1 = 0$, $f = {data.landmarks.twist:.7f}$")  # fmt: skip
+    axes.plot(data.pitchfork, 0, "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, clip_on=False)
+    axes.axvline(FOLD, color=RED, ls=":", lw=1.0)
+    axes.set_ylim(0, 0.5)
+    axes.set_ylabel(r"rotation number $\Theta_*/2\pi$")
+
+
+FIGURE = Figure("the branch of the elliptic orbit over f", compute, draw, (7.8, 4.4))

@@ -1,0 +1,42 @@
+"""Theorems that the tables ask for: proved when they are asked for, not read from files."""
+
+from functools import cache
+from typing import Any
+
+from cap import prove
+from cap.approx import candidates
+from cap.approx.candidates import Request
+from cap.paper.figure import at
+from cap.parameters import PAPER, Parameters
+from proofs.fixed_point import Setting
+
+DIGITS = 25
+
+
+@cache
+def theorem(kind: str, orbit: tuple[float, float], F: str = "1") -> dict[str, Any]:
+    """Return the claims of a theorem on the orbit near a state; the checker accepts them."""
+    return _claims(kind, at(F=F), orbit)
+
+
+@cache
+def pitchfork() -> dict[str, Any]:
+    """Return the claims of the theorem `pitchfork` at the paper's F, ω and R."""
+    return _claims("pitchfork", PAPER, None)
+
+
+@cache
+def symmetric() -> dict[str, Any]:
+    """Return the claims of the theorem `symmetric` at the paper's parameters."""
+    return _claims("symmetric", PAPER, None)
+
+
+def _claims(kind: str, p: Parameters, orbit: tuple[float, float] | None) -> dict[str, Any]:
+    proof = prove.THEOREMS[kind]
+    if orbit is None:
+        start = candidates.closed_form(Request(kind, p)).candidates[0].start
+    else:
+        start = proof.search(Request(kind, p, orbit)).candidates[0].start
+    found = prove.accepted(proof, Setting(p, start, DIGITS))
+    claims: dict[str, Any] = found["claims"]
+    return claims

@@ -1,0 +1,165 @@
+"""The orbits with one hit of each wall in closed form, as floats: midpoints of balls.
+
+δ is the asymmetry, α = f/F, ρ = Rω²/F; speeds in units of F/ω: see `cap.impact`.
+"""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from cap import interval
+from cap.approx.study import Floats
+from cap.errors import NotProved
+from cap.impact import Orbit, asymmetric, symmetric
+from cap.impact_map import period_jet
+from cap.interval import Ball
+from cap.twist import regular_twist
+from proofs.census import pair_speed
+from proofs.symmetric import least_speed
+
+BITS = 80
+
+
+class Member(NamedTuple):
+    """An orbit as floats; nan where there is none."""
+
+    alpha: float
+    trace: float
+    least_speed: float
+
+
+NONE = Member(math.nan, math.nan, math.nan)
+
+
+@contextmanager
+def precise() -> Iterator[None]:
+    """Compute with a few digits more than doubles have."""
+    with interval.workprec(BITS):
+        yield
+
+
+def _ball(value: float) -> Ball:
+    return interval.ball(Fraction(value))
+
+
+def symmetric_member(alpha: float, rho: float, sign: int) -> Member:
+    """Return the symmetric orbit ``plus`` (1) or ``minus`` (-1), genuine or not."""
+    if alpha >= 2 / math.pi:
+        return NONE
+    with precise():
+        orbit = symmetric(_ball(alpha), _ball(rho), sign)
+        if not orbit.mean_speed > 0:  # no speed is positive
+            return Member(alpha, math.nan, float(orbit.mean_speed))
+        return _member(orbit, least_speed(orbit))
+
+
+def pair_member(delta: float, rho: float) -> Member:
+    """Return the orbit of the asymmetric pair with this δ > 0, genuine or not."""
+    with precise():
+        orbit = asymmetric(_ball(delta), _ball(rho))
+        if not orbit.alpha.is_finite():
+            return NONE
+        try:
+            return _member(orbit, pair_speed(orbit))
+        except NotProved:
+            return NONE
+
+
+def _member(orbit: Orbit, least: Ball) -> Member:
+    return Member(float(orbit.alpha), float(orbit.trace()), float(least))
+
+
+@dataclass(frozen=True)
+class PairCurve:
+    """The pair along δ (N,) at one ρ: α descends; nan where S > 1."""
+
+    delta: Floats
+    alpha: Floats
+    trace: Floats
+    least_speed: Floats
+
+
+def pair_curve(rho: float, points: int) -> PairCurve:
+    """Return the pair from its birth to f = 0, denser towards that; empty if there is none."""
+    if rho >= (math.pi**2 - 4) / 2:
+        none = np.empty(0)
+        return PairCurve(none, none, none, none)
+    last = asymmetry(1e-6, rho)
+    delta = last * (1 - np.linspace(1, 0, points) ** 2) + 1e-9
+    members = [pair_member(d, rho) for d in delta.tolist()]
+    alpha, trace, least = np.array(members).T
+    use = np.isfinite(alpha)
+    return PairCurve(delta[use], alpha[use], trace[use], least[use])
+
+
+def state(delta: float, rho: float) -> tuple[float, float, float]:
+    """Return α, the way from the right wall, and the speed at t = 0, of an orbit of the pair.
+
+    In units of F/ω² and F/ω; δ may be negative: the mirror image.
+    """
+    with precise():
+        orbit = asymmetric(_ball(abs(delta)), _ball(rho))
+        if delta < 0:
+            orbit = Orbit(-orbit.delta, orbit.alpha, orbit.rho, orbit.S, orbit.cos_phi,
+                          orbit.mean_speed)  # fmt: skip
+        t1 = interval.pi() / 2 - orbit.S.asin() - orbit.delta
+        u1, ((sin1, cos1), _) = orbit.speeds[0], orbit.phases
+        v0 = u1 - sin1 + orbit.alpha * t1
+        way = v0 * t1 + 1 - cos1 - orbit.alpha * t1 * t1 / 2
+        return float(orbit.alpha), float(way), float(v0)
+
+
+def asymmetry(alpha: float, rho: float) -> float:
+    """Return δ > 0 of the pair at α; nan if there is none."""
+
+    def above(delta: float) -> float:
+        found = pair_member(delta, rho).alpha
+        return found - alpha if math.isfinite(found) else -1.0
+
+    return root(above, 1e-9, math.pi / 2 - 1e-9)
+
+
+def symmetric_state(alpha: float, rho: float, sign: int) -> tuple[float, float]:
+    """Return the way from the right wall, and the speed at t = 0, of a symmetric orbit."""
+    with precise():
+        orbit = symmetric(_ball(alpha), _ball(rho), sign)
+        arc = orbit.cos_phi.asin()
+        t1 = interval.pi() - arc if sign < 0 else arc
+        v0 = orbit.mean_speed - orbit.cos_phi + orbit.alpha * t1
+        way = v0 * t1 + 1 - orbit.S - orbit.alpha * t1 * t1 / 2
+        return float(way), float(v0)
+
+
+def twist(delta: float, rho: float) -> float:
+    """Return τ₁ per |z|² at an elliptic orbit of the pair, in units of ω³/F² per area."""
+    with precise():
+        energy, delay = period_jet(asymmetric(_ball(delta), _ball(rho)), 3)
+        sign = 1 if delay[1, 0] > 0 else -1
+        regular = regular_twist(energy, delay, sign)
+        return float(regular / (1 + energy[1, 0] + delay[0, 1]))
+
+
+def turn(trace: float | Floats) -> Floats:
+    """Return the rotation number, in [0, 1/2], of an elliptic orbit; nan of a saddle."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.arccos(np.asarray(trace) / 2) / (2 * np.pi))
+
+
+def root(function, low: float, high: float) -> float:  # type: ignore[no-untyped-def]
+    """Return where a function changes its sign, by bisection; nan if it does not."""
+    a, b = function(low), function(high)
+    if not a * b <= 0:
+        return math.nan
+    for _ in range(80):
+        middle = (low + high) / 2
+        value = function(middle)
+        if value * a > 0:
+            low = middle
+        else:
+            high = middle
+    return (low + high) / 2

@@ -1,0 +1,121 @@
+"""Numbers and claims of the paper beside what is computed here.
+
+A number agrees if it is at most one unit of the last printed digit away, so that both rounding and
+cutting off are accepted; a count agrees if it is equal; an enclosure, if it holds what is proved.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+
+MORE = 3  # digits shown beyond those of the paper
+PROVED = " (proved)"
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What the paper says and what is computed; why they differ, or a remark if they agree."""
+
+    what: str
+    paper: str
+    ours: str
+    agrees: bool
+    reason: str = ""
+
+
+def number(what: str, paper: str, ours: float, reason: str = "", *, note: str = "") -> Comparison:
+    """Compare a float with a printed decimal."""
+    printed, value = Decimal(paper), Decimal(float(ours))
+    agrees = value.is_finite() and abs(value - printed) <= _unit(printed)
+    return _made(what, paper, _shown(value, printed), agrees, reason, note)
+
+
+def proved(
+    what: str, paper: str, ours: Sequence[str], reason: str = "", *, note: str = ""
+) -> Comparison:
+    """Compare a proved enclosure, (lower, upper) in decimals, with a printed decimal."""
+    printed = Decimal(paper)
+    ends = [Decimal(end) for end in ours]
+    agrees = all(abs(end - printed) <= _unit(printed) for end in ends)
+    return _made(what, paper, _shown(ends[0], printed) + PROVED, agrees, reason, note)
+
+
+def enclosure(
+    what: str, paper: tuple[str, str], ours: Sequence[str], reason: str = "", *, note: str = ""
+) -> Comparison:
+    """Compare a proved enclosure with a printed one: does that hold it?"""
+    low, high = map(Decimal, paper)
+    ends = [Decimal(end) for end in ours]
+    agrees = low <= min(ends) and max(ends) <= high
+    shown = _shown(ends[0], max(low, high, key=_digits)) + PROVED
+    return _made(what, f"[{paper[0]}, {paper[1]}]", shown, agrees, reason, note)
+
+
+def count(what: str, paper: int, ours: int, reason: str = "", *, note: str = "") -> Comparison:
+    """Compare counts."""
+    return _made(what, str(paper), str(ours), paper == ours, reason, note)
+
+
+def among(
+    what: str, paper: str, ours: Iterable[float], reason: str = "", *, note: str = ""
+) -> Comparison:
+    """Compare a printed number with those of several runs that only chance tells apart."""
+    printed, values = Decimal(paper), sorted(Decimal(float(value)) for value in ours)
+    unit = _unit(printed) if "." in paper else Decimal(0)
+    agrees = values[0] - unit <= printed <= values[-1] + unit
+    digits = max(0, -_exponent(printed) + 1) if "." in paper else 0
+    shown = f"{values[0]:.{digits}f} to {values[-1]:.{digits}f} in {len(values)} runs"
+    return _made(what, paper, shown, agrees, reason, note)
+
+
+def claim(
+    what: str, paper: str, ours: str, agrees: bool, reason: str = "", *, note: str = ""
+) -> Comparison:
+    """Compare words."""
+    return _made(what, paper, ours, agrees, reason, note)
+
+
+def _made(what: str, paper: str, ours: str, agrees: bool, reason: str, note: str) -> Comparison:
+    return Comparison(what, paper, ours, bool(agrees), note if agrees else reason)
+
+
+def _exponent(value: Decimal) -> int:
+    exponent = value.as_tuple().exponent
+    return exponent if isinstance(exponent, int) else 0
+
+
+def _digits(value: Decimal) -> int:
+    return -_exponent(value)
+
+
+def _unit(printed: Decimal) -> Decimal:
+    """Return one unit of the last digit."""
+    return Decimal(1).scaleb(_exponent(printed))
+
+
+def _shown(value: Decimal, printed: Decimal) -> str:
+    """Return a value with some digits more than are printed, no more than a double has."""
+    if not value.is_finite():
+        return str(value)
+    places = max(0, _digits(printed)) + MORE
+    return f"{value:.{places}f}"
+
+
+def markdown(rows: Iterable[Comparison]) -> list[str]:
+    """Return a table."""
+    lines = ["| what | paper | ours | agrees? | why not, or a remark |", "|---|---|---|---|---|"]
+    for row in rows:
+        cells = (row.what, row.paper, row.ours, "yes" if row.agrees else "**no**", row.reason)
+        lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
+    return lines
+
+
+def percent(part: float, whole: float) -> str:
+    """Return a share in words."""
+    return f"{100 * part / whole:.3g}%" if whole else "none"
+
+
+def decimals(value: Fraction | float, places: int) -> str:
+    """Return a number with so many places."""
+    return f"{float(value):.{places}f}"

@@ -1,0 +1,223 @@
+"""fig:hist-cont: how many T-periodic orbits there are over F."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.figure import FigureBase
+from matplotlib.ticker import MaxNLocator
+
+from cap.approx import cycles
+from cap.approx.continuation import continuation
+from cap.approx.cycles import Cycle, Search
+from cap.approx.inventory import KINDS
+from cap.errors import BadInput
+from cap.paper.comparison import Comparison, claim, count, number
+from cap.paper.figure import Figure, Result, Run, at
+from cap.parameters import PAPER, Parameters
+from cap.pictures.diagrams import TYPE_COLOURS
+from cap.pictures.style import BLACK, ORANGE, RED, parameters
+
+FORCES = ("0.65", "0.85", "1", "1.5", "2", "2.5", "3", "3.5", "4.5")
+QUICK = ("0.65", "0.85", "1.5")
+GIVEN = {"1.5": (2, 1), "2": (0, 0), "3.5": (0, 3)}  # F: elliptic, saddle, as the paper says
+TOTAL = 7, 8
+SAME = 0.025  # the paper's, in each coordinate
+SLOWEST, DETERMINANTS = 0.05, (0.1, 5.0)  # of what the paper keeps
+SEEDS = 3  # per side: the paper does not say how many; these come nearest to its counts
+FOLD = 0.887
+FOCUS = 0.4064, -0.6708
+
+
+@dataclass(frozen=True)
+class Counted:
+    """The orbits found at each F: by a thorough search, and by the paper's."""
+
+    forces: tuple[str, ...]
+    thorough: tuple[tuple[Cycle, ...], ...]
+    paper: tuple[tuple[Cycle, ...], ...]
+
+
+def kept(p: Parameters, cycle: Cycle) -> bool:
+    """Return whether the paper's search keeps a fixed point."""
+    low, high = DETERMINANTS
+    return abs(cycle.x) < float(p.r) and abs(cycle.v) > SLOWEST and low <= cycle.determinant <= high
+
+
+def grid_newton(p: Parameters, seeds: int) -> list[Cycle]:
+    """Search as the paper describes: Newton's method from seeds in [-0.5, 0.5] x [-2, 2]."""
+    search, found = Search(p, 1), list[Cycle]()
+    for x in np.linspace(-0.5, 0.5, seeds).tolist():
+        for v in np.linspace(-2, 2, seeds).tolist():
+            try:
+                cycle = search.newton((x, v))
+            except BadInput:
+                continue
+            if cycle is None or not kept(p, cycle):
+                continue
+            near = (abs(cycle.x - c.x) < SAME and abs(cycle.v - c.v) < SAME for c in found)
+            if not any(near):
+                found.append(cycle)
+    return found
+
+
+def _both(F: str) -> tuple[list[Cycle], list[Cycle]]:
+    p = at(F=F)
+    return cycles.cycles(p), grid_newton(p, SEEDS)
+
+
+def split(found: tuple[Cycle, ...]) -> tuple[int, int]:
+    """Return how many are elliptic, and saddles, as the paper counts: by the trace alone."""
+    elliptic = sum(abs(each.trace) < 2 for each in found)
+    return elliptic, len(found) - elliptic
+
+
+def compute(run: Run) -> Result:
+    """Search at each F, thoroughly and as the paper does."""
+    forces = QUICK if run.quick else FORCES
+    found = run.work.map(_both, forces, "search", processes=not run.quick)
+    data = Counted(
+        forces[: len(found)],
+        tuple(tuple(each[0]) for each in found),
+        tuple(tuple(each[1]) for each in found),
+    )
+    return Result((*_counts(data), *_words(data, run)), data)
+
+
+def _counts(data: Counted) -> list[Comparison]:
+    """Compare the counts that the paper states."""
+    mine = dict(zip(data.forces, zip(data.paper, data.thorough, strict=True), strict=True))
+    rows = []
+    for F, (elliptic, saddle) in GIVEN.items():
+        if F not in mine:
+            continue
+        rough, full = (split(each) for each in mine[F])
+        rows += [
+            claim(f"F = {F}: elliptic + saddle, grid-Newton", f"{elliptic} + {saddle}",
+                  f"{rough[0]} + {rough[1]} ({SEEDS} x {SEEDS} seeds)", rough == (elliptic, saddle),
+                  "the seeds and the damping are not said; Newton's method leads elsewhere"),
+            claim(f"F = {F}: all orbits, elliptic + saddle", f"{elliptic} + {saddle}",
+                  f"{full[0]} + {full[1]}", full == (elliptic, saddle),
+                  "missed by the seeds: " + _missed(mine[F][1], mine[F][0])),
+        ]  # fmt: skip
+    rough, full = (
+        np.array([split(each) for each in part]).sum(axis=0).tolist()
+        for part in (data.paper, data.thorough)
+    )
+    why = "missed by the seeds"
+    return [
+        *rows,
+        count("elliptic orbits at all F, grid-Newton", TOTAL[0], rough[0], "as above"),
+        count("saddles at all F, grid-Newton", TOTAL[1], rough[1], "as above"),
+        count("orbits at all F", sum(TOTAL), sum(full), f"{why}, or dropped by the paper's filters "
+              f"(|v| > 0.05, 0.1 <= det <= 5), which {_passing(data)} of ours pass"),
+        claim("ratio elliptic : saddle", "1:1, one elliptic with one saddle",
+              f"{full[0]} : {full[1]}", abs(full[0] - full[1]) <= 0.25 * sum(full),
+              "most orbits have turns and are saddles; by trace and determinant, not trace alone, "
+              + _types(data)),
+        claim("orbits at each F but 2", "1 to 3",
+              ", ".join(f"{F}: {len(o)}" for F, o in zip(data.forces, data.thorough, strict=True)),
+              all(1 <= len(o) <= 3 for F, o in
+                  zip(data.forces, data.thorough, strict=True) if F != "2"), why),
+    ]  # fmt: skip
+
+
+def _passing(data: Counted) -> int:
+    return sum(
+        kept(at(F=F), cycle)
+        for F, found in zip(data.forces, data.thorough, strict=True)
+        for cycle in found
+    )
+
+
+def _missed(full: tuple[Cycle, ...], rough: tuple[Cycle, ...]) -> str:
+    missing = [c for c in full if all(abs(c.x - r.x) + abs(c.v - r.v) > 1e-5 for r in rough)]
+    words = [f"({c.x:.3f}, {c.v:.3f}) {c.kind(conserves=True)}" for c in missing]
+    return ", ".join(words[:4]) + (f", and {len(words) - 4} more" if len(words) > 4 else "")
+
+
+def _types(data: Counted) -> str:
+    kinds = [c.kind(conserves=True) for found in data.thorough for c in found]
+    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in sorted(set(kinds)))
+
+
+def _words(data: Counted, run: Run) -> list[Comparison]:
+    """Compare what the text says about the orbits."""
+    mine = dict(zip(data.forces, data.thorough, strict=True))
+    below = [c for F in ("0.65", "0.85") for c in mine.get(F, ())]
+    free = all({word.split()[0] for word, _ in c.events} == {"hit"} for c in below)
+    f, R = float(PAPER.f), float(PAPER.R)
+    fold = (f * math.pi**2 - 4 * R) / (4 * (2 - math.pi))
+    dets = [c.determinant for found in data.thorough for c in found]
+    many = [F for F, found in mine.items() if len(found) > 2]
+    within = sum(0.5 <= d <= 0.6 for d in dets)
+    return [
+        number("F_sc at f = 0.4", "0.887", fold, note="the formula; no orbit folds there"),
+        number("F_imp = pi f/2", "0.628", math.pi * f / 2),
+        claim("F = 0.65 and 0.85: orbits found below F_sc", "multiple turnings per period",
+              "one hit of each wall, no turn: the (1,1) orbits" if free else "with turns", not free,
+              "they are the orbits of the elliptic branch, to which no F_sc applies"),
+        claim("most orbits have determinants", "in [0.5, 0.6]",
+              f"{within} of {len(dets)}", 2 * within > len(dets),
+              "orbits with sticks have 0, orbits that never turn 1, others anything below 1"),
+        claim("orbits proliferate", "above F = 1.3",
+              f"more than 2 at F = {', '.join(many)}", all(float(F) > 1.3 for F in many),
+              "at F = 1 there are four: two elliptic, two saddles (proved)"),
+        _flips(mine, run),
+    ]  # fmt: skip
+
+
+def _flips(mine: dict[str, tuple[Cycle, ...]], run: Run) -> Comparison:
+    """Look for period doublings: flip saddles, and where the focus at F = 3 becomes one."""
+    flips = [F for F, found in mine.items()
+             if any(c.kind(conserves=True) == "flip saddle" for c in found)]  # fmt: skip
+    where = ""
+    if not run.quick:
+        study = continuation(at(F="3"), orbit=FOCUS, parameter="F", range=(2.9, 3.6), branches=2)
+        found = {f"{each.label} at F = {each.value:.6f}" for each in study.special}
+        where = "; along the focus at F = 3: " + ", ".join(sorted(found, reverse=True))
+    return claim(
+        "period doublings in the range", "none observed, tr != -2",
+        f"flip saddles at F = {', '.join(flips)}{where}", not flips,
+        "a multiplier -1 of a map with det < 1 has trace -1 - det, not -2",
+    )  # fmt: skip
+
+
+def draw(data: Counted, figure: FigureBase) -> None:
+    """Draw the counts by type, and the paper's."""
+    axes = figure.subplots()
+    places = np.arange(len(data.forces), dtype=float)
+    for shift, found, words in ((-0.21, data.paper, "paper"), (0.21, data.thorough, "")):
+        below = np.zeros(len(places))
+        for kind in KINDS:
+            heights = np.array([sum(c.kind(conserves=True) == kind for c in o) for o in found])
+            if heights.any() or not words:
+                used = any(c.kind(conserves=True) == kind for o in data.thorough for c in o)
+                axes.bar(places + shift, heights, 0.38, below, color=TYPE_COLOURS[kind], ec=BLACK,
+                         lw=0.4, hatch="////" if words else None,
+                         label=kind if used and not words else None)  # fmt: skip
+                below += heights
+        for place, total in zip(places, below, strict=True):
+            axes.annotate(f"{total:.0f}", (place + shift, total), xytext=(0, 2), ha="center",
+                          textcoords="offset points", fontsize=8)  # fmt: skip
+    axes.set_xticks(places, [f"{float(F):g}" for F in data.forces])
+    values = [float(F) for F in data.forces]
+    for value, colour, line, words in (
+        (math.pi * float(PAPER.f) / 2, RED, ":", r"$F = \pi f/2$: no (1,1) orbit below"),
+        (FOLD, ORANGE, "--", r"$F_{\rm sc}$ of the paper: nothing happens"),
+    ):
+        inside = float(np.interp(value, values, places))
+        place = inside if value > values[0] else places[0] - 0.5
+        axes.axvline(place, color=colour, ls=line, lw=1.2, label=words)
+    axes.set_ylim(0, 1.08 * max(len(found) for found in data.thorough))
+    axes.set_xlim(-0.6, len(places) - 0.4)
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_xlabel("$F$  [force] (not to scale)")
+    axes.set_ylabel("$T$-periodic orbits found")
+    axes.bar([0], [0], color="white", ec=BLACK, lw=0.4, hatch="////",
+             label=f"hatched: {SEEDS} x {SEEDS} seeds, like the paper's")  # fmt: skip
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    figure.suptitle(f"$T$-periodic orbits over $F$\n{parameters(PAPER, but=('F',))}", fontsize=10)
+
+
+FIGURE = Figure("T-periodic orbits over F", compute, draw, (7.6, 4.8))

@@ -1,0 +1,138 @@
+"""fig:KAM: the stroboscopic portrait around the elliptic orbit, and its island chains."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import FigureBase
+
+from cap.approx.portrait import Portrait, portrait
+from cap.approx.rotation import SHAKY, Rotation, rotation
+from cap.errors import BadInput
+from cap.paper.certified import theorem
+from cap.paper.comparison import Comparison, claim, percent, proved
+from cap.paper.figure import Figure, Result, Run
+from cap.parameters import PAPER
+from cap.pictures.style import BLUE, GREY, ORANGE, SKY, parameters, star, stroboscopic
+
+RADIUS, PERIODS = 0.05, 300
+LARGEST = 30  # denominator of the chains that are named
+
+
+@dataclass(frozen=True)
+class Island:
+    """The portrait and the rotation numbers."""
+
+    portrait: Portrait
+    rotation: Rotation
+
+
+def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
+    """Give the first convergents of the continued fraction of a number in (0, 1)."""
+    h, k = (1, 0), (0, 1)
+    for _ in range(count):
+        whole = value.numerator // value.denominator
+        h, k = (whole * h[0] + h[1], h[0]), (whole * k[0] + k[1], k[0])
+        if h[0]:
+            yield Fraction(h[0], k[0])
+        if value == whole:
+            return
+        value = 1 / (value - whole)
+
+
+def compute(run: Run) -> Result:
+    """Follow orbits from a disk as in the paper, and measure rotation numbers on a ray."""
+    seen = portrait(PAPER, radius=RADIUS / float(PAPER.R), orbits=run.size(400, 60),
+                    periods=PERIODS, work=run.work)  # fmt: skip
+    turns = rotation(PAPER, radius=0.024, orbits=run.size(300, 40), periods=run.size(3000, 400),
+                     work=run.work)  # fmt: skip
+    if seen.centre is None:
+        raise BadInput("the elliptic orbit was not found")
+    return Result((*_curves(turns), *_layer(seen)), Island(seen, turns))
+
+
+def _curves(turns: Rotation) -> list[Comparison]:
+    """Compare the rotation numbers on curves and the chains between them."""
+    own = theorem("elliptic", (0.1003, 0.5419))
+    good = turns.quality < SHAKY
+    low, high = float(turns.rotation[good].min()), float(turns.rotation[good].max())
+    chains = [f for q in range(2, LARGEST) for p in range(1, q)
+              if math.gcd(p, q) == 1 and low < (f := Fraction(p, q)) < high]  # fmt: skip
+    known = list(convergents(Fraction(own["rotation_number"][0]), 4))
+    names = ", ".join(map(str, chains)) or "none"
+    tight = ", ".join(map(str, known))
+    steps = np.diff(turns.rotation[good & (turns.distance > 0.006)])
+    return [
+        proved("rotation number at P_*", "0.287", own["rotation_number"]),
+        claim("rotation number with the radius", "varies smoothly, close to 0.287",
+              f"falls from {high:.7f} to {low:.4f} (a maximum at P_*: tau_1 is nearly 0)",
+              bool((steps < 1e-4).all()), "",
+              note="on the curves; nearly constant up to a distance of 0.01"),
+        claim("chain of period five", "most visible", f"none: no k/5 in ({low:.4f}, {high:.4f})",
+              any(f.denominator == 5 for f in chains),
+              f"chains up to q = {LARGEST - 1} are those of {names}"),
+        claim("chain of period seven", "most visible", "2/7" if Fraction(2, 7) in chains else names,
+              any(f.denominator == 7 for f in chains), f"chains are those of {names}",
+              note=f"chains with q < {LARGEST}: {names}"),
+        claim("5 and 7 are denominators of convergents", "both",
+              f"convergents {tight}", {5, 7} <= {f.denominator for f in known},
+              "7 is, 5 is not"),
+    ]  # fmt: skip
+
+
+def _layer(seen: Portrait) -> list[Comparison]:
+    """Compare what lies outside of the curves."""
+    lost, total = int(seen.turned.sum()), len(seen.turned)
+    return [
+        claim(f"orbits of the disk of radius {RADIUS} in {PERIODS} periods",
+              "curves, chains, and a thin chaotic layer within Omega_NS",
+              f"{percent(lost, total)} of {total} turn or stick", lost == 0,
+              "the island is smaller than the disk: what surrounds it lies in Omega_dissip"),
+    ]  # fmt: skip
+
+
+def draw(data: Island, figure: FigureBase) -> None:
+    """Draw the portrait and the rotation numbers."""
+    axes = figure.subplots(1, 2, width_ratios=[1.25, 1])
+    study = data.portrait
+    regular = np.flatnonzero(~study.turned)
+    for chosen, colour in ((study.turned, "#BBBBBB"), (regular[::2], BLUE), (regular[1::2], SKY)):
+        own = study.states[chosen].reshape(-1, 2)
+        axes[0].scatter(*own.T, s=0.9, c=colour, lw=0, rasterized=True)
+    star(axes[0], data.portrait.centre)
+    x, v = data.portrait.centre or (0.0, 0.0)
+    axes[0].set_xlim(x - 0.085, x + 0.085)
+    axes[0].set_ylim(v - 0.05, v + 0.075)
+    stroboscopic(axes[0])
+    axes[0].plot([], [], ".", color=BLUE, label="never turns")
+    axes[0].plot([], [], ".", color=GREY, label="turns or sticks")
+    axes[0].legend(loc="upper left", handlelength=1.0)
+    _staircase(axes[1], data.rotation)
+    figure.suptitle(
+        f"Portrait around $P_*$, {PERIODS} periods, and its rotation numbers\n{parameters(PAPER)}",
+        fontsize=10,
+    )
+
+
+def _staircase(axes: Axes, turns: Rotation) -> None:
+
+    good = turns.quality < SHAKY
+    axes.plot(turns.distance[~good], turns.rotation[~good], ".", ms=3, color=ORANGE,
+              label="on no curve, or in a chain")  # fmt: skip
+    axes.plot(turns.distance[good], turns.rotation[good], ".", ms=3, color=BLUE, label="on a curve")
+    low, high = np.nanmin(turns.rotation), np.nanmax(turns.rotation)
+    for q in range(2, LARGEST):
+        for p in range(1, q):
+            if math.gcd(p, q) == 1 and low <= p / q <= high:
+                axes.axhline(p / q, color=GREY, ls=":", lw=0.8)
+                axes.annotate(f"{p}/{q}", (0.001, p / q), xytext=(0, 2), fontsize=8,
+                              textcoords="offset points", color="#555555")  # fmt: skip
+    axes.set_xlabel("distance from $P_*$ along $x$  [length]")
+    axes.set_ylabel(r"rotation number $\Theta/2\pi$")
+    axes.legend(loc="center left", bbox_to_anchor=(0.0, 0.62))
+
+
+FIGURE = Figure("stroboscopic portrait around the elliptic orbit", compute, draw, (8.4, 4.4))

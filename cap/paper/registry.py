@@ -1,0 +1,45 @@
+"""The figures of the paper, by their labels, in its order."""
+
+from importlib import import_module
+
+from cap.errors import BadInput
+from cap.paper.figure import Figure
+
+_MODULES = {
+    "fig:model-schematic": "sketches:MODEL",
+    "fig:cover": "sketches:COVER",
+    "fig:impulse-bound": "impulse_bound:FIGURE",
+    "fig:kam-gallery": "gallery_near:FIGURE",
+    "fig:decomp-schematic": "sketches:DECOMPOSITION",
+    "fig:multi-particle": "sketches:PARTICLES",
+    "fig:orbit": "orbit:FIGURE",
+    "fig:KAM": "island:FIGURE",
+    "fig:bifurcation": "bifurcation:FIGURE",
+    "fig:sali": "sali:FIGURE",
+    "fig:basin": "basin:FIGURE",
+    "fig:continuation": "continuation:FIGURE",
+    "fig:coexist-main": "coexistence:FIGURE",
+    "fig:hist-gallery-low": "regimes:LOW",
+    "fig:hist-gallery-high": "regimes:HIGH",
+    "fig:hist-cont": "forcing:FIGURE",
+    "fig:hist-chatter": "sticking:FIGURE",
+}
+LABELS = tuple(_MODULES)
+
+
+def figure(label: str) -> Figure:
+    """Return a figure, by its label with or without "fig:"; `BadInput` if there is none."""
+    full = label if label in _MODULES else f"fig:{label}"
+    if full not in _MODULES:
+        raise BadInput(f"the paper has no figure {label!r}: all, or one of {', '.join(LABELS)}")
+    module, name = _MODULES[full].split(":")
+    found: Figure = getattr(import_module(f"cap.paper.{module}"), name)
+    return found
+
+
+def labelled(label: str) -> list[str]:
+    """Return the labels that are meant: all of them, or one."""
+    if label == "all":
+        return list(LABELS)
+    figure(label)
+    return [label if label in _MODULES else f"fig:{label}"]

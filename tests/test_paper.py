@@ -1,0 +1,292 @@
+"""The figures of the paper: tables with reasons, pictures, and the rule by which numbers agree."""
+
+import csv
+import math
+from dataclasses import replace
+
+import matplotlib.image
+import numpy as np
+import pytest
+
+from cap.approx.work import Work
+from cap.errors import BadInput, NotProved
+from cap.paper import bifurcation, certified, closed_form, command, continuation, forcing, sketches
+from cap.paper.comparison import (
+    among,
+    claim,
+    count,
+    enclosure,
+    markdown,
+    number,
+    percent,
+    proved,
+)
+from cap.paper.figure import Run, at
+from cap.paper.registry import LABELS, figure, labelled
+from cap.parameters import PAPER
+
+PRINTED = {  # every figure label of the paper's source
+    "fig:model-schematic", "fig:cover", "fig:impulse-bound", "fig:kam-gallery",
+    "fig:decomp-schematic", "fig:multi-particle", "fig:orbit", "fig:KAM", "fig:bifurcation",
+    "fig:sali", "fig:basin", "fig:continuation", "fig:coexist-main", "fig:hist-gallery-low",
+    "fig:hist-gallery-high", "fig:hist-cont", "fig:hist-chatter",
+}  # fmt: skip
+
+
+def test_the_labels_are_those_of_the_paper():
+    """Every figure of the paper has an entry, and no other."""
+    assert set(LABELS) == PRINTED
+    assert labelled("all") == list(LABELS)
+    assert labelled("sali") == labelled("fig:sali") == ["fig:sali"]
+
+
+@pytest.mark.parametrize("label", ["", "fig:", "fig:salt", "tab:jacobian", "All"])
+def test_an_unknown_label_is_bad_input(label):
+    """A label that the paper does not have is refused, with those that it has."""
+    with pytest.raises(BadInput, match="the paper has no figure"):
+        figure(label)
+
+
+@pytest.fixture(scope="module")
+def found():
+    """Compute each figure once, in its smallest size."""
+    kept = {}
+
+    def compute(label):
+        if label not in kept:
+            kept[label] = figure(label).compared(label, Run(Work(1), quick=True))
+        return kept[label]
+
+    return compute
+
+
+@pytest.mark.parametrize("label", LABELS)
+def test_a_figure_has_numbers_reasons_and_a_picture(label, found, tmp_path):
+    """Every row says what, and why not; the picture has the size asked for and is not empty."""
+    compared = found(label)
+    assert compared.complete
+    assert len(compared.rows) >= 3
+    for row in compared.rows:
+        assert row.what
+        assert row.paper
+        assert row.ours
+        assert row.agrees or row.reason, row
+        assert "nan" not in row.ours, row
+    assert len({row.what for row in compared.rows}) == len(compared.rows)
+    picture = figure(label).picture(compared, dpi=40)
+    file = tmp_path / "picture.png"
+    picture.savefig(file)
+    pixels = matplotlib.image.imread(file)
+    width, height = figure(label).size
+    assert pixels.shape[:2] == (round(40 * height), round(40 * width))
+    assert np.ptp(pixels[..., :3]) > 0.5
+    assert (pixels[..., :3].min(axis=-1) < 0.9).mean() > 0.005
+
+
+AGREE = {  # the rows that the paper gets right, whatever the size of the computation
+    "fig:orbit": ["hit of the right wall", "trace of Phi'(P_*)", "rotation number"],
+    "fig:impulse-bound": ["F = 0.95: trace of Phi'(P_*)", "F = 0.85: rotation number"],
+    "fig:sali": ["cells in Omega_dissip", "regular cells of 484", "chaotic cells"],
+    "fig:basin": ["share of Omega_NS [%]", "the same with another integrator's rounding"],
+    "fig:continuation": ["points with an elliptic orbit", "orbits at f = 0.55, R = 1"],
+    "fig:coexist-main": ["focus: trace", "saddle: determinant", "saddle: larger multiplier"],
+    "fig:hist-gallery-low": ["F = 4.5: determinant", "wall hits in 4 T at F = 4.5"],
+    "fig:hist-gallery-high": ["F = 6: trace"],
+    "fig:hist-chatter": ["(a) turn, t", "(a) releases up to t = 12"],
+}
+DIFFER = {  # and those that it gets wrong
+    "fig:orbit": ["twist tau_1", "enclosure of entry 21", "non-sticking fixed points"],
+    "fig:KAM": ["chain of period five"],
+    "fig:bifurcation": ["f at which the branch ends", "rotation number 1/4"],
+    "fig:basin": ["blue cells"],
+    "fig:continuation": ["orbits at f = 0.15, R = 2", "elliptic orbit at (0.55, 1)"],
+    "fig:coexist-main": ["T-periodic orbits at F = 3"],
+    "fig:hist-gallery-high": ["F = 6: largest |v|"],
+    "fig:hist-cont": ["F = 0.65 and 0.85: orbits found below F_sc"],
+    "fig:hist-chatter": ["(b) the two orbits", "time between events (conclusion)"],
+    "fig:multi-particle": ["a collision preserves sum dv_i dx_i (Theorem multiparticle)"],
+}
+
+
+@pytest.mark.parametrize(("expected", "rows"), [(True, AGREE), (False, DIFFER)])
+def test_known_verdicts(expected, rows, found):
+    """What is known to be right or wrong in the paper comes out so."""
+    for label, names in rows.items():
+        verdicts = {row.what: row.agrees for row in found(label).rows}
+        for name in names:
+            assert verdicts[name] is expected, (label, name)
+
+
+def test_a_number_agrees_within_one_unit_of_its_last_digit():
+    """Rounded and cut-off numbers agree, others do not."""
+    assert number("x", "0.207", 0.20666).agrees
+    assert number("x", "103.30", 103.3055).agrees  # cut off
+    assert not number("x", "0.467", 0.465904, "why").agrees
+    assert not number("x", "0.467", math.nan, "why").agrees
+    assert number("x", "-0.42", 0.1134, "sign").reason == "sign"
+    assert number("x", "0.5", 0.5, "why", note="a remark").reason == "a remark"
+    assert number("x", "0.5", 0.5).ours == "0.5000"
+    assert number("x", "14.4", 14.3774).ours == "14.3774"
+
+
+def test_proved_numbers_and_enclosures():
+    """Both ends of what is proved must agree, or lie inside."""
+    assert proved("x", "0.287", ["0.28695", "0.28696"]).ours == "0.286950 (proved)"
+    assert not proved("x", "0.287", ["0.28695", "0.2896"]).agrees
+    assert enclosure("x", ("0.1", "0.3"), ["0.15", "0.2"]).agrees
+    assert not enclosure("x", ("0.1", "0.1"), ["0.09999", "0.10001"], "why").agrees
+
+
+def test_counts_claims_and_runs():
+    """Counts are compared exactly, runs by their range."""
+    assert count("n", 3, 3).agrees
+    assert not count("n", 3, 4, "why").agrees
+    assert among("n", "165", [161, 164, 166]).agrees
+    assert not among("n", "165", [161, 164], "why").agrees
+    assert among("x", "-13.4", [-13.6, -12.8]).ours == "-13.60 to -12.80 in 2 runs"
+    assert claim("c", "yes", "no", False, "why").reason == "why"
+    assert percent(1, 3) == "33.3%"
+    assert percent(1, 0) == "none"
+
+
+def test_a_table_is_markdown():
+    """Bars inside cells are escaped."""
+    lines = markdown([claim("|v|", "1 | 2", "3", False, "why")])
+    assert lines[-1] == "| \\|v\\| | 1 \\| 2 | 3 | **no** | why |"
+    assert all(line.count("|") - line.count("\\|") == 6 for line in lines)
+
+
+def test_the_closed_form_gives_the_proved_orbit():
+    """State, trace and twist from the closed form are those of the theorem."""
+    own = certified.theorem("elliptic", (0.1003, 0.5419))
+    delta = closed_form.asymmetry(0.4, 2.0)
+    alpha, way, speed = closed_form.state(-delta, 2.0)
+    assert alpha == pytest.approx(0.4, abs=1e-14)
+    assert 1 - way == pytest.approx(float(own["x"][0]), abs=1e-13)
+    assert speed == pytest.approx(float(own["v"][0]), abs=1e-13)
+    assert closed_form.pair_member(delta, 2.0).trace == pytest.approx(float(own["trace"][0]))
+    assert closed_form.twist(delta, 2.0) == pytest.approx(float(own["twist"][0]), rel=1e-9)
+    way, speed = closed_form.symmetric_state(0.4, 2.0, 1)
+    assert (1 - way, speed) == pytest.approx((0.34352606, 0.7753195), abs=1e-7)
+    assert math.isnan(closed_form.asymmetry(0.5, 2.0))  # above the pitchfork
+
+
+def test_the_map_agrees_with_the_census():
+    """The map in floats has the orbits that are proved, with their types."""
+    run = Run(Work(1), quick=True)
+    small = continuation.mapped(12, run)
+    code = small.classes()
+    for i in (2, 6, 9):
+        for j in (3, 7):
+            members = {
+                member.name: member.kind[0]
+                for member in continuation.census(
+                    continuation.Fraction(float(small.f[j])),
+                    continuation.Fraction(float(small.R[i])),
+                )
+            }
+            words = "".join(members.get(name, "-") for name in continuation.NAMES)
+            assert continuation.CLASSES[code[i, j]] == words
+
+
+def test_the_landmarks_of_the_branch():
+    """Resonances, the end and the zero of the twist are where the theorem has them."""
+    marks = bifurcation.landmarks()
+    assert float(marks.resonances["1/4"][0]) == pytest.approx(0.41519716267356)
+    assert float(marks.end[0]) == pytest.approx(0.34782975492277)
+    assert marks.twist == pytest.approx(0.4000285629, abs=1e-10)
+
+
+def test_the_search_of_the_paper_filters_as_it_says():
+    """Slow fixed points and strange determinants are dropped."""
+    found = forcing.grid_newton(at(F="1.5"), 3)
+    assert found
+    assert all(abs(each.v) > 0.05 and 0.1 <= each.determinant <= 5 for each in found)
+
+
+def test_the_wave_and_the_collision():
+    """The triangular wave and the matrix of a collision at simple values."""
+    q = np.array([0.0, 0.25, 1.0, 1.75, 2.0, 3.5])
+    assert sketches.wave(q) == pytest.approx([0, 0.25, 1, 0.25, 0, 0.5])
+    assert np.array_equal(sketches.collision(1, 1), [[0, 1], [1, 0]])
+
+
+def test_the_command_writes_a_picture_or_a_table(tmp_path, capsys):
+    """The suffix of the file decides what is written."""
+    heard = []
+    picture, table, text = (tmp_path / f"one.{kind}" for kind in ("svg", "csv", "md"))
+    for path in (picture, table, text):
+        assert command.run("cover", path, lambda *words: heard.append(words), quick=True) == 0
+    printed = capsys.readouterr().out
+    assert "## fig:cover" in printed
+    assert "| what | paper | ours | agrees? |" in printed
+    assert picture.read_text().startswith("<?xml")
+    with table.open(newline="") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    assert rows[0] == ["what", "paper", "ours", "agrees", "reason"]
+    assert len(rows) == 6
+    assert text.read_text().startswith("A number agrees")
+
+
+def test_the_data_of_a_picture_can_be_read_again(tmp_path, capsys):
+    """The archive has the table and the numbers of the picture."""
+    path = tmp_path / "one.npz"
+    assert command.run("fig:cover", path, lambda _words, _part: None, quick=True) == 0
+    with np.load(path) as archive:
+        assert len(archive["what"]) == len(archive["reason"]) == 5
+        assert str(archive["f"]) == "2/5"
+        assert archive["data.q"].shape == archive["data.orbit.t"].shape
+
+
+def test_the_command_writes_all_into_a_directory(tmp_path, capsys, monkeypatch):
+    """Pictures and one table are written, and the times said."""
+    chosen = ["fig:cover", "fig:multi-particle"]
+    monkeypatch.setattr(command, "labelled", lambda _label: chosen)
+    assert command.run("all", tmp_path / "new", lambda _words, _part: None, quick=True) == 0
+    names = {path.name for path in (tmp_path / "new").iterdir()}
+    assert names == {"cover.png", "cover.pdf", "multi-particle.png", "multi-particle.pdf",
+                     "comparison.md"}  # fmt: skip
+    assert "fig:cover: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("label", "name"), [("cover", "x.txt"), ("nothing", "x.png")])
+def test_bad_requests(label, name, tmp_path):
+    """A file of no known kind, or no such figure, is bad input."""
+    with pytest.raises(BadInput):
+        command.run(label, tmp_path / name, lambda _words, _part: None)
+
+
+def test_an_interrupt_keeps_what_is_done(tmp_path, capsys, monkeypatch):
+    """The tables of what is done before are written, and the status says so."""
+
+    def interrupted(_run):
+        raise KeyboardInterrupt
+
+    def stopping(label):
+        one = figure(label)
+        return one if label == "fig:cover" else replace(one, compute=interrupted)
+
+    monkeypatch.setattr(command, "labelled", lambda _label: ["fig:cover", "fig:sali"])
+    monkeypatch.setattr(command, "figure", stopping)
+    assert command.run("all", tmp_path, lambda _words, _part: None) == command.INTERRUPTED
+    assert "interrupted in fig:sali" in capsys.readouterr().err
+    assert "fig:cover" in (tmp_path / "comparison.md").read_text()
+    assert not (tmp_path / "sali.png").exists()
+
+
+def test_what_is_not_proved_is_said(capsys, monkeypatch):
+    """The other figures go on, and the status is 1."""
+
+    def failing(_run):
+        raise NotProved("Lemma 1", "not certain")
+
+    one = replace(figure("fig:cover"), compute=failing)
+    monkeypatch.setattr(command, "figure", lambda _label: one)
+    assert command.run("fig:cover", None, lambda _words, _part: None) == 1
+    assert "fig:cover: not proved: Lemma 1" in capsys.readouterr().err
+
+
+def test_parameters_but_for_some():
+    """Parameters are exact."""
+    assert at(F="3").F == 3
+    assert at() == PAPER
