@@ -1,6 +1,6 @@
 """Speed of the proof's core, against straightforward mpmath.iv in the same run.
 
-    python -m pytest benchmarks/bench_elliptic.py --benchmark-columns=min,median
+    python -m pytest -n0 benchmarks/bench_elliptic.py --benchmark-columns=min,median
 
 From hints and a box of half-width 1e-9: *existence* is the itinerary, Krawczyk, trace and rotation
 number over the box; *second pass* adds the orbits from K; *jet* is the jet of order 3.

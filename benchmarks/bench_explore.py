@@ -1,6 +1,6 @@
 """Speed of exploring, against a plain event-driven solve_ivp in the same run.
 
-    python -m pytest benchmarks/bench_explore.py --benchmark-columns=min,median
+    python -m pytest -n0 benchmarks/bench_explore.py --benchmark-columns=min,median
 
 The states are spread over [-1, 1] x [-2, 2] at the paper's parameters.  The peer is scipy's DOP853
 with events at the walls and at v = 0, at the tolerance at which it agrees with us to 1e-9.

@@ -1,6 +1,6 @@
 """Speed of the float flow of many orbits, against one without compiler in the same run.
 
-    python -m pytest benchmarks/bench_swarm.py --benchmark-columns=min,median
+    python -m pytest -n0 benchmarks/bench_swarm.py --benchmark-columns=min,median
 
 The states are spread over [-1, 1] x [-2, 2] at the paper's parameters.  Extra information:
 states times periods in a second; the peer is `cap.approx.flow`, in pure Python, for an orbit that

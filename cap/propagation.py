@@ -63,7 +63,7 @@ def propagate(p: Parameters, start: State[Ball], end: Ball) -> Image:
     osc = oscillator(p)
     cloud, events = _Cloud(start), list[Happened]()
     while cloud.time is not end:
-        if not cloud.time < end:
+        if not (cloud.time < end and end.is_finite()):
             sets = {"time": cloud.time, "end": end}
             raise NotProved("propagation", "the end may not be after all that comes before", sets)
         if len(events) > MOST_STEPS:

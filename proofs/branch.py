@@ -59,8 +59,8 @@ FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for ther
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow
 LONGEST = Fraction(1, 100)  # to this length
 SMALLEST = Fraction(1, 10**9)  # the shortest cell
-ORDER = 10  # of the Taylor models
-BITS = 200
+ORDER = 6  # of the Taylor models
+BITS = 120
 SIGNS = {"+": "+", "-": "-", UNDECIDED: None}
 
 MOSER = {

@@ -14,6 +14,7 @@ from cap import prove
 from cap.checker.theorem import check
 from cap.parameters import Parameters
 from cap.report import theorem as told
+from proofs import persistence
 
 STORED = Path(__file__).parent.parent / "certificates"
 
@@ -289,8 +290,9 @@ def test_captures_in_other_units(capsys, tmp_path, words, latest):
 @pytest.mark.parametrize(
     ("epsilon", "mu"), [("1/1000000", "0"), ("1/3000", "1/7000"), ("1/50", "1/50")]
 )
-def test_persistence_at_other_losses(capsys, tmp_path, epsilon, mu):
+def test_persistence_at_other_losses(capsys, tmp_path, monkeypatch, epsilon, mu):
     """Hardly any; no finite decimals; so many that it takes several cells to reach them."""
+    monkeypatch.setattr(persistence, "MOST_CELLS", 4)
     path = tmp_path / "c.json"
     words = ("--epsilon", epsilon, "--mu", mu, "--digits", "10", "--out", str(path))
     assert run(capsys, "persistence", *words)[0] == 0
