@@ -68,7 +68,7 @@ SEED = Option("seed", option.count(0, 10**9 - 1), "of the random deviations (0)"
 PARAMETER = Option(
     "parameter", option.choice(*PARAMETERS), f"one of {', '.join(PARAMETERS)}", "NAME"
 )
-VALUES = Option("values", option.numbers, "of the parameter", "Q", "+")
+VALUES = Option("values", option.exacts, "of the parameter", "Q", "+")
 
 
 def _periods(default: int) -> Option:
@@ -104,7 +104,7 @@ COMMANDS = {
                 "orbit", option.numbers, "the state at t = 0, or near a fixed point", ("X", "V"), 2
             ),
             Option("exactly", None, "follow this very state, no periodic orbit near it"),
-            Option("periods", option.positive, "forcing periods (1)", "Q"),
+            Option("periods", option.positive_to(10_000), "forcing periods (1)", "Q"),
         ),
         (7.4, 4.2),
     ),
@@ -236,6 +236,7 @@ COMMANDS = {
             VALUES,
             Option("period", option.count(1, 16), "of least period N T (1)", "N"),
             Option("prove", None, "prove them, and mark those proved"),
+            Option("certificates", option.path, "prove them, and keep the certificates", "DIR"),
         ),
         (6.0, 5.6),
     ),
@@ -245,7 +246,11 @@ COMMANDS = {
         "times:gallery",
         "--parameter F --values 1.5 3 4.5 --out gallery.pdf",
         "Default: F = 1.5, 3, 4.5, 6, 12, 50.",
-        (PARAMETER, VALUES, Option("periods", option.positive, "forcing periods shown (4)", "Q")),
+        (
+            PARAMETER,
+            VALUES,
+            Option("periods", option.positive_to(1000), "forcing periods shown (4)", "Q"),
+        ),
         (7.4, 9.0),
     ),
     "chatter": Command(
@@ -256,7 +261,12 @@ COMMANDS = {
         "Infinitely many hits in finite time; speeds fall like e sqrt((a - f)/(a + f)).",
         (
             Option("orbit", option.numbers, "the state at t = 0", ("X", "V"), 2),
-            Option("periods", option.positive, "in which the capture must happen (100)", "Q"),
+            Option(
+                "periods",
+                option.positive_to(100_000),
+                "in which the capture must happen (100)",
+                "Q",
+            ),
         ),
         (8.4, 3.4),
     ),
@@ -269,7 +279,12 @@ COMMANDS = {
         (
             Option("orbit", option.numbers, "the saddle near this state", ("X", "V"), 2),
             Option("length", option.positive, "of each branch, in units of R and R omega (4)", "Q"),
-            Option("spacing", option.positive, "of its points, in the same units (0.005)", "Q"),
+            Option(
+                "spacing",
+                option.positive_to(0.1),
+                "of its points, in the same units (0.005)",
+                "Q",
+            ),
             Option("periods", option.count(1, 1000), "images, at most (40)", "N"),
         ),
         (6.0, 5.4),

@@ -20,6 +20,7 @@ from cap.option import Option
 from cap.parameters import PAPER, Parameters, exact
 
 INTERRUPTED = 130
+MOST_PIXELS = 300_000_000
 
 
 def parser() -> Parser:
@@ -126,7 +127,7 @@ def _run(options: argparse.Namespace, command: Command) -> int:
     p = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
     values = {o.keyword: _value(o, getattr(options, o.keyword)) for o in command.options}
     given = {name: value for name, value in values.items() if value is not None}
-    size, dpi = _size(options, command), Option.integer("dpi", options.dpi, (20, 2000))
+    size, dpi = _size(options, command)
     for path in options.out:
         export.kind(path)
     bar = _Bar()
@@ -134,13 +135,19 @@ def _run(options: argparse.Namespace, command: Command) -> int:
     study = command.function()(p, work=work, **given)
     bar.clear()
     print("\n".join(study.lines()))
+    failed = 0
     for path in options.out:
-        export.write(study, path, lambda: command.picture(study, size, dpi))
-        print(f"{path}: written")
+        try:
+            export.write(study, path, lambda: command.picture(study, size, dpi))
+        except BadInput as error:  # the other files are written all the same
+            failed = 2
+            say(f"error: {error}", sys.stderr)
+        else:
+            print(f"{path}: written")
     if not study.complete:
         say("interrupted; what was done is kept", sys.stderr)
         return INTERRUPTED
-    return command.status(study)
+    return failed or command.status(study)
 
 
 def _value(option: Option, text: Any) -> Any:
@@ -148,13 +155,15 @@ def _value(option: Option, text: Any) -> Any:
     return text or None if option.flag else None if text is None else option.read(text)
 
 
-def _size(options: argparse.Namespace, command: Command) -> tuple[float, float]:
-    if options.size is None:
-        return command.size
-    width, height = (float(exact(word)) for word in options.size)
+def _size(options: argparse.Namespace, command: Command) -> tuple[tuple[float, float], int]:
+    """Return the size of the picture in inches, and its pixels per inch."""
+    width, height = (float(exact(word)) for word in options.size or map(str, command.size))
     if not (1 <= width <= 100 and 1 <= height <= 100):
         raise BadInput(f"--size must be from 1 to 100 inches: {width:.6g} x {height:.6g}")
-    return width, height
+    dpi = Option.integer("dpi", options.dpi, (20, 2000))
+    if width * height * dpi**2 > MOST_PIXELS:
+        raise BadInput(f"the picture is too large: {width:g} x {height:g} inches at {dpi} dpi")
+    return (width, height), dpi
 
 
 @dataclass

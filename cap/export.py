@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 IMAGES = ("png", "pdf", "svg")
 DATA = ("csv", "npz")
-MOST_ROWS = 5_000_000  # of a table in text
+ROWS = 100_000  # of a table in text, at a time
 
 
 def kind(path: Path) -> str:
@@ -70,14 +70,14 @@ def _table(study: Study, file: IO[bytes]) -> None:
     """Write the columns, after the parameters as a comment; numbers are read back exactly."""
     columns = study.columns()
     arrays = np.broadcast_arrays(*(np.asarray(column) for column in columns.values()))
-    if arrays[0].size > MOST_ROWS:
-        raise BadInput(f"a table of {arrays[0].size} rows is too long: write .npz instead")
     text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
     parameters = ", ".join(f"{k} = {q}" for k, q in study.parameters.strings().items())
     text.write(f"# {parameters}{'' if study.complete else '; interrupted'}\n")
     writer = csv.writer(text)
     writer.writerow(columns)
-    writer.writerows(zip(*(array.ravel().tolist() for array in arrays), strict=True))
+    for k in range(0, arrays[0].size, ROWS):
+        rows = (array.flat[k : k + ROWS].tolist() for array in arrays)
+        writer.writerows(zip(*rows, strict=True))
     text.detach()
 
 

@@ -3,6 +3,8 @@
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 from cap.errors import BadInput
@@ -60,14 +62,36 @@ def positive(words: Sequence[str], name: str) -> float:
     return value
 
 
+def positive_to(most: float) -> Reader:
+    """Read a positive number up to a limit."""
+
+    def read(words: Sequence[str], name: str) -> float:
+        value = positive(words, name)
+        if value > most:
+            raise BadInput(f"--{name} must be at most {most:g}: {words[0].strip()}")
+        return value
+
+    return read
+
+
 def numbers(words: Sequence[str], _name: str) -> tuple[float, ...]:
     """Read numbers."""
     return tuple(float(exact(word)) for word in words)
 
 
+def exacts(words: Sequence[str], _name: str) -> tuple[Fraction, ...]:
+    """Read numbers, exactly."""
+    return tuple(exact(word) for word in words)
+
+
 def counts(words: Sequence[str], name: str) -> tuple[int, ...]:
     """Read positive integers."""
     return tuple(Option.integer(name, word, (1, 100_000)) for word in words)
+
+
+def path(words: Sequence[str], _name: str) -> Path:
+    """Read a path."""
+    return Path(words[0])
 
 
 def choice(*names: str) -> Reader:

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from cap import explore, prove
-from cap.approx import swarm
+from cap.approx import fate, swarm
 from cap.approx.work import Work
 from cap.commands import COMMANDS
 from cap.errors import BadInput, NotProved
@@ -197,6 +197,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path, monkeypatch, capsys):
     """The pieces that were done are written; the status says so."""
     path = tmp_path / "basin.npz"
     arguments = ["--box", "-1", "1", "-2", "2", "--points", "50", "--periods", "3"]
+    monkeypatch.setattr(fate, "require_followed", lambda *_: None)
     monkeypatch.setattr(swarm, "follow", interrupting(2, swarm.follow))
     assert run("basin", *arguments, "--out", str(path)) == explore.INTERRUPTED
     assert "interrupted" in capsys.readouterr().err

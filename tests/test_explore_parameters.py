@@ -131,13 +131,13 @@ def test_no_orbit_above_the_impulse_bound():
 
 
 def test_attractors_over_a_plane():
-    """Outside f < F there is no oscillator; at f > 2F/π masses end in stick-slip, without hits."""
+    """Outside f < F there is no oscillator; at f > 2F/π masses end without hits."""
     found = plane(
         PAPER, axes=("f", "F"), first=(0.5, 0.9), second=(0.6, 1.2), points=3, what="attractors"
     )
     outside = found.first[None, :] >= found.second[:, None]
     np.testing.assert_array_equal(found.code < 0, outside)
-    assert found.names[found.code[2, 2]] == "stick-slip without hits"
+    assert found.names[found.code[2, 2]] == "never hits a wall"
 
 
 def test_inventory_of_the_paper():

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.approx import swarm
-from cap.approx.grid import Box, grid, region
+from cap.approx.grid import Box, grid, region, require_followed
 from cap.approx.study import Floats, State, Study, described
 from cap.approx.work import Work
 from cap.parameters import Parameters
@@ -19,7 +19,7 @@ CURVES = 5  # orbits, from the middle of the box to its right edge, whose index 
 LONG = 1000  # … after each of at least so many periods
 LEAST = 1e-17  # below the distance of neighbouring unit vectors in doubles: aligned
 
-TURNED, REGULAR, CHAOTIC = 0, 1, 2
+LOST, TURNED, REGULAR, CHAOTIC = -1, 0, 1, 2
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,8 +27,8 @@ class Alignment(Study):
     """An alignment index over the states (x_j, v_i).
 
     ``index`` (M, N) after the last period: nan where the orbit turned, stuck or was captured, and
-    where it was lost.  ``starts`` (L, 2) are some of the states, ``curves`` (L, K) their indices
-    after each period.
+    where it was ``lost`` (M, N), or not followed.  ``starts`` (L, 2) are some of the states,
+    ``curves`` (L, K) their indices after each period.
     """
 
     name: str
@@ -36,23 +36,26 @@ class Alignment(Study):
     x: Floats
     v: Floats
     index: Floats
+    lost: NDArray[np.bool_]
     starts: Floats
     curves: Floats
     centre: State | None
 
     @property
     def kinds(self) -> NDArray[np.int8]:
-        """Which cells, (M, N), are `TURNED`, `REGULAR` or `CHAOTIC`."""
+        """Which cells, (M, N), are `LOST`, `TURNED`, `REGULAR` or `CHAOTIC`."""
         with np.errstate(divide="ignore"):
             regular = np.log10(self.index) > THRESHOLD
         kinds = np.where(regular, REGULAR, CHAOTIC)
-        return np.where(np.isnan(self.index), TURNED, kinds).astype(np.int8)
+        kinds = np.where(np.isnan(self.index), TURNED, kinds)
+        return np.where(self.lost, LOST, kinds).astype(np.int8)
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many cells are regular, chaotic, and how many turned."""
+        """How many cells are regular, chaotic, how many turned, and were lost if any was."""
         kinds = self.kinds
         names = {"regular": REGULAR, "chaotic": CHAOTIC, "turned": TURNED}
+        names |= {"lost or not done": LOST} if self.lost.any() else {}
         return {name: int((kinds == kind).sum()) for name, kind in names.items()}
 
     def columns(self) -> dict[str, NDArray[np.generic]]:
@@ -115,14 +118,18 @@ def _map(  # noqa: PLR0913 (the options of the command)
     work = work or Work()
     box, centre = region(p, orbit, box, REACH)
     cells = grid(p, box, points)
+    require_followed(p, cells.sample())
     angle = float(np.random.default_rng(seed).uniform(0, 2 * np.pi))
     index = np.full(cells.count, np.nan)
+    lost = np.full(cells.count, fill_value=True)
 
     def follow(part: slice) -> None:
-        index[part] = _indices(name, p, cells.states(part), periods, angle)[:, -1]
+        found, lost[part] = _indices(name, p, cells.states(part), periods, angle)
+        index[part] = found[:, -1]
 
-    work.pieces(cells.count, follow, name)
+    work.pieces(cells.count, follow, name, periods)
     starts = _ray(box)
+    curves, _ = _indices(name, p, starts, max(periods, LONG), angle)
     return Alignment(
         parameters=p,
         complete=not work.interrupted,
@@ -131,8 +138,9 @@ def _map(  # noqa: PLR0913 (the options of the command)
         x=cells.x,
         v=cells.v,
         index=index.reshape(cells.shape),
+        lost=lost.reshape(cells.shape),
         starts=starts,
-        curves=_indices(name, p, starts, max(periods, LONG), angle),
+        curves=curves,
         centre=centre,
     )
 
@@ -143,8 +151,13 @@ def _ray(box: Box) -> Floats:
     return np.stack([x, np.full(CURVES, (low + high) / 2)], axis=-1)
 
 
-def _indices(name: str, p: Parameters, states: Floats, periods: int, angle: float) -> Floats:
-    """Return the index (N, K) after each period, nan if the orbit turns within all of them."""
+def _indices(
+    name: str, p: Parameters, states: Floats, periods: int, angle: float
+) -> tuple[Floats, NDArray[np.bool_]]:
+    """Return the index (N, K) after each period, and which orbits (N,) were lost.
+
+    nan if the orbit turns, or is lost, within all of them.
+    """
     found = swarm.follow(p, states, periods, every=True, derivative=True)
     cos, sin = math.cos(angle), math.sin(angle)
     if found.monodromy is None:  # it was asked for
@@ -152,7 +165,7 @@ def _indices(name: str, p: Parameters, states: Floats, periods: int, angle: floa
     units, _ = swarm.stretch(found.monodromy, [[cos, sin], [-sin, cos]])
     index = (smaller if name == "sali" else area)(units[:, :, 0], units[:, :, 1])
     index[found.turned | found.stuck | found.captured | found.lost] = np.nan
-    return index
+    return index, found.lost
 
 
 def smaller(first: Floats, second: Floats) -> Floats:

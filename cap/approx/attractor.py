@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.approx import swarm
-from cap.approx.grid import Box, grid, whole
+from cap.approx.grid import Box, grid, require_followed, whole
 from cap.approx.study import Floats, Study, described
-from cap.approx.work import Work
+from cap.approx.work import KEPT, Work
+from cap.errors import BadInput
 from cap.parameters import Parameters
 
 LONGEST = 64  # of the periods that are looked for
@@ -17,7 +18,8 @@ SAME = 1e-4  # states of one attractor, in the same units
 CHAOTIC = 1e-3  # least exponent, per period, of a chaotic attractor
 CELLS = 12  # per side, by which aperiodic attractors are told apart
 NONE = -1
-PIECE = 200  # seeds at a time: all their states are kept
+PIECE = 200  # seeds at a time
+MOST = 20_000_000  # states kept
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,9 @@ class Attractors(Study):
     def lines(self) -> list[str]:
         """Return the attractors."""
         head = f"attractors at {described(self.parameters)} from {self.label.size} seeds"
-        return [head, *(f"  {k}  {each.line()}" for k, each in enumerate(self.found, 1))]
+        rows = [f"  {k}  {each.line()}" for k, each in enumerate(self.found, 1)]
+        lost = int((self.label == NONE).sum())
+        return [head, *rows, *([f"  {lost} seeds were lost, or not done"] if lost else [])]
 
 
 @dataclass(frozen=True)
@@ -93,7 +97,11 @@ def attractors(
     work = work or Work()
     cells = grid(p, box or whole(p), points)
     seen = max(periods, 2 * LONGEST)
-    pieces = [slice(k, min(k + PIECE, cells.count)) for k in range(0, cells.count, PIECE)]
+    if cells.count * seen > MOST:
+        raise BadInput(f"too many states: {cells.count} seeds x {seen} periods (at most {MOST})")
+    require_followed(p, cells.sample())
+    length = max(1, min(PIECE, KEPT // seen))
+    pieces = [slice(k, min(k + length, cells.count)) for k in range(0, cells.count, length)]
     ends = work.map(
         lambda part: settle(p, cells.states(part), transient, seen), pieces, "attractors"
     )
@@ -185,7 +193,7 @@ def _labelled(p: Parameters, ends: Ends) -> tuple[NDArray[np.int64], list[_Mark]
     chosen: list[int] = []
     label = np.full(len(ends.states), NONE)
     for i in np.flatnonzero(np.isfinite(ends.states[:, -1, 0])).tolist():
-        mark = _mark(ends, i, unit, np.maximum(unit, spread))
+        mark = _mark(ends, i, unit, np.maximum(unit, spread), conserves=p.conserves)
         k = next((k for k, other in enumerate(marks) if mark.fits(other)), len(marks))
         if k == len(marks):
             marks.append(mark)
@@ -194,9 +202,10 @@ def _labelled(p: Parameters, ends: Ends) -> tuple[NDArray[np.int64], list[_Mark]
     return label, marks, chosen
 
 
-def _mark(ends: Ends, i: int, unit: Floats, spread: Floats) -> _Mark:
+def _mark(ends: Ends, i: int, unit: Floats, spread: Floats, *, conserves: bool) -> _Mark:
+    """Return the mark of one end; where areas are kept unless it turns, it may be no attractor."""
     period = int(ends.period[i])
-    if not ends.turned[i]:
+    if conserves and not ends.turned[i]:
         return _Mark("conservative")
     if ends.counts[i, :2].sum() == 0:
         return _Mark("free")
@@ -228,7 +237,7 @@ def _kind(name: str, period: int, exponent: float) -> str:
     """Return the kind of an end in words."""
     if name == "cycle":
         return f"period {period}"
-    names = {"conservative": "never turns", "free": "stick-slip without hits"}
+    names = {"conservative": "never turns", "free": "never hits a wall"}
     return names.get(name, "chaotic" if exponent > CHAOTIC else "no short period")
 
 

@@ -17,7 +17,7 @@ from cap.parameters import Parameters
 
 EXACT = 1e-11  # residual of a point of the curve
 STEPS = 10  # of Newton's method
-SMALL = 1e-6  # step of the divided difference in the parameter
+SMALL = 1e-6  # by how much the image moves, at least, in a divided difference in the parameter
 HALVINGS = 40
 
 
@@ -54,7 +54,10 @@ class Family:
     def defect(self, y: Floats) -> tuple[Floats, Floats]:
         """Return G = Φⁿ - 1 and its derivative (2, 3), in units of y."""
         image, monodromy = self._image(y)
-        step = np.array([0, 0, SMALL])
+        jacobian = np.empty((2, 3))
+        jacobian[:, :2] = monodromy / self.unit[:2, None] * self.unit[:2] - np.eye(2)
+        small = SMALL / max(1.0, float(np.abs(jacobian[:, :2]).max()))  # an orbit so unstable …
+        step = np.array([0, 0, small])  # … soon has other events
         ends = []
         for side in (1, -1):
             try:
@@ -62,9 +65,7 @@ class Family:
             except BadInput:
                 ends.append((image, 0))  # at the end of the parameter's range
         (high, a), (low, b) = ends
-        jacobian = np.empty((2, 3))
-        jacobian[:, :2] = monodromy / self.unit[:2, None] * self.unit[:2] - np.eye(2)
-        jacobian[:, 2] = (high - low) / (SMALL * ((a - b) or 1))
+        jacobian[:, 2] = (high - low) / (small * ((a - b) or 1))
         return image - y[:2], jacobian
 
     def corrected(self, y: Floats, across: Floats) -> Floats | None:

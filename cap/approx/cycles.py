@@ -76,15 +76,17 @@ class Search:
         self.T = 2 * math.pi / float(p.omega)
         self.scale = float(p.R), float(p.R * p.omega)
         self.followed = 0
+        self.ended = 0
 
     def path(self, z: State, periods: int | None = None) -> Path:
-        """Return the orbit of z over n periods; ``followed`` counts its events."""
+        """Return the orbit of z over n periods; ``followed`` counts events, ``ended`` orbits."""
         try:
             path = itinerary(self.p, *z, end=(periods or self.periods) * self.T)
         except BadInput:
             self.followed += MOST_EVENTS
             raise
         self.followed += len(path.events)
+        self.ended += 1
         return path
 
     def defect(self, path: Path, z: State) -> State:
@@ -164,7 +166,8 @@ def cycles(
 
     Seeds fill the rectangle of all x and |v| <= 2 F/ω + Rω/2.  Newton's method starts from each,
     and from where it is after a transient, which finds the sinks; and from the mirror images of the
-    orbits found.  ``progress`` is told how far the search is; after `MOST_FOLLOWED` events it ends.
+    orbits found.  ``progress`` is told how far the search is; after `MOST_FOLLOWED` events it ends,
+    and where no orbit of the first `SEEDS` + 1 seeds comes to an end.
     Raises `BadInput` if it has found nothing by then.
     """
     search = Search(p, periods)
@@ -172,12 +175,12 @@ def cycles(
     for number, z in enumerate(_starts(search)):
         progress(f"searching: {number} starts, orbits found: {len(found)}")
         search.add(found, z)
-        if search.followed > MOST_FOLLOWED:
+        if search.followed > MOST_FOLLOWED or (number >= SEEDS and not search.ended):
             break
-    if not found and search.followed > MOST_FOLLOWED:
+    if not found and (search.followed > MOST_FOLLOWED or not search.ended):
         raise BadInput(
-            f"no periodic orbit was found among the first {MOST_FOLLOWED} events: the orbits have "
-            "too many of them in a period for a search (a guess can be given with --orbit X V)"
+            f"no periodic orbit was found among the first {search.followed} events: the orbits "
+            "have too many of them in a period for a search (a guess can be given with --orbit X V)"
         )
     for cycle in found:  # and those that this adds
         search.add(found, search.mirrored(cycle))

@@ -2,12 +2,14 @@
 
 A box of ε x ε cells in which the colours have the shares p_i has the entropy Σ p_i log(1/p_i).
 S_b is the mean over all boxes, S_bb over those of more than one colour.  S_b ~ ε^α, α the
-uncertainty exponent: 1 for a smooth boundary, less for a fractal one; S_bb > log 2 proves one.
+uncertainty exponent: 1 for a smooth boundary, less for a fractal one.  The criterion S_bb > log 2
+of these authors is sufficient for a fractal boundary in the limit ε -> 0 and of three colours or
+more: of two, as here, no entropy exceeds log 2.
 """
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,7 +65,8 @@ class BasinEntropy(Study):
         """Return the entropies and the exponent."""
         rows = zip(self.sizes, self.mean, self.boundary, self.mixed, self.boxes, strict=True)
         return [
-            f"basin entropy at {described(self.parameters)}, log 2 = {math.log(2):.4f}",
+            f"basin entropy at {described(self.parameters)}, of two colours at most log 2 = "
+            f"{math.log(2):.4f}",
             *(
                 f"  {size:>3} x {size:<3} S_b {mean:.4f}  S_bb {edge:.4f}  {mixed} of {boxes} boxes"
                 for size, mean, edge, mixed, boxes in rows
@@ -89,8 +92,7 @@ def basin_entropy(  # noqa: PLR0913 (the options of the command)
     if max(sizes) > points:
         raise BadInput(f"a box of {max(sizes)} cells does not fit into {points} x {points}")
     known = basin.fate != LOST
-    rows = known.all(axis=1) if work.interrupted else np.full(points, fill_value=True)
-    found = [entropy(basin.dissipates[rows], size) for size in sizes]
+    found = [entropy(basin.dissipates, size, known) for size in sizes]
     slope, error, intercept = _fit(sizes, [each.mean for each in found])
     return BasinEntropy(
         parameters=p,
@@ -107,15 +109,17 @@ def basin_entropy(  # noqa: PLR0913 (the options of the command)
     )
 
 
-def entropy(colours: NDArray[np.generic], size: int) -> Entropy:
+def entropy(
+    colours: NDArray[np.generic], size: int, known: NDArray[np.bool_] | None = None
+) -> Entropy:
     """Return the entropy of an array (M, N) of colours with boxes of size x size cells.
 
-    Boxes tile the array from its corner; what is left at the other edges is not counted.  nan if
-    there is no box.
+    Boxes tile the array from its corner; what is left at the other edges is not counted, nor are
+    boxes of which a cell is not ``known``.  nan if there is no box.
     """
-    rows, columns = (n // size for n in colours.shape)
-    quarters = colours[: rows * size, : columns * size].reshape(rows, size, columns, size)
-    tiles = quarters.swapaxes(1, 2).reshape(rows * columns, size * size)
+    tiles = _tiles(colours, size)
+    if known is not None:
+        tiles = tiles[_tiles(known, size).all(axis=1)]
     if not len(tiles):
         return Entropy(math.nan, math.nan, 0, 0)
     shares = np.stack([(tiles == colour).mean(axis=1) for colour in np.unique(tiles)])
@@ -124,6 +128,13 @@ def entropy(colours: NDArray[np.generic], size: int) -> Entropy:
     mixed = shares.max(axis=0) < 1
     edge = float(each[mixed].mean()) if mixed.any() else 0.0
     return Entropy(abs(float(each.mean())), edge, len(tiles), int(mixed.sum()))
+
+
+def _tiles(cells: NDArray[Any], size: int) -> NDArray[Any]:
+    """Return the boxes (K, size²) of an array."""
+    rows, columns = (n // size for n in cells.shape)
+    quarters = cells[: rows * size, : columns * size].reshape(rows, size, columns, size)
+    return quarters.swapaxes(1, 2).reshape(rows * columns, size * size)
 
 
 def _fit(sizes: tuple[int, ...], means: list[float]) -> tuple[float, float, float]:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.approx import swarm
-from cap.approx.grid import Box, grid, region
+from cap.approx.grid import Box, grid, region, require_followed
 from cap.approx.study import Floats, State, Study, described
 from cap.approx.work import Work
 from cap.parameters import Parameters
@@ -81,6 +81,7 @@ def fate(
     work = work or Work()
     box, centre = region(p, orbit, box, REACH)
     cells = grid(p, box, points)
+    require_followed(p, cells.sample())
     fates = np.full(cells.count, LOST, dtype=np.int8)
     times = np.full((3, cells.count), np.nan)
 

@@ -1,6 +1,7 @@
 """A gallery of regimes: the attractor of most seeds at several forcings."""
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,7 +65,7 @@ def gallery(
     p: Parameters,
     *,
     parameter: str = "F",
-    values: tuple[float, ...] = FORCINGS,
+    values: tuple[float | Fraction, ...] = FORCINGS,
     periods: float = 4,
     work: Work | None = None,
 ) -> Gallery:
@@ -72,7 +73,7 @@ def gallery(
     work = work or Work()
     systems = [varied(p, parameter, value) for value in values]
     found = work.map(_regime, [(system, periods) for system in systems], "gallery", processes=True)
-    kept = [(value, *each) for value, each in zip(values, found, strict=False) if each]
+    kept = [(float(value), *each) for value, each in zip(values, found, strict=False) if each]
     if not kept and not work.interrupted:
         raise BadInput("no orbit could be followed at any of the values: the mass is too fast")
     return Gallery(

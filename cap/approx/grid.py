@@ -5,12 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from cap.approx import cycles, periodic, swarm
+from cap.approx.events import TOO_MANY
 from cap.approx.study import Floats, State
 from cap.errors import BadInput
 from cap.parameters import Parameters
 
 Box = tuple[float, float, float, float]
 MOST = 30_000_000  # states
+PROBES = 16
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,11 @@ class Grid:
         """The number of states."""
         return len(self.x) * len(self.v)
 
+    def sample(self) -> Floats:
+        """Return `PROBES` of the states, from the first to the last."""
+        places = np.linspace(0, self.count - 1, PROBES).astype(int)
+        return np.concatenate([self.states(slice(k, k + 1)) for k in places.tolist()])
+
     def states(self, part: slice) -> Floats:
         """Return some of the states, (K, 2), in the order of an array of this shape."""
         row, column = np.divmod(np.arange(part.start, part.stop), len(self.x))
@@ -47,6 +54,18 @@ def grid(p: Parameters, box: Box, points: int) -> Grid:
     if points * points > MOST:
         raise BadInput(f"too many states: {points} x {points} (at most {MOST})")
     return Grid(np.linspace(left, right, points), np.linspace(low, high, points))
+
+
+def require_followed(p: Parameters, states: Floats) -> None:
+    """Raise `BadInput` if not one of the states (N, 2) can be followed for a period.
+
+    Without this a picture of nothing would take hours: an orbit is lost after many events.
+    """
+    if all(swarm.follow(p, [state], 1).lost[0] for state in states):
+        raise BadInput(
+            "no orbit can be followed: x must lie between the walls, and the mass may not be so "
+            f"fast that it has more than {TOO_MANY} events in a period"
+        )
 
 
 def whole(p: Parameters, speed: float | None = None) -> Box:

@@ -1,20 +1,30 @@
 """All periodic orbits that Newton's method finds from a grid of seeds, over a parameter."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cap import certificate
 from cap.approx.candidates import TYPES
-from cap.approx.cycles import Cycle, cycles
+from cap.approx.cycles import SEEDS, Cycle, cycles
 from cap.approx.grid import polished
 from cap.approx.study import Floats, Study, described, short, value_of, varied
 from cap.approx.work import Work
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
 from cap.fixed_point import Start
 from cap.parameters import Parameters
 
+if TYPE_CHECKING:
+    from cap.prove import Theorem
+    from proofs.fixed_point import Proof, Setting
+
 UNASKED, PROVED, FAILED = "", "proved", "not proved"
 DIGITS = 12  # claimed, with --prove
+SMALLER = Fraction(1), Fraction(1, 50)  # of the boxes that `cap.prove` tries to claim
 KINDS = (*TYPES, "degenerate")
 
 
@@ -93,27 +103,36 @@ def _shown(each: Entry) -> str:
     )  # fmt: skip
 
 
-def inventory(
+def inventory(  # noqa: PLR0913 (the options of the command)
     p: Parameters,
     *,
     parameter: str = "F",
-    values: tuple[float, ...] = (),
+    values: tuple[float | Fraction, ...] = (),
     period: int = 1,
     prove: bool = False,
+    certificates: Path | None = None,
     work: Work | None = None,
 ) -> Inventory:
-    """Search at each value, or at the parameters as they are; then, if asked, prove each orbit."""
+    """Search at each value, or at the parameters as they are; then, if asked, prove each orbit.
+
+    Values are taken as they are: 2/5 is no double.  The certificates go to a directory
+    ``certificates``, if one is named.
+    """
     work = work or Work()
-    systems = [varied(p, parameter, value) for value in values] or [p]
-    own = values or (value_of(p, parameter),)
+    if certificates and certificates.exists() and not certificates.is_dir():
+        raise BadInput(f"cannot write to {certificates}: not a directory")
+    systems = [varied(p, parameter, value) for value in dict.fromkeys(values)] or [p]
+    own = [value_of(system, parameter) for system in systems]
     tasks = [(*each, period) for each in zip(systems, own, strict=True)]
-    found = work.map(_search, tasks, "inventory", processes=True)
+    found = _searched(tasks, work)
     orbits = [each for part in found for each in part]
     entries = [entry for entry, _ in orbits]
-    if prove:
+    if prove or certificates:
         starts = [(systems[own.index(entry.value)], entry, start) for entry, start in orbits]
         proved = work.map(_proved, starts, "proving", processes=True)
-        entries = proved + entries[len(proved) :]
+        entries = [entry for entry, _ in proved] + entries[len(proved) :]
+        if certificates:
+            _write([theorem for _, theorem in proved if theorem], certificates)
     return Inventory(
         parameters=p,
         complete=not work.interrupted,
@@ -124,9 +143,26 @@ def inventory(
     )
 
 
-def _search(task: tuple[Parameters, float, int]) -> list[tuple[Entry, Start]]:
+Task = tuple[Parameters, float, int]
+
+
+def _searched(tasks: list[Task], work: Work) -> list[list[tuple[Entry, Start]]]:
+    """Search at each value; one search alone tells how far it is."""
+    if len(tasks) > 1:
+        return work.map(_search, tasks, "inventory", processes=True)
+
+    def tell(words: str) -> None:
+        number = int(words.split()[1])  # searching: 17 starts, …
+        work.tell("inventory", min(1.0, number / SEEDS**2))
+
+    return work.map(lambda task: _search(task, tell), tasks, "inventory")
+
+
+def _search(
+    task: Task, progress: Callable[[str], None] = lambda _: None
+) -> list[tuple[Entry, Start]]:
     p, value, period = task
-    return [(_entry(p, value, cycle), _start(p, cycle)) for cycle in cycles(p, period)]
+    return [(_entry(p, value, cycle), _start(p, cycle)) for cycle in cycles(p, period, progress)]
 
 
 def _start(p: Parameters, cycle: Cycle) -> Start:
@@ -153,14 +189,46 @@ def _entry(p: Parameters, value: float, cycle: Cycle) -> Entry:
     )
 
 
-def _proved(task: tuple[Parameters, Entry, Start]) -> Entry:
-    """Hand an orbit to the prover: Theorem periodic, which the independent checker accepts."""
+def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any] | None]:
+    """Hand an orbit to the prover: Theorem periodic, which the independent checker accepts.
+
+    The checker's looser arithmetic cannot always follow to the boxes that `cap.prove` claims; then
+    much smaller ones are claimed.  Returns the certificate, too, or None.
+    """
     from cap import prove  # noqa: PLC0415 (it imports the searches of this package)
     from proofs.fixed_point import Setting  # noqa: PLC0415
 
     p, entry, start = task
-    try:
-        prove.accepted(prove.THEOREMS["periodic"], Setting(p, start, DIGITS))
-    except NotProved as failure:
-        return replace(entry, verdict=FAILED, reason=str(failure))
-    return replace(entry, verdict=PROVED)
+    reason = ""
+    for part in SMALLER:
+        try:
+            theorem = _scaled(prove.THEOREMS["periodic"], part)
+            proved = prove.accepted(theorem, Setting(p, start, DIGITS))
+        except NotProved as failure:
+            reason = str(failure)
+            if failure.step != "checker":
+                break
+        else:
+            return replace(entry, verdict=PROVED), proved
+    return replace(entry, verdict=FAILED, reason=reason), None
+
+
+def _scaled(theorem: "Theorem", part: Fraction) -> "Theorem":
+    """Return the theorem with a part of its sets."""
+
+    def prove(setting: "Setting") -> "Proof":
+        proof = theorem.prove(setting)
+        return lambda of_largest: proof(part * of_largest)
+
+    return replace(theorem, prove=prove)
+
+
+def _write(proved: list[dict[str, Any]], directory: Path) -> None:
+    """Write the certificates where `cap.prove` would."""
+    from cap.prove import _special  # noqa: PLC0415 (as above)
+
+    for each in proved:
+        try:
+            certificate.write(each, certificate.place(each, directory, _special(each)))
+        except OSError as error:
+            raise BadInput(f"cannot write to {directory}: {error.strerror}") from None

@@ -7,10 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.approx import swarm
-from cap.approx.grid import island
+from cap.approx.grid import PROBES, island, require_followed
 from cap.approx.study import Floats, State, Study, described
 from cap.approx.work import PIECE, Work
-from cap.errors import BadInput
 from cap.parameters import Parameters
 
 STRETCH = 200  # periods at a time
@@ -70,6 +69,7 @@ def lyapunov(
     """
     work = work or Work()
     starts = np.array([orbit]) if orbit is not None else _ray(p, orbits, radius)
+    require_followed(p, starts[:: -(-len(starts) // PROBES)])
     return exponents(p, starts, periods, work)
 
 
@@ -90,8 +90,6 @@ def exponents(p: Parameters, starts: Floats, periods: int, work: Work | None = N
             found = swarm.follow(p, states[part], end - begin, every=True, derivative=True)
             if found.monodromy is None:  # it was asked for
                 raise TypeError
-            if begin == 0 and found.lost.all():
-                raise BadInput("no orbit starts there: x must lie between the walls")
             growth, frame[part] = _growth(found.monodromy, frame[part])
             with np.errstate(invalid="ignore"):  # inf - inf, after a hit with speed 0
                 own = total[part, None] + np.cumsum(growth, axis=1)

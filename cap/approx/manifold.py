@@ -1,7 +1,7 @@
 """Stable and unstable manifolds of a saddle of Φ, and their intersections: homoclinic points."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -19,6 +19,8 @@ from cap.parameters import Parameters
 START = 1e-6  # distance from the saddle at which a manifold begins, in units of R and Rω
 MOST = 30_000  # points of a branch
 FIRST = 200  # points of a fundamental domain to begin with
+WEAK = 1e-6  # a multiplier so near 1 moves nothing
+PAIRS = 2_000_000  # of segments, at a time
 
 Places = NDArray[np.int64]
 Map = Callable[[Floats, int], Floats]
@@ -94,13 +96,15 @@ def manifolds(
         return np.asarray(retrace(p, points * scale, times) / scale)
 
     maps: tuple[Map, Map] = forward, backward
-    curves: list[list[Floats]] = [[], []]
-    for k, sign in work.map(lambda each: each, [(0, 1), (0, -1), (1, 1), (1, -1)], "manifolds"):
-        with work.keeping():
-            stretch = values[0] if k == 0 else 1 / values[1]
-            begin = np.array(state) / scale, sign * vectors[:, k]
-            curves[k].append(_branch(maps[k], begin, stretch, (length, spacing, periods)))
-    unstable, stable = (_joined(parts) for parts in curves)
+
+    def grown(side: tuple[int, int]) -> tuple[int, Floats]:
+        k, sign = side
+        stretch = values[0] if k == 0 else 1 / values[1]
+        begin = np.array(state) / scale, sign * vectors[:, k]
+        return k, _branch(maps[k], begin, stretch, (length, spacing, periods))
+
+    curves = work.map(grown, [(0, 1), (0, -1), (1, 1), (1, -1)], "manifolds")
+    unstable, stable = (_joined([part for j, part in curves if j == k]) for k in (0, 1))
     found = crossings(unstable, stable)
     away = np.hypot(*(found.points - np.array(state) / scale).T) > 10 * START
     return Manifolds(
@@ -139,8 +143,9 @@ def _eigen(p: Parameters, state: State, scale: Floats) -> tuple[Floats, Floats]:
     order = np.argsort(-np.abs(values))
     if not (np.isreal(values).all() and abs(values[order[1]]) > 0):
         raise BadInput("no saddle: its multipliers are not real, or one is 0")
-    if not abs(values[order[0]]) > 1 > abs(values[order[1]]):
-        raise BadInput(f"no saddle: its multipliers are {values[0]:.6g} and {values[1]:.6g}")
+    if not abs(values[order[0]]) > 1 + WEAK > 1 - WEAK > abs(values[order[1]]):
+        shown = " and ".join(f"{values[k]:.6g}" for k in order)
+        raise BadInput(f"no saddle, or too weak a one: its multipliers are {shown}")
     return np.real(values[order]), np.real(vectors[:, order])
 
 
@@ -165,7 +170,7 @@ def _branch(
         gaps = np.hypot(*np.diff(points, axis=0).T)
         parts.append(np.where(np.append(gaps, 0)[:, None] > 5 * spacing, np.nan, points))
         grown += float(np.nansum(gaps))
-        if grown > length or not np.isfinite(points).any() or len(tau) >= MOST:
+        if grown > length or not np.isfinite(points).any() or sum(map(len, parts)) >= MOST:
             break
     return np.concatenate(parts)
 
@@ -197,9 +202,14 @@ def crossings(first: Floats, second: Floats) -> Crossings:
     a, b = (each[np.isfinite(each).all(axis=(1, 2))] for each in (a, b))
     if not len(a) or not len(b):
         return Crossings(np.empty((0, 2)), np.empty(0))
-    i, j = _neighbours(a, b)
-    p, d = a[i, 0], a[i, 1] - a[i, 0]
-    q, e = b[j, 0], b[j, 1] - b[j, 0]
+    found = [_met(a[i], b[j]) for i, j in _neighbours(a, b)]
+    return Crossings(*(np.concatenate(each) for each in zip(*found, strict=True)))
+
+
+def _met(a: Floats, b: Floats) -> Crossings:
+    """Return where the segments of pairs (N, 2, 2), (N, 2, 2) cross."""
+    p, d = a[:, 0], a[:, 1] - a[:, 0]
+    q, e = b[:, 0], b[:, 1] - b[:, 0]
     cross = d[:, 0] * e[:, 1] - d[:, 1] * e[:, 0]
     with np.errstate(divide="ignore", invalid="ignore"):
         w = q - p
@@ -210,20 +220,19 @@ def crossings(first: Floats, second: Floats) -> Crossings:
     return Crossings((p + s[:, None] * d)[meet], angle[meet])
 
 
-def _neighbours(a: Floats, b: Floats) -> tuple[Places, Places]:
-    """Return the pairs of segments that may meet: their middles are in neighbouring cells."""
+def _neighbours(a: Floats, b: Floats) -> Iterator[tuple[Places, Places]]:
+    """Give the pairs of segments that may meet: their middles are in neighbouring cells."""
     cell = max(float(np.abs(each[:, 1] - each[:, 0]).max()) for each in (a, b)) * 1.01
     low = np.minimum(a.min(axis=(0, 1)), b.min(axis=(0, 1)))
     places = [np.floor((each.mean(axis=1) - low) / cell).astype(np.int64) + 1 for each in (a, b)]
     width = max(int(place[:, 1].max()) for place in places) + 3
     keys = [place[:, 0] * width + place[:, 1] for place in places]
     order = np.argsort(keys[1], kind="stable")
-    pairs = []
     for shift in [dx * width + dy for dx in (-1, 0, 1) for dy in (-1, 0, 1)]:
         start = np.searchsorted(keys[1][order], keys[0] + shift, "left")
         count = np.searchsorted(keys[1][order], keys[0] + shift, "right") - start
-        i = np.repeat(np.arange(len(a)), count)
-        inner = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-        pairs.append((i, order[np.repeat(start, count) + inner]))
-    i, j = (np.concatenate(each) for each in zip(*pairs, strict=True))
-    return i, j
+        before = np.cumsum(count) - count
+        for own in np.split(np.arange(len(a)), np.flatnonzero(np.diff(before // PAIRS)) + 1):
+            i, many = np.repeat(own, count[own]), count[own]
+            inner = np.arange(len(i)) - np.repeat(before[own] - before[own[0]], many)
+            yield i, order[np.repeat(start[own], many) + inner]

@@ -16,7 +16,7 @@ from cap.parameters import Parameters
 
 ORBITS = ("none", "elliptic only", "saddle only", "both")
 ATTRACTORS = ("period 1", "period 2", "period 3", "period 4", "longer period", "chaotic",
-              "stick-slip without hits", "never turns")  # fmt: skip
+              "never hits a wall", "never turns")  # fmt: skip
 OUTSIDE = -1  # no oscillator: f >= F, ...; or not computed
 SEEDS = 6  # per side, of the states that are followed to their attractor
 DEFAULTS = {"f": (0.01, 0.7), "F": (1.05, 4.0), "R": (0.1, 2.25), "omega": (0.5, 2.0),

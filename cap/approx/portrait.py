@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from cap.approx import swarm
-from cap.approx.grid import Box, grid, island, whole
+from cap.approx.grid import PROBES, Box, grid, island, require_followed, whole
 from cap.approx.study import Floats, State, Study, described
 from cap.approx.work import Work
 from cap.errors import BadInput
 from cap.parameters import Parameters
 
-MOST = 40_000_000  # states kept
+MOST = 10_000_000  # states kept
 GOLDEN = math.pi * (3 - math.sqrt(5))
 
 
@@ -44,8 +44,14 @@ class Portrait(Study):
         n, k = self.states.shape[:2]
         head = f"stroboscopic portrait at {described(self.parameters)}: {n} orbits, {k - 1} periods"
         about = f"  around ({self.centre[0]:.10g}, {self.centre[1]:.10g})" if self.centre else ""
-        never = int((~self.turned & np.isfinite(self.states).all(axis=(1, 2))).sum())
-        return [head, *([about] if about else []), f"  {never} of the orbits never turn or stick"]
+        done = np.isfinite(self.states).all(axis=(1, 2))
+        never, lost = int((~self.turned & done).sum()), int((~done).sum())
+        tail = f", {lost} were lost or not done" if lost else ""
+        return [
+            head,
+            *([about] if about else []),
+            f"  {never} of the orbits never turn or stick{tail}",
+        ]
 
 
 def portrait(  # noqa: PLR0913 (the options of the command)
@@ -68,6 +74,9 @@ def portrait(  # noqa: PLR0913 (the options of the command)
         raise BadInput(f"too many points: {orbits} orbits x {periods} periods (at most {MOST})")
     centre = None if box else island(p, orbit)
     starts = _disk(p, centre, radius or 1 / 40, orbits) if centre else _spread(p, box, orbits)
+    if not len(starts):
+        raise BadInput("the radius is too large: no orbit starts between the walls")
+    require_followed(p, starts[:: -(-len(starts) // PROBES)])
     states = np.full((len(starts), periods + 1, 2), np.nan)
     turned = np.zeros(len(starts), dtype=np.bool_)
 
@@ -75,7 +84,7 @@ def portrait(  # noqa: PLR0913 (the options of the command)
         found = swarm.follow(p, starts[part], periods, every=True)
         states[part], turned[part] = found.states, found.turned | found.stuck | found.captured
 
-    work.pieces(len(starts), follow, "portrait")
+    work.pieces(len(starts), follow, "portrait", periods)
     complete = not work.interrupted
     return Portrait(parameters=p, complete=complete, states=states, turned=turned, centre=centre)
 

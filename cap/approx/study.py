@@ -63,8 +63,8 @@ def _fields(record: object) -> dict[str, NDArray[np.generic]]:
     return found
 
 
-def varied(p: Parameters, name: str, value: float) -> Parameters:
-    """Return the parameters with one of `VARIABLE` changed to the double ``value``, exactly."""
+def varied(p: Parameters, name: str, value: float | Fraction) -> Parameters:
+    """Return the parameters with one of `VARIABLE` changed to ``value``, exactly."""
     if name not in VARIABLE:
         raise BadInput(f"no such parameter: {name!r} (one of {', '.join(VARIABLE)})")
     exact = Fraction(value)

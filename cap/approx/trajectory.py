@@ -14,9 +14,11 @@ from cap.approx.swarm import Event
 from cap.approx.work import Work
 from cap.errors import BadInput
 from cap.itinerary import oscillator
+from cap.model import Oscillator
 from cap.parameters import Parameters
 
-SAMPLES = 400  # in a period
+SAMPLES = 400  # in a period …
+MOST_SAMPLES = 400_000  # … or fewer in many
 MOST_EVENTS = 200_000
 
 
@@ -117,10 +119,11 @@ def _samples(
     p: Parameters, state: State, events: tuple[Event, ...], end: float
 ) -> Iterator[tuple[float, float, float]]:
     """Give (t, x, v) along the flights and rests, their ends included."""
-    t, (x, v) = 0.0, state
+    o, t, (x, v) = oscillator(p), 0.0, state
+    rate = min(SAMPLES / o.T, MOST_SAMPLES / end)
     sign = (v > 0) - (v < 0)
     for event in (*events, Event(end, "", math.nan, math.nan, math.nan)):
-        yield from _between(p, (t, x, v), sign, event.time)
+        yield from _between(o, (t, x, v), sign, event.time, rate)
         if event.word:
             t, x, v = event.time, event.x, event.after
             yield t, x, event.before
@@ -139,11 +142,11 @@ def _direction(event: Event) -> int:
 
 
 def _between(
-    p: Parameters, start: tuple[float, float, float], sign: int, end: float
+    o: Oscillator[float], start: tuple[float, float, float], sign: int, end: float, rate: float
 ) -> Iterator[tuple[float, float, float]]:
+    """Give samples of one flight or rest, ``rate`` of them per unit of time."""
     t, x, v = start
-    o = oscillator(p)
-    count = max(16, math.ceil(SAMPLES * (end - t) / o.T))
+    count = max(16, math.ceil(rate * (end - t)))
     yield start
     if sign == 0:
         yield end, x, 0.0

@@ -13,6 +13,7 @@ from cap.parameters import Parameters
 
 FIRST, LEAST, MOST = 0.005, 1e-7, 0.02  # step lengths, in units of `cap.approx.curve`
 SYMMETRIC = 1e-4
+MULTIPLIER = 1e-2  # |1 - trace + det| over 1 + |trace|, where there is a multiplier 1
 AT_WALL = 1e-5  # distance from a wall at t = 0, in units of R, that a branch keeps …
 JUMP = 1e-3  # … and from which it may jump, from the velocity before a hit to that after it
 NEAR = 0.05  # of the end of a branch to a margin's zero, for its reason
@@ -52,7 +53,7 @@ class Walker:
         with self.work.keeping():
             while True:
                 if len(way) >= self.points:
-                    changes.append(Change("end: followed no further", station))
+                    changes.append(Change(f"end: {self.points} points", station))
                     break
                 self.work.tell("continuation", len(way) / self.points)
                 following = self._next(station, step) or self._beyond_the_wall(station)
@@ -146,6 +147,8 @@ class Walker:
             at, _ = halve(family, a, b, lambda s, t=test, c=begin: t(s) * c > 0)  # type: ignore[misc]
             if abs(test(at)) > max(abs(begin), abs(end)) / 10:
                 continue  # a jump, next to a border
+            if label != "flip" and not _has_multiplier_1(at):
+                continue  # next to a grazing, where the derivative is infinite, and changes sign
             mirrored = label == "branch point" and family.symmetry_defect(at.y) < SYMMETRIC
             if label == "branch point":  # there the derivative of G does not tell the tangent
                 at = replace(at, tangent=(b.y - a.y) / np.linalg.norm(b.y - a.y))
@@ -182,6 +185,12 @@ def _in_order(a: Station, b: Station, found: list[Change]) -> list[Station]:
     return sorted(located, key=lambda s: float((s.y - a.y) @ (b.y - a.y)))
 
 
+def _has_multiplier_1(station: Station) -> bool:
+    """Return whether the implicit function theorem fails: at folds, and where branches cross."""
+    defect = abs(1 - station.trace + station.determinant)
+    return defect < MULTIPLIER * (1 + abs(station.trace))
+
+
 def _reason(station: Station) -> str:
     margin, label = station.margins.nearest
-    return f"end: {label}" if margin < NEAR else "end"
+    return f"end: {label}" if margin < NEAR else "end: Newton's method fails"

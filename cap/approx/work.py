@@ -12,6 +12,7 @@ A = TypeVar("A")
 B = TypeVar("B")
 
 PIECE = 500  # orbits: few enough that `cap.approx.swarm` follows them in one thread
+KEPT = 500_000  # orbits x periods of a piece that keeps the states after each of them
 
 
 @dataclass
@@ -53,10 +54,16 @@ class Work:
                 self._in_parallel(function, tasks, words, done, self._pool(processes))
         return done
 
-    def pieces(self, count: int, function: Callable[[slice], None], words: str) -> None:
-        """Call ``function`` for slices of ``count`` orbits, each at most `PIECE` long."""
-        cuts = range(0, count, PIECE)
-        self.map(function, [slice(k, min(k + PIECE, count)) for k in cuts], words)
+    def pieces(
+        self, count: int, function: Callable[[slice], None], words: str, kept: int = 1
+    ) -> None:
+        """Call ``function`` for slices of ``count`` orbits, each at most `PIECE` long.
+
+        And so short that ``kept`` states of each orbit have room in memory.
+        """
+        length = max(1, min(PIECE, KEPT // kept))
+        cuts = range(0, count, length)
+        self.map(function, [slice(k, min(k + length, count)) for k in cuts], words)
 
     def _pool(self, processes: bool) -> Executor:
         if not processes:
@@ -73,10 +80,16 @@ class Work:
         pool: Executor,
     ) -> None:
         futures: list[Future[B]] = []
+        others = multiprocessing.active_children()
         try:
             futures = [pool.submit(function, task) for task in tasks]
             for future in futures:
                 done.append(future.result())
                 self.tell(words, len(done) / len(tasks))
+        except KeyboardInterrupt:
+            for child in multiprocessing.active_children():
+                if child not in others:  # a piece may take minutes
+                    child.terminate()
+            raise
         finally:
             pool.shutdown(cancel_futures=True)

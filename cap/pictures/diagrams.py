@@ -92,7 +92,7 @@ def plane(study: Plane, figure: FigureBase) -> None:
     shades = {
         "none": "white", "elliptic only": BLUE, "saddle only": ORANGE, "both": SKY,
         "period 1": BLUE, "period 2": SKY, "period 3": GREEN, "period 4": PURPLE,
-        "longer period": ORANGE, "chaotic": RED, "stick-slip without hits": PALE,
+        "longer period": ORANGE, "chaotic": RED, "never hits a wall": PALE,
         "never turns": YELLOW,
     }  # fmt: skip
     colours = ListedColormap(["#777777", *(shades[name] for name in study.names)])

@@ -95,7 +95,7 @@ def alignment(study: Alignment, figure: FigureBase) -> None:
     if axes[1].get_legend_handles_labels()[0]:
         axes[1].legend(title="orbits that never turn", loc="lower left")
     counts = study.counts
-    words = ", ".join(f"{counts[kind]} {kind}" for kind in ("regular", "chaotic", "turned"))
+    words = ", ".join(f"{count} {kind}" for kind, count in counts.items())
     title(figure, study, f"{name}: {study.index.size} states, {words}")
 
 
@@ -105,6 +105,9 @@ def index_map(axes: Axes, study: Alignment) -> AxesImage:
         shown = np.log10(np.maximum(study.index, 1e-16))
     axes.set_facecolor(PALE)
     image = _field(axes, study.x, study.v, shown, cmap="cividis_r", vmin=-14, vmax=0)
+    if study.lost.any():  # as paper, not as what turned
+        nothing = np.where(study.lost, 0.0, np.nan)
+        _field(axes, study.x, study.v, nothing, cmap=ListedColormap(["white"]))
     if study.centre is not None:
         axes.plot(*study.centre, "*", ms=9, mfc="white", mec=BLACK, mew=0.7)
     stroboscopic(axes)
