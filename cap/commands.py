@@ -225,12 +225,13 @@ COMMANDS = {
         (6.0, 5.4),
     ),
     "inventory": Command(
-        "all periodic orbits from a grid of seeds, by type, over a parameter",
+        "the periodic orbits found from thousands of seeds, by type, over a parameter",
         "inventory:inventory",
         "diagrams:inventory",
         "--parameter F --values 0.85 1 1.5 2 3 --prove --out inventory.pdf",
-        "With --prove each orbit goes to the prover (theorem `periodic`) and its certificate\n"
-        "to the independent checker; exit status 1 if one is not proved.",
+        "There may be more: nothing is proved by a search.  With --prove each orbit goes to the\n"
+        "prover (theorem `periodic`) and its certificate to the independent checker; exit status\n"
+        "1 if one is not proved.",
         (
             PARAMETER,
             VALUES,

@@ -6,6 +6,7 @@ input.  A theorem is a function of a `proofs.fixed_point.Setting`; see `THEOREMS
 
 import argparse
 import re
+import signal
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -197,7 +198,8 @@ def _workers(options: argparse.Namespace) -> Iterator[Workers]:
         yield Workers(None, options.journal, _progress)
         return
     try:
-        with ProcessPoolExecutor(jobs) as executor:
+        ignore = signal.SIGINT, signal.SIG_IGN  # ctrl-C is for this process
+        with ProcessPoolExecutor(jobs, initializer=signal.signal, initargs=ignore) as executor:
             yield Workers(executor, options.journal, _progress)
     except BrokenExecutor:
         raise BadInput("a process of --jobs was killed (what a journal has is kept)") from None

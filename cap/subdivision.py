@@ -56,7 +56,7 @@ def cells_between(ends: Sequence[Fraction]) -> list[Cell]:
 
 
 def subdivide(
-    examine: Examine, cells: Sequence[Cell], smallest: Fraction, workers: Workers, key: str
+    examine: Examine, cells: Sequence[Cell], smallest: Fraction, workers: Workers, key: str = ""
 ) -> list[tuple[Cell, str]]:
     """Return cells that make up those given, in order, each with its verdict.
 
@@ -68,17 +68,19 @@ def subdivide(
         pending = list(cells)
         while pending:
             fresh = [cell for cell in pending if cell not in known]
-            for cell, verdict in _examined(examine, fresh, workers.executor):
+            examined = _examined(examine, fresh, workers.executor)
+            for number, (cell, verdict) in enumerate(examined, start=1):
                 known[cell] = verdict
                 write(cell, verdict)
-                workers.progress(f"{len(verdicts)} cells decided, {len(pending)} in work")
-            undecided = [
-                cell
-                for cell in pending
-                if known[cell] == UNDECIDED and cell.upper - cell.lower >= 2 * smallest
-            ]
-            verdicts.update((cell, known[cell]) for cell in pending if cell not in undecided)
-            pending = [half for cell in undecided for half in cell.halves()]
+                left = len(fresh) - number
+                workers.progress(f"{len(verdicts)} cells decided; {left} of {len(fresh)} in work")
+            halves = []
+            for cell in pending:
+                if known[cell] == UNDECIDED and cell.upper - cell.lower >= 2 * smallest:
+                    halves += cell.halves()
+                else:
+                    verdicts[cell] = known[cell]
+            pending = halves
     return sorted(verdicts.items())
 
 
@@ -150,6 +152,8 @@ def _read(path: Path, key: str) -> Verdicts:
     """Return the verdicts of a journal; a last line that was cut short is removed."""
     if not path.exists():
         return {}
+    if not path.is_file():
+        raise BadInput(f"the journal {path} is no regular file")
     text, header = path.read_text(encoding="ascii", errors="replace"), _header(key)
     whole = text[: text.rfind("\n") + 1]
     if not (whole.startswith(header) or (not whole and header.startswith(text))):

@@ -27,7 +27,7 @@ over them:
  - the trace T has T'(0) = 0, as it is even in δ, T'' < 0 on the first cell, and T' < 0 on the
    others;
  - (1 + T) τ_1, which has no pole at the resonance 1/3, from jets of order three of the two impacts
-   over Taylor models (`cap.impact_map`, `cap.twist`): its sign, where that is certain.
+   over Taylor models (`cap.impact_map`, `cap.twist`): its values, where they exclude 0.
 
 Changes of sign of T - 2 cos 2πp/q, of the least speed, and of (1 + T) τ_1 are enclosed by
 evaluation at exact δ.  The ``exceptions`` are the values of f on cells without a sign, and those
@@ -41,7 +41,7 @@ from math import ceil
 from typing import NamedTuple
 
 from cap import certificate, interval
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
 from cap.impact import asymmetric
 from cap.impact_map import period_jet
 from cap.interval import Ball
@@ -61,7 +61,6 @@ LONGEST = Fraction(1, 100)  # to this length
 SMALLEST = Fraction(1, 10**9)  # the shortest cell
 ORDER = 6  # of the Taylor models
 BITS = 120
-SIGNS = {"+": "+", "-": "-", UNDECIDED: None}
 
 MOSER = {
     "theorem": "Moser twist theorem",
@@ -170,17 +169,17 @@ def lemma_3_monotone(setting: Setting, last: Fraction, parabolic: Bracket | None
 
 
 def lemma_4_twist(setting: Setting, steps: Steps) -> list[Part]:
-    """*Statement.* The sign of (1 + T) τ_1, on cells.
+    """*Statement.* (1 + T) τ_1 lies in explicit intervals without 0, on cells.
 
-    *Computed.* `examine_twist` on the cells where the pair is elliptic, halved until the sign is
-    certain or they are short.
+    *Computed.* `examine_twist` on the cells where the pair is elliptic, halved until 0 is excluded
+    or they are short.  The journal is for this, which takes the longest.
     """
     p = setting.parameters
     rho = p.R * p.omega**2 / p.F
     key = f"twist along the branch of rho = {rho}, order {ORDER}, {BITS} bits"
     step = partial(examine_twist, rho)
     found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, key)
-    signs = [Part(cell, SIGNS[verdict]) for cell, verdict in found]
+    signs = [Part(cell, _enclosure(verdict)) for cell, verdict in found]
     others = [Part(cell, None) for cell in (steps.first, *steps.beyond)]
     return sorted(_merged(signs) + others)
 
@@ -220,17 +219,36 @@ def examine_monotone(rho: Fraction, cell: Cell) -> str:
 
 
 def examine_twist(rho: Fraction, cell: Cell) -> str:
-    """Return "+" or "-", the certain sign of (1 + T) τ_1 on a cell, or `UNDECIDED`."""
+    """Return an enclosure of (1 + T) τ_1 on a cell without 0, or `UNDECIDED`.
+
+    It is larger by a hundredth than what is proved, so that a looser arithmetic agrees.
+    """
     with interval.workprec(BITS):
         E, t = period_jet(asymmetric(_model(cell), interval.ball(rho)), 3)
         lower_left = _sign(t[1, 0].bound())
-        if lower_left == UNDECIDED:
+        N = regular_twist(E, t, lower_left).bound() if lower_left else Ball("nan")
+        wider = N + interval.symmetric(N) / 100
+        if not _sign(wider):
             return UNDECIDED
-        return _sign(regular_twist(E, t, 1 if lower_left == "+" else -1).bound())
+        size = interval.ends(abs(wider))[1]
+        return " ".join(interval.outward(wider, 6 - interval.decade(size)))
 
 
-def _sign(x: Ball) -> str:
-    return "+" if x > 0 else "-" if x < 0 else UNDECIDED
+def _sign(x: Ball) -> int:
+    return 1 if x > 0 else -1 if x < 0 else 0
+
+
+def _enclosure(verdict: str) -> Bracket | None:
+    """Return the enclosure that a verdict of `examine_twist` gives."""
+    if verdict == UNDECIDED:
+        return None
+    try:
+        low, high = map(Fraction, verdict.split())
+    except ValueError:
+        low, high = Fraction(0), Fraction(0)
+    if not (low <= high and low * high > 0):
+        raise BadInput(f"the journal is damaged: {verdict[:40]!r}; remove it")
+    return low, high
 
 
 def _model(cell: Cell) -> TaylorModel:

@@ -25,10 +25,15 @@ Bracket = tuple[Fraction, Fraction]
 
 
 class Part(NamedTuple):
-    """A cell, and the sign of (1 + trace) τ_1 on it, or None if none is claimed."""
+    """A cell, and an enclosure without 0 of (1 + trace) τ_1 on it, in scaled units, or None."""
 
     cell: Cell
-    twist: str | None
+    twist: Bracket | None
+
+    @property
+    def sign(self) -> str:
+        """The sign of the twist, or that there is none."""
+        return NONE if self.twist is None else "+" if self.twist[0] > 0 else "-"
 
 
 class Curve:
@@ -174,8 +179,19 @@ class Curve:
             "f": self._forces(part.cell),
             "trace": self._wide(self.trace, part.cell, Fraction(1)),
             "least_speed": self._wide(self.least, part.cell, p.F / p.omega),
-            "twist": part.twist or NONE,
+            "twist": part.sign,
+            "regular_twist": self._twist(part.twist),
         }
+
+    def _twist(self, scaled: Bracket | None) -> Pair | str:
+        """Return the claim on (1 + trace) τ_1; the scaled unit of area is F²/ω³."""
+        if scaled is None:
+            return NONE
+        p = self.scale.p
+        low, high = (interval.ball(q * p.omega**3 / p.F**2) for q in scaled)
+        value = interval.hull(low, high)
+        size = max(map(abs, interval.ends(value)))
+        return list(interval.outward(value, 6 - interval.decade(size)))
 
     def _exceptions(
         self, limits: Pair, resonances: dict[Fraction, Bracket], cells: list[Part]
@@ -188,7 +204,7 @@ class Curve:
         parabolic = resonances.get(Fraction(1, 2))
         if parabolic:
             low = max(low, self._force_pair(parabolic)[0], key=Fraction)
-        excluded: list[Bracket] = [part.cell for part in cells if not part.twist]
+        excluded: list[Bracket] = [part.cell for part in cells if part.twist is None]
         pairs = [self._forces(ends) for ends in excluded]
         pairs += [self._force_pair(resonances[ratio]) for ratio in LOW_ORDER if ratio in resonances]
         cut = [[max(a, low, key=Fraction), min(b, high, key=Fraction)] for a, b in pairs]
@@ -204,7 +220,7 @@ class Curve:
 def _zeros(cells: list[Part]) -> Iterator[Bracket]:
     """Give the cells without sign between cells of different signs."""
     for before, part, after in zip(cells, cells[1:], cells[2:], strict=False):
-        if {before.twist, part.twist, after.twist} == {"+", None, "-"} and not part.twist:
+        if part.twist is None and {before.sign, after.sign} == {"+", "-"}:
             yield part.cell
 
 

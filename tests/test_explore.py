@@ -8,17 +8,20 @@ import struct
 import subprocess
 import sys
 import time
+from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
-from cap import explore, prove
-from cap.approx import fate, swarm
+from cap import explore, export, prove, verify
+from cap.approx import cycles, fate, inventory, swarm
 from cap.approx.work import Work
 from cap.commands import COMMANDS
 from cap.errors import BadInput, NotProved
+from cap.parameters import PAPER
 
 TINY = {
     "orbit": ["--F", "3", "--orbit", "0.4", "-0.67", "--periods", "2"],
@@ -128,6 +131,21 @@ BAD = {
     "nothing": [],
     "too much": ["portrait", "--orbits", "100000", "--periods", "1000000"],
     "value": ["gallery", "--values", "0.1"],
+    "too long": ["orbit", "--periods", "1e30"],
+    "too long a chatter": ["chatter", "--periods", "1e9"],
+    "too long a gallery": ["gallery", "--values", "1.5", "--periods", "1e6"],
+    "too coarse": ["manifolds", "--spacing", "1e9"],
+    "too wide": ["portrait", "--radius", "1e30"],
+    "too many pixels": ["orbit", "--size", "100", "100", "--dpi", "2000"],
+    "too many seeds": ["attractor", "--points", "2000"],
+    "too fast, basin": ["basin", "--F", "1e30"],
+    "too fast, exponents": ["lyapunov", "--F", "1e30"],
+    "too fast, attractors": ["attractor", "--l", "0", "--r", "1e-12"],
+    "too weak a saddle": ["manifolds", "--omega", "1e12"],
+    "saddle that sticks": ["manifolds", "--F", "3", "--orbit", "0.85396", "0.52267"],
+    "losses": ["manifolds", "--e", "1/2"],
+    "too near": ["rotation", "--near", "1e-20", "--radius", "1e-19"],
+    "no place": ["inventory", "--certificates", "file"],
 }
 
 
@@ -136,6 +154,7 @@ def test_bad_input(words, tmp_path, monkeypatch, capsys):
     """One line, exit status 2, no file."""
     monkeypatch.chdir(tmp_path)
     Path("taken.png").mkdir()
+    Path("file").touch()
     try:
         status = explore.main(words)
     except SystemExit as end:
@@ -144,7 +163,7 @@ def test_bad_input(words, tmp_path, monkeypatch, capsys):
     assert status == 2
     assert complaint.startswith("error: ")
     assert complaint.count("\n") == 1
-    assert [path.name for path in tmp_path.iterdir()] == ["taken.png"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "taken.png"]
 
 
 @pytest.mark.parametrize("words", [
@@ -246,7 +265,7 @@ def test_a_signal_stops_a_process(words, tmp_path):
     process = subprocess.Popen(command, stderr=subprocess.PIPE, start_new_session=True, text=True)
     time.sleep(3)
     os.killpg(process.pid, signal.SIGINT)
-    _, complaint = process.communicate(timeout=30)
+    _, complaint = process.communicate(timeout=10)  # not when the pieces begun are done
     assert process.returncode == explore.INTERRUPTED
     assert complaint == "interrupted; what was done is kept\n"
     with np.load(path) as data:
@@ -296,9 +315,56 @@ def test_data_need_no_matplotlib(tmp_path):
 
 
 def test_inventory_hands_over_to_the_prover(capsys):
-    """The one orbit at F = 17/20 is proved, the checker accepts it."""
+    """The two orbits at F = 17/20 are proved, the checker accepts them."""
     assert run("inventory", "--F", "17/20", "--prove") == 0
     assert capsys.readouterr().out.rstrip().endswith("proved")
+
+
+def test_certificates_of_an_inventory(tmp_path, capsys):
+    """They are of the very parameters typed, and go where they are told; one value once."""
+    words = ["--parameter", "F", "--values", "0.85", "17/20", "--certificates", str(tmp_path / "c")]
+    assert run("inventory", *words) == 0
+    assert capsys.readouterr().out.count("proved") == 2
+    files = sorted((tmp_path / "c").iterdir())
+    assert [file.name for file in files] == ["periodic-2.json", "periodic.json"]
+    for file in files:
+        assert json.loads(file.read_text(encoding="utf-8"))["parameters"]["F"] == "17/20"
+        assert verify.main([str(file)]) == 0
+
+
+def test_a_smaller_box_is_claimed_where_the_checker_needs_it():
+    """At F = 2 there is an orbit with a tenth of whose largest box it cannot follow."""
+    p = replace(PAPER, F=Fraction(2))
+    cycle = cycles.near(p, 0.745802068, 0.7214654933)
+    entry = inventory._entry(p, 2.0, cycle)
+    shown, proved = inventory._proved((p, entry, inventory._start(p, cycle)))
+    assert shown.verdict == inventory.PROVED
+    assert proved["parameters"]["F"] == "2"
+
+
+def test_one_file_that_fails_is_not_all(tmp_path, monkeypatch, capsys):
+    """The others are written."""
+    monkeypatch.setattr("csv.writer", lambda _: (_ for _ in ()).throw(OSError(28, "No space")))
+    files = [tmp_path / name for name in ("a.csv", "b.npz")]
+    assert tiny("orbit", *(word for file in files for word in ("--out", str(file)))) == 2
+    assert "a.csv: No space" in capsys.readouterr().err
+    assert [each.name for each in tmp_path.iterdir()] == ["b.npz"]
+
+
+def test_long_tables_are_written_in_pieces(tmp_path, monkeypatch):
+    """The rows are the same."""
+    files = [tmp_path / f"{k}.csv" for k in range(2)]
+    assert tiny("basin", "--out", str(files[0])) == 0
+    monkeypatch.setattr(export, "ROWS", 7)
+    assert tiny("basin", "--out", str(files[1])) == 0
+    assert files[0].read_bytes() == files[1].read_bytes()
+
+
+def test_pieces_fit_into_memory():
+    """Where the state after each of a million periods is kept, few orbits are followed at once."""
+    parts = []
+    Work().pieces(10, parts.append, "test", kept=250_000)
+    assert [(part.start, part.stop) for part in parts] == [(k, k + 2) for k in range(0, 10, 2)]
 
 
 def test_what_is_not_proved_is_told(monkeypatch, capsys):

@@ -7,12 +7,23 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.approx import alignment, attractor, chatter, entropy, fate, lyapunov, portrait, rotation
+from cap.approx import (
+    alignment,
+    attractor,
+    chatter,
+    entropy,
+    fate,
+    lyapunov,
+    manifold,
+    portrait,
+    rotation,
+)
 from cap.approx.grid import grid, island, whole
 from cap.approx.manifold import crossings, manifolds
 from cap.approx.reversal import retrace
 from cap.approx.swarm import follow, stretch
 from cap.approx.trajectory import trajectory
+from cap.approx.work import Work
 from cap.errors import BadInput
 from cap.parameters import PAPER
 
@@ -131,6 +142,15 @@ def test_rotation_number_and_twist():
     assert found.rotation[0] == pytest.approx(ROTATION, abs=1e-8)
 
 
+@pytest.mark.parametrize("options", [{"periods": 200}, {"near": 1e-5}, {}])
+def test_a_twist_is_as_good_as_it_says(options):
+    """Few periods, or curves that are too near, leave it open."""
+    found = rotation.rotation(PAPER, orbits=40, **options)
+    for value, error, known in zip(found.twist, found.error, TWISTS, strict=True):
+        assert abs(value - known) < error
+    assert bool(options) == (found.error[0] > 1e-3)
+
+
 def test_rotation_of_an_exact_turn():
     """A circle of radius r: the rotation number, |z|² = r²."""
     number, radius = 0.3819660112, 0.7
@@ -175,6 +195,33 @@ def test_uncertainty_exponent_of_a_smooth_border():
     slope, error, _ = entropy._fit(sizes, [entropy.entropy(board, s).mean for s in sizes])
     assert slope == pytest.approx(1, abs=0.05)
     assert error < 0.05
+
+
+def test_entropy_of_what_is_known():
+    """Boxes with an unknown cell count for nothing."""
+    board = np.indices((8, 8)).sum(axis=0) % 2
+    known = np.ones((8, 8), dtype=bool)
+    board[:4], known[:4, :3] = 0, False
+    assert entropy.entropy(board, 2, known).boxes == 12
+    assert entropy.entropy(board, 2, known).mean == pytest.approx(math.log(2) * 8 / 12)
+
+
+def test_two_colours_are_told_their_most(capsys):
+    """The criterion log 2 says nothing of two colours: no entropy exceeds it."""
+    said = entropy.basin_entropy(PAPER, points=8, boxes=(2,)).lines()[0]
+    assert "of two colours at most log 2" in said
+
+
+def test_lost_orbits_are_not_said_to_turn():
+    """A mass that is too fast is followed by nobody."""
+    box = (-0.9, 0.9, 0.5, 1e7)
+    found = alignment.sali(PAPER, box=box, points=3)
+    assert found.counts == {"regular": 0, "chaotic": 0, "turned": 3, "lost or not done": 6}
+    assert fate.fate(PAPER, box=box, points=3, periods=1).lines()[-1].endswith("not done 6")
+    assert "6 were lost" in portrait.portrait(PAPER, box=box, orbits=9, periods=2).lines()[-1]
+    ends = attractor.attractors(PAPER, box=box, points=3, transient=5)
+    assert ends.lines()[-1] == "  6 seeds were lost, or not done"
+    assert np.isnan(entropy.basin_entropy(PAPER, box=box, points=3, boxes=(3,)).mean[0])
 
 
 def test_the_paper_s_basin():
@@ -266,6 +313,26 @@ def test_crossings_of_curves():
     assert len(crossings(circle, line).points) == 0
 
 
+def test_crossings_in_pieces(monkeypatch):
+    """All pairs of segments are tried, however few at a time."""
+    t = np.linspace(0, 20, 300)
+    curves = np.stack([np.sin(t), np.cos(1.3 * t)], -1), np.stack([np.cos(2.1 * t), np.sin(t)], -1)
+    expected = crossings(*curves)
+    monkeypatch.setattr(manifold, "PAIRS", 50)
+    found = crossings(*curves)
+    assert len(found.points) > 50
+    np.testing.assert_array_equal(found.points, expected.points)
+
+
+def test_a_long_manifold_is_bounded(monkeypatch):
+    """All its images together have no more points than one may have, and one image's more."""
+    monkeypatch.setattr(manifold, "MOST", 2000)
+    parts = []
+    found = manifolds(PAPER, length=1e9, work=Work(tell=lambda _, part: parts.append(part)))
+    assert max(len(found.unstable), len(found.stable)) < 2 * 2 * 2000 + 10
+    assert parts == [0.25, 0.5, 0.75, 1.0]
+
+
 def test_manifolds_are_invariant_and_cross():
     """Points of the unstable manifold go to it, forwards; of the stable one backwards."""
     found = manifolds(PAPER, length=1.5, spacing=0.004, periods=20)
@@ -291,6 +358,14 @@ def test_attractors_of_the_paper():
     assert {each.hits for each in foci} >= {(2.0, 3.0), (3.0, 2.0)}
     states = np.array([each.states[0] for each in foci])
     assert np.abs(states - (0.2156, -0.8293)).max(axis=1).min() < 1e-3
+
+
+def test_a_sink_that_never_turns_is_an_attractor():
+    """With e < 1 the elliptic orbit is one: nothing keeps areas."""
+    p = replace(PAPER, e=Fraction(99, 100))
+    box = (0.099, 0.101, 0.54, 0.543)
+    (found,) = attractor.attractors(p, box=box, points=2, transient=3000).found
+    assert (found.kind, found.turns) == ("period 1", 0)
 
 
 def test_islands_are_no_attractors():

@@ -33,8 +33,8 @@ def values(found, label):
 
 def test_pitchfork_and_fold_in_closed_form(over_friction):
     """f_pf = (2F/π) sqrt(1 - (2Rω²/(F(π²-4)))²), and the saddle-center at 2F/π."""
-    assert values(over_friction, "pitchfork") == [pytest.approx(PITCHFORK, abs=1e-6)]
-    assert values(over_friction, "fold") == [pytest.approx(FOLD, abs=1e-7)]
+    assert values(over_friction, "pitchfork") == [pytest.approx(PITCHFORK, abs=1e-9)]
+    assert values(over_friction, "fold") == [pytest.approx(FOLD, abs=1e-9)]
     assert len(over_friction.branches) == 2
 
 
@@ -53,7 +53,7 @@ def test_the_symmetric_branch_in_closed_form(over_friction):
     """tr Φ' = (2 - k)² - 2, k = 2π²c/(2 + 2c), c = sqrt(1 - (πf/2)²), and det = 1."""
     branch = over_friction.branches[1]
     own = (branch.trace < 2) & (branch.value > PITCHFORK)
-    c = np.sqrt(1 - (np.pi * branch.value[own] / 2) ** 2)
+    c = np.sqrt(np.maximum(0, 1 - (np.pi * branch.value[own] / 2) ** 2))
     k = 2 * np.pi**2 * c / (2 + 2 * c)
     np.testing.assert_allclose(branch.trace[own], (2 - k) ** 2 - 2, atol=1e-6)
     np.testing.assert_allclose(branch.determinant[own], 1, atol=1e-9)
@@ -86,6 +86,34 @@ def test_flip_and_fold_of_sinks():
         assert each.value == pytest.approx(3.4422831, abs=1e-6)
 
 
+def test_unstable_branches_are_followed_far():
+    """The other symmetric saddle: no divided difference spans a change of its events."""
+    found = continuation(PAPER, orbit=(-0.7914, 0.4979), range=(0.2, 0.42), points=300)
+    (branch,) = found.branches
+    c = -np.sqrt(1 - (np.pi * branch.value / 2) ** 2)
+    k = 2 * np.pi**2 * c / (2 + 2 * c)
+    np.testing.assert_allclose(branch.trace, (2 - k) ** 2 - 2, rtol=1e-5)
+    assert branch.value.min() < 0.201
+    assert branch.trace.max() > 3e4
+    assert not found.special
+
+
+def test_no_branch_point_next_to_a_grazing():
+    """There the trace passes infinity: 1 - trace + det changes its sign, but is not 0."""
+    p = replace(PAPER, F=Fraction(36, 5))
+    found = continuation(p, orbit=(0.5199, -4.1594), parameter="F", range=(7.15, 7.3), branches=1)
+    assert found.special[-1].label == "end: grazing"
+    assert found.special[-1].value == pytest.approx(7.284525, abs=1e-5)
+    for each in found.special:
+        assert each.label not in ("fold", "branch point", "pitchfork")
+
+
+def test_an_end_has_a_reason():
+    """If it is only that the points are used."""
+    found = continuation(PAPER, points=3, branches=1)
+    assert [each.label for each in found.special] == ["end: 3 points", "end: 3 points"]
+
+
 def test_crossing_branches_are_followed():
     """Over F too the pair around P* leaves the symmetric branch, which ends at F = πf/2."""
     found = continuation(PAPER, parameter="F", range=(0.6, 1.02), points=300)
@@ -112,6 +140,16 @@ def test_a_hit_may_pass_the_strobe():
     branch = found.branches[0]
     assert (branch.v < 0).any()
     assert not [each for each in found.special if each.label.startswith("end")]
+
+
+def test_a_hit_may_pass_the_strobe_as_e_varies():
+    """The velocity after a hit at t = 0 is -e times that before; e varies."""
+    p = replace(PAPER, F=Fraction(3))
+    found = continuation(
+        p, orbit=(0.4064, -0.6708), parameter="e", range=(0.55, 1.0), branches=1, points=300,
+    )  # fmt: skip
+    assert found.branches[0].value.min() < 0.56
+    assert not found.special
 
 
 def test_parameters_vary_exactly():
@@ -148,6 +186,13 @@ def test_inventory_of_the_paper():
     assert found.count("sink focus").tolist() == [0, 2]
     assert found.failed == 0
     assert all(each.verdict == "" for each in found.orbits)
+
+
+@pytest.mark.parametrize(("force", "count"), [("3/2", 7), ("2", 11)])
+def test_inventory_from_many_seeds(force, count):
+    """576 seeds find 5 and 9 orbits; all of these can be proved, as can the 25 at F = 3."""
+    found = inventory(replace(PAPER, F=Fraction(force)))
+    assert len(found.orbits) == count
 
 
 def test_gallery_has_traces():

@@ -134,13 +134,20 @@ class Station:
 
 
 def halve(
-    family: Family, a: Station, b: Station, is_before: Callable[[Station], bool]
+    family: Family,
+    a: Station,
+    b: Station,
+    is_before: Callable[[Station], bool],
+    least: float = 1e-10,
 ) -> tuple[Station, Station]:
-    """Return neighbours between a and b on the curve, the first before a change, the other not."""
+    """Return neighbours between a and b on the curve, the first before a change, the other not.
+
+    They are ``least`` apart, or farther where Newton's method fails.
+    """
     for _ in range(HALVINGS):
         chord = b.y - a.y
         length = float(np.linalg.norm(chord))
-        if length < 1e-10:
+        if length < least:
             break
         y = family.corrected((a.y + b.y) / 2, chord / length)
         if y is None or not abs((y - a.y) @ chord) < length**2:

@@ -1,4 +1,4 @@
-"""All periodic orbits that Newton's method finds from a grid of seeds, over a parameter."""
+"""All periodic orbits that Newton's method finds from thousands of seeds, over a parameter."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -10,8 +10,9 @@ import numpy as np
 
 from cap import certificate
 from cap.approx.candidates import TYPES
-from cap.approx.cycles import SEEDS, Cycle, cycles
+from cap.approx.cycles import SEEDS, Cycle, Search, cycles
 from cap.approx.grid import polished
+from cap.approx.newton import fixed_points
 from cap.approx.study import Floats, Study, described, short, value_of, varied
 from cap.approx.work import Work
 from cap.errors import BadInput, NotProved
@@ -81,8 +82,8 @@ class Inventory(Study):
 
     def lines(self) -> list[str]:
         """Return the counts by type, and the orbits."""
-        head = (
-            f"orbits of period {self.periods} over {self.parameter} at {described(self.parameters)}"
+        head = f"orbits of period {self.periods} found over {self.parameter} at " + described(
+            self.parameters
         )
         rows = []
         for value in self.values:
@@ -162,7 +163,14 @@ def _search(
     task: Task, progress: Callable[[str], None] = lambda _: None
 ) -> list[tuple[Entry, Start]]:
     p, value, period = task
-    return [(_entry(p, value, cycle), _start(p, cycle)) for cycle in cycles(p, period, progress)]
+    search = Search(p, period)
+    found = cycles(p, period, progress)
+    for x, v in fixed_points(p, period).tolist():
+        search.add(found, (x, v))
+    for cycle in found:  # and those that this adds
+        search.add(found, search.mirrored(cycle))
+    found.sort(key=lambda cycle: (cycle.x, cycle.v))
+    return [(_entry(p, value, cycle), _start(p, cycle)) for cycle in found]
 
 
 def _start(p: Parameters, cycle: Cycle) -> Start:

@@ -19,6 +19,7 @@ from cap.parameters import Parameters
 START = 1e-6  # distance from the saddle at which a manifold begins, in units of R and Rω
 MOST = 30_000  # points of a branch
 FIRST = 200  # points of a fundamental domain to begin with
+NOTHING = 1e-12  # a multiplier so small is 0: the orbit sticks
 WEAK = 1e-6  # a multiplier so near 1 moves nothing
 PAIRS = 2_000_000  # of segments, at a time
 
@@ -59,11 +60,12 @@ class Manifolds(Study):
         """Return the multipliers and the number of crossings."""
         (x, v), (large, small) = self.saddle, self.multipliers
         angles = np.sort(self.angles)
+        points = [int(np.isfinite(each[:, 0]).sum()) for each in (self.unstable, self.stable)]
         shown = f", angles from {angles[0]:.3g} to {angles[-1]:.3g} degrees" if len(angles) else ""
         return [
             f"saddle ({x:.10g}, {v:.10g}) at {described(self.parameters)}",
             f"  multipliers {large:.8g} and {small:.8g}",
-            f"  {len(self.unstable)} points of the unstable, {len(self.stable)} of the stable one",
+            f"  {points[0]} points of the unstable, {points[1]} of the stable one",
             f"  {len(self.homoclinic)} homoclinic points{shown}",
         ]
 
@@ -83,6 +85,8 @@ def manifolds(
     unstable manifold is cut where orbits stick, which many do at once.
     """
     work = work or Work()
+    if not p.conserves:
+        raise BadInput("the stable manifold is grown for e = 1 and mu = 0 only")
     state = _saddle(p, orbit)
     scale = np.array([float(p.R), float(p.R * p.omega)])
     values, vectors = _eigen(p, state, scale)
@@ -123,11 +127,11 @@ def _saddle(p: Parameters, orbit: State | None) -> State:
     """Return the fixed point near a state, or the weakest saddle that is found, polished."""
     if orbit is not None:
         return fixed_point(p, orbit)
-    found = periodic.orbits(p, 2) if p.conserves else []
+    found = periodic.orbits(p, 2)
     saddles = [(abs(g.trace), (g.x, g.v)) for g in found if g.kind == "saddle"] or [
         (abs(c.trace), (c.x, c.v))
         for c in cycles.cycles(p)
-        if c.kind(conserves=p.conserves).endswith("saddle")
+        if c.kind(conserves=True).endswith("saddle") and abs(c.determinant) > NOTHING
     ]
     if not saddles:
         raise BadInput("no saddle was found: give a state near one with --orbit")
@@ -141,8 +145,8 @@ def _eigen(p: Parameters, state: State, scale: Floats) -> tuple[Floats, Floats]:
         raise BadInput("the saddle hits a wall with speed 0: it has no manifolds")
     values, vectors = np.linalg.eig(found[0] / scale[:, None] * scale)
     order = np.argsort(-np.abs(values))
-    if not (np.isreal(values).all() and abs(values[order[1]]) > 0):
-        raise BadInput("no saddle: its multipliers are not real, or one is 0")
+    if not (np.isreal(values).all() and abs(values[order[1]]) > NOTHING):
+        raise BadInput("no saddle with two manifolds: its multipliers are not real, or one is 0")
     if not abs(values[order[0]]) > 1 + WEAK > 1 - WEAK > abs(values[order[1]]):
         shown = " and ".join(f"{values[k]:.6g}" for k in order)
         raise BadInput(f"no saddle, or too weak a one: its multipliers are {shown}")

@@ -21,7 +21,10 @@ from cap.parameters import Parameters
 
 HARMONICS = 12  # of a curve, on either side
 SHAKY = 1e-7  # difference of the rotation numbers of two halves of an orbit that is on no curve
+LEAST = 1e-7  # of R: a distance at which rounding leaves something to be seen
 DEGREE = 3  # in |z|², of the polynomial whose slope is the twist
+
+Pair = tuple[float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,7 +33,7 @@ class Rotation(Study):
 
     ``size`` (N,) is |z|², the area within the curve over π.  ``quality`` (N,): by how much the
     rotation numbers of both halves differ.  nan for orbits that turn.  ``twist``: τ₁, τ₂ from the
-    polynomial through the curves that have ``used``.
+    polynomial through the curves that have ``used``; ``error``: what their quality leaves open.
     """
 
     centre: State
@@ -41,6 +44,7 @@ class Rotation(Study):
     used: NDArray[np.bool_]
     limit: float
     twist: tuple[float, float]
+    error: tuple[float, float]
 
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return one row for each orbit."""
@@ -60,8 +64,8 @@ class Rotation(Study):
             + described(self.parameters),
             f"  {on} of {len(self.distance)} orbits are on an invariant curve, as far as one sees",
             f"  at the fixed point: rotation number {self.limit:.12g} (of its multipliers)",
-            f"  twist tau1 = {self.twist[0]:.6g}, tau2 = {self.twist[1]:.6g}, from "
-            f"{int(self.used.sum())} curves",
+            f"  twist tau1 = {self.twist[0]:.6g} +- {self.error[0]:.2g}, tau2 = "
+            f"{self.twist[1]:.6g} +- {self.error[1]:.2g}, from {int(self.used.sum())} curves",
         ]
 
 
@@ -84,6 +88,8 @@ def rotation(  # noqa: PLR0913 (the options of the command)
     if centre is None:
         raise BadInput("no elliptic fixed point was found: give a state near one with --orbit")
     turn, frame = _linear(p, centre)
+    if near < LEAST:
+        raise BadInput(f"--near must be at least {LEAST:g}: nearer, all is rounding")
     half = max(4, orbits // 2)
     distance = np.concatenate(
         [near * np.sqrt((np.arange(half) + 1) / half),
@@ -104,6 +110,7 @@ def rotation(  # noqa: PLR0913 (the options of the command)
     work.map(follow, pieces, "rotation")
     size, rotation_number, quality = found.T
     used = (quality < SHAKY) & (distance <= near * float(p.R) * (1 + 1e-9))
+    twist, error = _twist(turn, size[used], rotation_number[used], quality[used])
     return Rotation(
         parameters=p,
         complete=not work.interrupted,
@@ -114,7 +121,8 @@ def rotation(  # noqa: PLR0913 (the options of the command)
         quality=quality,
         used=used,
         limit=turn,
-        twist=_twist(turn, size[used], rotation_number[used]),
+        twist=twist,
+        error=error,
     )
 
 
@@ -155,11 +163,16 @@ def _curves(orbits: NDArray[np.complex128], guess: float) -> tuple[Floats, Float
     return size, number, np.abs(first - second)
 
 
-def _twist(limit: float, size: Floats, number: Floats) -> tuple[float, float]:
-    """Return τ₁ and τ₂: slope and half the second derivative of 2π times the rotation number."""
+def _twist(limit: float, size: Floats, number: Floats, quality: Floats) -> tuple[Pair, Pair]:
+    """Return τ₁ and τ₂: slope and half the second derivative of 2π times the rotation number.
+
+    And by how much they move, at most, if each number moves by its quality.
+    """
     if len(size) < DEGREE + 2:
-        return math.nan, math.nan
+        return (math.nan, math.nan), (math.nan, math.nan)
     scale = size.max()
     powers = (size[:, None] / scale) ** np.arange(1, DEGREE + 1)
-    fit, *_ = np.linalg.lstsq(powers, 2 * np.pi * (number - limit), rcond=None)
-    return float(fit[0] / scale), float(fit[1] / scale**2)
+    shift = 2 * np.pi * (number - limit)
+    inverse, units = np.linalg.pinv(powers)[:2], scale ** -np.arange(1.0, 3.0)
+    fit, error = units * (inverse @ shift), units * (np.abs(inverse) @ (2 * np.pi * quality))
+    return (float(fit[0]), float(fit[1])), (float(error[0]), float(error[1]))

@@ -13,6 +13,8 @@ from cap.parameters import Parameters
 
 FIRST, LEAST, MOST = 0.005, 1e-7, 0.02  # step lengths, in units of `cap.approx.curve`
 SYMMETRIC = 1e-4
+EXACT = 1e-10  # distance of neighbours between which a fold or flip is located; for a branch …
+CHORD = 1e-5  # … point, at which Newton's method is singular; its square is the error
 MULTIPLIER = 1e-2  # |1 - trace + det| over 1 + |trace|, where there is a multiplier 1
 AT_WALL = 1e-5  # distance from a wall at t = 0, in units of R, that a branch keeps …
 JUMP = 1e-3  # … and from which it may jump, from the velocity before a hit to that after it
@@ -115,6 +117,9 @@ class Walker:
             drift = np.array([side * unit[2] / unit[0] / 2, 0.0, 0.0])
             across[:, 2] += drift - across @ drift
             at_wall = at_wall + np.array([0.0, 0.0, station.y[2]])
+        if self.family.name == "e":  # the velocity after the hit is -e times that before it
+            across[1, 2] = (-v if side * v > 0 else v / float(p.e) ** 2) * unit[2] / unit[1]
+            at_wall = at_wall + np.array([0.0, 0.0, station.y[2]])
         tangent = across @ station.tangent
         tangent /= np.linalg.norm(tangent)
         beyond = station.y + (gap + 2 * AT_WALL) / speed * station.tangent
@@ -144,16 +149,25 @@ class Walker:
             begin, end = test(a), test(b)
             if begin * end >= 0 or (label == "fold" and found):
                 continue  # where branches cross, one of them may turn back
-            at, _ = halve(family, a, b, lambda s, t=test, c=begin: t(s) * c > 0)  # type: ignore[misc]
+            at = self._zero(test, a, b, CHORD if label == "branch point" else EXACT)
             if abs(test(at)) > max(abs(begin), abs(end)) / 10:
                 continue  # a jump, next to a border
             if label != "flip" and not _has_multiplier_1(at):
                 continue  # next to a grazing, where the derivative is infinite, and changes sign
             mirrored = label == "branch point" and family.symmetry_defect(at.y) < SYMMETRIC
-            if label == "branch point":  # there the derivative of G does not tell the tangent
-                at = replace(at, tangent=(b.y - a.y) / np.linalg.norm(b.y - a.y))
             found.append(Change("pitchfork" if mirrored else label, at, (at,)))
         return found
+
+    def _zero(
+        self, test: Callable[[Station], float], a: Station, b: Station, least: float
+    ) -> Station:
+        """Return the station at which a test is 0, on the chord of neighbours ``least`` apart."""
+        begin = test(a)
+        a, b = halve(self.family, a, b, lambda s: test(s) * begin > 0, least)
+        along = b.y - a.y
+        y = a.y + test(a) / (test(a) - test(b)) * along
+        tangent = along / np.linalg.norm(along)
+        return replace(self.family.station(y, tangent), tangent=tangent)
 
     def switched(self, at: Station) -> list[Station]:
         """Return stations on the branch that crosses the one of ``at``, on either side."""

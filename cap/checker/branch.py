@@ -43,6 +43,7 @@ from cap.checker.twist import regularised_twist
 
 _MOST = 8  # the largest denominator of the rotation numbers
 _CELL_DIGITS = 6
+_TWIST_DIGITS = 1
 RATIOS = sorted(
     Fraction(p, q) for q in range(2, _MOST + 1) for p in range(1, q // 2 + 1) if gcd(p, q) == 1
 )
@@ -197,10 +198,20 @@ class Branch(Scaled):
         for name, unit in (("f", self.p.F), ("trace", 1), ("least_speed", self.R * self.omega)):
             ends = getattr(self.at(high), name), getattr(self.at(low), name)
             self.spans(f"cells[{n}].{name}", claim[name], ends, unit, _CELL_DIGITS)
+        named = (claim["twist"] is None) == (claim["regular_twist"] is None)
+        need(named, f"cells[{n}]: of sign and value of the twist one is missing")
         if claim["twist"] is not None:
             N = regularised_twist(pairs, pair).range()
             signed = (N if claim["twist"] == "+" else -N).is_positive()
             need(signed, f"cells[{n}]: the twist may not have the sign claimed")
+            self.twist_value(f"cells[{n}].regular_twist", claim["regular_twist"], N)
+
+    def twist_value(self, name: str, claim: Enclosure, N: Interval) -> None:
+        """Compare the claim on N, per |z|^2: areas are in units F^2/omega^3."""
+        N = N * self.number(self.p.omega**3 / self.p.F**2)
+        ends = (Interval(end, end, N.bits) for end in (N.lo, N.hi))
+        self.spans(name, claim, (next(ends), next(ends)), Fraction(0), _TWIST_DIGITS)
+        need(claim.lower > 0 or claim.upper < 0, f"{name} contains 0")
 
     def twist_zeros(self) -> None:
         """Prove that the twist vanishes in each bracket, and that none is missing."""

@@ -92,6 +92,7 @@ def branch_shape(value: object, hints: dict[str, Any]) -> dict[str, Any]:
     exceptions = length(part(value, "exceptions", "claims"), 0, most, "claims.exceptions")
     end = enclosure if hints["end"] is not None else or_none(exactly("none"))
     cell = dict.fromkeys(("delta", "f", "trace", "least_speed"), enclosure)
+    values = {"twist": or_none(one_of(("+", "-"))), "regular_twist": or_none(enclosure)}
     return {
         "f_start": enclosure,
         "f_end": end,
@@ -100,5 +101,5 @@ def branch_shape(value: object, hints: dict[str, Any]) -> dict[str, Any]:
         "resonances": [{"ratio": text, "f": enclosure}] * len(hints["resonances"]),
         "twist_zeros": [enclosure] * len(hints["twist_zeros"]),
         "exceptions": [enclosure] * exceptions,
-        "cells": [cell | {"twist": or_none(one_of(("+", "-")))}] * cells,
+        "cells": [cell | values] * cells,
     }

@@ -1,7 +1,7 @@
 """A test tool: valid certificates of ``symmetric``, ``pitchfork`` and ``branch``, made in mpmath.
 
 Nothing here is rigorous.  The formulas are in cos and sin of the hit times, and derivatives are
-numerical: the checker's own forms are not used.
+numerical: the checker's own forms are not used.  The values of the twist are the prover's.
 """
 
 from __future__ import annotations
@@ -12,7 +12,12 @@ from math import gcd
 
 from mpmath import mp, mpf
 
+from cap import interval
 from cap.checker.citations import CITES
+from cap.impact import asymmetric
+from cap.impact_map import period_jet
+from cap.taylor_model import Domain
+from cap.twist import regular_twist
 from checker.forge import _decimal, _mp
 
 PAPER = {"F": "1", "omega": "1", "f": "2/5", "l": "-1", "r": "1"}
@@ -300,7 +305,27 @@ def cell(system, low, high, zero):
         "trace": hull(b.trace, a.trace, 10),
         "least_speed": hull(system.speed * lowest(b), system.speed * lowest(a), 10),
         "twist": ("-" if high < Fraction(zero) else "+") if signed else "none",
+        "regular_twist": regular(system, low, high) if signed else "none",
     }
+
+
+def regular(system, low, high):
+    """Return the claim on (1 + trace) tau_1 over a cell, a hundredth larger than its enclosure."""
+    with interval.workprec(200):
+        half, middle = (interval.ball((high + s * low) / 2) for s in (-1, 1))
+        (delta,) = Domain([half], 10).variables((middle,))
+        rho, area = (rational(q) for q in (system.rho, system.F**2 / system.omega**3))
+        pair = asymmetric(delta, interval.ball(rho))
+        E, t = period_jet(pair, 3)
+        scaled = regular_twist(E, t, 1 if t[1, 0].bound() > 0 else -1).bound()
+        value = scaled / interval.ball(area)
+        wider = value + interval.symmetric(value) / 100
+        return list(interval.outward(wider, 5))
+
+
+def rational(q):
+    """Return the rational of small denominator that a parameter is."""
+    return Fraction(mp.nstr(q, 25)).limit_denominator(10**9)
 
 
 def lowest(orbit):
