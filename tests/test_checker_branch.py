@@ -138,16 +138,41 @@ def test_signs(short):
     cells = short["claims"]["cells"]
     for n, cell in enumerate(cells):
         for sign in {"+", "-"} - {cell["twist"]}:
-            assert not accepted(changed(short, "claims", "cells", n, "twist", sign)), (n, sign)
-    signed = next(n for n, cell in enumerate(cells) if cell["twist"] == "+")
-    rejected(changed(short, "claims", "cells", signed, "twist", "none"), "exceptions")
+            assert not accepted(signed(short, n, sign)), (n, sign)
+            assert not accepted(signed(short, n, sign, ["1", "2"])), (n, sign)
+    plus = next(n for n, cell in enumerate(cells) if cell["twist"] == "+")
+    rejected(signed(short, plus, "none", "none"), "exceptions")
+    rejected(signed(short, plus, "none"), "one is missing")
+    rejected(signed(short, plus, "+", "none"), "one is missing")
+
+
+def signed(certificate, n, sign, value=None):
+    """Return a copy with another sign of a cell, and another value if one is given."""
+    bad = changed(certificate, "claims", "cells", n, "twist", sign)
+    return bad if value is None else changed(bad, "claims", "cells", n, "regular_twist", value)
+
+
+def test_values_of_the_twist(short):
+    """They contain what is taken, exclude 0, and are not much wider."""
+    cells = short["claims"]["cells"]
+    n = next(n for n, cell in enumerate(cells) if cell["twist"] == "+")
+    low, high = map(F, cells[n]["regular_twist"])
+    for ends, why in (
+        ((low * F(11, 10), high), "does not contain"),
+        ((low, high * F(9, 10)), "does not contain"),
+        ((-low, high), "wider|contains 0"),
+        ((low, high * 2), "wider"),
+        ((F(0), high), "wider|contains 0"),
+    ):
+        rejected(signed(short, n, "+", [str(end) for end in ends]), why)
 
 
 def test_saddles_have_no_sign(flipping):
     """Beyond the rotation number 1/2 no sign can be claimed."""
     last = len(flipping["claims"]["cells"]) - 1
     for sign in ("+", "-"):
-        rejected(changed(flipping, "claims", "cells", last, "twist", sign), "may be negative")
+        value = ["1", "2"] if sign == "+" else ["-2", "-1"]
+        rejected(signed(flipping, last, sign, value), "may be negative")
 
 
 def without(certificate, name, n):

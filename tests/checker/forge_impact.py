@@ -319,6 +319,8 @@ def regular(system, low, high):
         E, t = period_jet(pair, 3)
         scaled = regular_twist(E, t, 1 if t[1, 0].bound() > 0 else -1).bound()
         value = scaled / interval.ball(area)
+        if not value.is_finite():
+            return ["1", "2"]
         wider = value + interval.symmetric(value) / 100
         return list(interval.outward(wider, 5))
 
