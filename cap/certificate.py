@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from errno import ENOTDIR
 from fractions import Fraction
+from hashlib import sha256
 from importlib.metadata import version
 from itertools import count
 from pathlib import Path
@@ -22,7 +23,7 @@ from cap.checker.rejection import Rejected
 from cap.errors import TooFewDigits
 from cap.interval import Ball
 from cap.matrix import Matrix
-from cap.parameters import Parameters
+from cap.parameters import PAPER, Parameters
 
 FORMAT = "cap-certificate/1"
 
@@ -103,11 +104,11 @@ def dumps(certificate: Mapping[str, Any]) -> str:
     return json.dumps(certificate, indent=1) + "\n"
 
 
-def place(certificate: Mapping[str, Any], directory: Path, special: str) -> Path:
+def place(certificate: Mapping[str, Any], directory: Path) -> Path:
     """Return a path in ``directory`` for a certificate: free, or held by one on the same orbit.
 
     That is THEOREM.json, THEOREM-2.json, ...; or, where one for other parameters is in the way,
-    THEOREM-SPECIAL.json, ..., ``special`` telling the parameters.  So nothing else is overwritten.
+    THEOREM-SPECIAL.json, ..., where SPECIAL tells the parameters.  So nothing else is overwritten.
     """
     theorem, new = certificate["theorem"], read(dumps(certificate).encode())
     for number in count(1):
@@ -117,8 +118,17 @@ def place(certificate: Mapping[str, Any], directory: Path, special: str) -> Path
         old = _stored(path)
         if not (old and old.parameters == new.parameters):
             break
+    special = _special(certificate["parameters"])
     paths = (directory / f"{theorem}-{special}{_suffix(number)}.json" for number in count(1))
     return next(path for path in paths if _is_open_to(path, new))
+
+
+def _special(parameters: Mapping[str, str]) -> str:
+    """Return what tells the parameters from the paper's."""
+    paper = PAPER.strings()
+    changed = [f"{k}={v}" for k, v in parameters.items() if v != paper[k]]
+    name = "-".join(changed).replace("/", "_") or "paper"
+    return name if len(name) <= 80 else sha256(name.encode()).hexdigest()[:12]
 
 
 def _suffix(number: int) -> str:

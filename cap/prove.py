@@ -1,90 +1,32 @@
 """Prove a theorem: ``python -m cap.prove elliptic``.
 
 Exit status 0 if everything was proved and the checker accepted the certificate, 1 if not, 2 on bad
-input.  A theorem is a function of a `proofs.fixed_point.Setting`; see `THEOREMS`.
+input.  What can be proved: see `proofs.theorems`.
 """
 
 import argparse
 import re
 import signal
 import sys
-import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
-from hashlib import sha256
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 from cap import certificate, report
-from cap.approx import candidates
-from cap.approx.candidates import Candidate, Request, Search
-from cap.checker.rejection import Rejected
-from cap.checker.theorem import check
+from cap.approx.candidates import Candidate, Request
 from cap.console import Parser, closing_quietly, protected
-from cap.errors import BadInput, NotProved, TooFewDigits
+from cap.errors import BadInput, NotProved
 from cap.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
 from cap.subdivision import Workers
-from proofs import branch, capture, elliptic, periodic, persistence, pitchfork, saddle, symmetric
-from proofs.fixed_point import Proof, Setting
+from proofs import theorems
+from proofs.fixed_point import Setting
+from proofs.theorems import THEOREMS
 
-PARTS = [Fraction(n, 10) for n in (9, 7, 5, 3, 1)]  # of the largest box found
-GUARDS = (15, 30, 60)  # digits computed beyond those claimed
-
-
-@dataclass(frozen=True)
-class Theorem:
-    """What a theorem says, its proof, and the search for the orbits that it may be about."""
-
-    summary: str
-    prove: Callable[[Setting], Proof]
-    search: Search
-
-
-THEOREMS = {
-    "elliptic": Theorem(
-        "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves",
-        elliptic.prove,
-        candidates.non_sticking,
-    ),
-    "saddle": Theorem(
-        "a hyperbolic non-sticking T-periodic orbit exists", saddle.prove, candidates.non_sticking
-    ),
-    "periodic": Theorem(
-        "an nT-periodic orbit exists, with any events; its type; the basin of a sink",
-        periodic.prove,
-        candidates.cyclic,
-    ),
-    "persistence": Theorem(
-        "an elliptic orbit survives as a sink with inelastic walls and viscous friction",
-        persistence.prove,
-        candidates.continued,
-    ),
-    "capture": Theorem(
-        "infinitely many impacts with a wall accumulate, for all orbits from a box",
-        capture.prove,
-        candidates.capturing,
-    ),
-    "symmetric": Theorem(
-        "the symmetric orbits with one hit of each wall per period, and where they bifurcate",
-        symmetric.prove,
-        candidates.closed_form,
-    ),
-    "pitchfork": Theorem(
-        "the asymmetric orbits with one hit of each wall per period are born, for any f",
-        pitchfork.prove,
-        candidates.closed_form,
-    ),
-    "branch": Theorem(
-        "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
-        branch.prove,
-        candidates.closed_form,
-    ),
-}
 WITHOUT_F = ("pitchfork", "branch")  # theorems that hold for more than one f
 
 
@@ -263,7 +205,7 @@ def _proved(options: argparse.Namespace, ask: Setting, candidate: Candidate) -> 
     order = int(options.order) if options.order else candidate.order
     try:
         setting = replace(ask, start=candidate.start, order=order)
-        proved = accepted(THEOREMS[options.theorem], setting)
+        proved = theorems.accepted(THEOREMS[options.theorem], setting)
     except NotProved as failure:
         _progress("")
         print(f"NOT PROVED ({options.theorem}, {candidate.shown}).  {failure}", file=sys.stderr)
@@ -273,7 +215,7 @@ def _proved(options: argparse.Namespace, ask: Setting, candidate: Candidate) -> 
     path = options.out
     try:
         if path.suffix != ".json":
-            path = certificate.place(proved, path, _special(proved))
+            path = certificate.place(proved, path)
         written = certificate.write(proved, path)
     except OSError as error:
         raise BadInput(f"cannot write {path}: {error.strerror}") from None
@@ -285,49 +227,6 @@ def _progress(words: str) -> None:
     """Show how far a search or a proof is, on one line of a terminal; no words clear it."""
     if sys.stderr is not None and sys.stderr.isatty():
         print(f"\r{words:<70}", end="\r", file=sys.stderr, flush=True)
-
-
-def _special(proved: dict[str, Any]) -> str:
-    """Return what tells the parameters from the paper's, for a file name."""
-    paper = PAPER.strings()
-    changed = [f"{k}={v}" for k, v in proved["parameters"].items() if v != paper[k]]
-    name = "-".join(changed).replace("/", "_") or "paper"
-    return name if len(name) <= 80 else sha256(name.encode()).hexdigest()[:12]
-
-
-def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
-    """Return a certificate that the independent checker accepts, or raise `NotProved`.
-
-    More guard digits are computed until all digits claimed are certain.
-    """
-    began = time.perf_counter()
-    for guard in GUARDS:
-        sharper = replace(setting, guard=guard)
-        try:
-            proved = _followed(theorem.prove(sharper))
-            break
-        except TooFewDigits:
-            if guard == GUARDS[-1]:
-                raise
-    seconds = time.perf_counter() - began
-    return {**proved, "provenance": certificate.provenance(sharper.bits, seconds)}
-
-
-def _followed(proof: Proof) -> dict[str, Any]:
-    """Return the certificate for the largest of the `PARTS` to which the checker can follow."""
-    rejection, before = "", None
-    for part in PARTS:
-        proved = {**proof(part), "provenance": {}}
-        if proved == before:
-            break  # nothing in it depends on the part
-        before = proved
-        try:
-            check(certificate.dumps(proved).encode(), lambda _step: None)
-        except Rejected as reason:
-            rejection = str(reason)
-        else:
-            return proved
-    raise NotProved("checker", f"the independent checker rejects the certificate: {rejection}")
 
 
 if __name__ == "__main__":

@@ -148,7 +148,7 @@ def _symmetric(claims: dict[str, Any]) -> Iterator[str]:
         kind = orbit["type"] if exists else "it would stop, so there is none"
         yield f"\n{name}: {kind}"
         yield from _aligned(_rows(_ORBIT, orbit))
-    yield "\nThey bifurcate at these f:"
+    yield "\nThe formulas, which are orbits where their least speed is positive, change at these f:"
     names = {
         "saddle_center": "plus and minus meet",
         "pitchfork": "asymmetric pair is born",
@@ -191,8 +191,8 @@ def _branch(claims: dict[str, Any]) -> Iterator[str]:
     yield from _aligned(rows)
     for zero in claims["twist_zeros"]:
         yield f"The twist vanishes at an f in [{', '.join(zero)}]."
-    yield "\nFor every f of the range with trace > -2, but for"
-    yield "  " + ", ".join(f"[{a}, {b}]" for a, b in claims["exceptions"])
+    yield "\nFor every f of the range with trace > -2, but for those in"
+    yield "  " + (", ".join(f"[{a}, {b}]" for a, b in claims["exceptions"]) or "no interval")
     yield "both orbits are elliptic, without resonance of order <= 4, and their twist does not"
     yield "vanish: hence (Moser) each is stable and surrounded by invariant curves."
 

@@ -1,4 +1,5 @@
-"""Theorem (branch).  Let ρ = Rω²/F < (π² - 4)/2.  Consider the asymmetric T-periodic orbits of
+"""Theorem (branch).  Let ρ = Rω²/F < (π² - 4)/2, and let the least speed at the
+pitchfork be positive (it is for ρ > 0.70407).  Consider the asymmetric T-periodic orbits of
 
     x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
 
@@ -30,8 +31,9 @@ over them:
    over Taylor models (`cap.impact_map`, `cap.twist`): its values, where they exclude 0.
 
 Changes of sign of T - 2 cos 2πp/q, of the least speed, and of (1 + T) τ_1 are enclosed by
-evaluation at exact δ.  The ``exceptions`` are the values of f on cells without a sign, and those
-at resonances of order <= 4.
+evaluation at exact δ.  Twist and Moser's theorem are about the map from one right hit to the next,
+in (E, t); Φ is conjugate to it, also where the hit is at t = 0.  The ``exceptions`` are the values
+of f on cells without a sign, and those at resonances of order <= 4.
 """
 
 from dataclasses import replace
@@ -75,14 +77,15 @@ MOSER = {
         },
         {
             "name": "H2",
-            "statement": "Phi is exact symplectic near the fixed point: flights and hits preserve "
+            "statement": "the map from one hit of r to the next, in time and energy, to which Phi "
+            "is conjugate, is exact symplectic near the fixed point: flights and hits preserve "
             "dx^dv, and a disk is simply connected",
             "by": ["f_range", "cells"],
         },
         {
             "name": "H3",
-            "statement": "Phi is real analytic near the fixed point: the hit times are, by the "
-            "implicit function theorem",
+            "statement": "this map is real analytic near the fixed point: the hit times are, by "
+            "the implicit function theorem",
             "by": ["f_range", "cells"],
         },
         {

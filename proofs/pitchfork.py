@@ -1,4 +1,5 @@
-"""Theorem (pitchfork).  Let ρ = Rω²/F < (π² - 4)/2, and f_pf = (2F/π) sqrt(1 - (2ρ/(π² - 4))²).
+"""Theorem (pitchfork).  Let ρ = Rω²/F < (π² - 4)/2, let the least speed at f_pf be
+positive (it is for ρ > 0.70407), f_pf = (2F/π) sqrt(1 - (2ρ/(π² - 4))²).
 
  (i)   At f_pf the symmetric orbit plus of theorem symmetric exists, its speed is positive, and the
        half-period map σ has there a double multiplier -1.  Its trace passes -2 with positive slope

@@ -4,19 +4,21 @@
 
 that never stop, hit each wall once per period, and satisfy x(t + T/2) = l + r - x(t).
 
- (i)   There are at most two, S = ±sqrt(1 - (πf/2F)²), called plus and minus; none for f > 2F/π.
-       The right wall is hit at the time t1 in (0, T/2) with sin ωt1 = πf/2F, cos ωt1 = S, with the
-       speed U = (F/πω)(ρ + 2S), the left wall half a period later.  Such an orbit exists if and
-       only if the least speed of the formula is positive.
+ (i)   There are at most two, S = ±sqrt(1 - (πα/2)²), α = f/F, called plus and minus; none for α >
+       2/π.  The right wall is hit at the time t1 in (0, T/2) with sin ωt1 = πα/2, cos ωt1 = S,
+       with the speed U = (F/ω)(ρ + 2S)/π, the left wall half a period later.  It is an orbit if
+       and only if its least speed is positive, which is U if β = arcsin α + arcsin S <= 0, and
+       otherwise U - (F/ω)(sqrt(1 - α²) - πα/2 + αβ).
  (ii)  The half-period map σ, σ² = Φ, has at its fixed point the trace 2 - k, k = 2π²S/(ρ + 2S),
-       and Φ has (2 - k)² - 2.  So minus, where k < 0, is a saddle.  Plus is elliptic where k < 4,
-       a saddle where k > 4.
- (iii) They meet at f = 2F/π, for all ρ: with ν = 2/π - f/F, S² = πν - (πν/2)² and trace Φ' = 2 ∓
-       8π² sqrt(πν)/ρ + O(ν), a non-degenerate saddle-center.  The multipliers are 1 up to a
-       multiple of ν^(1/4).
- (iv)  k = 4 for S = 2ρ/(π² - 4), if ρ < (π² - 4)/2: σ' has the double multiplier -1 there; the
-       asymmetric orbits branch off (theorem pitchfork).  k = 2 for S = ρ/(π² - 2), if ρ < π² - 2:
-       σ' has the multipliers ±i, and Φ' = -1.
+       and Φ has (2 - k)² - 2.  So minus, where k < 0, is a saddle.  Plus is elliptic where k < 4
+       but for k = 2, a saddle where k > 4.
+ (iii) The formulas meet at f = 2F/π, for all ρ; they are orbits there if ρ > 0.66135.  With ν =
+       2/π - α, S² = πν - (πν/2)² and trace Φ' = 2 ∓ 8π² sqrt(πν)/ρ + O(ν): a non-degenerate
+       saddle-center.  With c = 2π sqrt(2/ρ) π^(1/4) the multipliers are 1 ± cν^(1/4) + O(ν^(1/2))
+       for minus, and exp(±icν^(1/4)) up to O(ν^(1/2)) for plus.
+ (iv)  k = 4 for S = 2ρ/(π² - 4), if ρ < (π² - 4)/2: σ' has the double multiplier -1 there, and if
+       the least speed is positive (ρ > 0.70407) asymmetric orbits branch off (theorem pitchfork).
+       k = 2 for S = ρ/(π² - 2), if ρ < π² - 2: σ' has the multipliers ±i, and Φ' = -1.
  (v)   The equation eq:theta-eq of the paper has no root, or two, θ and π - θ, or the one π/2.  No
        root is a solution of the system.
 

@@ -16,12 +16,13 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from cap import explore, export, prove, verify
+from cap import explore, export, verify
 from cap.approx import cycles, fate, inventory, swarm
 from cap.approx.work import Work
 from cap.commands import COMMANDS
 from cap.errors import BadInput, NotProved
 from cap.parameters import PAPER
+from proofs import theorems
 
 TINY = {
     "orbit": ["--F", "3", "--orbit", "0.4", "-0.67", "--periods", "2"],
@@ -373,7 +374,7 @@ def test_what_is_not_proved_is_told(monkeypatch, capsys):
     def fails(*_):
         raise NotProved("a step", "for this test")
 
-    monkeypatch.setattr(prove, "accepted", fails)
+    monkeypatch.setattr(theorems, "accepted", fails)
     assert run("inventory", "--F", "17/20", "--prove") == 1
     assert "not proved: a step: for this test" in capsys.readouterr().out
 

@@ -17,6 +17,7 @@ from cap.approx.periodic import Guess
 from cap.certificate import dumps
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
+from proofs import theorems
 
 ROOT = Path(__file__).parent.parent
 
@@ -174,7 +175,7 @@ def test_a_rejected_certificate_is_not_written(capsys, tmp_path, monkeypatch):
     def reject(_data, _step):
         raise Rejected("for the test")
 
-    monkeypatch.setattr(prove, "check", reject)
+    monkeypatch.setattr(theorems, "check", reject)
     status, out, err = run(capsys, "saddle", "--out", str(tmp_path))
     assert status == 1
     assert "for the test" in err
@@ -188,7 +189,7 @@ def test_interrupt_leaves_nothing(capsys, tmp_path, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(prove, "accepted", interrupted)
+    monkeypatch.setattr(theorems, "accepted", interrupted)
     status, _, err = run(capsys, "saddle", "--out", str(tmp_path))
     assert status == 130
     assert "interrupted" in err
@@ -285,4 +286,4 @@ def test_list_names_every_theorem(capsys):
     """`--list` says what can be proved."""
     status, out, _ = run(capsys, "--list")
     assert status == 0
-    assert [line.split()[0] for line in out.splitlines()] == list(prove.THEOREMS)
+    assert [line.split()[0] for line in out.splitlines()] == list(theorems.THEOREMS)

@@ -165,9 +165,10 @@ def cycles(
     """Return the orbits found of least period ``periods`` T, ascending in x, then v.
 
     Seeds fill the rectangle of all x and |v| <= 2 F/ω + Rω/2.  Newton's method starts from each,
-    and from where it is after a transient, which finds the sinks; and from the mirror images of the
-    orbits found.  ``progress`` is told how far the search is; after `MOST_FOLLOWED` events it ends,
-    and where no orbit of the first `SEEDS` + 1 seeds comes to an end.
+    and from where it is after a transient, which finds the sinks; compiled, from many more; and
+    from the mirror images of the orbits found.  ``progress`` is told how far the search is; after
+    `MOST_FOLLOWED` events it ends, and where no orbit of the first `SEEDS` + 1 seeds comes to an
+    end.
     Raises `BadInput` if it has found nothing by then.
     """
     search = Search(p, periods)
@@ -182,6 +183,11 @@ def cycles(
             f"no periodic orbit was found among the first {search.followed} events: the orbits "
             "have too many of them in a period for a search (a guess can be given with --orbit X V)"
         )
+    if search.followed <= MOST_FOLLOWED:
+        from cap.approx.newton import fixed_points  # noqa: PLC0415 (the compiled engine)
+
+        for x, v in fixed_points(p, periods).tolist():
+            search.add(found, (x, v))
     for cycle in found:  # and those that this adds
         search.add(found, search.mirrored(cycle))
     return sorted(found, key=lambda c: (c.x, c.v))

@@ -4,28 +4,22 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from cap import certificate
 from cap.approx.candidates import TYPES
-from cap.approx.cycles import SEEDS, Cycle, Search, cycles
+from cap.approx.cycles import SEEDS, Cycle, cycles
 from cap.approx.grid import polished
-from cap.approx.newton import fixed_points
 from cap.approx.study import Floats, Study, described, short, value_of, varied
 from cap.approx.work import Work
 from cap.errors import BadInput, NotProved
 from cap.fixed_point import Start
 from cap.parameters import Parameters
 
-if TYPE_CHECKING:
-    from cap.prove import Theorem
-    from proofs.fixed_point import Proof, Setting
-
 UNASKED, PROVED, FAILED = "", "proved", "not proved"
 DIGITS = 12  # claimed, with --prove
-SMALLER = Fraction(1), Fraction(1, 50)  # of the boxes that `cap.prove` tries to claim
 KINDS = (*TYPES, "degenerate")
 
 
@@ -163,13 +157,7 @@ def _search(
     task: Task, progress: Callable[[str], None] = lambda _: None
 ) -> list[tuple[Entry, Start]]:
     p, value, period = task
-    search = Search(p, period)
     found = cycles(p, period, progress)
-    for x, v in fixed_points(p, period).tolist():
-        search.add(found, (x, v))
-    for cycle in found:  # and those that this adds
-        search.add(found, search.mirrored(cycle))
-    found.sort(key=lambda cycle: (cycle.x, cycle.v))
     return [(_entry(p, value, cycle), _start(p, cycle)) for cycle in found]
 
 
@@ -200,43 +188,23 @@ def _entry(p: Parameters, value: float, cycle: Cycle) -> Entry:
 def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any] | None]:
     """Hand an orbit to the prover: Theorem periodic, which the independent checker accepts.
 
-    The checker's looser arithmetic cannot always follow to the boxes that `cap.prove` claims; then
-    much smaller ones are claimed.  Returns the certificate, too, or None.
+    Returns the certificate, too, or None.
     """
-    from cap import prove  # noqa: PLC0415 (it imports the searches of this package)
+    from proofs import theorems  # noqa: PLC0415 (they import the searches of this package)
     from proofs.fixed_point import Setting  # noqa: PLC0415
 
     p, entry, start = task
-    reason = ""
-    for part in SMALLER:
-        try:
-            theorem = _scaled(prove.THEOREMS["periodic"], part)
-            proved = prove.accepted(theorem, Setting(p, start, DIGITS))
-        except NotProved as failure:
-            reason = str(failure)
-            if failure.step != "checker":
-                break
-        else:
-            return replace(entry, verdict=PROVED), proved
-    return replace(entry, verdict=FAILED, reason=reason), None
-
-
-def _scaled(theorem: "Theorem", part: Fraction) -> "Theorem":
-    """Return the theorem with a part of its sets."""
-
-    def prove(setting: "Setting") -> "Proof":
-        proof = theorem.prove(setting)
-        return lambda of_largest: proof(part * of_largest)
-
-    return replace(theorem, prove=prove)
+    try:
+        proved = theorems.accepted(theorems.THEOREMS["periodic"], Setting(p, start, DIGITS))
+    except NotProved as failure:
+        return replace(entry, verdict=FAILED, reason=str(failure)), None
+    return replace(entry, verdict=PROVED), proved
 
 
 def _write(proved: list[dict[str, Any]], directory: Path) -> None:
     """Write the certificates where `cap.prove` would."""
-    from cap.prove import _special  # noqa: PLC0415 (as above)
-
     for each in proved:
         try:
-            certificate.write(each, certificate.place(each, directory, _special(each)))
+            certificate.write(each, certificate.place(each, directory))
         except OSError as error:
             raise BadInput(f"cannot write to {directory}: {error.strerror}") from None

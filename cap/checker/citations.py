@@ -101,13 +101,14 @@ _MOSER_ON_A_BRANCH = _cite(
     ),
     (
         "H2",
-        "Phi is exact symplectic near the fixed point: "
-        "flights and hits preserve dx^dv, and a disk is simply connected",
+        "the map from one hit of r to the next, in time and energy, to which Phi is conjugate, is "
+        "exact symplectic near the fixed point: flights and hits preserve dx^dv, and a disk is "
+        "simply connected",
         "f_range, cells",
     ),
     (
         "H3",
-        "Phi is real analytic near the fixed point: "
+        "this map is real analytic near the fixed point: "
         "the hit times are, by the implicit function theorem",
         "f_range, cells",
     ),

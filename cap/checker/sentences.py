@@ -39,7 +39,8 @@ def symmetric(claims: dict[str, Any]) -> Iterable[str]:
     yield _VALUES
     for trace, name in (("2", "pitchfork"), ("-2", "minus_identity")):
         f = claims[name]
-        yield f"; its trace for 'plus' is {trace} " + (f"at f in {f} only" if f else "at no f")
+        where = f"at f in {f} only" if f else "nowhere"
+        yield f"; for 0 < f < 2F/pi the trace of the formula for 'plus' is {trace} {where}"
     yield _PAPER if claims["paper_roots"] else _NO_ROOTS
     for root in claims["paper_roots"]:
         yield "; theta in {theta}, v in {velocity}".format_map(root)
@@ -54,11 +55,14 @@ _NOT_GENUINE = (
     "; the formula for '{name}', with a speed in {hit_speed} at the hits, has a least speed in "
     "{least_speed}, so it is no (1,1) orbit"
 )
-_VALUES = "; as f varies, the formula gives orbits up to f = 2F/pi in {saddle_center}"
+_VALUES = (
+    "; as f varies, the formulas are defined for f up to 2F/pi in {saddle_center}, where they "
+    "meet, and are orbits where their least speed is positive"
+)
 _PAPER = (
     "; the paper's equation of theta for orbits with one turn between hits has in (0, pi) exactly "
     "the two roots below, where its formula has the velocity v before the hit of l at T/2, against "
-    "its premise v > 0: it has no solutions"
+    "its premise v > 0: so neither is an orbit"
 )
 _NO_ROOTS = "; the paper's equation of theta for orbits with one turn between hits has no root"
 

@@ -3,11 +3,11 @@
 from functools import cache
 from typing import Any
 
-from cap import prove
 from cap.approx import candidates
 from cap.approx.candidates import Request
 from cap.paper.figure import at
 from cap.parameters import PAPER, Parameters
+from proofs import theorems
 from proofs.fixed_point import Setting
 
 DIGITS = 25
@@ -32,11 +32,11 @@ def symmetric() -> dict[str, Any]:
 
 
 def _claims(kind: str, p: Parameters, orbit: tuple[float, float] | None) -> dict[str, Any]:
-    proof = prove.THEOREMS[kind]
+    proof = theorems.THEOREMS[kind]
     if orbit is None:
         start = candidates.closed_form(Request(kind, p)).candidates[0].start
     else:
         start = proof.search(Request(kind, p, orbit)).candidates[0].start
-    found = prove.accepted(proof, Setting(p, start, DIGITS))
+    found = theorems.accepted(proof, Setting(p, start, DIGITS))
     claims: dict[str, Any] = found["claims"]
     return claims
