@@ -74,7 +74,7 @@ def subdivide(
                 write(cell, verdict)
                 left = len(fresh) - number
                 workers.progress(f"{len(verdicts)} cells decided; {left} of {len(fresh)} in work")
-            halves = []
+            halves: list[Cell] = []
             for cell in pending:
                 if known[cell] == UNDECIDED and cell.upper - cell.lower >= 2 * smallest:
                     halves += cell.halves()

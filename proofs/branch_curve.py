@@ -121,14 +121,14 @@ class Curve:
             self._is_no_pole(ends)
         return {
             "f_start": scale.force(self.birth),
-            "f_end": self._force_pair(end) if end else NONE,
+            "f_end": self._force_at(end) if end else NONE,
             "trace_end": scale.number(interval.hull(*map(self.trace, end))) if end else NONE,
             "f_range": limits,
             "resonances": [
-                {"ratio": str(ratio), "f": self._force_pair(ends)}
+                {"ratio": str(ratio), "f": self._force_at(ends)}
                 for ratio, ends in resonances.items()
             ],
-            "twist_zeros": [self._forces(ends) for ends in zeros],
+            "twist_zeros": [self._force_over(ends) for ends in zeros],
             "exceptions": self._exceptions(limits, resonances, cells),
             "cells": [self._cell(part) for part in cells],
         }, zeros
@@ -139,7 +139,7 @@ class Curve:
         if not (below > 0 or above < 0):
             raise NotProved("twist", "it may vanish at the resonance 1/3", {"delta": ends})
 
-    def _force_pair(self, ends: Bracket) -> Pair:
+    def _force_at(self, ends: Bracket) -> Pair:
         """Return the claim on f, for δ in a tiny interval."""
         alphas = (self.at(delta).alpha for delta in ends)
         return self.scale.force(interval.hull(*alphas))
@@ -159,7 +159,7 @@ class Curve:
             raise BadInput(f"there is no pair between f = {low} and {high}")
         return [low, high]
 
-    def _forces(self, ends: Bracket) -> Pair:
+    def _force_over(self, ends: Bracket) -> Pair:
         """Return the claim on f, for δ in a cell."""
         return self._wide(self.force, ends, self.scale.p.F)
 
@@ -176,7 +176,7 @@ class Curve:
         p = self.scale.p
         return {
             "delta": decimals(part.cell),
-            "f": self._forces(part.cell),
+            "f": self._force_over(part.cell),
             "trace": self._wide(self.trace, part.cell, Fraction(1)),
             "least_speed": self._wide(self.least, part.cell, p.F / p.omega),
             "twist": part.sign,
@@ -203,10 +203,10 @@ class Curve:
         low, high = limits
         parabolic = resonances.get(Fraction(1, 2))
         if parabolic:
-            low = max(low, self._force_pair(parabolic)[0], key=Fraction)
+            low = max(low, self._force_at(parabolic)[0], key=Fraction)
         excluded: list[Bracket] = [part.cell for part in cells if part.twist is None]
-        pairs = [self._forces(ends) for ends in excluded]
-        pairs += [self._force_pair(resonances[ratio]) for ratio in LOW_ORDER if ratio in resonances]
+        pairs = [self._force_over(ends) for ends in excluded]
+        pairs += [self._force_at(resonances[ratio]) for ratio in LOW_ORDER if ratio in resonances]
         cut = [[max(a, low, key=Fraction), min(b, high, key=Fraction)] for a, b in pairs]
         joined: list[Pair] = []
         for a, b in sorted((p for p in cut if Fraction(p[0]) <= Fraction(p[1])), key=_lower):

@@ -318,8 +318,8 @@ def test_all_orbits_and_their_files(capsys, tmp_path):
     status, out, err = run(capsys, *words)
     assert (status, err) == (0, "")
     files = [json.loads(path.read_text()) for path in sorted(tmp_path.iterdir())]
-    assert len(files) == 5
-    assert out.count("Theorem (periodic)") == 5
+    assert len(files) == 7
+    assert out.count("Theorem (periodic)") == 7
     kinds = [c["claims"]["type"] for c in files]
     assert sorted(kinds) == ["flip saddle", "flip saddle", "saddle", "sink focus", "sink focus"]
     found = {round(float(Fraction(c["claims"]["x"][0])), 4) for c in files}

@@ -51,8 +51,9 @@ class Cycle:
 
     @property
     def determinant(self) -> float:
-        """Its determinant."""
-        return matrix.determinant(self.path.monodromy)
+        """Its determinant: 0 if the orbit sticks or is captured."""
+        stops = any(word.startswith(("stick", "capture")) for word in self.path.words)
+        return 0.0 if stops else matrix.determinant(self.path.monodromy)
 
     def kind(self, *, conserves: bool) -> str:
         """The type as in `cap.stability`, as far as floats can tell; else ``degenerate``."""

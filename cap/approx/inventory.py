@@ -76,9 +76,8 @@ class Inventory(Study):
 
     def lines(self) -> list[str]:
         """Return the counts by type, and the orbits."""
-        head = f"orbits of period {self.periods} found over {self.parameter} at " + described(
-            self.parameters
-        )
+        over = f" over {self.parameter}" if len(self.values) > 1 else ""
+        head = f"orbits of period {self.periods} found{over} at {described(self.parameters)}"
         rows = []
         for value in self.values:
             own = [each for each in self.orbits if each.value == value]
@@ -129,7 +128,7 @@ def inventory(  # noqa: PLR0913 (the options of the command)
         if certificates:
             _write([theorem for _, theorem in proved if theorem], certificates)
     return Inventory(
-        parameters=p,
+        parameters=systems[0] if len(systems) == 1 else p,
         complete=not work.interrupted,
         parameter=parameter,
         periods=period,
