@@ -192,8 +192,8 @@ for k, (x, v) in enumerate(states):
 # ![The fixed points found at F = 3](pictures/inventory.svg)
 #
 # The circle is a sink, the two crosses are sinks that stick once (one multiplier is 0, the other
-# is the trace), and the triangles are saddles of both kinds. All twenty-five have x > 0 at t = 0; by
-# the mirror symmetry each has a partner, perhaps itself, that has x < 0 at t = T/2.
+# is the trace), and the triangles are saddles of both kinds. All twenty-five have x > 0 at t = 0;
+# by the mirror symmetry each has a partner, perhaps itself, that has x < 0 at t = T/2.
 #
 # "All" means all that the seeds led to; that nothing was missed is not proved.  But each orbit that
 # was found can go to a prover like that of step 8, and its certificate to the checker of step 9:
