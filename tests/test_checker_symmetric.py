@@ -187,7 +187,7 @@ def test_words_and_macros(symmetric, pitchfork):
     for name, part in (
         ("minus not genuine", "it is no (1,1) orbit"),
         ("much friction", "exactly zero (1,1) orbits have"),
-        ("wide", "is 2 at no f"),
+        ("wide", "is 2 nowhere"),
         ("no roots of the paper", "has no root"),
     ):
         certificate = check(encode(forge_symmetric(SYSTEMS[name], 8)), lambda _: None)
