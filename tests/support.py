@@ -6,7 +6,7 @@ from random import Random
 
 import mpmath
 
-from cap import interval
+from cap import interval, prove
 
 
 def seeded(seed):
@@ -17,6 +17,16 @@ def seeded(seed):
 def rounds(count):
     """Return how often a random test is to be repeated."""
     return max(1, round(count * float(os.environ.get("CAP_TEST_MULTIPLIER", "1"))))
+
+
+def proving(capsys, *words):
+    """Return (status, standard output, standard error) of a command of `cap.prove`."""
+    try:
+        status = prove.main(words)
+    except SystemExit as stop:
+        status = stop.code
+    captured = capsys.readouterr()
+    return status, captured.out, captured.err
 
 
 def rational(value):

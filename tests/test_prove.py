@@ -10,8 +10,8 @@ from pathlib import Path
 
 import jsonschema
 import pytest
+from support import proving
 
-from cap import prove
 from cap.approx import candidates
 from cap.approx.periodic import Guess
 from cap.certificate import dumps
@@ -22,19 +22,9 @@ from proofs import theorems
 ROOT = Path(__file__).parent.parent
 
 
-def run(capsys, *words):
-    """Return (status, standard output, standard error) of one command."""
-    try:
-        status = prove.main(words)
-    except SystemExit as stop:
-        status = stop.code
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
-
-
 def test_elliptic_proves_writes_and_says_so(capsys, tmp_path):
     """The paper's theorem: exit 0, its numbers on the page, a certificate that verifies."""
-    status, out, _ = run(capsys, "elliptic", "--out", str(tmp_path))
+    status, out, _ = proving(capsys, "elliptic", "--out", str(tmp_path))
     path = tmp_path / "elliptic.json"
     assert status == 0
     for text in (
@@ -61,16 +51,16 @@ def test_a_command_is_known_for_every_stored_certificate():
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_stored_certificate_is_reproduced(name, capsys, tmp_path):
     """Its command gives it again, byte for byte but for its provenance."""
-    assert run(capsys, *COMMANDS[name].split(), "--out", str(tmp_path / name))[0] == 0
+    assert proving(capsys, *COMMANDS[name].split(), "--out", str(tmp_path / name))[0] == 0
     new, stored = (json.loads((d / name).read_text()) for d in (tmp_path, ROOT / "certificates"))
     assert dumps({**new, "provenance": {}}) == dumps({**stored, "provenance": {}})
 
 
 def test_a_second_run_leaves_the_file_alone(capsys, tmp_path):
     """Only the provenance would differ, so nothing is written."""
-    run(capsys, "saddle", "--out", str(tmp_path))
+    proving(capsys, "saddle", "--out", str(tmp_path))
     before = (tmp_path / "saddle.json").read_bytes()
-    _, out, _ = run(capsys, "saddle", "--out", str(tmp_path))
+    _, out, _ = proving(capsys, "saddle", "--out", str(tmp_path))
     assert "unchanged" in out
     assert (tmp_path / "saddle.json").read_bytes() == before
 
@@ -105,7 +95,7 @@ def test_certificates_satisfy_the_schema():
 )
 def test_other_parameters(capsys, tmp_path, words):
     """The theorem at other parameters, digits, orders and orbits."""
-    status, out, err = run(capsys, "elliptic", *words, "--out", str(tmp_path))
+    status, out, err = proving(capsys, "elliptic", *words, "--out", str(tmp_path))
     assert (status, err) == (0, "")
     assert "accepts" in out
 
@@ -143,7 +133,7 @@ def test_other_parameters(capsys, tmp_path, words):
 def test_bad_input(capsys, tmp_path, monkeypatch, words, complaint):
     """Nonsense ends in exit 2, with a line that says what is wrong, and nothing written."""
     monkeypatch.chdir(tmp_path)
-    status, _, err = run(capsys, *words)
+    status, _, err = proving(capsys, *words)
     assert status == 2
     assert complaint in err
     assert err.startswith("error: ")
@@ -154,7 +144,7 @@ def test_bad_input(capsys, tmp_path, monkeypatch, words, complaint):
 @pytest.mark.parametrize("out", ["/dev/null/x", "/proc/none", "/dev/full/x.json"])
 def test_unwritable_output(capsys, out):
     """A place that cannot be written is bad input."""
-    status, _, err = run(capsys, "saddle", "--out", out)
+    status, _, err = proving(capsys, "saddle", "--out", out)
     assert status == 2
     assert "cannot write" in err
 
@@ -163,7 +153,7 @@ def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch
     """A guess with wrong hit times: the step that fails and its sets are printed."""
     wrong = Guess(0.1003, 0.5419, (0.5, 3.5), -0.46, 0.09)
     monkeypatch.setattr(candidates.periodic, "orbits", lambda *_: [wrong])
-    status, _, err = run(capsys, "elliptic", "--out", str(tmp_path))
+    status, _, err = proving(capsys, "elliptic", "--out", str(tmp_path))
     assert status == 1
     assert "NOT PROVED" in err
     assert list(tmp_path.iterdir()) == []
@@ -176,7 +166,7 @@ def test_a_rejected_certificate_is_not_written(capsys, tmp_path, monkeypatch):
         raise Rejected("for the test")
 
     monkeypatch.setattr(theorems, "check", reject)
-    status, out, err = run(capsys, "saddle", "--out", str(tmp_path))
+    status, out, err = proving(capsys, "saddle", "--out", str(tmp_path))
     assert status == 1
     assert "for the test" in err
     assert "Theorem" not in out
@@ -190,7 +180,7 @@ def test_interrupt_leaves_nothing(capsys, tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(theorems, "accepted", interrupted)
-    status, _, err = run(capsys, "saddle", "--out", str(tmp_path))
+    status, _, err = proving(capsys, "saddle", "--out", str(tmp_path))
     assert status == 130
     assert "interrupted" in err
     assert list(tmp_path.iterdir()) == []
@@ -199,7 +189,7 @@ def test_interrupt_leaves_nothing(capsys, tmp_path, monkeypatch):
 def test_nothing_else_is_overwritten(capsys, tmp_path):
     """In a directory, certificates of other parameters or other orbits keep their files."""
     for words in (("--f", "1/2"), ("--f", "3/5"), ("--f", "1/2"), (), ("--orbit", "0.56", "1.07")):
-        assert run(capsys, "elliptic", *words, "--out", str(tmp_path))[0] == 0
+        assert proving(capsys, "elliptic", *words, "--out", str(tmp_path))[0] == 0
     names = {path.name: json.loads(path.read_text()) for path in tmp_path.iterdir()}
     assert {name: c["parameters"]["f"] for name, c in names.items()} == {
         "elliptic.json": "1/2",
@@ -223,9 +213,9 @@ def test_nothing_else_is_overwritten(capsys, tmp_path):
 def test_a_file_that_the_checker_rejects_is_not_kept(capsys, tmp_path, spoil):
     """Only a certificate that verifies is left alone as unchanged."""
     path = tmp_path / "c.json"
-    run(capsys, "saddle", "--out", str(path))
+    proving(capsys, "saddle", "--out", str(path))
     path.write_text(spoil(path.read_text()))
-    status, out, _ = run(capsys, "saddle", "--out", str(path))
+    status, out, _ = proving(capsys, "saddle", "--out", str(path))
     assert status == 0
     assert "unchanged" not in out
     check(path.read_bytes(), lambda _step: None)
@@ -238,7 +228,7 @@ def test_other_units(capsys, tmp_path, length, omega):
     force = scale * w * w
     words = ["--F", str(force), "--f", str(force * Fraction(2, 5)), "--omega", str(w)]
     words += ["--l", str(-scale), "--r", str(scale), "--out", str(tmp_path), "--order", "3"]
-    assert run(capsys, "elliptic", *words)[0] == 0
+    assert proving(capsys, "elliptic", *words)[0] == 0
     lower, upper = json.loads((tmp_path / "elliptic.json").read_text())["claims"]["twist"]
     unit = scale**2 * w
     assert Fraction(lower) * unit < Fraction("0.113477977036708622736396099064")
@@ -249,7 +239,7 @@ def test_other_units(capsys, tmp_path, length, omega):
 def test_walls_far_away(capsys, tmp_path, walls):
     """Shifted walls change nothing but x."""
     words = ("--l", walls[0], "--r", walls[1], "--all", "--out", str(tmp_path))
-    assert run(capsys, "elliptic", *words)[0] == 0
+    assert proving(capsys, "elliptic", *words)[0] == 0
     assert len(list(tmp_path.iterdir())) == 2
 
 
@@ -278,12 +268,12 @@ def test_output_that_cannot_be_encoded(tmp_path):
 def test_a_second_argument_for_all(capsys, tmp_path):
     """`--all` with one orbit or one file makes no sense."""
     for words in (("--orbit", "0.1", "0.5"), ("--out", str(tmp_path / "one.json"))):
-        status, _, err = run(capsys, "elliptic", "--all", *words)
+        status, _, err = proving(capsys, "elliptic", "--all", *words)
         assert (status, err.count("\n")) == (2, 1)
 
 
 def test_list_names_every_theorem(capsys):
     """`--list` says what can be proved."""
-    status, out, _ = run(capsys, "--list")
+    status, out, _ = proving(capsys, "--list")
     assert status == 0
     assert [line.split()[0] for line in out.splitlines()] == list(theorems.THEOREMS)

@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 from closed_forms import check_cells, proved, setting
 from conftest import STARTS
-from test_prove_events import run
+from support import proving
 
 from cap import interval
 from cap.errors import BadInput, NotProved
@@ -209,7 +209,7 @@ BAD = [
 def test_bad_input(capsys, tmp_path, monkeypatch, line):
     """One line on standard error, status 2, no traceback, no file."""
     monkeypatch.chdir(tmp_path)
-    status, _, err = run(capsys, *line.split())
+    status, _, err = proving(capsys, *line.split())
     assert status == 2
     assert err.count("\n") == 1
     assert err.startswith("error: ")
@@ -229,7 +229,7 @@ def test_empty_words(capsys, tmp_path, monkeypatch, line):
     """They are bad input too."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(branch, "lemma_1_closed_form", lambda: 1 / 0)
-    status, _, err = run(capsys, *line.split())
+    status, _, err = proving(capsys, *line.split())
     assert (status, err.count("\n")) == (2, 1)
 
 

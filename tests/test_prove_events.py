@@ -8,25 +8,14 @@ from pathlib import Path
 import pytest
 from mpmath import matrix, mp, mpf, workdps
 from oracle_flow import System, orbit
-from support import number, rational, seeded
+from support import number, proving, rational, seeded
 
-from cap import prove
 from cap.checker.theorem import check
 from cap.parameters import Parameters
 from cap.report import theorem as told
 from proofs import persistence
 
 STORED = Path(__file__).parent.parent / "certificates"
-
-
-def run(capsys, *words):
-    """Return (status, standard output, standard error) of one command."""
-    try:
-        status = prove.main(words)
-    except SystemExit as stop:
-        status = stop.code
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
 
 
 def parameters(certificate):
@@ -89,7 +78,7 @@ def test_periodic_orbits(capsys, tmp_path, name):
     """The page has the numbers of the certificate, and they are those of an exact orbit."""
     words, kind = PERIODIC[name]
     path = tmp_path / "c.json"
-    status, out, err = run(capsys, "periodic", *words, "--digits", "10", "--out", str(path))
+    status, out, err = proving(capsys, "periodic", *words, "--digits", "10", "--out", str(path))
     assert (status, err) == (0, "")
     check(path.read_bytes(), lambda _step: None)
     certificate = json.loads(path.read_text())
@@ -193,7 +182,7 @@ CAPTURES = {
 def test_captures(capsys, tmp_path, name):
     """Random states of the box: captured after the events told, when told, released when told."""
     path = tmp_path / "c.json"
-    status, out, err = run(capsys, "capture", *CAPTURES[name], "--out", str(path))
+    status, out, err = proving(capsys, "capture", *CAPTURES[name], "--out", str(path))
     assert (status, err) == (0, "")
     check(path.read_bytes(), lambda _step: None)
     certificate = json.loads(path.read_text())
@@ -237,7 +226,7 @@ def test_a_periodic_orbit_with_captures(capsys, tmp_path, digits):
     """Both walls catch the mass in every period: Φ is constant near P*, both multipliers are 0."""
     path = tmp_path / "c.json"
     words = ("--F", "2", "--e", "1/10", "--orbit", "-.2915", "1.4118", "--digits", digits)
-    status, _, err = run(capsys, "periodic", *words, "--out", str(path))
+    status, _, err = proving(capsys, "periodic", *words, "--out", str(path))
     assert (status, err) == (0, "")
     claims = json.loads(path.read_text())["claims"]
     assert claims["type"] == "superstable"
@@ -259,7 +248,7 @@ def test_captures_at_the_times_of_exact_orbits(capsys, tmp_path, words, state):
     """The accumulation lies in the interval claimed, and all other times in theirs."""
     path = tmp_path / "c.json"
     words = (*words, "--orbit", *state, "--digits", "10")
-    assert run(capsys, "periodic", *words, "--out", str(path))[0] == 0
+    assert proving(capsys, "periodic", *words, "--out", str(path))[0] == 0
     certificate = json.loads(path.read_text())
     claims, p = certificate["claims"], parameters(certificate)
     with workdps(30):
@@ -281,7 +270,7 @@ def test_captures_at_the_times_of_exact_orbits(capsys, tmp_path, words, state):
 def test_captures_in_other_units(capsys, tmp_path, words, latest):
     """Walls far away for the forcing; a wall that is pressed for a short time only."""
     path = tmp_path / "c.json"
-    assert run(capsys, "capture", *words, "--out", str(path))[0] == 0
+    assert proving(capsys, "capture", *words, "--out", str(path))[0] == 0
     claims = json.loads(path.read_text())["claims"]
     assert 0 < Fraction(claims["accumulation_time"][1]) < latest
     assert Fraction(claims["ratio"]) < 1
@@ -295,7 +284,7 @@ def test_persistence_at_other_losses(capsys, tmp_path, monkeypatch, epsilon, mu)
     monkeypatch.setattr(persistence, "MOST_CELLS", 4)
     path = tmp_path / "c.json"
     words = ("--epsilon", epsilon, "--mu", mu, "--digits", "10", "--out", str(path))
-    assert run(capsys, "persistence", *words)[0] == 0
+    assert proving(capsys, "persistence", *words)[0] == 0
     claims = json.loads(path.read_text())["claims"]
     assert Fraction(claims["basin"]["contraction"]) < 1
     assert Fraction(claims["range"]["epsilon"][-1]) >= Fraction(epsilon)
@@ -307,7 +296,7 @@ def test_a_restitution_that_is_a_binary_number(capsys, tmp_path, e):
     """With hits only, the determinant is e to the fourth power, which a ball holds exactly."""
     path = tmp_path / "c.json"
     words = ("--e", e, "--orbit", "-0.7", "0.6", "--digits", "10", "--out", str(path))
-    assert run(capsys, "periodic", *words)[0] == 0
+    assert proving(capsys, "periodic", *words)[0] == 0
     claims = json.loads(path.read_text())["claims"]
     assert among(claims["determinant"], Fraction(e) ** (2 * len(claims["hit_speeds"])), 0)
 
@@ -315,7 +304,7 @@ def test_a_restitution_that_is_a_binary_number(capsys, tmp_path, e):
 def test_all_orbits_and_their_files(capsys, tmp_path):
     """`--all` proves each of the orbits found, in files of their own."""
     words = ("periodic", "--F", "3/2", "--all", "--digits", "8", "--out", str(tmp_path))
-    status, out, err = run(capsys, *words)
+    status, out, err = proving(capsys, *words)
     assert (status, err) == (0, "")
     files = [json.loads(path.read_text()) for path in sorted(tmp_path.iterdir())]
     assert len(files) == 7

@@ -1,19 +1,9 @@
 """How the commands on turning, sticking, capture and losses fail: one line, and no file."""
 
 import pytest
+from support import proving
 
 from cap import prove
-
-
-def run(capsys, *words):
-    """Return (status, standard output, standard error) of one command."""
-    try:
-        status = prove.main(words)
-    except SystemExit as stop:
-        status = stop.code
-    captured = capsys.readouterr()
-    return status, captured.out, captured.err
-
 
 ORBIT = ("--orbit", "0.1003", "0.5419")
 
@@ -69,7 +59,7 @@ ORBIT = ("--orbit", "0.1003", "0.5419")
 def test_bad_input(capsys, tmp_path, monkeypatch, words, complaint):
     """One line that says what is wrong, status 2, and nothing written."""
     monkeypatch.chdir(tmp_path)
-    status, _, err = run(capsys, *words)
+    status, _, err = proving(capsys, *words)
     assert status == 2
     assert complaint in err
     assert err.startswith("error: ")
@@ -80,7 +70,7 @@ def test_bad_input(capsys, tmp_path, monkeypatch, words, complaint):
 def test_not_proved_is_said(capsys, tmp_path):
     """An orbit at rest in the middle of nothing is captured nowhere near; no file is written."""
     words = ("capture", "--f", "0", "--out", str(tmp_path))  # the ratio of the speeds is e = 1
-    status, _, err = run(capsys, *words)
+    status, _, err = proving(capsys, *words)
     assert status == 1
     assert "NOT PROVED" in err
     assert list(tmp_path.iterdir()) == []
@@ -98,7 +88,7 @@ def test_how_far_the_family_reaches_is_said(capsys, tmp_path, monkeypatch, losse
     monkeypatch.setattr("proofs.persistence.MOST_CELLS_BELOW", 6)
     epsilon, mu = losses
     words = ("persistence", "--epsilon", epsilon, "--mu", mu, "--digits", "8")
-    status, _, err = run(capsys, *words, "--out", str(tmp_path))
+    status, _, err = proving(capsys, *words, "--out", str(tmp_path))
     assert status == 1
     assert "Lemma 5" in err
     assert reason in err
@@ -110,7 +100,7 @@ def test_the_progress_line_is_cleared(capsys, tmp_path, monkeypatch):
     told = []
     monkeypatch.setattr(prove, "_progress", told.append)
     words = ("periodic", "--F", "3/2", "--digits", "8", "--out", str(tmp_path))
-    assert run(capsys, *words)[0] == 0
+    assert proving(capsys, *words)[0] == 0
     assert told[0].startswith("searching: 0 starts")
     assert told.count("") == 2
     assert told[-1] == ""
