@@ -269,7 +269,7 @@ def _regions(axes: Axes, found: Map) -> list[Patch]:
 def _curves(axes: Axes, found: Map) -> None:
 
     R = np.linspace(*BOX[2:], 1000)
-    axes.axvline(2 / math.pi, color=BLACK, ls=":", lw=1.1, label=r"$f = 2F/\pi$: + and − meet")
+    axes.axvline(2 / math.pi, color=BLACK, ls=":", lw=1.1, label=r"$f = 2F/\pi$: the formulas meet")
     for level, colour, words in (
         ((math.pi**2 - 4) / 2, PURPLE, "pitchfork: the pair is born"),
         (math.pi**2 - 2, GREEN, r"$\Phi' = -1$ at the symmetric orbit"),
