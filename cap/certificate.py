@@ -4,9 +4,7 @@ The format is specified in ``certificates/FORMAT.md``.
 """
 
 import json
-import os
 import platform
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from errno import ENOTDIR
@@ -21,11 +19,13 @@ from cap import __version__, interval
 from cap.checker.certificate import MAX_BYTES, Certificate, read
 from cap.checker.rejection import Rejected
 from cap.errors import TooFewDigits
+from cap.files import replacing
 from cap.interval import Ball
 from cap.matrix import Matrix
 from cap.parameters import PAPER, Parameters
 
 FORMAT = "cap-certificate/1"
+NONE = "none"  # for what does not exist
 
 Pair = list[str]
 
@@ -176,13 +176,6 @@ def write(certificate: Mapping[str, Any], path: Path) -> str:
     if path.parent.exists() and not path.parent.is_dir():
         raise NotADirectoryError(ENOTDIR, "not a directory")
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".certificate-")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(dumps(certificate))
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
+    with replacing(path) as file:
+        file.write(dumps(certificate).encode())
     return "replaced" if old else "written"

@@ -21,7 +21,7 @@ def composed(z: Any, taylor: Taylor) -> Any:
     if isinstance(z, TaylorModel):
         return z.series(taylor)
     if isinstance(z, Jet):
-        return z.series(taylor(z.coefficients[0], z.space.order))
+        return z.series(taylor(z.coefficients[0] + Ball(0), z.space.order))
     return taylor(z, 0)[0]
 
 

@@ -16,7 +16,7 @@ from typing import Any
 from cap.commands import COMMANDS, Command
 from cap.console import Parser, closing_quietly, protected, say
 from cap.errors import BadInput
-from cap.option import Option
+from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
 
 INTERRUPTED = 130
@@ -131,7 +131,7 @@ def _run(options: argparse.Namespace, command: Command) -> int:
     for path in options.out:
         export.kind(path)
     bar = _Bar()
-    work = Work(Option.integer("jobs", options.jobs, (1, 256)), bar.tell)
+    work = Work(integer(options.jobs, "jobs", (1, 256)), bar.tell)
     study = command.function()(p, work=work, **given)
     bar.clear()
     print("\n".join(study.lines()))
@@ -160,7 +160,7 @@ def _size(options: argparse.Namespace, command: Command) -> tuple[tuple[float, f
     width, height = (float(exact(word)) for word in options.size or map(str, command.size))
     if not (1 <= width <= 100 and 1 <= height <= 100):
         raise BadInput(f"--size must be from 1 to 100 inches: {width:.6g} x {height:.6g}")
-    dpi = Option.integer("dpi", options.dpi, (20, 2000))
+    dpi = integer(options.dpi, "dpi", (20, 2000))
     if width * height * dpi**2 > MOST_PIXELS:
         raise BadInput(f"the picture is too large: {width:g} x {height:g} inches at {dpi} dpi")
     return (width, height), dpi

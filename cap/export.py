@@ -3,9 +3,7 @@
 import csv
 import io
 import os
-import tempfile
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from errno import ENOENT
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
@@ -14,6 +12,7 @@ import numpy as np
 
 from cap.approx.study import Study
 from cap.errors import BadInput
+from cap.files import replacing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -40,7 +39,7 @@ def write(study: Study, path: Path, draw: Callable[[], "Figure"]) -> None:
     """Write a study to ``path``; ``draw`` is called if that is an image."""
     suffix = kind(path)
     try:
-        with _replacing(path) as file:
+        with replacing(path) as file:
             if suffix == "npz":
                 arrays = study.arrays()
                 np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
@@ -50,20 +49,6 @@ def write(study: Study, path: Path, draw: Callable[[], "Figure"]) -> None:
                 _image(draw(), suffix, file)
     except OSError as error:
         raise BadInput(f"cannot write {path}: {error.strerror}") from None
-
-
-@contextmanager
-def _replacing(path: Path) -> Iterator[IO[bytes]]:
-    """Open a file that becomes ``path`` at the end, unless something fails."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".explore-")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            yield file
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
 
 
 def _table(study: Study, file: IO[bytes]) -> None:

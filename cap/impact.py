@@ -36,10 +36,12 @@ give
     trace Φ' = 2 - 2π(κ1 + κ2) + κ1 κ2 (π² - 4δ²),   κ1 = 2 cos t1/u(t1),  κ2 = -2 cos t2/u(t2).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+from cap import interval
 from cap.elementary import asin, sinc, sqrt
+from cap.errors import NotProved
 from cap.interval import Ball, pi
 
 
@@ -91,12 +93,48 @@ class Orbit:
         lost = sqrt(1 - self.alpha * self.alpha)
         return u1 + sin1 - lost - self.alpha * delay1, u2 - sin2 - lost - self.alpha * delay2
 
+    def least_speed(self) -> Ball:
+        """Return the least of u, over balls: at a hit, or at a local minimum on a flight."""
+        least: Ball = interval.least(*self.speeds)
+        flights = zip(self.delays(), self.durations, self.slowest(), strict=True)
+        for delay, duration, speed in flights:
+            if 0 < delay < duration:
+                least = interval.least(least, speed)
+            elif not (delay < 0 or delay > duration):
+                raise NotProved("least speed", "it may be that at a hit", {"delay": delay})
+        return least
+
+    def right_hit(self) -> Ball:
+        """Return t1 in (-π/2 - δ, π - δ), over balls."""
+        t1: Ball = pi() / 2 - self.delta - Ball.atan2(self.S, self.cos_phi)
+        return t1
+
+    def start(self) -> tuple[Ball, Ball]:
+        """Return the distance from the right wall, and the velocity, at t = 0; assumes t1 > 0."""
+        t1, (sin, cos) = self.right_hit(), self.phases[0]
+        velocity = self.speeds[0] - sin + self.alpha * t1
+        return velocity * t1 + 1 - cos - self.alpha * t1 * t1 / 2, velocity
+
+    def mirrored(self) -> "Orbit":
+        """Return the mirror image."""
+        return replace(self, delta=-self.delta)
+
 
 def symmetric(alpha: Ball, rho: Ball, sign: int) -> Orbit:
     """Return the symmetric orbit with this sign of S = ±sqrt(1 - (πα/2)²); 0 <= πα/2 <= 1."""
     cos_phi = pi() * alpha / 2
     S = sign * (1 - cos_phi * cos_phi).sqrt()
     return Orbit(Ball(0), alpha, rho, S, cos_phi, (rho + 2 * S) / pi())
+
+
+def friction(S: Ball) -> Ball:
+    """Return α of the symmetric orbits with this S or -S."""
+    return 2 / pi() * (1 - S * S).sqrt()
+
+
+def birth(rho: Ball) -> Ball:
+    """Return S where δ = 0 on the curve of asymmetric orbits; above 1 there is none."""
+    return 2 * rho / (pi() ** 2 - 4)
 
 
 def asymmetric(delta: Any, rho: Ball) -> Orbit:

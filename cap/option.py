@@ -39,19 +39,20 @@ class Option:
         words = [text] if isinstance(text, str) else list(text)
         return self.reader(words, self.name) if self.reader else None
 
-    @staticmethod
-    def integer(name: str, text: str, limits: tuple[int, int]) -> int:
-        """Return an integer within limits."""
-        least, most = limits
-        text = text.strip()
-        if not re.fullmatch(r"\d{1,9}", text, re.ASCII) or not least <= int(text) <= most:
-            raise BadInput(f"--{name} must be an integer from {least} to {most}: {text[:40]!r}")
-        return int(text)
+
+def integer(text: str, name: str, limits: tuple[int, int], longest: int = 9) -> int:
+    """Return an integer within limits, of so many digits at most."""
+    least, most = limits
+    text = text.strip()
+    fits = re.fullmatch(rf"\d{{1,{longest}}}", text, re.ASCII) and least <= int(text) <= most
+    if not fits:
+        raise BadInput(f"--{name} must be an integer from {least} to {most}: {text[:40]!r}")
+    return int(text)
 
 
 def count(least: int, most: int) -> Reader:
     """Read an integer within limits."""
-    return lambda words, name: Option.integer(name, words[0], (least, most))
+    return lambda words, name: integer(words[0], name, (least, most))
 
 
 def positive(words: Sequence[str], name: str) -> float:
@@ -86,7 +87,7 @@ def exacts(words: Sequence[str], _name: str) -> tuple[Fraction, ...]:
 
 def counts(words: Sequence[str], name: str) -> tuple[int, ...]:
     """Read positive integers."""
-    return tuple(Option.integer(name, word, (1, 100_000)) for word in words)
+    return tuple(integer(word, name, (1, 100_000)) for word in words)
 
 
 def path(words: Sequence[str], _name: str) -> Path:

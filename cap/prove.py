@@ -5,7 +5,6 @@ input.  What can be proved: see `proofs.theorems`.
 """
 
 import argparse
-import re
 import signal
 import sys
 from collections.abc import Iterator, Sequence
@@ -21,6 +20,7 @@ from cap.approx.candidates import Candidate, Request
 from cap.console import Parser, closing_quietly, protected
 from cap.errors import BadInput, NotProved
 from cap.fixed_point import Start
+from cap.option import integer
 from cap.parameters import PAPER, Parameters, exact
 from cap.subdivision import Workers
 from proofs import theorems
@@ -114,7 +114,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.all and (options.orbit or options.out.suffix == ".json"):
         raise BadInput("--all goes neither with --orbit nor with one file as --out")
     request = _request(options)
-    digits = _integer(options.digits, "--digits", (6, 1000))
+    digits = integer(options.digits, "digits", (6, 1000), 4)
     found = THEOREMS[options.theorem].search(request)
     _progress("")
     print("\n".join(found.lines), end="\n\n", flush=True)
@@ -133,7 +133,7 @@ def _run(options: argparse.Namespace) -> int:
 @contextmanager
 def _workers(options: argparse.Namespace) -> Iterator[Workers]:
     """Give what examines the cells of a theorem on a range of parameters."""
-    jobs = _integer(options.jobs, "--jobs", (1, 1024))
+    jobs = integer(options.jobs, "jobs", (1, 1024), 4)
     if options.theorem != "branch" and (jobs > 1 or options.journal):
         raise BadInput("--jobs and --journal are for the theorem branch")
     if jobs == 1:
@@ -186,18 +186,9 @@ def _request(options: argparse.Namespace) -> Request:
         parameters,
         (orbit[0], orbit[1]) if orbit else None,
         every=options.all,
-        periods=_integer(options.period, "--period", (1, 16)),
+        periods=integer(options.period, "period", (1, 16), 4),
         progress=_progress,
     )
-
-
-def _integer(text: str, option: str, limits: tuple[int, int]) -> int:
-    """Return the integer given for an option."""
-    least, most = limits
-    text = text.strip()
-    if not re.fullmatch(r"\d{1,4}", text, re.ASCII) or not least <= int(text) <= most:
-        raise BadInput(f"{option} must be an integer from {least} to {most}: {text[:40]!r}")
-    return int(text)
 
 
 def _proved(options: argparse.Namespace, ask: Setting, candidate: Candidate) -> int:

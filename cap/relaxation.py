@@ -13,12 +13,10 @@ M Kummer's function, increase with z, so their values at the ends of a ball encl
 """
 
 import math
-from collections.abc import Callable
 from typing import Any
 
+from cap.elementary import composed
 from cap.interval import Ball, hull, lower, upper
-from cap.jet import Jet
-from cap.taylor_model import TaylorModel
 
 
 def of_floats(mu: float, d: float) -> tuple[float, float, float]:
@@ -34,17 +32,8 @@ def of_floats(mu: float, d: float) -> tuple[float, float, float]:
 def relax(mu: Any, d: Any) -> tuple[Any, Any, Any]:
     """Return (D, h, k) for balls, or jets or Taylor models over balls; μ may be of either type."""
     z = -mu * d
-    decay, first, second = (_composed(z, taylor) for taylor in (_exp, _phi1, _phi2))
+    decay, first, second = (composed(z, taylor) for taylor in (_exp, _phi1, _phi2))
     return decay, d * first, d * d * second
-
-
-def _composed(z: Any, taylor: Callable[[Ball, int], list[Ball]]) -> Any:
-    """Return g(z), where ``taylor(c, n)`` encloses g⁽ᵏ⁾/k! on the ball c for k <= n."""
-    if isinstance(z, TaylorModel):
-        return z.series(taylor)
-    if isinstance(z, Jet):
-        return z.series(taylor(z.coefficients[0] + Ball(0), z.space.order))
-    return taylor(z, 0)[0]
 
 
 def _exp(c: Ball, order: int) -> list[Ball]:

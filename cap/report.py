@@ -4,6 +4,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
+from cap.certificate import NONE
+
 _SECTIONS = {
     "fixed point": {"x": "x", "v": "v"},
     "orbit": {
@@ -125,7 +127,6 @@ def _captured(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
     yield from _numbers(claims)
 
 
-NONE = "none"  # for what does not exist
 _ORBIT = {
     "x": "x at t = 0",
     "v": "v at t = 0",

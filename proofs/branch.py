@@ -42,7 +42,8 @@ from functools import partial
 from math import ceil
 from typing import NamedTuple
 
-from cap import certificate, interval
+from cap import interval
+from cap.certificate import NONE
 from cap.errors import BadInput, NotProved
 from cap.impact import asymmetric
 from cap.impact_map import period_jet
@@ -52,10 +53,10 @@ from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.taylor_model import Domain, TaylorModel
 from cap.twist import regular_twist
 from proofs.branch_curve import Bracket, Curve, Part, decimals
-from proofs.fixed_point import Proof, Setting
+from proofs.citation import MOSER, cited
+from proofs.fixed_point import Proof, Setting, assembled
 from proofs.one_one import Scale, lemma_1_closed_form
 from proofs.pitchfork import lemma_2_parabolic, parameters
-from proofs.symmetric import NONE
 
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow
@@ -64,49 +65,44 @@ SMALLEST = Fraction(1, 10**9)  # the shortest cell
 ORDER = 6  # of the Taylor models
 BITS = 120
 
-MOSER = {
-    "theorem": "Moser twist theorem",
-    "reference": "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
-    "Theorem kam of the paper",
-    "hypotheses": [
-        {
-            "name": "H1",
-            "statement": "for every f in f_range, both orbits of the pair hit each wall once in a "
-            "period, transversely, and never turn or stick",
-            "by": ["f_range", "cells"],
-        },
-        {
-            "name": "H2",
-            "statement": "the map from one hit of r to the next, in time and energy, to which Phi "
-            "is conjugate, is exact symplectic near the fixed point: flights and hits preserve "
-            "dx^dv, and a disk is simply connected",
-            "by": ["f_range", "cells"],
-        },
-        {
-            "name": "H3",
-            "statement": "this map is real analytic near the fixed point: the hit times are, by "
-            "the implicit function theorem",
-            "by": ["f_range", "cells"],
-        },
-        {
-            "name": "H4",
-            "statement": "trace > -2 is assumed and trace < 2 is proved: the eigenvalues of the "
-            "Jacobian are exp(+-i Theta), 0 < |Theta| < pi",
-            "by": ["cells", "resonances"],
-        },
-        {
-            "name": "H5",
-            "statement": "no resonance of order at most four, for f outside the exceptions",
-            "by": ["resonances", "exceptions"],
-        },
-        {
-            "name": "H6",
-            "statement": "the first Birkhoff twist coefficient does not vanish, for f outside the "
-            "exceptions",
-            "by": ["cells", "twist_zeros", "exceptions"],
-        },
-    ],
-}
+CITED = cited(
+    *MOSER,
+    (
+        "H1",
+        "for every f in f_range, both orbits of the pair hit each wall once in a period, "
+        "transversely, and never turn or stick",
+        "f_range, cells",
+    ),
+    (
+        "H2",
+        "the map from one hit of r to the next, in time and energy, to which Phi is conjugate, is "
+        "exact symplectic near the fixed point: flights and hits preserve dx^dv, and a disk is "
+        "simply connected",
+        "f_range, cells",
+    ),
+    (
+        "H3",
+        "this map is real analytic near the fixed point: the hit times are, by the implicit "
+        "function theorem",
+        "f_range, cells",
+    ),
+    (
+        "H4",
+        "trace > -2 is assumed and trace < 2 is proved: the eigenvalues of the Jacobian are "
+        "exp(+-i Theta), 0 < |Theta| < pi",
+        "cells, resonances",
+    ),
+    (
+        "H5",
+        "no resonance of order at most four, for f outside the exceptions",
+        "resonances, exceptions",
+    ),
+    (
+        "H6",
+        "the first Birkhoff twist coefficient does not vanish, for f outside the exceptions",
+        "cells, twist_zeros, exceptions",
+    ),
+)
 
 
 def prove(setting: Setting) -> Proof:
@@ -121,20 +117,13 @@ def prove(setting: Setting) -> Proof:
         steps = lemma_3_monotone(setting, last, resonances.get(Fraction(1, 2)))
         cells = lemma_4_twist(setting, steps)
         claims, zeros = branch.claims(end, limits, resonances, cells)
-    proved = {
-        "format": certificate.FORMAT,
-        "theorem": "branch",
-        "parameters": parameters(setting),
-        "digits": str(setting.digits),
-        "claims": claims,
-        "hints": {
-            "bits": str(max(setting.checker_bits, BITS)),
-            "end": decimals(end) if end else NONE,
-            "resonances": [decimals(ends) for ends in resonances.values()],
-            "twist_zeros": [decimals(ends) for ends in zeros],
-        },
-        "cites": [MOSER],
+    hints = {
+        "bits": str(max(setting.checker_bits, BITS)),
+        "end": decimals(end) if end else NONE,
+        "resonances": [decimals(ends) for ends in resonances.values()],
+        "twist_zeros": [decimals(ends) for ends in zeros],
     }
+    proved = assembled("branch", setting, parameters(setting), (claims, hints), CITED)
     return lambda _part: proved
 
 

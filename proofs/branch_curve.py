@@ -8,13 +8,12 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap import bisection, interval
-from cap.certificate import Pair
+from cap.certificate import NONE, Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.impact import Orbit, asymmetric
 from cap.interval import Ball
 from cap.subdivision import Cell
-from proofs.one_one import Scale
-from proofs.symmetric import NONE
+from proofs.one_one import Scale, asymmetry
 
 MOST = 8  # the largest denominator of the resonances listed
 WIDE = 12  # digits of what holds for a whole cell
@@ -69,16 +68,11 @@ class Curve:
         If it does not above the lowest f of interest, or `LOWEST`, they end a little below that.
         """
         p = self.scale.p
-        lowest = interval.ball(self.low * Fraction(999, 1000) if self.low else LOWEST * p.F)
-
-        def above(delta: Fraction) -> Ball:
-            force = self.force(delta) - lowest
-            return force if force.is_finite() else Ball(-1)  # no orbit: S may exceed 1
-
-        if not self.birth * self.scale.F > lowest:
+        lowest = interval.ball(self.low * Fraction(999, 1000) / p.F if self.low else LOWEST)
+        if not self.birth > lowest:
             born = float(self.birth * self.scale.F)
             raise BadInput(f"the pair exists for f < {born:.6g} only: give a lower --from")
-        top, _ = bisection.crossing(above, Fraction(0), Fraction(157, 100), 12)
+        top, _ = asymmetry(lowest, self.scale.rho, 12)
         if not top:
             raise NotProved("range", "the pair is born too near the lowest f: give a lower --from")
         if self.least(top) > 0:

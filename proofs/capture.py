@@ -33,7 +33,7 @@ from cap.flow import Orbit, State, follow, oscillator
 from cap.interval import Ball
 from cap.model import Moment, Oscillator
 from cap.taylor_model import Domain, TaylorModel
-from proofs.fixed_point import Proof, Setting
+from proofs.fixed_point import Proof, Setting, assembled
 
 BITS = 128  # the box is of no extreme size
 SIDES = {"r": 1, "l": -1}
@@ -250,24 +250,18 @@ def _certificate(setting: Setting, side: int, captured: Captured, release: Ball)
     places = 4 - interval.decade(_finest(until, setting))
     accumulated = [_shown(since), interval.outward(interval.ball(latest), places)[1]]
     hints = [*before, [_shown(end) for end in captured.window], window(release)]
-    return {
-        "format": certificate.FORMAT,
-        "theorem": "capture",
-        "parameters": setting.parameters.strings(),
-        "digits": str(setting.digits),
-        "claims": {
-            "box": {
-                name: [_shown(end) for end in sides]
-                for name, sides in zip("xv", (captured.x, captured.v), strict=True)
-            },
-            "wall": wall,
-            "itinerary": [*(event.word for event in captured.events), leave],
-            "event_times": [*before, accumulated, released],
-            "forcing": window(captured.found.forcing),
-            "ratio": certificate.bound(captured.found.ratio),
-            "accumulation_time": accumulated,
-            "release_time": released,
+    claims = {
+        "box": {
+            name: [_shown(end) for end in sides]
+            for name, sides in zip("xv", (captured.x, captured.v), strict=True)
         },
-        "hints": {"bits": str(setting.checker_bits), "events": hints},
-        "cites": [],
+        "wall": wall,
+        "itinerary": [*(event.word for event in captured.events), leave],
+        "event_times": [*before, accumulated, released],
+        "forcing": window(captured.found.forcing),
+        "ratio": certificate.bound(captured.found.ratio),
+        "accumulation_time": accumulated,
+        "release_time": released,
     }
+    found = claims, {"bits": str(setting.checker_bits), "events": hints}
+    return assembled("capture", setting, setting.parameters.strings(), found)

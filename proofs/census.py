@@ -7,11 +7,11 @@ Each is decided in balls: whether it exists, and its type.
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap import bisection, interval
+from cap import interval
 from cap.errors import NotProved
-from cap.impact import Orbit, asymmetric, symmetric
+from cap.impact import Orbit, asymmetric, birth, friction, symmetric
 from cap.interval import Ball
-from proofs.symmetric import alpha_of, least_speed
+from proofs.one_one import asymmetry
 
 BITS = 160
 PLACES = 25
@@ -49,40 +49,22 @@ def _symmetric(name: str, alpha: Ball, rho: Ball, sign: int) -> Member | None:
     orbit = symmetric(alpha, rho, sign)
     if orbit.mean_speed < 0:
         return None
-    return _member(name, orbit, least_speed(orbit))
+    return _member(name, orbit)
 
 
 def _pair(alpha: Fraction, ball: Ball, rho: Ball) -> Member | None:
     """Return the pair, if α is below its birth and its speed is positive at δ(α)."""
-    S = 2 * rho / (interval.pi() ** 2 - 4)
-    if S > 1 or ball > alpha_of(S):
+    S = birth(rho)
+    if S > 1 or ball > friction(S):
         return None
-    if not ball < alpha_of(S):
+    if not ball < friction(S):
         raise NotProved("census", "a pair may be born at these parameters", {"f/F": float(alpha)})
-
-    def above(delta: Fraction) -> Ball:
-        difference = asymmetric(interval.ball(delta), rho).alpha - ball
-        return difference if difference.is_finite() else Ball(-1)  # beyond the end of the curve
-
-    ends = bisection.crossing(above, Fraction(0), Fraction(157, 100), PLACES)
-    orbit = asymmetric(interval.hull(*map(interval.ball, ends)), rho)
-    return _member("pair", orbit, pair_speed(orbit))
+    ends = asymmetry(ball, rho, PLACES)
+    return _member("pair", asymmetric(interval.hull(*map(interval.ball, ends)), rho))
 
 
-def pair_speed(orbit: Orbit) -> Ball:
-    """Return the least speed of an asymmetric orbit: at a hit or at a local minimum on a flight."""
-    least: Ball = interval.least(*orbit.speeds)
-    for delay, duration, speed in zip(
-        orbit.delays(), orbit.durations, orbit.slowest(), strict=True
-    ):
-        if 0 < delay < duration:
-            least = interval.least(least, speed)
-        elif not (delay < 0 or delay > duration):
-            raise NotProved("census", "the speed may be least at a hit", {"delay": delay})
-    return least
-
-
-def _member(name: str, orbit: Orbit, least: Ball) -> Member | None:
+def _member(name: str, orbit: Orbit) -> Member | None:
+    least = orbit.least_speed()
     if least < 0:
         return None
     trace: Ball = orbit.trace()

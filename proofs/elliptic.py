@@ -33,48 +33,32 @@ from cap.jet_transport import strobe_jet
 from cap.model import Oscillator
 from cap.taylor_model import Domain, TaylorModel
 from proofs import non_sticking
+from proofs.citation import MOSER, cited
 from proofs.fixed_point import Proof, Setting
 
-MOSER = {
-    "theorem": "Moser twist theorem",
-    "reference": "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
-    "Theorem kam of the paper",
-    "hypotheses": [
-        {
-            "name": "H1",
-            "statement": "the orbit has finitely many hits, all transverse, no turning and "
-            "no sticking",
-            "by": ["hit_times", "hit_speeds", "least_speed"],
-        },
-        {
-            "name": "H2",
-            "statement": "Phi is exact symplectic near the fixed point: flights and hits preserve "
-            "dx^dv, and a disk is simply connected",
-            "by": ["box"],
-        },
-        {
-            "name": "H3",
-            "statement": "Phi is real analytic near the fixed point: the hit times are, by the "
-            "implicit function theorem",
-            "by": ["hit_speeds"],
-        },
-        {
-            "name": "H4",
-            "statement": "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi",
-            "by": ["trace"],
-        },
-        {
-            "name": "H5",
-            "statement": "no resonance of order at most four",
-            "by": ["rotation_number", "resonance_distances"],
-        },
-        {
-            "name": "H6",
-            "statement": "the first Birkhoff twist coefficient does not vanish",
-            "by": ["twist"],
-        },
-    ],
-}
+CITED = cited(
+    *MOSER,
+    (
+        "H1",
+        "the orbit has finitely many hits, all transverse, no turning and no sticking",
+        "hit_times, hit_speeds, least_speed",
+    ),
+    (
+        "H2",
+        "Phi is exact symplectic near the fixed point: flights and hits preserve dx^dv, and a "
+        "disk is simply connected",
+        "box",
+    ),
+    (
+        "H3",
+        "Phi is real analytic near the fixed point: the hit times are, by the implicit function "
+        "theorem",
+        "hit_speeds",
+    ),
+    ("H4", "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi", "trace"),
+    ("H5", "no resonance of order at most four", "rotation_number, resonance_distances"),
+    ("H6", "the first Birkhoff twist coefficient does not vanish", "twist"),
+)
 
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 
@@ -85,7 +69,7 @@ def prove(setting: Setting) -> Proof:
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
     return non_sticking.proof_of(
-        "elliptic", setting, conclusion, MOSER, {"order": str(setting.order)}
+        "elliptic", setting, conclusion, CITED, {"order": str(setting.order)}
     )
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from cap import fixed_point, interval
-from cap.certificate import Rounding, Units
+from cap.certificate import FORMAT, Rounding, Units
 from cap.errors import NotProved
 from cap.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.model import Oscillator
@@ -71,19 +71,23 @@ class Setting:
         return self.bits + bits(orders) + 40
 
 
-def krawczyk(
-    smooth: str,
-    inclusion: str = "K(box) lies in the interior of the box",
-    by: tuple[str, ...] = ("box",),
+def assembled(
+    theorem: str,
+    setting: Setting,
+    parameters: dict[str, str],
+    content: tuple[dict[str, Any], dict[str, Any]],
+    *cites: dict[str, Any],
 ) -> dict[str, Any]:
-    """Return the citation of Krawczyk's theorem, its hypotheses discharged by these claims."""
+    """Return a certificate from its claims and hints."""
+    claims, hints = content
     return {
-        "theorem": "Krawczyk",
-        "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-        "hypotheses": [
-            {"name": "smooth", "statement": smooth, "by": list(by)},
-            {"name": "inclusion", "statement": inclusion, "by": list(by)},
-        ],
+        "format": FORMAT,
+        "theorem": theorem,
+        "parameters": parameters,
+        "digits": str(setting.digits),
+        "claims": claims,
+        "hints": hints,
+        "cites": list(cites),
     }
 
 

@@ -11,10 +11,11 @@ from cap import certificate, interval, matrix
 from cap.fixed_point import FixedPoint, Neighbourhood
 from cap.flow import oscillator
 from cap.model import Oscillator
+from proofs.citation import krawczyk
 from proofs.fixed_point import (
     Proof,
     Setting,
-    krawczyk,
+    assembled,
     largest_reach,
     lemma_1_fixed_point,
     lemma_2_uniqueness,
@@ -50,15 +51,9 @@ def proof_of(
                 **orbit_claims(osc, setting, point),
                 **conclude(osc, setting, point, around),
             }
-            return {
-                "format": certificate.FORMAT,
-                "theorem": theorem,
-                "parameters": setting.parameters.elastic_strings(),
-                "digits": str(setting.digits),
-                "claims": claims,
-                "hints": {**hints(setting, point, around), **(more_hints or {})},
-                "cites": [KRAWCZYK, cited],
-            }
+            found = claims, {**hints(setting, point, around), **(more_hints or {})}
+            strings = setting.parameters.elastic_strings()
+            return assembled(theorem, setting, strings, found, KRAWCZYK, cited)
 
     return certified
 

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from cap import interval
+from cap import bisection, interval
 from cap.certificate import Pair
 from cap.errors import NotProved
-from cap.impact import Orbit
+from cap.impact import Orbit, asymmetric
 from cap.interval import Ball
 from proofs.fixed_point import Setting
 
@@ -146,6 +146,19 @@ def _asymmetric_orbits() -> Iterator[tuple[str, Any]]:
     yield "G(π/2) = 0", G.subs(delta, sp.pi / 2)
 
 
+def asymmetry(alpha: Ball, rho: Ball, places: int) -> tuple[Fraction, Fraction]:
+    """Return δ between which α(δ) passes ``alpha``, neighbouring multiples of 10^-places.
+
+    At the second there may be no orbit, if ``alpha`` is near 0.
+    """
+
+    def above(delta: Fraction) -> Ball:
+        difference: Ball = asymmetric(interval.ball(delta), rho).alpha - alpha
+        return difference if difference.is_finite() else Ball(-1)  # S may exceed 1
+
+    return bisection.crossing(above, Fraction(0), Fraction(157, 100), places)
+
+
 class Scale:
     """From scaled units to those of the parameters, and to claims."""
 
@@ -177,9 +190,7 @@ class Scale:
 
     def state(self, orbit: Orbit) -> dict[str, Any]:
         """Return the claims on a symmetric orbit: the state at t = 0, hit times, hit speed."""
-        t1 = interval.pi() - orbit.cos_phi.asin() if orbit.S < 0 else orbit.cos_phi.asin()
-        v0 = orbit.mean_speed - orbit.cos_phi + orbit.alpha * t1
-        way = v0 * t1 + 1 - orbit.S - orbit.alpha * t1 * t1 / 2
+        t1, (way, v0) = orbit.right_hit(), orbit.start()
         x0 = interval.ball(self.p.r) - way * self.F / self.omega**2
         return {
             "x": self._pair(x0, self.setting.units.length),

@@ -29,10 +29,11 @@ from cap.flow import Orbit, oscillator
 from cap.interval import Ball
 from cap.model import Oscillator
 from cap.stability import SINKS, Multiplier, multipliers, stability
+from proofs.citation import krawczyk
 from proofs.fixed_point import (
     Proof,
     Setting,
-    krawczyk,
+    assembled,
     largest_reach,
     lemma_1_fixed_point,
     lemma_2_uniqueness,
@@ -50,7 +51,8 @@ def prove(setting: Setting) -> Proof:
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
     orbit = Prepared(setting)
-    return lambda part: assembled("periodic", setting, *orbit.proved(part))
+    strings = setting.parameters.strings()
+    return lambda part: assembled("periodic", setting, strings, orbit.proved(part), KRAWCZYK)
 
 
 class Prepared:
@@ -87,25 +89,6 @@ class Prepared:
                 found = basin.scaled(osc, point, around.expected, self.ellipse, part)
                 claims["basin"] = lemma_4_basin(found, point, box)
             return claims, hints_of(setting, point, around)
-
-
-def assembled(
-    theorem: str,
-    setting: Setting,
-    claims: dict[str, Any],
-    hints: dict[str, Any],
-    cited: dict[str, Any] = KRAWCZYK,
-) -> dict[str, Any]:
-    """Return the certificate."""
-    return {
-        "format": certificate.FORMAT,
-        "theorem": theorem,
-        "parameters": setting.parameters.strings(),
-        "digits": str(setting.digits),
-        "claims": claims,
-        "hints": hints,
-        "cites": [cited],
-    }
 
 
 def orbit_claims(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> dict[str, Any]:

@@ -33,14 +33,15 @@ from cap.interval import Ball
 from cap.model import Constants
 from cap.parameters import Parameters
 from proofs import periodic
-from proofs.fixed_point import Proof, Setting, krawczyk
+from proofs.citation import krawczyk
+from proofs.fixed_point import Proof, Setting, assembled
 
 KRAWCZYK = krawczyk(
     "Phi is continuously differentiable on box, and on each box of range for all its epsilon and "
     "mu: all hits are transverse and no velocity vanishes",
     "K(box) lies in the interior of the box, and so does K of each box of range, formed with all "
     "its epsilon and mu",
-    ("box", "range"),
+    "box, range",
 )
 BITS = 64  # enough for boxes of a thousandth
 LONGEST = 40  # decimals of a node
@@ -116,7 +117,8 @@ def prove(setting: Setting) -> Proof:
         grid = family_with(next(shared for least, shared in SHARED if part >= least))
         claims["range"] = grid.claims()
         hints["cells"] = [_hint(cell) for cell in grid.ordered()]
-        return periodic.assembled("persistence", setting, claims, hints, KRAWCZYK)
+        strings = setting.parameters.strings()
+        return assembled("persistence", setting, strings, (claims, hints), KRAWCZYK)
 
     return certified
 

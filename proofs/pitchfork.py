@@ -22,15 +22,14 @@ fold.
 
 from typing import Any
 
-from cap import certificate, interval
+from cap import interval
 from cap.elementary import sqrt
 from cap.errors import NotProved
-from cap.impact import Orbit, asymmetric, symmetric
+from cap.impact import Orbit, asymmetric, birth, friction, symmetric
 from cap.interval import Ball
 from cap.jet import Jet
-from proofs.fixed_point import Proof, Setting
+from proofs.fixed_point import Proof, Setting, assembled
 from proofs.one_one import Scale, lemma_1_closed_form
-from proofs.symmetric import alpha_of, least_speed
 
 
 def prove(setting: Setting) -> Proof:
@@ -42,18 +41,11 @@ def prove(setting: Setting) -> Proof:
         claims = {
             "f": scale.force(orbit.alpha),
             **scale.state(orbit),
-            "least_speed": scale.speed(least_speed(orbit)),
+            "least_speed": scale.speed(orbit.least_speed()),
             **lemma_3_branching(scale, orbit),
         }
-    proved = {
-        "format": certificate.FORMAT,
-        "theorem": "pitchfork",
-        "parameters": parameters(setting),
-        "digits": str(setting.digits),
-        "claims": claims,
-        "hints": {"bits": str(setting.checker_bits)},
-        "cites": [],
-    }
+    hints = {"bits": str(setting.checker_bits)}
+    proved = assembled("pitchfork", setting, parameters(setting), (claims, hints))
     return lambda _part: proved
 
 
@@ -67,13 +59,13 @@ def lemma_2_parabolic(scale: Scale) -> Orbit:
 
     *Computed.* Its S < 1, and its least speed is positive.
     """
-    S = 2 * scale.rho / (interval.pi() ** 2 - 4)
+    S = birth(scale.rho)
     if not S < 1:
         sets = {"rho": scale.rho}
         raise NotProved("Lemma 2", "there is no pitchfork: R omega^2/F < 2.9348 is needed", sets)
-    alpha = alpha_of(S)
+    alpha = friction(S)
     orbit = symmetric(alpha, scale.rho, 1)
-    least = least_speed(orbit)
+    least = orbit.least_speed()
     if not least > 0:
         words = "at the pitchfork the symmetric orbit would stop: it is no orbit"
         raise NotProved("Lemma 2", words, {"least speed": least})

@@ -21,27 +21,25 @@ from cap.errors import NotProved
 from cap.fixed_point import FixedPoint, Neighbourhood
 from cap.model import Oscillator
 from proofs import non_sticking
+from proofs.citation import cited
 from proofs.fixed_point import Proof, Setting
 
-HADAMARD_PERRON = {
-    "theorem": "Hadamard-Perron",
-    "reference": "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, "
-    "1995, Theorem 6.2.8",
-    "hypotheses": [
-        {
-            "name": "smooth",
-            "statement": "Phi is real analytic near the fixed point: all hits are transverse and "
-            "no velocity vanishes",
-            "by": ["hit_speeds", "least_speed"],
-        },
-        {
-            "name": "hyperbolic",
-            "statement": "one eigenvalue of the Jacobian lies outside the unit circle and "
-            "one inside",
-            "by": ["multipliers"],
-        },
-    ],
-}
+HADAMARD_PERRON = cited(
+    "Hadamard-Perron",
+    "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
+    "Theorem 6.2.8",
+    (
+        "smooth",
+        "Phi is real analytic near the fixed point: all hits are transverse and no velocity "
+        "vanishes",
+        "hit_speeds, least_speed",
+    ),
+    (
+        "hyperbolic",
+        "one eigenvalue of the Jacobian lies outside the unit circle and one inside",
+        "multipliers",
+    ),
+)
 
 
 def prove(setting: Setting) -> Proof:

@@ -46,28 +46,26 @@ Number of roots: Ψ(θ) = Fπ sin θ - 2F - Rω² + fπ²/2 - fθ(π - θ) has �
 from fractions import Fraction
 from typing import Any
 
-from cap import bisection, certificate, interval
+from cap import bisection, interval
+from cap.certificate import NONE
 from cap.errors import NotProved
-from cap.impact import Orbit, symmetric
+from cap.impact import Orbit, birth, friction, symmetric
 from cap.interval import Ball
-from proofs.fixed_point import Proof, Setting
+from proofs.citation import cited
+from proofs.fixed_point import Proof, Setting, assembled
 from proofs.one_one import Scale, lemma_1_closed_form
 
 SIGNS = {"plus": 1, "minus": -1}
-NONE = "none"  # for what does not exist
-
-MOORE = {
-    "theorem": "Moore",
-    "reference": "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-    "hypotheses": [
-        {
-            "name": "inclusion",
-            "statement": "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: X contains "
-            "exactly one zero of Psi",
-            "by": ["paper_roots"],
-        }
-    ],
-}
+MOORE = cited(
+    "Moore",
+    "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
+    (
+        "inclusion",
+        "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: X contains exactly one zero "
+        "of Psi",
+        "paper_roots",
+    ),
+)
 
 
 def prove(setting: Setting) -> Proof:
@@ -80,15 +78,9 @@ def prove(setting: Setting) -> Proof:
             **lemma_3_bifurcations(scale),
             "paper_roots": lemma_4_paper(scale),
         }
-    proved = {
-        "format": certificate.FORMAT,
-        "theorem": "symmetric",
-        "parameters": setting.parameters.elastic_strings(),
-        "digits": str(setting.digits),
-        "claims": claims,
-        "hints": {"bits": str(setting.checker_bits)},
-        "cites": [MOORE],
-    }
+    hints = {"bits": str(setting.checker_bits)}
+    parameters = setting.parameters.elastic_strings()
+    proved = assembled("symmetric", setting, parameters, (claims, hints), MOORE)
     return lambda _part: proved
 
 
@@ -107,7 +99,7 @@ def lemma_2_orbit(scale: Scale, name: str, sign: int) -> dict[str, Any] | str:
     orbit = symmetric(alpha, scale.rho, sign)
     if orbit.mean_speed < 0:
         return NONE
-    least = least_speed(orbit)
+    least = orbit.least_speed()
     claims: dict[str, Any] = {
         "hit_speed": scale.speed(orbit.mean_speed),
         "least_speed": scale.speed(least),
@@ -143,28 +135,12 @@ def type_of(half: Ball) -> str:
     raise NotProved("Lemma 2", "the orbit may be parabolic", {"trace of the half map": half})
 
 
-def least_speed(orbit: Orbit) -> Ball:
-    """Return the least speed of a symmetric orbit.
-
-    The local minimum counts if it is on the flight; then it is not above the speed at the hits.
-    """
-    speed: Ball = orbit.mean_speed
-    slowest: Ball = orbit.slowest()[0]
-    delay, duration = orbit.delays()[0], orbit.durations[0]
-    if 0 < delay < duration:
-        return slowest
-    if delay < 0:
-        return speed
-    raise NotProved("Lemma 2", "the speed may be least at a hit", {"delay": delay})
-
-
 def lemma_3_bifurcations(scale: Scale) -> dict[str, Any]:
     """*Statement.* The values of f at which the orbits meet, and at which k = 4 and k = 2."""
-    square = interval.pi() ** 2
     return {
         "saddle_center": scale.force(2 / interval.pi()),
-        "pitchfork": _critical(scale, 2 * scale.rho / (square - 4)),
-        "minus_identity": _critical(scale, scale.rho / (square - 2)),
+        "pitchfork": _critical(scale, birth(scale.rho)),
+        "minus_identity": _critical(scale, scale.rho / (interval.pi() ** 2 - 2)),
     }
 
 
@@ -174,12 +150,7 @@ def _critical(scale: Scale, S: Ball) -> Any:
         return NONE
     if not S < 1:
         raise NotProved("Lemma 3", "a bifurcation may lie at f = 0", {"S": S})
-    return scale.force(alpha_of(S))
-
-
-def alpha_of(S: Ball) -> Ball:
-    """Return α of the symmetric orbit with this S."""
-    return 2 / interval.pi() * (1 - S * S).sqrt()
+    return scale.force(friction(S))
 
 
 def lemma_4_paper(scale: Scale) -> list[dict[str, Any]]:

@@ -209,7 +209,7 @@ def test_searches_end(p, monkeypatch):
     monkeypatch.setattr("cap.approx.cycles.MOST_FOLLOWED", 20_000)
     told = []
     with pytest.raises(BadInput, match="too many of them in a period") as caught:
-        cycles(p, progress=told.append)
+        candidates.cyclic(Request("periodic", p, progress=told.append))
     assert "\n" not in str(caught.value)
     assert "0 starts" in told[0]
     assert len(told) < 100

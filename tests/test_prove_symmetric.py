@@ -142,7 +142,7 @@ def test_the_least_speed_of_the_minus_branch():
             orbit = symmetric.symmetric(
                 interval.ball(Fraction(alpha)), interval.ball(Fraction(rho)), -1
             )
-            least = float(symmetric.least_speed(orbit))
+            least = float(orbit.least_speed())
             assert least == pytest.approx(least_on_a_grid(rho, alpha, -1), abs=1e-5)
             inner += least < float(orbit.mean_speed) - 1e-9
     assert 0 < inner < 200

@@ -92,9 +92,11 @@ def cyclic(request: Request) -> Found:
     if request.orbit:
         cycle = near(p, *request.orbit, n)
         return Found([_newton(request), f"  {_described(p, cycle)}"], [_of_cycle(p, cycle)])
-    found = sorted(
-        cycles(p, n, request.progress), key=lambda c: _rank(c.kind(conserves=p.conserves))
-    )
+
+    def searching(starts: int, orbits: int) -> None:
+        request.progress(f"searching: {starts} starts, orbits found: {orbits}")
+
+    found = sorted(cycles(p, n, searching), key=lambda c: _rank(c.kind(conserves=p.conserves)))
     if not found:
         raise BadInput(
             f"no periodic orbit of period {n} T was found (a guess can be given with --orbit X V)"

@@ -161,21 +161,23 @@ def near(p: Parameters, x: float, v: float, periods: int = 1) -> Cycle:
 
 
 def cycles(
-    p: Parameters, periods: int = 1, progress: Callable[[str], None] = lambda _: None
+    p: Parameters,
+    periods: int = 1,
+    progress: Callable[[int, int], None] = lambda _starts, _found: None,
 ) -> list[Cycle]:
     """Return the orbits found of least period ``periods`` T, ascending in x, then v.
 
     Seeds fill the rectangle of all x and |v| <= 2 F/ω + Rω/2.  Newton's method starts from each,
     and from where it is after a transient, which finds the sinks; compiled, from many more; and
-    from the mirror images of the orbits found.  ``progress`` is told how far the search is; after
-    `MOST_FOLLOWED` events it ends, and where no orbit of the first `SEEDS` + 1 seeds comes to an
-    end.
+    from the mirror images of the orbits found.  ``progress`` is told the numbers of starts and of
+    orbits so far; after `MOST_FOLLOWED` events the search ends, and where no orbit of the first
+    `SEEDS` + 1 seeds comes to an end.
     Raises `BadInput` if it has found nothing by then.
     """
     search = Search(p, periods)
     found: list[Cycle] = []
     for number, z in enumerate(_starts(search)):
-        progress(f"searching: {number} starts, orbits found: {len(found)}")
+        progress(number, len(found))
         search.add(found, z)
         if search.followed > MOST_FOLLOWED or (number >= SEEDS and not search.ended):
             break

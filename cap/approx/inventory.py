@@ -145,19 +145,17 @@ def _searched(tasks: list[Task], work: Work) -> list[list[tuple[Entry, Start]]]:
     if len(tasks) > 1:
         return work.map(_search, tasks, "inventory", processes=True)
 
-    def tell(words: str) -> None:
-        number = int(words.split()[1])  # searching: 17 starts, …
-        work.tell("inventory", min(1.0, number / SEEDS**2))
+    def tell(starts: int, _found: int) -> None:
+        work.tell("inventory", min(1.0, starts / SEEDS**2))
 
     return work.map(lambda task: _search(task, tell), tasks, "inventory")
 
 
 def _search(
-    task: Task, progress: Callable[[str], None] = lambda _: None
+    task: Task, progress: Callable[[int, int], None] = lambda _starts, _found: None
 ) -> list[tuple[Entry, Start]]:
     p, value, period = task
-    found = cycles(p, period, progress)
-    return [(_entry(p, value, cycle), _start(p, cycle)) for cycle in found]
+    return [(_entry(p, value, c), _start(p, c)) for c in cycles(p, period, progress)]
 
 
 def _start(p: Parameters, cycle: Cycle) -> Start:

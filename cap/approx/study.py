@@ -1,5 +1,6 @@
 """What an exploration gives: named arrays and numbers, and what they say in words."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
@@ -18,19 +19,19 @@ VARIABLE = ("F", "omega", "f", "R", "e", "mu")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Study:
+class Study(ABC):
     """The data of one picture.  ``complete`` is False if it was interrupted: the rest is nan."""
 
     parameters: Parameters
     complete: bool = True
 
+    @abstractmethod
     def columns(self) -> Mapping[str, ArrayLike]:
         """Return the columns of a table; they broadcast to one shape."""
-        raise NotImplementedError
 
+    @abstractmethod
     def lines(self) -> list[str]:
         """Return its numbers in words."""
-        raise NotImplementedError
 
     def arrays(self) -> dict[str, NDArray[np.generic]]:
         """Return all fields under their names, the exact parameters as strings."""

@@ -9,6 +9,7 @@ from cap.approx.curve import Family, Station, halve
 from cap.approx.study import Floats
 from cap.approx.work import Work
 from cap.errors import BadInput
+from cap.itinerary import oscillator
 from cap.parameters import Parameters
 
 FIRST, LEAST, MOST = 0.005, 1e-7, 0.02  # step lengths, in units of `cap.approx.curve`
@@ -185,11 +186,9 @@ class Walker:
 
 def _passage(p: Parameters, side: int, v: float) -> Floats:
     """Return the saltation matrix of a hit at t = 0, or its inverse if v is that after the hit."""
-    e = float(p.e)
-    ahead = side * v > 0
-    before = v if ahead else -v / e
-    salt = ((1 + e) * float(p.F) + (1 - e) * side * float(p.f)) / before
-    matrix = np.array([[-e, 0.0], [salt, -e]])
+    o, ahead = oscillator(p), side * v > 0
+    before = v if ahead else -v / o.e
+    matrix = np.array(o.hit(((1.0, 0.0), (0.0, 1.0)), o.saltation(side, before, 1.0)))
     return matrix if ahead else np.linalg.inv(matrix)
 
 

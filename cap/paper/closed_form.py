@@ -4,7 +4,7 @@
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,8 +19,6 @@ from cap.impact import Orbit, asymmetric, symmetric
 from cap.impact_map import period_jet
 from cap.interval import Ball
 from cap.twist import regular_twist
-from proofs.census import pair_speed
-from proofs.symmetric import least_speed
 
 BITS = 80
 
@@ -55,7 +53,7 @@ def symmetric_member(alpha: float, rho: float, sign: int) -> Member:
         orbit = symmetric(_ball(alpha), _ball(rho), sign)
         if not orbit.mean_speed > 0:  # no speed is positive
             return Member(alpha, math.nan, float(orbit.mean_speed))
-        return _member(orbit, least_speed(orbit))
+        return _member(orbit)
 
 
 def pair_member(delta: float, rho: float) -> Member:
@@ -65,13 +63,13 @@ def pair_member(delta: float, rho: float) -> Member:
         if not orbit.alpha.is_finite():
             return NONE
         try:
-            return _member(orbit, pair_speed(orbit))
+            return _member(orbit)
         except NotProved:
             return NONE
 
 
-def _member(orbit: Orbit, least: Ball) -> Member:
-    return Member(float(orbit.alpha), float(orbit.trace()), float(least))
+def _member(orbit: Orbit) -> Member:
+    return Member(float(orbit.alpha), float(orbit.trace()), float(orbit.least_speed()))
 
 
 @dataclass(frozen=True)
@@ -104,14 +102,8 @@ def state(delta: float, rho: float) -> tuple[float, float, float]:
     """
     with precise():
         orbit = asymmetric(_ball(abs(delta)), _ball(rho))
-        if delta < 0:
-            orbit = Orbit(-orbit.delta, orbit.alpha, orbit.rho, orbit.S, orbit.cos_phi,
-                          orbit.mean_speed)  # fmt: skip
-        t1 = interval.pi() / 2 - orbit.S.asin() - orbit.delta
-        u1, ((sin1, cos1), _) = orbit.speeds[0], orbit.phases
-        v0 = u1 - sin1 + orbit.alpha * t1
-        way = v0 * t1 + 1 - cos1 - orbit.alpha * t1 * t1 / 2
-        return float(orbit.alpha), float(way), float(v0)
+        way, velocity = (orbit.mirrored() if delta < 0 else orbit).start()
+        return float(orbit.alpha), float(way), float(velocity)
 
 
 def asymmetry(alpha: float, rho: float) -> float:
@@ -127,12 +119,8 @@ def asymmetry(alpha: float, rho: float) -> float:
 def symmetric_state(alpha: float, rho: float, sign: int) -> tuple[float, float]:
     """Return the way from the right wall, and the speed at t = 0, of a symmetric orbit."""
     with precise():
-        orbit = symmetric(_ball(alpha), _ball(rho), sign)
-        arc = orbit.cos_phi.asin()
-        t1 = interval.pi() - arc if sign < 0 else arc
-        v0 = orbit.mean_speed - orbit.cos_phi + orbit.alpha * t1
-        way = v0 * t1 + 1 - orbit.S - orbit.alpha * t1 * t1 / 2
-        return float(way), float(v0)
+        way, velocity = symmetric(_ball(alpha), _ball(rho), sign).start()
+        return float(way), float(velocity)
 
 
 def twist(delta: float, rho: float) -> float:
@@ -150,7 +138,7 @@ def turn(trace: float | Floats) -> Floats:
         return np.asarray(np.arccos(np.asarray(trace) / 2) / (2 * np.pi))
 
 
-def root(function, low: float, high: float) -> float:  # type: ignore[no-untyped-def]
+def root(function: Callable[[float], float], low: float, high: float) -> float:
     """Return where a function changes its sign, by bisection; nan if it does not."""
     a, b = function(low), function(high)
     if not a * b <= 0:

@@ -9,6 +9,7 @@ from pathlib import Path
 from cap import export
 from cap.console import say
 from cap.errors import BadInput, NotProved
+from cap.files import replacing
 from cap.paper.figure import Compared, Run, Whole
 from cap.paper.registry import figure, labelled
 
@@ -95,6 +96,7 @@ def _write(found: Compared, path: Path, lines: list[str]) -> None:
 
 def _text(path: Path, lines: list[str]) -> None:
     try:
-        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        with replacing(path) as file:
+            file.write(("\n".join(lines) + "\n").encode())
     except OSError as error:
         raise BadInput(f"cannot write {path}: {error.strerror}") from None
