@@ -1,4 +1,5 @@
-"""What the command lines share: complaints in one line, and output that nobody can read."""
+"""What the command lines share: complaints in one line, names in quotation marks, and output that
+nobody can read."""
 
 import argparse
 import io
@@ -14,7 +15,18 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Print the complaint and exit."""
-        self.exit(2, f"error: {message} (--help says more)\n")
+        self.exit(2, f"error: {printable(message)} (--help says more)\n")
+
+
+def printable(text: str) -> str:
+    """Return ``text`` in one line of printable ASCII; other characters are escaped as in Python."""
+    return "".join(c if " " <= c <= "~" else c.encode("unicode_escape").decode() for c in text)
+
+
+def quoted(name: object) -> str:
+    """Return a name, say of a file, in quotation marks: where it ends nothing in it can hide."""
+    escaped = str(name).replace("\\", r"\\").replace('"', r"\"")
+    return f'"{printable(escaped)}"'
 
 
 def protected(word: str) -> str:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from cap.commands import COMMANDS, Command
-from cap.console import Parser, closing_quietly, protected, say
+from cap.console import Parser, closing_quietly, printable, protected, quoted, say
 from cap.errors import BadInput
 from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
@@ -99,7 +99,7 @@ def _main(arguments: Sequence[str]) -> int:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
         return _run(options, COMMANDS[options.command])
     except BadInput as error:
-        say(f"error: {error}", sys.stderr)
+        say(f"error: {printable(str(error))}", sys.stderr)
         return 2
     except MemoryError:
         say("error: not enough memory: ask for fewer states or periods", sys.stderr)
@@ -141,9 +141,9 @@ def _run(options: argparse.Namespace, command: Command) -> int:
             export.write(study, path, lambda: command.picture(study, size, dpi))
         except BadInput as error:  # the other files are written all the same
             failed = 2
-            say(f"error: {error}", sys.stderr)
+            say(f"error: {printable(str(error))}", sys.stderr)
         else:
-            print(f"{path}: written")
+            print(f"{quoted(path)}: written")
     if not study.complete:
         say("interrupted; what was done is kept", sys.stderr)
         return INTERRUPTED

@@ -11,6 +11,7 @@ from typing import IO, TYPE_CHECKING
 import numpy as np
 
 from cap.approx.study import Study
+from cap.console import quoted
 from cap.errors import BadInput
 from cap.files import replacing
 
@@ -27,11 +28,13 @@ def kind(path: Path) -> str:
     suffix = path.suffix[1:].lower()
     if suffix not in IMAGES + DATA:
         known = ", ".join("." + name for name in IMAGES + DATA)
-        raise BadInput(f"cannot tell what to write to {str(path)!r}: end it in one of {known}")
+        raise BadInput(f"cannot tell what to write to {quoted(path)}: end it in one of {known}")
     if not path.parent.is_dir():
-        raise BadInput(f"cannot write {path}: {os.strerror(ENOENT)}: {path.parent}")
+        why = f"{os.strerror(ENOENT)}: {quoted(path.parent)}"
+        raise BadInput(f"cannot write {quoted(path)}: {why}")
     if path.is_dir() or not os.access(path.parent, os.W_OK):
-        raise BadInput(f"cannot write {path}: {'a directory' if path.is_dir() else 'not allowed'}")
+        why = "a directory" if path.is_dir() else "not allowed"
+        raise BadInput(f"cannot write {quoted(path)}: {why}")
     return suffix
 
 
@@ -48,7 +51,7 @@ def write(study: Study, path: Path, draw: Callable[[], "Figure"]) -> None:
             else:
                 _image(draw(), suffix, file)
     except OSError as error:
-        raise BadInput(f"cannot write {path}: {error.strerror}") from None
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
 
 
 def _table(study: Study, file: IO[bytes]) -> None:

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from cap import certificate, report
 from cap.approx.candidates import Candidate, Request
-from cap.console import Parser, closing_quietly, protected
+from cap.console import Parser, closing_quietly, printable, protected, quoted
 from cap.errors import BadInput, NotProved
 from cap.fixed_point import Start
 from cap.option import integer
@@ -100,7 +100,7 @@ def _main(arguments: Sequence[str]) -> int:
         return _run(options)
     except BadInput as error:
         _progress("")
-        print(f"error: {error}", file=sys.stderr)
+        print(f"error: {printable(str(error))}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print("interrupted; nothing half-written", file=sys.stderr)
@@ -209,8 +209,8 @@ def _proved(options: argparse.Namespace, ask: Setting, candidate: Candidate) -> 
             path = certificate.place(proved, path)
         written = certificate.write(proved, path)
     except OSError as error:
-        raise BadInput(f"cannot write {path}: {error.strerror}") from None
-    print(f"\nCertificate: {path} ({written}; the independent checker accepts it)\n")
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    print(f"\nCertificate: {quoted(path)} ({written}; the independent checker accepts it)\n")
     return 0
 
 

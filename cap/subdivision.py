@@ -16,6 +16,7 @@ from pathlib import Path
 from threading import Lock
 from typing import NamedTuple
 
+from cap.console import quoted
 from cap.errors import BadInput
 
 UNDECIDED = "?"
@@ -141,7 +142,7 @@ def _usable(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise BadInput(f"cannot use the journal {path}: {error.strerror}") from None
+        raise BadInput(f"cannot use the journal {quoted(path)}: {error.strerror}") from None
 
 
 def _header(key: str) -> str:
@@ -153,15 +154,16 @@ def _read(path: Path, key: str) -> Verdicts:
     if not path.exists():
         return {}
     if not path.is_file():
-        raise BadInput(f"the journal {path} is no regular file")
+        raise BadInput(f"the journal {quoted(path)} is no regular file")
     text, header = path.read_text(encoding="ascii", errors="replace"), _header(key)
     whole = text[: text.rfind("\n") + 1]
     if not (whole.startswith(header) or (not whole and header.startswith(text))):
-        raise BadInput(f"{path} is no journal, or one about something else: give another file")
+        why = "is no journal, or one about something else: give another file"
+        raise BadInput(f"{quoted(path)} {why}")
     try:
         known = dict(map(_verdict, whole.splitlines()[1:]))
     except (ValueError, TypeError, ArithmeticError, RecursionError):
-        raise BadInput(f"the journal {path} is damaged: remove it") from None
+        raise BadInput(f"the journal {quoted(path)} is damaged: remove it") from None
     if whole != text:
         path.write_text(whole, encoding="ascii")
     return known

@@ -1,6 +1,7 @@
 """Verify certificates: ``python -m cap.verify [--explain] [--latex] FILE...``.
 
-For each file one line, ``VERIFIED: <the theorem> (FILE)`` or ``REJECTED: FILE: <the reason>``.
+For each file one line, ``VERIFIED: <the theorem> ("FILE")`` or ``REJECTED: "FILE": <the reason>``,
+with the name in quotation marks and what is not printable in it escaped.
 Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line.  A
 certificate that is rejected may state a true theorem; one that is verified is a proof, as far as
 ``cap.checker``, Python and the machine are right.
@@ -19,7 +20,7 @@ from cap.checker.certificate import MAX_BYTES
 from cap.checker.rejection import Rejected, need
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
-from cap.console import Parser, closing_quietly, say
+from cap.console import Parser, closing_quietly, printable, quoted, say
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -76,9 +77,9 @@ def _verify(name: str, options: argparse.Namespace) -> bool:
         certificate = check(_bytes(Path(name)), steps.append)
         if options.latex:
             definitions += macros(certificate, Path(name).stem, options.latex_digits)
-        verdict, verified = f"VERIFIED: {words(certificate)} ({_printable(name)})", True
+        verdict, verified = f"VERIFIED: {words(certificate)} ({quoted(name)})", True
     except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)
-        verdict, verified = f"REJECTED: {_printable(name)}: {_why(reason)}", False
+        verdict, verified = f"REJECTED: {quoted(name)}: {_why(reason)}", False
     out = sys.stderr if options.latex else sys.stdout
     for step in steps if options.explain else ():
         say(f"  {step}", out)
@@ -98,15 +99,10 @@ def _bytes(path: Path) -> bytes:
 def _why(reason: Exception) -> str:
     """Return a reason in one short line."""
     if isinstance(reason, Rejected):
-        return _printable(str(reason))
+        return printable(str(reason))[:300]
     if isinstance(reason, OSError):
         return f"cannot be read ({reason.strerror})"
     return f"{type(reason).__name__} while checking"
-
-
-def _printable(text: str) -> str:
-    """Return the text with everything but printable ASCII replaced, at most 300 characters."""
-    return "".join(c if " " <= c <= "~" else "?" for c in text)[:300]
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ from cap.approx.cycles import SEEDS, Cycle, cycles
 from cap.approx.grid import polished
 from cap.approx.study import Floats, Study, described, short, value_of, varied
 from cap.approx.work import Work
+from cap.console import quoted
 from cap.errors import BadInput, NotProved
 from cap.fixed_point import Start
 from cap.parameters import Parameters
@@ -114,7 +115,7 @@ def inventory(  # noqa: PLR0913 (the options of the command)
     """
     work = work or Work()
     if certificates and certificates.exists() and not certificates.is_dir():
-        raise BadInput(f"cannot write to {certificates}: not a directory")
+        raise BadInput(f"cannot write to {quoted(certificates)}: not a directory")
     systems = [varied(p, parameter, value) for value in dict.fromkeys(values)] or [p]
     own = [value_of(system, parameter) for system in systems]
     tasks = [(*each, period) for each in zip(systems, own, strict=True)]
@@ -204,4 +205,4 @@ def _write(proved: list[dict[str, Any]], directory: Path) -> None:
         try:
             certificate.write(each, certificate.place(each, directory))
         except OSError as error:
-            raise BadInput(f"cannot write to {directory}: {error.strerror}") from None
+            raise BadInput(f"cannot write to {quoted(directory)}: {error.strerror}") from None

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from cap import export
-from cap.console import say
+from cap.console import quoted, say
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
 from cap.paper.figure import Compared, Run, Whole
@@ -81,7 +81,7 @@ def _prepare(out: Path, many: bool) -> None:
         try:
             out.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise BadInput(f"cannot make the directory {out}: {error.strerror}") from None
+            raise BadInput(f"cannot make the directory {quoted(out)}: {error.strerror}") from None
     elif out.suffix != ".md":
         export.kind(out)
 
@@ -91,7 +91,7 @@ def _write(found: Compared, path: Path, lines: list[str]) -> None:
         _text(path, [RULE, *lines])
     else:
         export.write(found, path, lambda: figure(found.label).picture(found))
-    print(f"{path}: written")
+    print(f"{quoted(path)}: written")
 
 
 def _text(path: Path, lines: list[str]) -> None:
@@ -99,4 +99,4 @@ def _text(path: Path, lines: list[str]) -> None:
         with replacing(path) as file:
             file.write(("\n".join(lines) + "\n").encode())
     except OSError as error:
-        raise BadInput(f"cannot write {path}: {error.strerror}") from None
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
