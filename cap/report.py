@@ -1,10 +1,13 @@
 """A certificate in words, for people.  Every number printed is one that the certificate claims."""
 
+import textwrap
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
 from cap.certificate import NONE
+from cap.checker import terms
+from cap.table import aligned, labelled, rows
 
 _SECTIONS = {
     "fixed point": {"x": "x", "v": "v"},
@@ -21,14 +24,14 @@ _SECTIONS = {
         "trace": "trace",
         "determinant": "determinant",
         "multipliers": "multiplier",
-        "rotation_angle": "Theta",
-        "rotation_number": "rotation number",
+        "rotation_angle": "Theta, from x to v",
+        "rotation_number": "rotation number |Theta|/2pi",
         "resonance_distances": "distance to",
     },
     "capture": {
-        "forcing": "force towards the wall",
-        "accumulation_time": "hits accumulate at",
-        "release_time": "released at",
+        "forcing": "|F cos wt| in the last capture",
+        "accumulation_time": "hits of the last capture accumulate at",
+        "release_time": "last release at",
     },
     "twist": {
         "twist": "tau_1 per |z|^2",
@@ -39,15 +42,17 @@ _SECTIONS = {
 
 _CONCLUSIONS = {
     "elliptic": (
-        "P* is elliptic, without resonance of order <= 4, and its twist does not vanish.  Hence "
-        "(Moser) every\nneighbourhood of P* contains invariant closed curves around it, on which "
-        "the map is conjugate to a rotation;\nthey have density one at P*, and P* is stable."
+        f"P* is elliptic, without resonance of order <= 4: {terms.NORMAL_FORM}, with Theta and "
+        "tau_1 as above.  tau_1 is not zero.  Hence (Moser) every neighbourhood of P* contains "
+        "invariant closed curves around it, on which the map is conjugate to a rotation; they have "
+        "density one at P*, and P* is stable."
     ),
     "saddle": (
         "P* is hyperbolic.  Hence (Hadamard-Perron) it has analytic stable and unstable curves, "
         "and it is unstable."
     ),
 }
+_WIDTH = 110  # of a line of prose
 
 
 def theorem(certificate: dict[str, Any]) -> str:
@@ -75,22 +80,25 @@ def _statement(kind: str, claims: dict[str, Any]) -> Iterator[str]:
 
 
 def _non_sticking(kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
-    yield f"The stroboscopic map has exactly one fixed point P* = (x, v) in {box}."
+    yield f"The stroboscopic map Phi has exactly one fixed point P* = (x, v) in {box}."
     yield (
         "Every orbit from this box is non-sticking on [0, T]; it hits the walls "
         f"{_walls(claims)}, transversely."
     )
     yield from _numbers(claims)
     yield f"\n{_forcing(claims)}"
-    yield _CONCLUSIONS[kind]
+    yield textwrap.fill(_CONCLUSIONS[kind], _WIDTH)
+    if claims.get("higher_twists"):
+        yield "The other tau_k are those of |z|^2k, for a z that preserves area up to that order."
 
 
 def _periodic(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
     n = claims["period"]
     power = "" if n == "1" else f"^{n}"
     yield f"The stroboscopic map Phi{power} has exactly one fixed point P* = (x, v) in {box}."
-    yield f"Every orbit from this box has on [0, {'' if n == '1' else n}T] these events:"
+    yield f"Every orbit from this box has on [0, {'' if n == '1' else n}T] exactly these events:"
     yield f"  {', '.join(claims['itinerary']) or 'none'}"
+    yield from _captures(claims)
     yield from _numbers(claims)
     yield f"\nP* is of the type: {claims['type']}."
     if "basin" in claims:
@@ -114,17 +122,19 @@ def _persistent(kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
 
 
 def _captured(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
-    *before, _, release = claims["itinerary"]
     yield f"Every orbit that starts at t = 0 in the interior of {box}"
-    if before:
-        yield f"has these events: {', '.join(before)};"
-    side = "right" if claims["wall"] == "r" else "left"
-    yield (
-        f"{'then it' if before else 'it'} makes infinitely many hits of the {side} wall, which "
-        f"accumulate (each speed is at most {claims['ratio']} times the one before);"
-    )
-    yield f"from then on the mass rests at this wall until its {release}."
+    yield "has at first exactly these events:"
+    yield f"  {', '.join(claims['itinerary'])}"
+    yield from _captures(claims)
+    yield f"Of the last capture the speed after each hit is at most {claims['ratio']} times that"
+    yield "after the one before."
     yield from _numbers(claims)
+
+
+def _captures(claims: dict[str, Any]) -> Iterator[str]:
+    """Give the lines that say what the captures among the events stand for."""
+    if meaning := terms.captures(claims["itinerary"]):
+        yield textwrap.fill(f"({meaning})", _WIDTH)
 
 
 _ORBIT = {
@@ -139,23 +149,25 @@ _ORBIT = {
 
 
 def _symmetric(claims: dict[str, Any]) -> Iterator[str]:
-    yield "Orbits that never stop, hit each wall once per period, and are their own mirror image"
-    yield "x(t + T/2) = l + r - x(t):"
+    yield f"(1,1) orbits ({terms.ONE_ONE})"
+    yield "that are their own mirror image, x(t + T/2) = l + r - x(t):"
     for name, orbit in claims["branches"].items():
         if orbit == NONE:
             yield f"\n{name}: there is none."
             continue
         exists = orbit["genuine"] == "yes"
-        kind = orbit["type"] if exists else "it would stop, so there is none"
+        kind = orbit["type"] if exists else "its velocity would vanish, so there is none"
         yield f"\n{name}: {kind}"
-        yield from _aligned(_rows(_ORBIT, orbit))
+        yield from aligned(rows(_ORBIT, orbit))
     yield "\nThe formulas, which are orbits where their least speed is positive, change at these f:"
     names = {
         "saddle_center": "plus and minus meet",
         "pitchfork": "asymmetric pair is born",
         "minus_identity": "Phi' = -1",
     }
-    yield from _aligned(_rows(names, claims))
+    yield from aligned(rows(names, claims))
+    if not claims["paper_roots"]:
+        yield "\nThe paper's equation of theta has no root in (0, pi)."
     for root in claims["paper_roots"]:
         yield f"\nThe paper's equation has the root theta in [{', '.join(root['theta'])}],"
         yield f"where x' would arrive at the left wall with [{', '.join(root['velocity'])}] < 0,"
@@ -165,7 +177,8 @@ def _symmetric(claims: dict[str, Any]) -> Iterator[str]:
 def _pitchfork(claims: dict[str, Any]) -> Iterator[str]:
     yield "At this f the half-period map has the multiplier -1 twice at the symmetric orbit, which"
     yield "is elliptic for f a little above and a saddle a little below; there a pair of asymmetric"
-    yield "orbits is born for f below, elliptic at birth:"
+    yield f"(1,1) orbits ({terms.ONE_ONE})"
+    yield "is born for f below, elliptic at birth:"
     yield "  f = f0 + c delta^2 + ..., trace = 2 + d delta^2 + ..., with\n"
     names = {
         "f": "f0",
@@ -176,20 +189,24 @@ def _pitchfork(claims: dict[str, Any]) -> Iterator[str]:
         "curvature": "c",
         "trace_curvature": "d",
     }
-    yield from _aligned(_rows(names, claims))
+    yield from aligned(rows(names, claims))
 
 
 def _branch(claims: dict[str, Any]) -> Iterator[str]:
     low, high = claims["f_range"]
-    yield f"For every f in [{low}, {high}] there is exactly one pair of"
-    yield "asymmetric orbits that never stop and hit each wall once per period; trace and least"
-    yield f"speed grow with f ({len(claims['cells'])} cells).  In f:\n"
-    rows = [("born at", claims["f_start"])]
+    yield f"For every f in [{low}, {high}] there is exactly one pair of asymmetric"
+    yield f"(1,1) orbits ({terms.ONE_ONE});"
+    yield f"trace and least speed grow with f ({len(claims['cells'])} cells):\n"
+    found = [("born at", claims["f_start"])]
     if claims["f_end"] != NONE:
-        rows.append(("least speed vanishes at", claims["f_end"]))
-        rows.append(("  with trace", claims["trace_end"]))
-    rows += [(f"rotation number {each['ratio']}", each["f"]) for each in claims["resonances"]]
-    yield from _aligned(rows)
+        found.append(("least speed vanishes at", claims["f_end"]))
+        found.append(("  with trace", claims["trace_end"]))
+    found += [
+        (f"trace = 2 cos(2 pi {each['ratio']}) at", each["f"]) for each in claims["resonances"]
+    ]
+    yield from aligned(found)
+    yield "An elliptic orbit then has the rotation number p/q.  At no other f in the range is the"
+    yield "trace 2 cos(2 pi p/q) with q <= 8."
     for zero in claims["twist_zeros"]:
         yield f"The twist vanishes at an f in [{', '.join(zero)}]."
     yield "\nFor every f of the range with trace > -2, but for those in"
@@ -220,15 +237,15 @@ def _forcing(claims: dict[str, Any]) -> str:
 
 def _numbers(claims: dict[str, Any]) -> Iterator[str]:
     """Give the lines of all sections, enclosures aligned at their decimal points."""
-    rows = [
+    found = [
         (section, label, pair)
         for section, labels in _SECTIONS.items()
         for key, name in labels.items()
-        for label, pair in _labelled(key, name, claims)
+        for label, pair in labelled(key, name, claims)
     ]
-    lines = _aligned([(label, pair) for _, label, pair in rows])
+    lines = aligned([(label, pair) for _, label, pair in found])
     before = ""
-    for (section, _, _), line in zip(rows, lines, strict=True):
+    for (section, _, _), line in zip(found, lines, strict=True):
         if section != before:
             yield f"\n{section}"
             before = section
@@ -239,55 +256,6 @@ def _numbers(claims: dict[str, Any]) -> Iterator[str]:
             f"\nOn the disk of radius {r['radius']} around P* the map differs from its Taylor "
             f"polynomial of degree {r['degree']}\nby at most {r['x']} in x and {r['v']} in v."
         )
-
-
-def _rows(names: dict[str, str], claims: dict[str, Any]) -> list[tuple[str, list[str]]]:
-    """Return labels and pairs of those of the claims that there are."""
-    present = ((key, name) for key, name in names.items() if claims.get(key, NONE) != NONE)
-    return [row for key, name in present for row in _labelled(key, name, claims)]
-
-
-def _aligned(rows: list[tuple[str, list[str]]]) -> Iterator[str]:
-    """Give a line for each label and enclosure, aligned at the decimal points."""
-    whole, part = (max(len(side) for _, pair in rows for side in _sides(pair, n)) for n in (0, 1))
-    width = max(len(label) for label, _ in rows)
-    for label, pair in rows:
-        lower, upper = (
-            f"{a:>{whole}}{b:<{part}}"
-            for a, b in zip(*(_sides(pair, n) for n in (0, 1)), strict=True)
-        )
-        yield f"  {label:<{width}}  [{lower}, {upper}]"
-
-
-def _sides(pair: list[str], side: int) -> list[str]:
-    """Return what stands before (0) the decimal points of both ends, or from them on (1)."""
-    split = [(whole, point + part) for whole, point, part in (end.partition(".") for end in pair)]
-    return [halves[side] for halves in split]
-
-
-def _labelled(key: str, name: str, claims: dict[str, Any]) -> Iterator[tuple[str, list[str]]]:
-    """Give (label, pair) for each enclosure in the claim of a name; events by their words."""
-    if key == "event_times" and key in claims:
-        yield from zip(claims["itinerary"], claims[key], strict=True)
-    else:
-        yield from _flatten(name, claims.get(key, []))
-
-
-def _flatten(label: str, value: Any) -> Iterator[tuple[str, list[str]]]:
-    """Give (label, pair) for each enclosure in a claim."""
-    if isinstance(value, dict):
-        for key, pair in value.items():
-            yield f"{label} {key}", pair
-    elif value and isinstance(value[0], str):
-        yield label, value
-    else:
-        for number, inner in enumerate(value, start=1):
-            named = (
-                f"tau_{number + 1} per |z|^{2 * number + 2}"
-                if label == "tau"
-                else f"{label} {number}"
-            )
-            yield from _flatten(named, inner)
 
 
 def _citations(certificate: dict[str, Any]) -> Iterator[str]:

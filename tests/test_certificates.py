@@ -16,6 +16,10 @@ REASONS = {
     "box_past_the_wall": "between the walls",
     "box_too_large": "before a window begins",
     "box_without_the_fixed_point": "centre is not in the box",
+    "capture_after_its_release": "time of event 2 is not after",
+    "capture_before_the_start": "time of the first event may be negative",
+    "capture_by_a_force_below_friction": "forcing claimed is not above f",
+    "capture_with_events_out_of_order": "time of event 2 is not after",
     "friction_a_double": "interior of its box",
     "hypothesis_dropped": "cites",
     "more_digits_than_certain": "wider than its digits allow",
@@ -58,7 +62,7 @@ def test_rejected(capsys, path):
     """A false claim, or hints that prove nothing."""
     status, out = run(capsys, path)
     assert status == 1
-    assert out.startswith(f"REJECTED: {path}"[:200])
+    assert out.startswith(f'REJECTED: "{path}"'[:200])
     assert REASONS[path.stem] in out
 
 

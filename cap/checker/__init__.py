@@ -29,6 +29,7 @@ theorem.  Read the modules in this order; each begins with the mathematics that 
     pitchfork    the theorem about the birth of a pair of such orbits that are not symmetric
     branch       the theorem about these pairs for a range of f
     theorem      the theorems by name; the elliptic point and the saddle
+    terms        what stands in more than one sentence
     sentences    the last three theorems in words
     statement    the theorem that was proved, in words and in LaTeX
 """

@@ -8,7 +8,7 @@ then only the interior counts: there the mass does not touch the wall.
 from __future__ import annotations
 
 from cap.checker.capture import ratio
-from cap.checker.fixed_point import Proof, ends
+from cap.checker.fixed_point import Proof, ends, in_order
 from cap.checker.interval import Interval
 from cap.checker.itinerary import SIDES, follow
 from cap.checker.mechanics import Mechanics
@@ -42,6 +42,10 @@ class Capture(Proof):
         self.confirm("forcing", towards, None)
         self.confirm("accumulation_time", times[-2], None)
         self.confirm("release_time", released.moment.t.value, 1 / self.omega)
+        last_two = [claims["accumulation_time"], claims["release_time"]]
+        in_order(words, claims["event_times"])
+        in_order(words, [*claims["event_times"][:-2], *last_two])
+        need(claims["forcing"].lower > p.f, "the forcing claimed is not above f")
         bound = claims["ratio"]
         need(bound < 1, "the ratio is not below 1")
         need(ratio(M, towards).upper <= bound, "the ratio may be larger than claimed")

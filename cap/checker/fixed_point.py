@@ -170,3 +170,17 @@ def ends(claim: Enclosure) -> Ends:
 def contains(claim: Enclosure, q: int) -> bool:
     """Return whether an enclosure contains a number."""
     return claim.lower <= q <= claim.upper
+
+
+def in_order(words: Sequence[str], times: Sequence[Enclosure]) -> None:
+    """Check that the times claimed are in the order of the events, from 0 on.
+
+    The enclosure for a capture may begin before its hit, but after the event before that.
+    """
+    for n, (word, t) in enumerate(zip(words, times, strict=True)):
+        captured = word.startswith("capture")
+        before = times[: max(0, n - captured)]
+        later = not before or before[-1].upper < t.lower
+        need(later, f"the time of event {n + 1} is not after that of the event before")
+        need(t.lower >= 0, "the time of the first event may be negative")
+        need(n == 0 or times[n - 1].upper <= t.upper, "a capture may end before its hit")

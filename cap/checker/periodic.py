@@ -33,7 +33,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from cap.checker.certificate import SINKS
-from cap.checker.fixed_point import KRAWCZYK_ORDER, FixedPoint, Point, ends
+from cap.checker.fixed_point import KRAWCZYK_ORDER, FixedPoint, Point, ends, in_order
 from cap.checker.interval import Interval
 from cap.checker.itinerary import Passage, PeriodMap, determinant, turning_factor
 from cap.checker.jet import Centred, lift, slope_along
@@ -59,6 +59,7 @@ class Periodic(FixedPoint):
         self.confirm("v", fixed_point[1], R * omega)
         units = [None if e.word.startswith("capture") else 1 / omega for e in orbit.events]
         self.confirm("event_times", [e.moment.t.value for e in orbit.events], units)
+        in_order(self.claims["itinerary"], self.claims["event_times"])
         self.confirm("hit_speeds", [h.hit_speed for h in orbit.hits], R * omega)
         turns = [e for e in orbit.events if e.word.startswith("turn")]
         self.confirm("turning_factors", [turning_factor(M, e) for e in turns], one)

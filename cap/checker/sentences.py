@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from cap.checker.certificate import Certificate
+from cap.checker.terms import ONE_ONE
 
 
 def words(c: Certificate) -> str:
@@ -16,12 +17,11 @@ def words(c: Certificate) -> str:
 
 
 _SYSTEM = (
-    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, {friction} and elastic walls "
-    "at {{l}} and {{r}}, T = 2 pi/omega; a (1,1) orbit is T-periodic, with a velocity that never "
-    "vanishes and one hit of each wall per period: "
+    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, FRICTION and elastic walls at "
+    "{l} and {r}, T = 2 pi/omega; a (1,1) orbit is " + ONE_ONE + ": "
 )
-_SYSTEM_AT_F = _SYSTEM.replace("{friction}", "f = {f}").replace("{{", "{").replace("}}", "}")
-_SYSTEM_FOR_ALL_F = _SYSTEM.replace("{friction}", "0 < f < F").replace("{{", "{").replace("}}", "}")
+_SYSTEM_AT_F = _SYSTEM.replace("FRICTION", "f = {f}")
+_SYSTEM_FOR_ALL_F = _SYSTEM.replace("FRICTION", "0 < f < F")
 
 
 def symmetric(claims: dict[str, Any]) -> Iterable[str]:
@@ -64,7 +64,9 @@ _PAPER = (
     "the two roots below, where its formula has the velocity v before the hit of l at T/2, against "
     "its premise v > 0: so neither is an orbit"
 )
-_NO_ROOTS = "; the paper's equation of theta for orbits with one turn between hits has no root"
+_NO_ROOTS = (
+    "; the paper's equation of theta for orbits with one turn between hits has no root in (0, pi)"
+)
 
 
 def pitchfork(claims: dict[str, Any]) -> Iterable[str]:
@@ -98,7 +100,7 @@ def branch(claims: dict[str, Any]) -> Iterable[str]:
         yield _END
     if claims["resonances"]:
         met = ", ".join(f"{q['ratio']} at f in {q['f']}" for q in claims["resonances"])
-        yield f"; each of these rotation numbers is taken at one f, {met}; {_COMPLETE}"
+        yield f"; {_MET} {met}; {_COMPLETE}"
     if any(q["ratio"] == "1/2" for q in claims["resonances"]):
         yield "; for f in the range below that of 1/2 both are saddles, with trace < -2"
     for zero in claims["twist_zeros"]:
@@ -117,5 +119,11 @@ _BRANCH = (
     "images of each other under (x, v, t) -> (l + r - x, -v, t + T/2); with them the trace and "
     "the least speed decrease as f decreases; they are born at f in {f_start}, with trace 2"
 )
-_COMPLETE = "for f in the range no other fraction with a denominator up to 8 is"
+_MET = (
+    "as f decreases the trace passes 2 cos(2 pi p/q), where an elliptic orbit has the rotation "
+    "number p/q, for p/q ="
+)
+_COMPLETE = (
+    "for no other p/q with 0 < p/q <= 1/2 and q <= 8 is it 2 cos(2 pi p/q) at an f in the range"
+)
 _END = "; the least speed vanishes at f in {f_end}, with trace in {trace_end}"

@@ -9,7 +9,7 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Any
 
-from cap.checker import forms, sentences
+from cap.checker import forms, sentences, terms
 from cap.checker.certificate import WITHOUT_LOSSES, Certificate
 from cap.checker.reading import Enclosure
 from cap.checker.rejection import need
@@ -30,6 +30,8 @@ def words(c: Certificate) -> str:
     if c.theorem in WITHOUT_LOSSES:
         numbers["hits"] = len(c.claims["hit_times"])
         return f"{_BOTH}; {_CONCLUSIONS[c.theorem]}".format_map(numbers)
+    captures = terms.captures(c.claims["itinerary"])
+    numbers["captures"] = f"; {captures}" if captures else ""
     parts = [_WITH_LOSSES, _CAPTURE if c.theorem == "capture" else _PERIODIC]
     if c.theorem != "capture":
         multipliers = [_complex(m) for m in c.claims["multipliers"]]
@@ -52,15 +54,16 @@ def words(c: Certificate) -> str:
 
 _BOTH = (
     "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, f = {f} and elastic walls at "
-    "{l} and {r}: the time-T map of (x, v), T = 2 pi/omega, has one and only one fixed point in "
-    "{box}, with x in {x}, v in {v}; its orbit hits the walls {hits} times per period, "
+    "{l} and {r}: the time-T map Phi of (x, v), T = 2 pi/omega, has one and only one fixed point "
+    "in {box}, with x in {x}, v in {v}; its orbit hits the walls {hits} times per period, "
     "transversely, and never turns or sticks, with a least speed in {least_speed}"
 )
 _CONCLUSIONS = {
-    "elliptic": "the fixed point is elliptic with trace in {trace} and rotation number in "
-    "{rotation_number}, has no resonance of order at most four, and its first twist coefficient, "
-    "per |z|^2, is in {twist}: hence (Moser) it is stable, and every neighbourhood of it contains "
-    "invariant closed curves around it",
+    "elliptic": "the fixed point is elliptic with trace in {trace}, and has no resonance of order "
+    f"at most four: {terms.NORMAL_FORM}, with Theta in {{rotation_angle}}, the rotation number "
+    "|Theta|/(2 pi) in {rotation_number}, and tau_1 in {twist}, that is, in {twist_action} per "
+    "action |z|^2/2; so tau_1 is not zero: hence (Moser) the fixed point is stable, and every "
+    "neighbourhood of it contains invariant closed curves around it",
     "saddle": "the fixed point is a hyperbolic saddle with trace in {trace} and multipliers in "
     "{multipliers}: hence (Hadamard-Perron) it has stable and unstable curves, and is unstable",
 }
@@ -71,8 +74,9 @@ _WITH_LOSSES = (
 _PERIODIC = (
     "with Phi the time-T map of (x, v) from t = 0, T = 2 pi/omega, and n = {period}, Phi^n has one "
     "and only one fixed point P* in {box}, with x in {x}, v in {v}; all orbits from this box have "
-    "in (0, nT) exactly these events, in this order: {itinerary}; the Jacobian of Phi^n at P* has "
-    "its trace in {trace}, the determinant {determinant} and the multipliers {multipliers}: {type}"
+    "in (0, nT) exactly these events, in this order: {itinerary}{captures}; the Jacobian of Phi^n "
+    "at P* has its trace in {trace}, the determinant {determinant} and the multipliers "
+    "{multipliers}: {type}"
 )
 _BASIN = (
     "; the ellipse |W (z - P*)| <= 1 with the matrix W = {matrix} lies in the box, and |W "
@@ -87,12 +91,11 @@ _PERSISTENCE = (
     "for all (epsilon, mu) but (0, 0), and elliptic there"
 )
 _CAPTURE = (
-    "every orbit that starts at t = 0 in the interior of {box} has these events until it is "
-    "released, in this order: {itinerary}; here the capture means: from the event before it on, or "
-    "from t = 0 if there is none, infinitely many hits of the wall {wall}, with one turn between "
-    "two of them, accumulate at a time in {accumulation_time}, under a force towards the wall in "
-    "{forcing}, the speed after each of these hits being at most {ratio} times that after the one "
-    "before; from then on the mass rests at the wall until its release, at a time in {release_time}"
+    "every orbit that starts at t = 0 in the interior of {box} has at first exactly these events, "
+    "in this order: {itinerary}{captures}; the hits of the last capture accumulate at a time in "
+    "{accumulation_time}, while |F cos(omega t)|, the force towards the wall {wall}, is in "
+    "{forcing}, above f; the speed after each of them is at most {ratio} times that after the one "
+    "before; the last release is at a time in {release_time}"
 )
 
 

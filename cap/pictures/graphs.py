@@ -70,7 +70,7 @@ def rotation(study: Rotation, figure: FigureBase) -> None:
                  label="on an invariant curve")  # fmt: skip
     _resonances(axes[0], study.rotation[good])
     axes[0].set_xlabel("distance from $P_*$ along $x$  [length]")
-    axes[0].set_ylabel(r"rotation number $\Theta/2\pi$")
+    axes[0].set_ylabel(r"rotation number $\Theta/2\pi$ mod 1")
     axes[0].legend()
     near, first, second = study.used, *study.twist
     shift = 1e9 * (study.rotation - study.limit)

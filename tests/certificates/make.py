@@ -73,6 +73,18 @@ def rejected(saddle, elliptic):
         put("reject", name, certificate, tuple(change))
 
 
+def captured(at_once, after_hits):
+    """Write captures whose claims contain what is true, but are out of order, or too wide."""
+    late = [after_hits["claims"]["event_times"][0][0], "0.3"]
+    for name, certificate, *change in (
+        ("capture_by_a_force_below_friction", at_once, "forcing", ["0.3", "1.0001"]),
+        ("capture_before_the_start", at_once, "accumulation_time", ["-1", "0.6550"]),
+        ("capture_after_its_release", at_once, "accumulation_time", ["0", "1.99"]),
+        ("capture_with_events_out_of_order", after_hits, "event_times", 0, late),
+    ):
+        put("reject", name, certificate, ("claims", *change))
+
+
 def malformed(saddle):
     """Write what is no certificate."""
     good = json.dumps(saddle, indent=1)
@@ -106,4 +118,5 @@ def malformed(saddle):
 if __name__ == "__main__":
     accepted(load("saddle-2.json"))
     rejected(load("saddle-2.json"), load("elliptic-2.json"))
+    captured(load("capture.json"), load("capture-2.json"))
     malformed(load("saddle-2.json"))
