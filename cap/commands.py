@@ -192,7 +192,8 @@ COMMANDS = {
         "diagrams:continuation",
         "--parameter f --range 0.1 0.65 --out continuation.pdf",
         "Folds, pitchforks, branch points, flips, grazing and sticking borders are located and\n"
-        "labelled; at branch points the other branch is followed too.",
+        "labelled; at branch points the other branch is followed too, and at flips (period\n"
+        "doublings) that of twice the period.",
         (
             Option("orbit", option.numbers, "the orbit near this state", ("X", "V"), 2),
             PARAMETER,

@@ -348,7 +348,7 @@ def test_one_file_that_fails_is_not_all(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("csv.writer", lambda _: (_ for _ in ()).throw(OSError(28, "No space")))
     files = [tmp_path / name for name in ("a.csv", "b.npz")]
     assert tiny("orbit", *(word for file in files for word in ("--out", str(file)))) == 2
-    assert "a.csv: No space" in capsys.readouterr().err
+    assert 'a.csv": No space' in capsys.readouterr().err
     assert [each.name for each in tmp_path.iterdir()] == ["b.npz"]
 
 

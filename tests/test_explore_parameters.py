@@ -7,6 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from cap.approx import swarm
 from cap.approx.continuation import continuation
 from cap.approx.gallery import gallery
 from cap.approx.inventory import inventory
@@ -84,6 +85,28 @@ def test_flip_and_fold_of_sinks():
     assert len(flips) == 2
     for each in flips:
         assert each.value == pytest.approx(3.4422831, abs=1e-6)
+
+
+def test_the_period_of_the_sink_at_3_2_doubles():
+    """At F = 1.5292 a branch of period 2T begins, of sinks that have no shorter period."""
+    p = replace(PAPER, F=Fraction(3, 2))
+    sink = (0.6276, -0.1184)
+    found = continuation(p, orbit=sink, parameter="F", range=(1.48, 1.56), branches=2)
+    assert values(found, "flip") == [pytest.approx(1.5292254, abs=1e-6)]
+    assert [each.label for each in found.special] == ["flip"]
+    single, doubled = found.branches
+    assert (single.period, doubled.period) == (1, 2)
+    assert single.stable[single.value < 1.5292].all()
+    assert not single.stable[single.value > 1.5293].any()
+    assert doubled.stable[doubled.value > 1.5293].all()
+    assert doubled.value.min() == pytest.approx(1.5292254, abs=1e-5)
+    own = doubled.value > 1.55
+    assert {x > found.special[0].x for x in doubled.x[own].tolist()} == {True, False}
+    for F, x, v in zip(doubled.value[own], doubled.x[own], doubled.v[own], strict=True):
+        here = replace(p, F=Fraction(float(F)))
+        once, twice = (swarm.follow(here, [(x, v)], n).states[0] for n in (1, 2))
+        assert np.abs(twice - (x, v)).max() < 1e-9
+        assert np.abs(once - (x, v)).max() > 0.01
 
 
 def test_unstable_branches_are_followed_far():

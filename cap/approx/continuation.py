@@ -1,13 +1,14 @@
 """Continuation of periodic orbits in a parameter, by pseudo-arclength, with their bifurcations.
 
-Labels: ``fold``, ``flip`` (a multiplier -1), ``pitchfork`` (branches cross at an orbit that is its
-own mirror image), ``branch point`` (at another), ``grazing`` and ``sticking border`` (the itinerary
-changes: `cap.approx.border`; "…, fold" if the branch turns back there), ``end`` with its reason:
-what is near, or that all ``points`` are used.
+Labels: ``fold``, ``flip`` (a multiplier -1: the period doubles, a branch of twice the period
+begins), ``pitchfork`` (branches cross at an orbit that is its own mirror image), ``branch point``
+(at another), ``grazing`` and ``sticking border`` (the itinerary changes: `cap.approx.border`;
+"…, fold" if the branch turns back there), ``end`` with its reason: what is near, or that all
+``points`` are used.
 """
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,15 +17,17 @@ from cap.approx.curve import Family, Station
 from cap.approx.cycles import near
 from cap.approx.grid import fixed_point, island, polished
 from cap.approx.study import VARIABLE, Floats, State, Study, described, value_of
-from cap.approx.walk import FIRST, MOST, Change, Walker
+from cap.approx.walk import FIRST, MOST, Change, DoubledWalker, Walker
 from cap.approx.work import Work
 from cap.errors import BadInput
 from cap.parameters import Parameters
 
+LONGEST = 16  # period of the orbits that are followed, in units of T
+
 
 @dataclass(frozen=True)
 class Special:
-    """A bifurcation or a border: where, on which branch."""
+    """A bifurcation or a border: where, on which branch, of which period."""
 
     label: str
     value: float
@@ -32,12 +35,14 @@ class Special:
     v: float
     trace: float
     branch: int
+    period: int
 
 
 @dataclass(frozen=True)
 class Branch:
-    """A curve of periodic orbits: arrays (N,) along it; ``hits`` and ``turns`` in n periods,
-    ``itinerary`` a number that changes where the itinerary does, or where a hit passes t = 0.
+    """A curve of orbits of period n T, n = ``period``: arrays (N,) along it; ``hits`` and ``turns``
+    in n periods, ``itinerary`` a number that changes where the itinerary does, or where a hit
+    passes t = 0.
 
     ``stable``: elliptic or a sink.  Margins as in `cap.approx.border`, in natural units.
     """
@@ -53,11 +58,15 @@ class Branch:
     hits: NDArray[np.int64]
     turns: NDArray[np.int64]
     itinerary: NDArray[np.int64]
+    period: int
 
 
 @dataclass(frozen=True, kw_only=True)
 class Continuation(Study):
-    """Branches of orbits of period n T over a parameter, and their special points."""
+    """Branches of periodic orbits over a parameter, and their special points.
+
+    The first is of period n T, n = ``periods``; from flips on, others are of twice the period, ...
+    """
 
     parameter: str
     periods: int
@@ -69,14 +78,18 @@ class Continuation(Study):
         joined = {
             name: np.concatenate([getattr(branch, name) for branch in self.branches])
             for name in Branch.__dataclass_fields__
+            if name != "period"
         }
-        number = np.repeat(np.arange(len(self.branches)), [len(b.value) for b in self.branches])
-        return {"branch": number, self.parameter: joined.pop("value"), **joined}
+        sizes = [len(b.value) for b in self.branches]
+        number = np.repeat(np.arange(len(self.branches)), sizes)
+        period = np.repeat([b.period for b in self.branches], sizes)
+        return {"branch": number, "period": period, self.parameter: joined.pop("value"), **joined}
 
     def lines(self) -> list[str]:
         """Return the special points."""
+        periods = ", ".join(str(branch.period) for branch in self.branches)
         head = (
-            f"{len(self.branches)} branches of period {self.periods} over {self.parameter} at "
+            f"{len(self.branches)} branches, of period {periods}, over {self.parameter} at "
             f"{described(self.parameters)}"
         )
         rows = [
@@ -100,8 +113,8 @@ def continuation(  # noqa: PLR0913 (the options of the command)
 ) -> Continuation:
     """Follow the orbit near ``orbit``, or the first elliptic one, both ways within a range.
 
-    ``points`` at most, each way; at branch points the crossing branch is followed too, as long as
-    there are no more than ``branches``.
+    ``points`` at most, each way; at branch points the crossing branch is followed too, and at flips
+    that of twice the period, as long as there are no more than ``branches``.
     """
     work = work or Work()
     state = _start(p, orbit, period)
@@ -113,27 +126,61 @@ def continuation(  # noqa: PLR0913 (the options of the command)
         )
     walker = Walker(family, (low / family.unit[2], high / family.unit[2]), points, work)
     start = family.station(family.point(state), np.array([0.0, 0.0, 1.0]))
-    seeds: list[Station] = [start]
-    curves: list[list[Station]] = []
+    seeds = [_Seed(walker, start)]
+    curves: list[tuple[Family, list[Station]]] = []
     special: list[Special] = []
     while seeds and len(curves) < branches and not work.interrupted:
         seed = seeds.pop(0)
-        if any(_is_on(seed.y, curve) for curve in curves):
+        if any(_is_on(seed.station.y, curve) for _, curve in curves):
             continue
-        curve, changes = walker.both_ways(seed)
-        special += [_special(family, change, len(curves)) for change in changes]
-        curves.append(curve)
-        for change in changes:
-            if change.label in ("pitchfork", "branch point"):
-                seeds += walker.switched(change.station)
+        curve, changes = seed.walker.both_ways(seed.station)
+        changes = [change for change in changes if not seed.is_born_at(change)]
+        special += [_special(seed.walker.family, change, len(curves)) for change in changes]
+        curves.append((seed.walker.family, curve))
+        seeds += [new for change in changes for new in _crossing(seed.walker, change)]
+        seeds += [new for change in changes for new in _doubled(seed.walker, change)]
     return Continuation(
         parameters=p,
         complete=not work.interrupted,
         parameter=parameter,
         periods=period,
-        branches=tuple(_branch(family, curve) for curve in curves),
+        branches=tuple(_branch(*each) for each in curves),
         special=_distinct(special),
     )
+
+
+@dataclass(frozen=True)
+class _Seed:
+    """Where a branch is to be followed from; of a doubled one, the point of its birth, too."""
+
+    walker: Walker
+    station: Station
+    born: Floats | None = None
+
+    def is_born_at(self, change: Change) -> bool:
+        """Return whether a change is the flip where the branch crosses that of half its period."""
+        if self.born is None:
+            return False
+        return bool(np.linalg.norm(change.station.y - self.born) < FIRST)
+
+
+def _crossing(walker: Walker, change: Change) -> list[_Seed]:
+    """Return where the branch may be followed that crosses at a branch point."""
+    if change.label not in ("pitchfork", "branch point"):
+        return []
+    return [_Seed(walker, station) for station in walker.switched(change.station)]
+
+
+def _doubled(walker: Walker, change: Change) -> list[_Seed]:
+    """Return where the branch of twice the period may be followed that begins at a flip."""
+    family = walker.family
+    if change.label != "flip" or 2 * family.periods > LONGEST:
+        return []
+    twice = replace(family, periods=2 * family.periods)
+    doubled = DoubledWalker(twice, walker.limits, walker.points, walker.work)
+    return [
+        _Seed(doubled, station, change.station.y) for station in doubled.switched(change.station)
+    ]
 
 
 def _start(p: Parameters, orbit: State | None, period: int) -> State:
@@ -173,7 +220,7 @@ def _is_on(y: Floats, curve: list[Station]) -> bool:
 
 def _special(family: Family, change: Change, branch: int) -> Special:
     x, v, value = (change.station.y * family.unit).tolist()
-    return Special(change.label, value, x, v, change.station.trace, branch)
+    return Special(change.label, value, x, v, change.station.trace, branch, family.periods)
 
 
 def _distinct(special: list[Special]) -> tuple[Special, ...]:
@@ -211,6 +258,7 @@ def _branch(family: Family, curve: list[Station]) -> Branch:
         hits=np.array([sum(w.startswith("hit") for w in each) for each in words]),
         turns=np.array([sum(w.startswith("turn") for w in each) for each in words]),
         itinerary=_numbered(curve),
+        period=family.periods,
     )
 
 

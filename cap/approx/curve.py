@@ -19,6 +19,7 @@ EXACT = 1e-11  # residual of a point of the curve
 STEPS = 10  # of Newton's method
 SMALL = 1e-6  # by how much the image moves, at least, in a divided difference in the parameter
 HALVINGS = 40
+SAME = 1e-6  # states that differ by less are of one orbit
 
 
 @dataclass(frozen=True)
@@ -109,6 +110,12 @@ class Family:
             float(np.linalg.det(square)),
             margins(p, state, self.periods),
         )
+
+    def repeats(self, y: Floats) -> bool:
+        """Return whether half of the n periods are a period already; n is even."""
+        p, state = self.at(y)
+        half = swarm.follow(p, [state], self.periods // 2).states[0]
+        return bool(np.abs((half - state) / self.unit[:2]).max() < SAME)
 
     def symmetry_defect(self, y: Floats) -> float:
         """Return how far the orbit is from its mirror image half a period later; n = 1."""

@@ -2,8 +2,9 @@
 
 An invariant curve that encloses the area π|z|² turns by Θ + τ₁|z|² + τ₂|z|⁴ + … in a period, with
 dx∧dv = (i/2) dz∧dz̄; so rotation number and area of curves give the Birkhoff coefficients, in no
-coordinates.  Turns from x to v count positive: Θ < 0 has a rotation number above 1/2.  Means along orbits are weighted by a bump (Das, Saiki, Sander, Yorke): they converge
-faster than any power of the number of periods.
+coordinates.  Turns from x to v count positive: Θ < 0 has a rotation number above 1/2.  Means along
+orbits are weighted by a bump (Das, Saiki, Sander, Yorke): they converge faster than any power of
+the number of periods.
 """
 
 import math
@@ -63,8 +64,8 @@ class Rotation(Study):
             f"rotation numbers around ({self.centre[0]:.10g}, {self.centre[1]:.10g}) at "
             + described(self.parameters),
             f"  {on} of {len(self.distance)} orbits are on an invariant curve, as far as one sees",
-            f"  at the fixed point: rotation number {self.limit:.12g} (Theta/2pi mod 1, from x to v; "
-            "of its multipliers)",
+            f"  at the fixed point: rotation number {self.limit:.12g} (of its multipliers), from x "
+            "to v, mod 1",
             f"  twist tau1 = {self.twist[0]:.6g} +- {self.error[0]:.2g}, tau2 = "
             f"{self.twist[1]:.6g} +- {self.error[1]:.2g}, from {int(self.used.sum())} curves",
         ]

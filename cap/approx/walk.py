@@ -66,17 +66,23 @@ class Walker:
                 if following is None:
                     changes += self._end(station)
                     break
-                found = self._changes(station, following)
+                found = [
+                    each for each in self._changes(station, following) if self._covers(each.station)
+                ]
                 changes += found
                 way += _in_order(station, following, found)
                 way.append(following)
                 station, step = following, min(1.3 * step, MOST)
-                if not self.limits[0] <= station.y[2] <= self.limits[1]:
+                if not self._covers(station):
                     way.pop()
                     break
                 if len(way) > 10 and np.linalg.norm(station.y - begin.y) < step and side > 0:
                     break
         return way, changes
+
+    def _covers(self, station: Station) -> bool:
+        """Return whether a station lies between the limits: the last one found may lie beyond."""
+        return bool(self.limits[0] <= station.y[2] <= self.limits[1])
 
     def _next(self, station: Station, step: float) -> Station | None:
         y = self.family.corrected(station.y + step * station.tangent, station.tangent)
@@ -182,6 +188,14 @@ class Walker:
             if y is not None and np.linalg.norm(y - at.y) < 6 * FIRST:
                 found.append(self.family.station(y, side * other))
         return found
+
+
+class DoubledWalker(Walker):
+    """Walks along a branch that begins at a flip, but not on to the orbits of half its period."""
+
+    def _next(self, station: Station, step: float) -> Station | None:
+        found = super()._next(station, step)
+        return None if found is None or self.family.repeats(found.y) else found
 
 
 def _passage(p: Parameters, side: int, v: float) -> Floats:

@@ -64,8 +64,9 @@ def continuation(study: Continuation, figure: FigureBase) -> None:
     axes[0].plot([], [], color=BLACK, lw=0.8, ls="--", label="unstable")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=4)
-    period = "T" if study.periods == 1 else f"{study.periods}T"
-    _title(figure, study, f"Periodic orbits of period ${period}$", (study.parameter,))
+    known = sorted({branch.period for branch in study.branches})
+    periods = ", ".join("$T$" if n == 1 else f"${n}T$" for n in known)
+    _title(figure, study, f"Periodic orbits of period {periods}", (study.parameter,))
 
 
 def _mark(label: str) -> str:
