@@ -156,7 +156,7 @@ COMMANDS = {
         "lyapunov:lyapunov",
         "graphs:lyapunov",
         "--orbits 6 --radius 1/25 --periods 10000 --out lyapunov.pdf",
-        "Benettin's method, per unit of time; the second is -inf once the orbit has stuck.",
+        "Benettin's method, per time; the second is -inf once the orbit has stuck.",
         (
             Option("orbit", option.numbers, "the state at t = 0 (default: a ray)", ("X", "V"), 2),
             Option(

@@ -1,13 +1,19 @@
-"""Where orbits end: the attractors of Φ, from many seeds, with their basins."""
+"""Where orbits end: the attractors of Φ, from many seeds, with their basins.
 
+Exponents are per time.  That of a cycle is exact but for rounding, of its multipliers.  Others are
+means over `BLOCKS` parts of all orbits that end there, after a first part in which the deviation
+turns into its direction, with the standard error of the mean.
+"""
+
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cap.approx import swarm
-from cap.approx.grid import Box, grid, require_followed, whole
-from cap.approx.study import Floats, Study, described
+from cap.approx.grid import Box, grid, polished, require_followed, whole
+from cap.approx.study import Floats, Study, described, with_error
 from cap.approx.work import KEPT, Work
 from cap.errors import BadInput
 from cap.parameters import Parameters
@@ -15,7 +21,9 @@ from cap.parameters import Parameters
 LONGEST = 64  # of the periods that are looked for
 CLOSE = 1e-6  # a state that returns, in units of R and Rω
 SAME = 1e-4  # states of one attractor, in the same units
-CHAOTIC = 1e-3  # least exponent, per period, of a chaotic attractor
+CHAOTIC = 2e-4  # least exponent, per time, of a chaotic attractor, and …
+CERTAIN = 3  # … it is so many standard errors above 0
+BLOCKS = 10  # parts of an orbit, of which each has its exponent
 CELLS = 12  # per side, by which aperiodic attractors are told apart
 NONE = -1
 PIECE = 200  # seeds at a time
@@ -27,7 +35,7 @@ class Attractor:
     """One attractor: ``period`` in units of T, 0 if it has none, and a sample of states (K, 2).
 
     ``share`` of the seeds; ``hits`` right and left, ``turns`` and ``sticks`` per period T;
-    ``exponent`` the larger one, per period T.
+    ``exponent`` the larger one, per time, and its standard ``error``, nan for a cycle.
     """
 
     kind: str
@@ -37,6 +45,7 @@ class Attractor:
     turns: float
     sticks: float
     exponent: float
+    error: float
     states: Floats
 
     def line(self) -> str:
@@ -45,7 +54,7 @@ class Attractor:
         return (
             f"{self.share:7.2%}  {self.kind:<24} hits r {self.hits[0]:.4g}, l {self.hits[1]:.4g}, "
             f"turns {self.turns:.4g}, sticks {self.sticks:.4g} per T; exponent "
-            f"{self.exponent:.4g} per T; through ({x:.8g}, {v:.8g})"
+            f"{with_error(self.exponent, self.error)} per time; through ({x:.8g}, {v:.8g})"
         )
 
 
@@ -75,7 +84,10 @@ class Attractors(Study):
 
 @dataclass(frozen=True)
 class Ends:
-    """The ends of N orbits: states (N, K, 2) once a period, what happened per period, exponents."""
+    """The ends of N orbits: states (N, K, 2) once a period, what happened per period.
+
+    ``exponent`` (N, `BLOCKS`): per time, in each part of an orbit after the first.
+    """
 
     states: Floats
     counts: Floats
@@ -129,10 +141,17 @@ def settle(p: Parameters, seeds: Floats, transient: int, periods: int) -> Ends:
     return Ends(
         found.states,
         found.counts / periods,
-        growth[..., 0].mean(axis=1),
+        _exponents(growth[..., 0]) / (2 * math.pi / float(p.omega)),
         _least_period(found.states / unit),
         found.turned | found.stuck | found.captured,
     )
+
+
+def _exponents(growth: Floats) -> Floats:
+    """Return the means (N, `BLOCKS`) per period of growth (N, K), after the first part."""
+    first = growth.shape[1] // (BLOCKS + 1)
+    parts = np.array_split(growth[:, first:], BLOCKS, axis=1)
+    return np.stack([part.mean(axis=1) for part in parts], axis=1)
 
 
 def _least_period(states: Floats) -> NDArray[np.int64]:
@@ -154,9 +173,7 @@ def sort(p: Parameters, ends: list[Ends]) -> tuple[NDArray[np.int64], tuple[Attr
     label, marks, chosen = _labelled(p, joined)
     shares = np.array([(label == k).mean() for k in range(len(marks))])
     order = np.argsort(-shares, kind="stable")
-    found = tuple(
-        _attractor(joined, chosen[k], marks[k].name, label == k, float(shares[k])) for k in order
-    )
+    found = tuple(_attractor(p, joined, chosen[k], marks[k].name, label == k) for k in order)
     place = np.append(np.argsort(order, kind="stable"), NONE)  # the last is that of the label -1
     return place[label], found
 
@@ -217,28 +234,59 @@ def _mark(ends: Ends, i: int, unit: Floats, spread: Floats, *, conserves: bool) 
     return _Mark("other", cells=frozenset((a, b) for a, b in cells.tolist()))
 
 
-def _attractor(ends: Ends, i: int, name: str, own: NDArray[np.bool_], share: float) -> Attractor:
+def _attractor(p: Parameters, ends: Ends, i: int, name: str, own: NDArray[np.bool_]) -> Attractor:
     """Return the attractor of the orbit i and of those that are its ``own``."""
     period, counts = int(ends.period[i]), ends.counts[i].tolist()
     cycle = name == "cycle"
+    if cycle:
+        states = _cycle(p, ends.states[i, -period:])
+        exponent, error = _of_multipliers(p, states), math.nan
+    else:
+        states = ends.states[own][:400].reshape(-1, 2)
+        exponent, error = _mean(ends.exponent[own])
     return Attractor(
-        kind=_kind(name, period, float(ends.exponent[i])),
+        kind=_kind(name, period, exponent, error),
         period=period if cycle else 0,
-        share=share,
+        share=float(own.mean()),
         hits=(counts[0], counts[1]),
         turns=counts[2] + counts[3],
         sticks=counts[4],
-        exponent=float(ends.exponent[i]),
-        states=ends.states[i, -period:] if cycle else ends.states[own][:400].reshape(-1, 2),
+        exponent=exponent,
+        error=error,
+        states=states,
     )
 
 
-def _kind(name: str, period: int, exponent: float) -> str:
+def _cycle(p: Parameters, states: Floats) -> Floats:
+    """Return the states (n, 2) of a cycle, from the one to which Newton's method leads."""
+    first = polished(p, (float(states[0, 0]), float(states[0, 1])), len(states))
+    return swarm.follow(p, [first], len(states), every=True).states[0, :-1]
+
+
+def _of_multipliers(p: Parameters, states: Floats) -> float:
+    """Return the larger exponent of a cycle: -inf where both multipliers are 0."""
+    monodromy = swarm.follow(p, states[:1], len(states), derivative=True).monodromy
+    if monodromy is None:  # it was asked for
+        raise TypeError
+    largest = float(np.abs(np.linalg.eigvals(monodromy[0])).max())
+    time = len(states) * 2 * math.pi / float(p.omega)
+    return math.log(largest) / time if largest else -math.inf
+
+
+def _mean(exponents: Floats) -> tuple[float, float]:
+    """Return the mean of exponents (M, `BLOCKS`) and its standard error: nan if it is infinite."""
+    if not np.isfinite(exponents).all():
+        return float(exponents.min()), math.nan
+    return float(exponents.mean()), float(exponents.std(ddof=1) / math.sqrt(exponents.size))
+
+
+def _kind(name: str, period: int, exponent: float, error: float) -> str:
     """Return the kind of an end in words."""
     if name == "cycle":
         return f"period {period}"
+    chaotic = exponent > max(CHAOTIC, CERTAIN * error)
     names = {"conservative": "never turns", "free": "never hits a wall"}
-    return names.get(name, "chaotic" if exponent > CHAOTIC else "no short period")
+    return names.get(name, "chaotic" if chaotic else "no short period")
 
 
 def strongest(p: Parameters, points: int = 12) -> Attractor | None:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from cap.approx import swarm
 from cap.approx.grid import PROBES, island, require_followed
-from cap.approx.study import Floats, State, Study, described
+from cap.approx.study import Floats, State, Study, described, with_error
 from cap.approx.work import PIECE, Work
 from cap.parameters import Parameters
 
@@ -17,7 +17,7 @@ STRETCH = 200  # periods at a time
 
 @dataclass(frozen=True, kw_only=True)
 class Lyapunov(Study):
-    """Exponents (N, K, 2) per unit of time of N orbits, after ``after`` (K,) periods.
+    """Exponents (N, K, 2) per time of N orbits, after ``after`` (K,) periods.
 
     The larger first.  The second is -inf after a stick or a capture, which take areas to 0.
     ``turned`` (N,) says which orbits turned, stuck or were captured.
@@ -40,18 +40,31 @@ class Lyapunov(Study):
         }
 
     def lines(self) -> list[str]:
-        """Return the last exponents, per unit of time and per period."""
-        head = f"Lyapunov exponents per unit of time at {described(self.parameters)}"
+        """Return the last exponents, and by how much they changed in the last half."""
+        head = (
+            f"Lyapunov exponents per time at {described(self.parameters)}, "
+            "+- their change since half of the periods"
+        )
         rows = []
         for start, values, turned in zip(self.starts, self.exponents, self.turned, strict=True):
             known = np.flatnonzero(~np.isnan(values[:, 0]))
-            last = values[known[-1]] if len(known) else (math.nan, math.nan)
-            after = f"{self.after[known[-1]]:.0f}" if len(known) else "0"
+            shown, after = _last(values[known], self.after[known])
             rows.append(
-                f"  from ({start[0]:.8g}, {start[1]:.8g}): {last[0]:.8g}, {last[1]:.8g} after "
-                f"{after} periods" + (" (turns or sticks)" if turned else "")
+                f"  from ({start[0]:.8g}, {start[1]:.8g}): {shown} after {after:.0f} periods"
+                + (" (turns or sticks)" if turned else "")
             )
         return [head, *rows]
+
+
+def _last(values: Floats, after: Floats) -> tuple[str, float]:
+    """Return the last of exponents (K, 2) with their errors, and after how many periods."""
+    if not len(after):
+        return "nan, nan", 0.0
+    half = values[np.searchsorted(after, after[-1] / 2)]
+    with np.errstate(invalid="ignore"):  # inf - inf
+        errors = np.abs(values[-1] - half)
+    pairs = zip(values[-1].tolist(), errors.tolist(), strict=True)
+    return ", ".join(with_error(*pair) for pair in pairs), float(after[-1])
 
 
 def lyapunov(

@@ -35,7 +35,7 @@ class Plane(Study):
     """A map over the values ``first`` (N,) and ``second`` (M,) of two parameters.
 
     ``code`` (M, N): places in ``names``, -1 outside.  ``number`` (M, N): of orbits their
-    number; of attractors the larger exponent per period T.
+    number; of attractors the larger exponent per time.
     """
 
     parameter_1: str

@@ -1,5 +1,6 @@
 """What an exploration gives: named arrays and numbers, and what they say in words."""
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
@@ -94,3 +95,11 @@ def described(p: Parameters) -> str:
 def short(number: str) -> str:
     """Return an exact number as it is if it is short, else six digits of it."""
     return number if len(number) <= 8 else f"{float(Fraction(number)):.6g}"
+
+
+def with_error(value: float, error: float) -> str:
+    """Return a number with two digits of its error; with six digits if it has none."""
+    if not (math.isfinite(value) and error > 0):
+        return f"{value:.6g}"
+    places = max(0, 1 - math.floor(math.log10(error)))
+    return f"{value:.{places}f} +- {error:.{places}f}"
