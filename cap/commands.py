@@ -209,7 +209,7 @@ COMMANDS = {
         "plane:plane",
         "diagrams:plane",
         "--axes f R --first 0.02 0.65 --second 0.2 4.5 --points 100 --out plane.png",
-        "orbits: which ones hit each wall once per period and never turn;\n"
+        "orbits: which ones hit each wall once per period and never turn or stick;\n"
         "attractors: that of most of 36 seeds.",
         (
             Option("axes", option.names, f"two of {', '.join(PARAMETERS)} (f R)", ("A", "B"), 2),

@@ -1,4 +1,5 @@
-"""T-periodic orbits that never stop, with one hit of each wall per period, in closed form.
+"""The (1,1) orbits in closed form: T-periodic, with a velocity that never vanishes and one hit of
+each wall per period.  (Others hit each wall once, too, but turn or stick.)
 
 Units: time 1/ω, length F/ω², speed F/ω.  Then α = f/F and ρ = Rω²/F are all that matters.  Such an
 orbit hits the right wall at t1 and the left wall at t2, and its speed u = |v| obeys

@@ -3,14 +3,15 @@ pitchfork be positive (it is for ρ > 0.70407).  Consider the asymmetric T-perio
 
     x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
 
-that never stop and hit each wall once per period, for all f at once.
+whose velocity never vanishes and that hit each wall once per period, for all f at once.
 
  (i)   They are born in the pitchfork at ``f_start`` as f decreases, in pairs: mirror images under
        (x, v, t) -> (l + r - x, -v, t + T/2).  For every f in ``f_range`` there is exactly one
        pair; it is analytic in f.
  (ii)  Its trace and its least speed grow with f.  The least speed vanishes at ``f_end``, where the
        pair ends; without ``f_end`` it is positive throughout ``f_range``.
- (iii) Its rotation number takes each of the values p/q, q <= 8, listed, once, at an f enclosed.
+ (iii) Its trace is 2 cos(2πp/q) for the p/q listed, q <= 8, once each, at an f enclosed, where an
+       elliptic orbit has the rotation number p/q; and at no f of ``f_range`` for another one.
  (iv)  For every f in ``f_range`` where the trace is greater than -2, outside the ``exceptions``,
        both orbits are elliptic, without resonance of order <= 4, and τ_1 != 0: by Moser's twist
        theorem each is stable and surrounded by invariant curves.  Each of ``twist_zeros`` contains

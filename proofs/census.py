@@ -1,4 +1,5 @@
-"""All (1,1) orbits at given parameters: non-sticking, T-periodic, one hit of each wall per period.
+"""All (1,1) orbits at given parameters: T-periodic, with a velocity that never vanishes and one hit
+of each wall per period.  Orbits that hit each wall once and turn or stick are not among them.
 
 By `cap.impact` they are at most four: the symmetric ones, plus and minus, and one asymmetric pair.
 Each is decided in balls: whether it exists, and its type.
@@ -30,7 +31,7 @@ class Member(NamedTuple):
 
 
 def census(alpha: Fraction, rho: Fraction) -> list[Member]:
-    """Return all (1,1) orbits for f = αF, R = ρF/ω², 0 < α < 1.
+    """Return all (1,1) orbits, whose velocity never vanishes, for f = αF, R = ρF/ω², 0 < α < 1.
 
     Raises `NotProved` if for one of them existence or type is not certain.
     """

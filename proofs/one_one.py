@@ -1,4 +1,5 @@
-"""The closed form of the orbits with one hit of each wall per period, derived by machine.
+"""The closed form of the (1,1) orbits, derived by machine: of the T-periodic orbits whose velocity
+never vanishes and that hit each wall once per period.
 
 `cap.impact` states it.  Here the flights are integrated, and that each step of the derivation is an
 identity is left to a computer algebra system.  Units: time 1/ω, length F/ω², speed F/ω.

@@ -2,7 +2,8 @@
 
     x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω,
 
-that never stop, hit each wall once per period, and satisfy x(t + T/2) = l + r - x(t).
+whose velocity never vanishes, that hit each wall once per period, and that satisfy x(t + T/2) =
+l + r - x(t).
 
  (i)   There are at most two, S = ±sqrt(1 - (πα/2)²), α = f/F, called plus and minus; none for α >
        2/π.  The right wall is hit at the time t1 in (0, T/2) with sin ωt1 = πα/2, cos ωt1 = S,

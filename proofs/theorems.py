@@ -53,12 +53,12 @@ THEOREMS = {
         candidates.capturing,
     ),
     "symmetric": Theorem(
-        "the symmetric orbits with one hit of each wall per period, and where they bifurcate",
+        "symmetric orbits that never turn, one hit of each wall per period; where they bifurcate",
         symmetric.prove,
         candidates.closed_form,
     ),
     "pitchfork": Theorem(
-        "the asymmetric orbits with one hit of each wall per period are born, for any f",
+        "the asymmetric orbits that never turn, one hit of each wall per period, are born",
         pitchfork.prove,
         candidates.closed_form,
     ),

@@ -10,7 +10,15 @@ import pytest
 
 from cap.approx.work import Work
 from cap.errors import BadInput, NotProved
-from cap.paper import bifurcation, certified, closed_form, command, continuation, forcing, sketches
+from cap.paper import (
+    bifurcation,
+    certified,
+    closed_form,
+    command,
+    continuation,
+    forcing,
+    sketches,
+)
 from cap.paper.comparison import (
     among,
     claim,
@@ -88,7 +96,7 @@ AGREE = {  # the rows that the paper gets right, whatever the size of the comput
     "fig:impulse-bound": ["F = 0.95: trace of Phi'(P_*)", "F = 0.85: rotation number"],
     "fig:sali": ["cells in Omega_dissip", "regular cells of 484", "chaotic cells"],
     "fig:basin": ["share of Omega_NS [%]", "the same with another integrator's rounding"],
-    "fig:continuation": ["points with an elliptic orbit", "orbits at f = 0.55, R = 1"],
+    "fig:continuation": ["points with an elliptic (1,1) orbit", "(1,1) orbits at f = 0.55, R = 1"],
     "fig:coexist-main": ["focus: trace", "saddle: determinant", "saddle: larger multiplier"],
     "fig:hist-gallery-low": ["F = 4.5: determinant", "wall hits in 4 T at F = 4.5"],
     "fig:hist-gallery-high": ["F = 6: trace"],
@@ -99,9 +107,13 @@ DIFFER = {  # and those that it gets wrong
     "fig:KAM": ["chain of period five"],
     "fig:bifurcation": ["f at which the branch ends", "rotation number 1/4"],
     "fig:basin": ["blue cells"],
-    "fig:continuation": ["orbits at f = 0.15, R = 2", "elliptic orbit at (0.55, 1)"],
+    "fig:continuation": [
+        "(1,1) orbits at f = 0.15, R = 2",
+        "elliptic (1,1) orbit at (0.55, 1)",
+        "another T-periodic orbit at f = 0.35, R = 1",
+    ],
     "fig:coexist-main": ["T-periodic orbits at F = 3"],
-    "fig:hist-gallery-high": ["F = 6: largest |v|"],
+    "fig:hist-gallery-high": ["F = 6: largest |v|", "F = 50: largest |v| in 1 T"],
     "fig:hist-cont": ["F = 0.65 and 0.85: orbits found below F_sc"],
     "fig:hist-chatter": ["(b) the two orbits", "time between events (conclusion)"],
     "fig:multi-particle": ["a collision preserves sum dv_i dx_i (Theorem multiparticle)"],

@@ -23,23 +23,34 @@ PLASTIC = 1.32471795724474602596
 
 
 def fixed_points(p: Parameters, periods: int) -> Floats:
-    """Return the distinct states (N, 2) that Newton's method reaches.
+    """Return the distinct states (N, 2) that Newton's method reaches from all over the plane.
 
     The seeds fill the rectangle of `cap.approx.grid.whole`; there are fewer if they have many
-    events.  Orbits that leave the walls, or are lost, are given up.
+    events.
     """
     unit = np.array([float(p.R), float(p.R * p.omega)])
     left, right, low, high = whole(p)
     corner, span = np.array([left, low]) / unit, np.array([right - left, high - low]) / unit
     seeds = corner + span * _sequence(_count(p, periods, corner, span))
-    z, found = seeds, []
+    return reached(p, periods, seeds * unit)
+
+
+def reached(p: Parameters, periods: int, seeds: Floats, longest: float = LONGEST) -> Floats:
+    """Return the distinct states (N, 2) that Newton's method for Φⁿ reaches from seeds (M, 2).
+
+    No step is longer than ``longest``, in units of R and Rω.  Orbits that leave the walls, or are
+    lost, are given up.
+    """
+    unit = np.array([float(p.R), float(p.R * p.omega)])
+    left, right, *_ = whole(p)
+    z, found = seeds / unit, [np.empty((0, 2))]
     for _ in range(STEPS):
         step = _step(p, periods, z, unit)
         size = np.abs(step).max(axis=1)
         found.append(z[size < CLOSE])
         keep = (size >= CLOSE) & (size < 1e6)
         z, step, size = z[keep], step[keep], size[keep]
-        z = z + step * np.minimum(1, LONGEST / size)[:, None]
+        z = z + step * np.minimum(1, longest / size)[:, None]
         z = z[(z[:, 0] >= left / unit[0]) & (z[:, 0] <= right / unit[0])]
     return np.asarray(_distinct(np.concatenate(found)) * unit)
 

@@ -76,8 +76,8 @@ def plane(  # noqa: PLR0913 (the options of the command)
 ) -> Plane:
     """Return a map over two parameters ``axes`` from and to given values.
 
-    ``what``: orbits with one hit of each wall per period that never turn; or the attractor of most
-    seeds all over the plane.
+    ``what``: the (1,1) orbits, whose velocity never vanishes, with one hit of each wall per period;
+    or the attractor of most seeds all over the plane.
     """
     work = work or Work()
     a, b = axes

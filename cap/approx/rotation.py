@@ -89,7 +89,7 @@ def rotation(  # noqa: PLR0913 (the options of the command)
     centre = island(p, orbit)
     if centre is None:
         raise BadInput("no elliptic fixed point was found: give a state near one with --orbit")
-    turn, frame = _linear(p, centre)
+    turn, frame = linear(p, centre)
     if near < LEAST:
         raise BadInput(f"--near must be at least {LEAST:g}: nearer, all is rounding")
     half = max(4, orbits // 2)
@@ -128,7 +128,7 @@ def rotation(  # noqa: PLR0913 (the options of the command)
     )
 
 
-def _linear(p: Parameters, centre: State) -> tuple[float, Floats]:
+def linear(p: Parameters, centre: State) -> tuple[float, Floats]:
     """Return the rotation number at the fixed point and a frame of area 1 in which Φ' is a turn."""
     m = np.array(cycles.Search(p, 1).path(centre).monodromy)
     cosine = np.trace(m) / 2

@@ -1,4 +1,4 @@
-"""The (1,1) orbits in closed form: T-periodic, never at rest, one hit of each wall in a period.
+"""The (1,1) orbits in closed form: T-periodic, of no zero velocity, one hit of each wall a period.
 
 *Units.*  Time 1/omega, speed F/omega, length F/omega^2; alpha = f/F and rho = R omega^2/F remain.
 The speed u = |v| is continuous through elastic hits, and between them

@@ -232,7 +232,8 @@ def draw(data: Branches, figure: FigureBase) -> None:
     known = dict(zip(words + labels, more + handles, strict=True))
     figure.legend(known.values(), known.keys(), loc="outside lower center", ncols=4)
     given = parameters(PAPER, but=("f",))
-    figure.suptitle(f"Orbits with one hit of each wall over $f$\n{given}", fontsize=10)
+    heading = "Orbits over $f$ that never turn, with one hit of each wall"
+    figure.suptitle(f"{heading}\n{given}", fontsize=10)
 
 
 def _positions(axes: Axes, data: Branches) -> None:

@@ -1,5 +1,6 @@
 """Theorems that the tables ask for: proved when they are asked for, not read from files."""
 
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
@@ -14,9 +15,17 @@ DIGITS = 25
 
 
 @cache
-def theorem(kind: str, orbit: tuple[float, float], F: str = "1") -> dict[str, Any]:
+def theorem(
+    kind: str,
+    orbit: tuple[float, float],
+    F: str = "1",
+    f: str = "2/5",
+    R: str = "2",
+    digits: int = DIGITS,
+) -> dict[str, Any]:
     """Return the claims of a theorem on the orbit near a state; the checker accepts them."""
-    return _claims(kind, at(F=F), orbit)
+    half = Fraction(R) / 2
+    return _claims(kind, at(F=F, f=f, l=str(-half), r=str(half)), orbit, digits)
 
 
 @cache
@@ -31,12 +40,14 @@ def symmetric() -> dict[str, Any]:
     return _claims("symmetric", PAPER, None)
 
 
-def _claims(kind: str, p: Parameters, orbit: tuple[float, float] | None) -> dict[str, Any]:
+def _claims(
+    kind: str, p: Parameters, orbit: tuple[float, float] | None, digits: int = DIGITS
+) -> dict[str, Any]:
     proof = theorems.THEOREMS[kind]
     if orbit is None:
         start = candidates.closed_form(Request(kind, p)).candidates[0].start
     else:
         start = proof.search(Request(kind, p, orbit)).candidates[0].start
-    found = theorems.accepted(proof, Setting(p, start, DIGITS))
+    found = theorems.accepted(proof, Setting(p, start, digits))
     claims: dict[str, Any] = found["claims"]
     return claims

@@ -1,4 +1,4 @@
-"""The orbits with one hit of each wall in closed form, as floats: midpoints of balls.
+"""The (1,1) orbits in closed form, as floats: midpoints of balls.  Their velocity never vanishes.
 
 δ is the asymmetry, α = f/F, ρ = Rω²/F; speeds in units of F/ω: see `cap.impact`.
 """

@@ -1,6 +1,7 @@
-"""fig:continuation: orbits with one hit of each wall over (f, R), from the closed forms.
+"""fig:continuation: the (1,1) orbits over (f, R), from the closed forms.
 
-At F = ω = 1: α = f, ρ = R.  Every orbit of this kind is ``plus``, ``minus`` or one of the ``pair``.
+That is, the T-periodic orbits whose velocity never vanishes, with one hit of each wall per period.
+At F = ω = 1: α = f, ρ = R.  Every one of them is ``plus``, ``minus`` or one of the ``pair``.
 """
 
 import math
@@ -19,18 +20,13 @@ from cap.approx.study import Floats
 from cap.paper.closed_form import pair_curve, symmetric_member
 from cap.paper.comparison import Comparison, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
+from cap.paper.nine_points import FORCES, GAPS, PAPER_KINDS, nine, others
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, GREEN, GREY, PURPLE, RED, parameters
 from proofs.census import census
 
-FORCES, GAPS = ("0.15", "0.35", "0.55"), ("1", "2", "3")
 BOX = 0.01, 0.65, 0.2, 4.5
 SIDE = 220
-PAPER_KINDS = {  # (f, R): what the paper's Newton search found
-    ("0.15", "1"): "none", ("0.35", "1"): "none", ("0.55", "1"): "saddle",
-    ("0.15", "2"): "none", ("0.35", "2"): "elliptic", ("0.55", "2"): "elliptic",
-    ("0.15", "3"): "elliptic", ("0.35", "3"): "elliptic", ("0.55", "3"): "elliptic",
-}  # fmt: skip
 NAMES = ("plus", "minus", "pair")
 CLASSES = (  # which orbits there are: e elliptic, s saddle, - none; of plus, minus, pair
     "---", "s--", "-s-", "e--", "es-", "ss-", "sse", "sss", "s-e", "s-s", "--e", "--s",
@@ -98,45 +94,8 @@ def compute(run: Run) -> Result:
         for R in GAPS
     }
     found = mapped(run.size(SIDE, 24), run)
-    rows = [*_nine(points), *_formulas(points), *_shading(found), *_limits()]
+    rows = [*nine(points), *others(), *_formulas(points), *_shading(found), *_limits()]
     return Result(tuple(rows), Sampled(found, points))
-
-
-def _words(members: dict[str, str]) -> str:
-    """Return the orbits of a point in words."""
-    kinds = [f"{kind} pair" if name == "pair" else kind for name, kind in members.items()]
-    return ", ".join(kinds) or "none"
-
-
-def _nine(points: dict[tuple[str, str], dict[str, str]]) -> list[Comparison]:
-    """Compare the nine points."""
-    rows = []
-    for (f, R), found in PAPER_KINDS.items():
-        members = points[f, R]
-        kinds = set(members.values())
-        has = "elliptic" if "elliptic" in kinds else "saddle" if "saddle" in kinds else "none"
-        missed = sorted(kinds - {found})
-        said = {"none": "none", "elliptic": "elliptic only", "saddle": "saddle only"}[found]
-        reason = f"missed by the four seeds: {', '.join(missed)}" if missed else ""
-        rows.append(
-            claim(f"orbits at f = {f}, R = {R}", said, f"{_words(members)} (proved)",
-                  has == found and not missed, reason)
-        )  # fmt: skip
-    elliptic = sum("elliptic" in each.values() for each in points.values())
-    only = sum(set(each.values()) == {"saddle"} for each in points.values())
-    none = sum(not each for each in points.values())
-    both = sum(set(each.values()) == {"saddle", "elliptic"} for each in points.values())
-    why = "saddles were missed at {} points"
-    return [
-        *rows,
-        count("points with an elliptic orbit", 5, elliptic),
-        count("points with an elliptic orbit only", 5, elliptic - both, why.format(both)),
-        count("points with a saddle only", 1, only, "at f = 0.15, R = 2 two saddles were missed"),
-        count("points without orbits", 3, none, "at f = 0.15, R = 2 there are two saddles"),
-        claim("elliptic orbit at (0.55, 1)", "exists, missed by the seeds: a false negative",
-              f"none (proved): {_words(points['0.55', '1'])}",
-              "elliptic" in points["0.55", "1"].values(), "nothing was missed there"),
-    ]  # fmt: skip
 
 
 def _sc(R: float) -> float:
@@ -159,7 +118,7 @@ def _formulas(points: dict[tuple[str, str], dict[str, str]]) -> list[Comparison]
         count("of (0.15, 1), (0.35, 1), (0.15, 2): below f_sc(R)", 3, len(below), at_1),
         claim("(0.55, 1)", "in the purple region, f_sc > 0",
               f"f_sc(1) = {_sc(1):.3f}", _sc(1) > 0, "by the caption it is in the blue region"),
-        claim("elliptic orbits exist above f_sc(R), not below", "at all points",
+        claim("elliptic (1,1) orbits exist above f_sc(R), not below", "at all points",
               f"at {len(predicted)} of 9", len(predicted) == 9,
               "no curve f_sc(R) separates anything: no root of its equation is an orbit (theorem "
               "`symmetric`)"),
@@ -170,7 +129,7 @@ def _formulas(points: dict[tuple[str, str], dict[str, str]]) -> list[Comparison]
 
 
 def _shading(found: Map) -> list[Comparison]:
-    """Compare the paper's shading with the truth, over the grid."""
+    """Compare the paper's shading with the (1,1) orbits that there are, over the grid."""
     f, R = np.meshgrid(found.f, found.R)
     sc = 4 * (2 + R - np.pi) / np.pi**2
     inside = f < 2 / math.pi
@@ -182,15 +141,16 @@ def _shading(found: Map) -> list[Comparison]:
     def share(region: NDArray[np.bool_], truth: Any, words: str) -> Comparison:
         name, says = words.split(": ")
         part = int((region & truth).sum())
-        return claim(f"{name} region", says, f"true on {percent(part, int(region.sum()))} of it",
+        return claim(f"{name} region, of (1,1) orbits", says,
+                     f"true on {percent(part, int(region.sum()))} of it",
                      part == int(region.sum()), why)  # fmt: skip
 
     return [
         share(blue, elliptic & ~saddle, "blue: elliptic orbit only"),
         share(purple, elliptic & saddle, "purple: elliptic and saddle orbits"),
         share(white, ~elliptic & ~saddle, "white: no orbit (of the symmetric branch)"),
-        claim("orbits for f > 2F/pi", "none", "none", not found.exists[:, f > 2 / math.pi].any(),
-              "the formulas give some"),
+        claim("(1,1) orbits for f > 2F/pi", "none", "none",
+              not found.exists[:, f > 2 / math.pi].any(), "the formulas give some"),
     ]  # fmt: skip
 
 
@@ -223,7 +183,7 @@ def _least_gap(R: float) -> float:
 
 
 LABELS = {
-    "---": "none", "s--": "saddle (+)", "-s-": "saddle (−)", "e--": "elliptic (+)",
+    "---": "none of them", "s--": "saddle (+)", "-s-": "saddle (−)", "e--": "elliptic (+)",
     "es-": "elliptic (+), saddle (−)", "ss-": "2 saddles", "sse": "2 saddles, elliptic pair",
     "sss": "2 saddles, saddle pair", "s-e": "saddle (+), elliptic pair",
     "s-s": "saddle (+), saddle pair", "--e": "elliptic pair", "--s": "saddle pair",
@@ -243,7 +203,8 @@ def draw(data: Sampled, figure: FigureBase) -> None:
     handles = [*patches, *axes.get_legend_handles_labels()[0]]
     figure.legend(handles=handles, loc="outside right center", handlelength=1.6)
     given = parameters(PAPER, but=("f", "R"))
-    figure.suptitle(f"Orbits that hit each wall once and never turn\n{given}", fontsize=10)
+    heading = "Orbits that never turn or stick, with one hit of each wall"
+    figure.suptitle(f"{heading}\n{given}", fontsize=10)
 
 
 def _regions(axes: Axes, found: Map) -> list[Patch]:
@@ -304,5 +265,8 @@ def _markers(axes: Axes) -> None:
 
 
 FIGURE = Figure(
-    "map of the orbits with one hit of each wall over (f, R)", compute, draw, (8.2, 5.2)
+    "(1,1) orbits (velocity never zero, one hit of each wall) over (f, R)",
+    compute,
+    draw,
+    (8.2, 5.2),
 )

@@ -1,7 +1,9 @@
 """fig:hist-cont: how many T-periodic orbits there are over F."""
 
 import math
+from collections import Counter
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from matplotlib.figure import FigureBase
@@ -17,6 +19,7 @@ from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER, Parameters
 from cap.pictures.diagrams import TYPE_COLOURS
 from cap.pictures.style import BLACK, ORANGE, RED, parameters
+from proofs.census import census
 
 FORCES = ("0.65", "0.85", "1", "1.5", "2", "2.5", "3", "3.5", "4.5")
 QUICK = ("0.65", "0.85", "1.5")
@@ -26,7 +29,8 @@ SAME = 0.025  # the paper's, in each coordinate
 SLOWEST, DETERMINANTS = 0.05, (0.1, 5.0)  # of what the paper keeps
 SEEDS = 3  # per side: the paper does not say how many; these come nearest to its counts
 FOLD = 0.887
-FOCUS = 0.4064, -0.6708
+SAME_F = 1e-5
+NEIGHBOURS = 0.75  # how far on either side of its F a sink is followed
 
 
 @dataclass(frozen=True)
@@ -155,32 +159,58 @@ def _words(data: Counted, run: Run) -> list[Comparison]:
         number("F_sc at f = 0.4", "0.887", fold, note="the formula; no orbit folds there"),
         number("F_imp = pi f/2", "0.628", math.pi * f / 2),
         claim("F = 0.65 and 0.85: orbits found below F_sc", "multiple turnings per period",
-              "one hit of each wall, no turn: the (1,1) orbits" if free else "with turns", not free,
+              "velocity never zero, one hit of each wall: (1,1) orbits" if free else "with turns",
+              not free,
               "they are the orbits of the elliptic branch, to which no F_sc applies"),
         claim("most orbits have determinants", "in [0.5, 0.6]",
               f"{within} of {len(dets)}", 2 * within > len(dets),
               "orbits with sticks have 0, orbits that never turn 1, others anything below 1"),
         claim("orbits proliferate", "above F = 1.3",
               f"more than 2 at F = {', '.join(many)}", all(float(F) > 1.3 for F in many),
-              "at F = 1 there are four: two elliptic, two saddles (proved)"),
+              orbits_at_1()),
         _flips(mine, run),
     ]  # fmt: skip
 
 
+def orbits_at_1() -> str:
+    """Count the orbits at F = 1 of which none is missing: those whose velocity never vanishes."""
+    number = Counter[str]()
+    for member in census(PAPER.f / PAPER.F, PAPER.R * PAPER.omega**2 / PAPER.F):
+        number[member.kind] += 2 if member.name == "pair" else 1
+    kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(number.items()))
+    return (
+        f"at F = 1 there are {number.total()} (1,1) orbits, whose velocity never vanishes: {kinds} "
+        "(proved); orbits that turn or stick may be more"
+    )
+
+
 def _flips(mine: dict[str, tuple[Cycle, ...]], run: Run) -> Comparison:
-    """Look for period doublings: flip saddles, and where the focus at F = 3 becomes one."""
+    """Look for period doublings: flip saddles, and where the sinks found become such."""
     flips = [F for F, found in mine.items()
              if any(c.kind(conserves=True) == "flip saddle" for c in found)]  # fmt: skip
-    where = ""
-    if not run.quick:
-        study = continuation(at(F="3"), orbit=FOCUS, parameter="F", range=(2.9, 3.6), branches=2)
-        found = {f"{each.label} at F = {each.value:.6f}" for each in study.special}
-        where = "; along the focus at F = 3: " + ", ".join(sorted(found, reverse=True))
+    sinks = [(F, c) for F, found in mine.items() for c in found if "sink" in c.kind(conserves=True)]
+    where = ", ".join(f"{value:.6f}" for value in doublings(sinks, run))
     return claim(
         "period doublings in the range", "none observed, tr != -2",
-        f"flip saddles at F = {', '.join(flips)}{where}", not flips,
+        f"flip saddles at F = {', '.join(flips)}; along the sinks found the period doubles at "
+        f"F = {where}", not flips,
         "a multiplier -1 of a map with det < 1 has trace -1 - det, not -2",
     )  # fmt: skip
+
+
+def doublings(sinks: list[tuple[str, Cycle]], run: Run) -> list[float]:
+    """Return the F, ascending, at which the period of a sink, or of the pair that it breaks into,
+    doubles; mirror images do so at the same F."""
+
+    def follow(sink: tuple[str, Cycle]) -> list[float]:
+        F, cycle = sink
+        ends = float(F) - NEIGHBOURS, float(F) + NEIGHBOURS
+        study = continuation(at(F=F), orbit=(cycle.x, cycle.v), parameter="F", range=ends,
+                             points=run.size(200, 20), branches=2)  # fmt: skip
+        return [each.value for each in study.special if each.label == "flip" and each.period == 1]
+
+    found = sorted(value for values in run.work.map(follow, sinks, "flips") for value in values)
+    return [b for a, b in pairwise([-math.inf, *found]) if b - a > SAME_F]
 
 
 def draw(data: Counted, figure: FigureBase) -> None:

@@ -1,6 +1,5 @@
 """fig:KAM: the stroboscopic portrait around the elliptic orbit, and its island chains."""
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -9,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
+from cap.approx.chains import Chain, chains
 from cap.approx.portrait import Portrait, portrait
 from cap.approx.rotation import SHAKY, Rotation, rotation
 from cap.errors import BadInput
@@ -16,18 +16,32 @@ from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, percent, proved
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
-from cap.pictures.style import BLUE, GREY, ORANGE, SKY, parameters, star, stroboscopic
+from cap.pictures.style import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    parameters,
+    star,
+    stroboscopic,
+)
 
 RADIUS, PERIODS = 0.05, 300
-LARGEST = 30  # denominator of the chains that are named
+LARGEST = 29  # denominator of the chains that are looked for
+SEEDS = 1000  # of this search: states of orbits that never turn
+MARKS = (("o", RED), ("s", GREEN), ("^", PURPLE), ("D", ORANGE), ("v", "#000000"))  # of chains
 
 
 @dataclass(frozen=True)
 class Island:
-    """The portrait and the rotation numbers."""
+    """The portrait, the rotation numbers on a ray, and the chains found."""
 
     portrait: Portrait
     rotation: Rotation
+    chains: tuple[Chain, ...]
 
 
 def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
@@ -44,25 +58,25 @@ def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
 
 
 def compute(run: Run) -> Result:
-    """Follow orbits from a disk as in the paper, and measure rotation numbers on a ray."""
+    """Follow orbits from a disk as in the paper, measure rotation numbers, search for chains."""
     seen = portrait(PAPER, radius=RADIUS / float(PAPER.R), orbits=run.size(400, 60),
                     periods=PERIODS, work=run.work)  # fmt: skip
     turns = rotation(PAPER, radius=0.024, orbits=run.size(300, 40), periods=run.size(3000, 400),
                      work=run.work)  # fmt: skip
     if seen.centre is None:
         raise BadInput("the elliptic orbit was not found")
-    return Result((*_curves(turns), *_layer(seen)), Island(seen, turns))
+    regular = seen.states[~seen.turned].reshape(-1, 2)
+    found = chains(PAPER, seen.centre, regular[:: -(-len(regular) // SEEDS)], LARGEST)
+    rows = [*_curves(turns), *_chains(found), *_layer(seen)]
+    return Result(tuple(rows), Island(seen, turns, tuple(found)))
 
 
 def _curves(turns: Rotation) -> list[Comparison]:
-    """Compare the rotation numbers on curves and the chains between them."""
+    """Compare the rotation numbers on the curves that a ray meets."""
     own = theorem("elliptic", (0.1003, 0.5419))
     good = turns.quality < SHAKY
     low, high = float(turns.rotation[good].min()), float(turns.rotation[good].max())
-    chains = [f for q in range(2, LARGEST) for p in range(1, q)
-              if math.gcd(p, q) == 1 and low < (f := Fraction(p, q)) < high]  # fmt: skip
     known = list(convergents(Fraction(own["rotation_number"][0]), 4))
-    names = ", ".join(map(str, chains)) or "none"
     tight = ", ".join(map(str, known))
     steps = np.diff(turns.rotation[good & (turns.distance > 0.006)])
     return [
@@ -71,16 +85,23 @@ def _curves(turns: Rotation) -> list[Comparison]:
               f"falls from {high:.7f} to {low:.4f} (a maximum at P_*: tau_1 is nearly 0)",
               bool((steps < 1e-4).all()), "",
               note="on the curves; nearly constant up to a distance of 0.01"),
-        claim("chain of period five", "most visible", f"none: no k/5 in ({low:.4f}, {high:.4f})",
-              any(f.denominator == 5 for f in chains),
-              f"chains up to q = {LARGEST - 1} are those of {names}"),
-        claim("chain of period seven", "most visible", "2/7" if Fraction(2, 7) in chains else names,
-              any(f.denominator == 7 for f in chains), f"chains are those of {names}",
-              note=f"chains with q < {LARGEST}: {names}"),
         claim("5 and 7 are denominators of convergents", "both",
               f"convergents {tight}", {5, 7} <= {f.denominator for f in known},
               "7 is, 5 is not"),
     ]  # fmt: skip
+
+
+def _chains(found: list[Chain]) -> list[Comparison]:
+    """Compare the chains: elliptic orbits of period qT that never turn."""
+    names = ", ".join(str(chain.number) for chain in found) or "none"
+    said = f"chains found with q <= {LARGEST}: {names}"
+
+    def chain(q: int, word: str) -> Comparison:
+        own = [str(each.number) for each in found if each.number.denominator == q]
+        return claim(f"chain of period {word}", "most visible", ", ".join(own) or "none found",
+                     bool(own), said, note=said)  # fmt: skip
+
+    return [chain(5, "five"), chain(7, "seven")]
 
 
 def _layer(seen: Portrait) -> list[Comparison]:
@@ -103,6 +124,9 @@ def draw(data: Island, figure: FigureBase) -> None:
         own = study.states[chosen].reshape(-1, 2)
         axes[0].scatter(*own.T, s=0.9, c=colour, lw=0, rasterized=True)
     star(axes[0], data.portrait.centre)
+    for chain, (marker, colour) in zip(data.chains, MARKS, strict=False):
+        axes[0].plot(*chain.states.T, marker, ms=3.5, mfc="white", mec=colour, mew=0.9, ls="none",
+                     label=f"chain {chain.number}")  # fmt: skip
     x, v = data.portrait.centre or (0.0, 0.0)
     axes[0].set_xlim(x - 0.085, x + 0.085)
     axes[0].set_ylim(v - 0.05, v + 0.075)
@@ -110,26 +134,25 @@ def draw(data: Island, figure: FigureBase) -> None:
     axes[0].plot([], [], ".", color=BLUE, label="never turns")
     axes[0].plot([], [], ".", color=GREY, label="turns or sticks")
     axes[0].legend(loc="upper left", handlelength=1.0)
-    _staircase(axes[1], data.rotation)
+    _staircase(axes[1], data)
     figure.suptitle(
         f"Portrait around $P_*$, {PERIODS} periods, and its rotation numbers\n{parameters(PAPER)}",
         fontsize=10,
     )
 
 
-def _staircase(axes: Axes, turns: Rotation) -> None:
-
+def _staircase(axes: Axes, data: Island) -> None:
+    """Draw the rotation numbers on the ray, and those of the chains, also of such as it misses."""
+    turns = data.rotation
     good = turns.quality < SHAKY
     axes.plot(turns.distance[~good], turns.rotation[~good], ".", ms=3, color=ORANGE,
               label="on no curve, or in a chain")  # fmt: skip
     axes.plot(turns.distance[good], turns.rotation[good], ".", ms=3, color=BLUE, label="on a curve")
-    low, high = np.nanmin(turns.rotation), np.nanmax(turns.rotation)
-    for q in range(2, LARGEST):
-        for p in range(1, q):
-            if math.gcd(p, q) == 1 and low <= p / q <= high:
-                axes.axhline(p / q, color=GREY, ls=":", lw=0.8)
-                axes.annotate(f"{p}/{q}", (0.001, p / q), xytext=(0, 2), fontsize=8,
-                              textcoords="offset points", color="#555555")  # fmt: skip
+    for chain in data.chains:
+        level = float(chain.number)
+        axes.axhline(level, color=GREY, ls=":", lw=0.8)
+        axes.annotate(f"chain {chain.number}", (0.001, level), xytext=(0, 2), fontsize=8,
+                      textcoords="offset points", color="#555555")  # fmt: skip
     axes.set_xlabel("distance from $P_*$ along $x$  [length]")
     axes.set_ylabel(r"rotation number $\Theta/2\pi$")
     axes.legend(loc="center left", bbox_to_anchor=(0.0, 0.62))

@@ -60,7 +60,7 @@ def _place(own: dict[str, Any]) -> list[Comparison]:
               f"none: least speed {own['least_speed'][0][:10]} (proved)",
               Fraction(own["least_speed"][0]) > 0),
         claim("non-sticking fixed points", "unique",
-              f"{orbits} with one hit of each wall (proved)", orbits == 1,
+              f"{orbits} with one hit of each wall per period (proved)", orbits == 1,
               "the seeds of the paper's scan led to one of them"),
         number("f_imp = 2F/pi", "0.6366197724", 2 / math.pi),
         number("f_sc = 4 (2F + R omega^2 - F pi)/pi^2", "0.34790", sc,

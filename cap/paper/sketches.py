@@ -201,7 +201,7 @@ def decomposition(run: Run) -> Result:
         claim("elliptic points in Omega_NS", "one, P_*", f"{len(points['elliptic'])}",
               len(points["elliptic"]) == 1, "P_* and its mirror image (both proved)"),
         claim("saddles beside the island", "one, S_*", f"{len(points['saddle'])}",
-              len(points["saddle"]) == 1, "two with one hit of each wall (both proved)"),
+              len(points["saddle"]) == 1, "two that hit each wall once (proved); perhaps more"),
         claim("Omega_dissip", "at least one zero of the velocity per period",
               f"of the states that turn, {percent(late, turned)} do so only after the first period",
               late == 0,

@@ -115,14 +115,13 @@ def plane(study: Plane, figure: FigureBase) -> None:
     figure.legend(handles=handles, loc="outside lower center", ncols=4, handlelength=1.0)
     axes.set_xlabel(f"${SYMBOLS[study.parameter_1]}$")
     axes.set_ylabel(f"${SYMBOLS[study.parameter_2]}$")
-    what = (
-        "Orbits that hit each wall once and never turn" if study.what == "orbits" else "Attractors"
-    )
+    orbits = "Orbits that hit each wall once and never turn or stick"
+    what = orbits if study.what == "orbits" else "Attractors"
     _title(figure, study, what, (study.parameter_1, study.parameter_2))
 
 
 def _border(axes: Axes, study: Plane) -> None:
-    """Draw f = 2F/π, above which no orbit hits each wall once and never turns."""
+    """Draw f = 2F/π, above which no orbit hits each wall once and never turns or sticks."""
     names, p = (study.parameter_1, study.parameter_2), study.parameters
     if study.what != "orbits" or "f" not in names:
         return
