@@ -172,7 +172,9 @@ for k, (x, v) in enumerate(states):
 # Above are the fixed points, below the traces of Φ' at them; full lines are elliptic orbits and
 # sinks, broken lines the others. The blue pair, to which P\* belongs, begins at the diamond, a
 # pitchfork of the red orbit, which is its own mirror image; at the left the pair loses its
-# stability in a flip (a multiplier is -1), and at the right the red orbit has a fold.
+# stability in a flip (a multiplier is -1), and at the right the red orbit has a fold. From one of the
+# flips begins a branch of orbits of period 2T, in green: the period doubles.  Those orbits are stable
+# until they flip, too.
 #
 # The pentagons are borders where the events of the orbit change, and Φ is not smooth. At the one
 # near f = 0.348 the trace jumps: the least speed of the orbit vanishes there, and to its left the
@@ -219,6 +221,8 @@ for k, (x, v) in enumerate(states):
 # - `trace` lies between -2 and 2: P\* is elliptic.
 # - No resonance of order at most four: the distances of the rotation number to 0, 1/4, 1/3 and 1/2
 #   are positive.
+# - `Theta` is the angle by which Φ turns at P\*, positive from x to v; the rotation number is its
+#   size over 2π.  `tau_1` says how the angle grows with the distance, counted with the same sign.
 # - `tau_1` is not zero: the twist condition of Moser's theorem.
 # - What follows from a theorem in the literature is *cited*, with each hypothesis and the numbers
 #   that discharge it.

@@ -20,7 +20,7 @@ l + r - x(t).
  (iv)  k = 4 for S = 2ρ/(π² - 4), if ρ < (π² - 4)/2: σ' has the double multiplier -1 there, and if
        the least speed is positive (ρ > 0.70407) asymmetric orbits branch off (theorem pitchfork).
        k = 2 for S = ρ/(π² - 2), if ρ < π² - 2: σ' has the multipliers ±i, and Φ' = -1.
- (v)   The equation eq:theta-eq of the paper has no root, or two, θ and π - θ, or the one π/2.  No
+ (v)   In (0, π) the equation eq:theta-eq of the paper has no root, or θ and π - θ, or π/2.  No
        root is a solution of the system.
 
 Proof of (i) to (iv): `cap.impact`, derived in `proofs.one_one`; the trace of an area preserving

@@ -17,7 +17,7 @@ lies in X, it contains the only root in X [Moore].  At a root the paper's formul
 
     v(T/2-) = -(F/omega) sin theta - (f/omega)(pi - theta) < 0    for every theta in (0, pi),
 
-while its ansatz needs v > 0 on (tau, T/2): no root belongs to a solution.
+while its ansatz needs v > 0 on (tau, T/2): no root in (0, pi) belongs to a solution.
 """
 
 from __future__ import annotations
