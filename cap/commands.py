@@ -98,7 +98,8 @@ COMMANDS = {
         "trajectory:trajectory",
         "times:orbit",
         "--F 3 --orbit 0.4 -0.67 --periods 2 --out orbit.pdf",
-        "Hits, turns, sticks, releases and captures are marked; the list printed has their times.",
+        "Hits, turns, sticks, releases and captures are marked; the list printed has their times.\n"
+        "Before a capture it has the hits that are seen in floats, of infinitely many.",
         (
             Option(
                 "orbit", option.numbers, "the state at t = 0, or near a fixed point", ("X", "V"), 2
@@ -232,7 +233,7 @@ COMMANDS = {
         "--parameter F --values 0.85 1 1.5 2 3 --prove --out inventory.pdf",
         "There may be more: nothing is proved by a search.  With --prove each orbit goes to the\n"
         "prover (theorem `periodic`) and its certificate to the independent checker; exit status\n"
-        "1 if one is not proved.",
+        "1 if one is not proved.  A capture stands for infinitely many hits of a wall.",
         (
             PARAMETER,
             VALUES,

@@ -100,7 +100,7 @@ def _counts(data: Counted) -> list[Comparison]:
             claim(f"F = {F}: elliptic + saddle, grid-Newton", f"{elliptic} + {saddle}",
                   f"{rough[0]} + {rough[1]} ({SEEDS} x {SEEDS} seeds)", rough == (elliptic, saddle),
                   "the seeds and the damping are not said; Newton's method leads elsewhere"),
-            claim(f"F = {F}: all orbits, elliptic + saddle", f"{elliptic} + {saddle}",
+            claim(f"F = {F}: all orbits found, elliptic + saddle", f"{elliptic} + {saddle}",
                   f"{full[0]} + {full[1]}", full == (elliptic, saddle),
                   "missed by the seeds: " + _missed(mine[F][1], mine[F][0])),
         ]  # fmt: skip

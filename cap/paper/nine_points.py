@@ -52,7 +52,7 @@ def nine(points: dict[tuple[str, str], dict[str, str]]) -> list[Comparison]:
         count("of these, points without a saddle", 5, elliptic - both, why.format(both)),
         count("points where all (1,1) orbits are saddles", 1, only,
               "at f = 0.15, R = 2 two saddles were missed"),
-        count("points without (1,1) orbits", 3, none, "at f = 0.15, R = 2 there are two saddles"),
+        count("points without (1,1) orbits", 3, none, "at f = 0.15, R = 2 two are saddles"),
         claim("elliptic (1,1) orbit at (0.55, 1)", "exists, missed by the seeds: a false negative",
               f"none (proved): {_words(points['0.55', '1'])}",
               "elliptic" in points["0.55", "1"].values(), "nothing was missed there"),
