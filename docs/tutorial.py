@@ -172,9 +172,9 @@ for k, (x, v) in enumerate(states):
 # Above are the fixed points, below the traces of Φ' at them; full lines are elliptic orbits and
 # sinks, broken lines the others. The blue pair, to which P\* belongs, begins at the diamond, a
 # pitchfork of the red orbit, which is its own mirror image; at the left the pair loses its
-# stability in a flip (a multiplier is -1), and at the right the red orbit has a fold. From one of the
-# flips begins a branch of orbits of period 2T, in green: the period doubles.  Those orbits are stable
-# until they flip, too.
+# stability in a flip (a multiplier is -1), and at the right the red orbit has a fold. From one of
+# the flips begins a branch of orbits of period 2T, in green: the period doubles.  Those orbits are
+# stable until they flip, too.
 #
 # The pentagons are borders where the events of the orbit change, and Φ is not smooth. At the one
 # near f = 0.348 the trace jumps: the least speed of the orbit vanishes there, and to its left the
