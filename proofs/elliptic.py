@@ -9,7 +9,9 @@ below succeed, then
        non-sticking, with the same sequence of transverse wall hits, so Φ is analytic and preserves
        area there;
  (ii)  P* is elliptic, with enclosed multipliers e^{±iΘ}, and without resonance of order <= 4;
- (iii) its first Birkhoff coefficient τ_1 is enclosed and is not zero;
+ (iii) in a complex coordinate z with dx∧dv = (i/2) dz∧dz̄ at P*, so that angles from x to v are
+       positive, Φ(z) = z exp(i(Θ + τ_1|z|²)) + O(|z|⁴), with the signed angle Θ in (-π, π) and
+       the first Birkhoff coefficient τ_1 enclosed; τ_1 is not zero;
  (iv)  hence, by Moser's twist theorem, every neighbourhood of P* contains closed curves around P*,
        invariant under Φ, on which Φ is conjugate to a rotation; they have density one at P*,
        which is stable.

@@ -6,7 +6,8 @@ be given at rational parameters, and let an nT-periodic orbit be guessed, with i
 turnings, sticks, captures, releases.  If the lemmas below succeed, then
 
  (i)   Φⁿ has exactly one fixed point P* in an explicit box; all orbits from the box have the same
-       events, so Φⁿ is analytic there;
+       events, a capture counted as one that stands for infinitely many hits and turns; Φⁿ is
+       analytic there;
  (ii)  det (Φⁿ)'(P*) is e² for each hit, times exp(-μnT), times (|F cos ωt| - f)/(|F cos ωt| + f)
        for each turning, and 0 if there is a stick or a capture;
  (iii) the multipliers, and with them the type of P*, are as claimed: elliptic, sink, superstable,
