@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from fractions import Fraction
 from pathlib import Path
 
@@ -24,13 +25,16 @@ from cap.checker.reading import enclosure
 from cap.checker.rejection import Rejected
 from cap.checker.statement import words
 from cap.checker.theorem import check
+from cap.commands import COMMANDS
+from cap.paper.registry import LABELS, figure
 from cap.parameters import Parameters
 from proofs.census import census
 from proofs.fixed_point import Setting
 from proofs.theorems import THEOREMS, accepted
 
 WITHOUT_ROOTS = PAPER | {"f": "3/10"}
-STORED = Path(__file__).parent.parent / "certificates"
+ROOT = Path(__file__).parent.parent
+STORED = ROOT / "certificates"
 
 
 def stored(name):
@@ -211,6 +215,19 @@ def test_other_orbits_have_one_hit_of_each_wall(name, f, R, stops):
     assert kinds.count("turn") + kinds.count("stick") == stops
     for member in census(p.f, p.R):
         assert abs(float(member.trace) - float(claims["trace"][0])) > 1
+
+
+def test_one_hit_of_each_wall_is_never_all_that_is_said():
+    """Where orbits are named by it, pages, summaries and titles say whether they turn."""
+    pages = [ROOT / "README.md", ROOT / "docs/tutorial.md", STORED / "FORMAT.md"]
+    texts = [text for page in pages for text in page.read_text(encoding="utf-8").split("\n\n")]
+    texts += [theorem.summary for theorem in THEOREMS.values()]
+    texts += [figure(label).title for label in LABELS]
+    texts += [line for command in COMMANDS.values() for line in (command.summary, command.more)]
+    named = [text for text in texts if re.search("one hit of each wall|hits? each wall once", text)]
+    assert len(named) > 6
+    for text in named:
+        assert re.search(r"velocity|\(1,1\)|turn", text), text
 
 
 def test_roots_in_an_interval():
