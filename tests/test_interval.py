@@ -68,6 +68,47 @@ def test_ends_are_exact_and_refuse_what_is_not_finite():
                 function(ball)
 
 
+@pytest.mark.parametrize("exponent", [10**6, 2 * 10**6, 10**9, 10**25, 10**400])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_numbers_too_long_to_write(exponent, sign):
+    """2^±1000000 is a fraction; what is much larger or smaller is refused, in no time."""
+    huge = Ball((3, sign * exponent))
+    for ball in (huge, -huge, Ball((1, 0), (1, sign * exponent))):
+        if exponent == 10**6:
+            assert interval.ends(huge)[0] == 3 * Fraction(2) ** (sign * exponent)
+            continue
+        for function in (interval.ends, interval.midpoint, lambda x: interval.outward(x, 3)):
+            with pytest.raises(NotProved, match="to write"):
+                function(ball)
+    if exponent > 10**6:
+        with pytest.raises(NotProved, match="to write"):
+            interval.rational(huge)
+
+
+@pytest.mark.parametrize("text", ["1e10000000000000000000000000", "-2e-10000000000000000000000000"])
+def test_decimals_too_long_to_write(text):
+    """Exponents that a person can type and no memory holds: neither hang nor crash."""
+    for function in (interval.ends, interval.midpoint):
+        with pytest.raises(NotProved, match="to write"):
+            function(Ball(text))
+    with pytest.raises(ValueError, match="not a decimal"):
+        interval.stated(text)
+
+
+def test_numbers_stated():
+    """What is written by `decimal` or as a fraction is read as it was; nothing else is."""
+    random = seeded(7)
+    for _ in range(rounds(100)):
+        q, decimal = decimal_fraction(random), Fraction(random.randint(-(10**9), 10**9), 10**6)
+        assert interval.stated(str(q)) == q
+        assert interval.stated(interval.exact_decimal(decimal)) == decimal
+    for text in ("", "1e3", "1.", ".5", "+1", " 1", "1/2/3", "1/-2", "nan", "inf", "1_0", "٣"):
+        with pytest.raises(ValueError, match="not a decimal"):
+            interval.stated(text)
+    with pytest.raises(ZeroDivisionError):
+        interval.stated("1/0")
+
+
 def test_symmetric_point_hull_least_intersection():
     """They contain what their docstrings say, for random balls and points in them."""
     random = seeded(1)

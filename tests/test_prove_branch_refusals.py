@@ -129,6 +129,16 @@ def test_the_sign_of_the_twist_on_cells():
     assert branch.examine_twist(rho, Cell(Fraction(6, 5), Fraction(7, 5))) == "?"
 
 
+@pytest.mark.parametrize(
+    "verdict",
+    ["", "1", "1 2 3", "2 1", "-1 1", "0 1", "1/0 2", "nan nan", "1e999999999 1e9999999999", "+"],
+)
+def test_verdicts_of_a_damaged_journal(verdict):
+    """No pair of numbers, none of one sign; exponents that no memory holds."""
+    with pytest.raises(BadInput, match="damaged"):
+        branch._enclosure(verdict)
+
+
 def test_changes_of_sign():
     """Of the twist: cells without sign between different signs only; neighbours are merged."""
     ends = [Fraction(k) for k in range(8)]
