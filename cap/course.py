@@ -138,7 +138,8 @@ class Course(Generic[E]):
         if not speed > 0:
             raise NotProved(f"event {number}", "the hit may not be transverse", {"speed": speed})
         self._fly(flight, moment.t)
-        self.least = interval.least(self.least, speed)
+        after = speed if self.osc.elastic else self.bound(self.osc.e * speed)
+        self.least = interval.least(self.least, after)
         salt = self.osc.saltation(flight.s, velocity, moment.cos)
         self.monodromy = self.osc.hit(self.monodromy, salt)
         self.flight = self.osc.reflect(flight, moment, velocity)
