@@ -11,7 +11,8 @@ by the mean value theorem, so the new set has C' = A C and the errors A Q r + Δ
 The steps end in the middle of flights or rests, where no event is near.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
@@ -22,7 +23,7 @@ from cap.event import BALLS, TAYLOR_MODELS, Expected
 from cap.fixed_point import Itinerary, windows_for
 from cap.flow import follow, oscillator
 from cap.interval import Ball, Box
-from cap.itinerary import itinerary
+from cap.itinerary import Happening, itinerary
 from cap.matrix import Matrix
 from cap.model import Moment, Oscillator
 from cap.parameters import Parameters
@@ -73,7 +74,10 @@ def propagate(p: Parameters, start: State[Ball], end: Ball) -> Image:
             raise NotProved("propagation", "the end may not be after all that comes before", sets)
         expected, until = _plan(p, osc, cloud, end)
         events += cloud.advance(osc, expected, until)
-    return Image(tuple(events), cloud.box(), cloud.monodromy(), cloud.wall)
+    state, (row, other) = cloud.box(), cloud.monodromy()
+    if not all(q.is_finite() for q in (*state, *row, *other)):
+        raise NotProved("propagation", "the set has become too large", {"state": state})
+    return Image(tuple(events), state, (row, other), cloud.wall)
 
 
 def _plan(
@@ -86,9 +90,8 @@ def _plan(
     """
     begin = _periods(osc, cloud.time) * osc.T
     now, last = float((cloud.time - begin).mid()), float((end - begin).mid())
-    x, v = (float(q.mid()) for q in cloud.box())
     horizon = min(last, now + float(osc.T.mid()))
-    events = itinerary(p, x, v, horizon, start=now, wall=cloud.wall).events
+    events = _foreseen(p, osc, cloud, (now, horizon))
     until = end
     if horizon < last:
         knots = [(now + horizon) / 2, *(e.time for e in events), horizon]
@@ -97,6 +100,19 @@ def _plan(
         until = interval.point(begin + middle)
         events = tuple(e for e in events if e.time < middle)
     return tuple(Expected(e.word, interval.point(begin + e.time)) for e in events), until
+
+
+def _foreseen(
+    p: Parameters, osc: Oscillator[Any], cloud: "_Cloud", times: tuple[float, float]
+) -> tuple[Happening, ...]:
+    """Return the events between two times in floats, places being counted from the left wall."""
+    x, v = cloud.box()
+    state, near = (float((x - osc.l).mid()), float(v.mid())), replace(p, l=Fraction(0), r=p.R)
+    try:
+        return itinerary(near, *state, times[1], start=times[0], wall=cloud.wall).events
+    except (ValueError, ArithmeticError) as error:
+        reason = f"floats, which steer, cannot follow the orbit: {error}"
+        raise NotProved("propagation", reason, {"x": x, "v": v}) from None
 
 
 def _periods(osc: Oscillator[Any], time: Ball) -> int:

@@ -1,5 +1,6 @@
-"""Late times: periods are counted in balls, however many there have been."""
+"""Late times and places far away: periods are counted in balls, however many there have been."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -92,3 +93,20 @@ def test_a_thick_time_is_not_its_own_end():
     for end in (time, begin.at.t):
         with pytest.raises(NotProved, match="after all that comes before"):
             propagate(PAPER, begin, end)
+
+
+@pytest.mark.parametrize("name", MIXED)
+def test_an_orbit_and_the_same_one_far_away(name):
+    """Walls at 10^20 and a little more, which floats hold for one: the same events, and times."""
+    p, x, v, start, end = MIXED[name]
+    far = Fraction(10**20) + Fraction(1, 3)
+    away, state = replace(p, l=p.l + far, r=p.r + far), (Fraction(x) + far, Fraction(v))
+    with interval.workprec(BITS):
+        osc, until = oscillator(p), interval.ball(Fraction(end))
+        near = propagate(p, starting(osc, (Fraction(x), Fraction(v)), Fraction(start)), until)
+        image = propagate(away, starting(oscillator(away), state, Fraction(start)), until)
+        assert [e.word for e in image.events] == [e.word for e in near.events]
+        for one, other in zip(image.events, near.events, strict=True):
+            assert one.time.overlaps(other.time)
+        assert image.state[0].overlaps(near.state[0] + interval.ball(far))
+        assert image.state[1].overlaps(near.state[1])

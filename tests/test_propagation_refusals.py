@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 from flows import starting
 
-from cap import interval
+from cap import interval, propagation
 from cap.errors import BadInput, NotProved
 from cap.flow import State, oscillator
 from cap.interval import Ball
@@ -85,6 +85,20 @@ def test_boxes_too_large():
     saddle = [interval.around(Fraction(q), HAIR) for q in ("0.34352606", "0.7753195")]
     after_periods(PAPER, *saddle, 3)
     refused(PAPER, saddle, 50 * oscillator(PAPER).T, "event", "flight", "end", "windows")
+
+
+@pytest.mark.parametrize("bad", [Ball("nan"), Ball("inf"), Ball(0, "inf")], ids=str)
+@pytest.mark.parametrize("name", ["box", "monodromy"])
+def test_sets_that_are_not_finite(monkeypatch, name, bad):
+    """Every number would be in them: that is not told as a result."""
+    one = Ball(1)
+    monkeypatch.setattr(propagation, "_plan", lambda _p, _osc, _cloud, end: ((), end))
+    monkeypatch.setattr(propagation._Cloud, "advance", lambda *_: [])
+    far(PAPER, P_STAR, 1)
+    value = (one, bad) if name == "box" else ((one, one), (bad, one))
+    monkeypatch.setattr(propagation._Cloud, name, lambda _: value)
+    with pytest.raises(NotProved, match="too large"):
+        far(PAPER, P_STAR, 1)
 
 
 def test_beginnings_that_are_undecided():
