@@ -78,7 +78,7 @@ def placed(osc: Oscillator[Any], start: State[E], bound: Callable[[E], Ball]) ->
     if start.wall not in (-1, 0, 1):
         raise BadInput(f"the wall must be 1, -1 or 0: {start.wall!r}")
     if start.wall:
-        if not x.overlaps(osc.wall(start.wall)):
+        if not (x.is_finite() and x.overlaps(osc.wall(start.wall))):
             raise NotProved("start", "the box is not at its wall", {"x": x})
         return start._replace(x=cast(E, osc.wall(start.wall)))
     if not (osc.l < x < osc.r or (v > 0 and osc.l <= x < osc.r) or (v < 0 and osc.l < x <= osc.r)):

@@ -12,7 +12,6 @@ The same code runs over balls (fast, for small boxes) and Taylor models (tight, 
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import ceil, floor
 from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from cap import interval
@@ -170,7 +169,7 @@ def slow_numbers(osc: Oscillator[Any], s: int, start: Ball, end: Ball) -> range:
     first, last = (start - origin) / osc.T, (end - origin) / osc.T
     if not (first.is_finite() and last.is_finite() and first.rad() < 1 and last.rad() < 1):
         raise NotProved("flight", "its time is too uncertain", {"start": start, "end": end})
-    return range(ceil(interval.ends(first)[0]), floor(interval.ends(last)[1]) + 1)
+    return interval.integers(first, last)
 
 
 def next_slow(osc: Oscillator[Any], s: int, since: Ball) -> int:

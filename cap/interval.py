@@ -81,6 +81,19 @@ def rational(x: arb) -> Fraction:
     return Fraction(int(q.p), int(q.q))
 
 
+def integers(first: arb, last: arb) -> range:
+    """Return all integers between a point of ``first`` and one of ``last``, which are finite."""
+    return range(-_floor(-first.lower()), _floor(last.upper()) + 1)
+
+
+def _floor(x: arb) -> int:
+    """Return the largest integer at most the ball of radius zero; see `rational`."""
+    mantissa, exponent = map(int, x.man_exp())
+    if exponent > LARGEST:
+        raise NotProved("evaluation", "a number is too large to count to", {"value": x})
+    return mantissa << exponent if exponent > 0 else mantissa >> -exponent
+
+
 def ends(x: arb) -> tuple[Fraction, Fraction]:
     """Return the exact lower and upper end of a finite ball; see `rational`."""
     if not x.is_finite():

@@ -20,7 +20,7 @@ from cap.flow import State, oscillator
 from cap.propagation import after_periods, propagate
 
 DIGITS = 60  # of the simulator
-MOST = 400  # of its events, for the sake of time
+MOST = 300  # of its events, for the sake of time
 STEP = Fraction(1, 10**25)  # of divided differences
 ERROR = Fraction(1, 10**17)  # of the simulator, relative: it sums the hits before a capture
 
@@ -118,7 +118,7 @@ def checked(case, random):
 def test_random_boxes(kind):
     """Events and their times, the state, the wall at which it rests, the derivative."""
     random, count = seeded(kind), Counter()
-    for _ in range(rounds(6)):
+    for _ in range(rounds(4)):
         one = case(random, kind, 20 if random.random() < 0.1 else 2)
         try:
             count.update(checked(one, random))

@@ -95,6 +95,31 @@ def test_decimals_too_long_to_write(text):
         interval.stated(text)
 
 
+def test_integers_between_balls():
+    """Those that are between some of their points, no others: halves, ends, huge and tiny."""
+    random = seeded(8)
+    for _ in range(rounds(300)):
+        size = Fraction(10) ** random.choice([-20, -1, 0, 1, 5, 15, 40])
+        boxes = [(decimal_fraction(random, size), abs(decimal_fraction(random))) for _ in "ab"]
+        with interval.workprec(random.choice([53, 200])):
+            first, last = (interval.around(*box) for box in boxes)
+            low, high = interval.ends(first)[0], interval.ends(last)[1]
+            found = interval.integers(first, last)
+            slack = Fraction(abs(low) + abs(high)) / 2**50
+        assert low - slack <= found.start < low + 1
+        assert high < found.stop <= high + slack + 1
+    for k in (-(10**30), -3, -1, 0, 1, 2, 10**30):
+        with interval.workprec(120):
+            assert list(interval.integers(Ball(k), Ball(k))) == [k]
+            below, above = Ball(k) - Ball(2) ** -10, Ball(k) + Ball(2) ** -10
+            assert list(interval.integers(below, above)) == [k]
+            assert list(interval.integers(above, above)) == []
+    assert list(interval.integers(Ball((1, -(10**30))), Ball(1, Ball((1, -(10**30)))))) == [1]
+    for bad in (NAN, INFINITE, EVERYTHING, Ball((1, 10**9)), Ball((-1, 10**40))):
+        with pytest.raises((NotProved, ValueError)):
+            interval.integers(bad, bad)
+
+
 def test_numbers_stated():
     """What is written by `decimal` or as a fraction is read as it was; nothing else is."""
     random = seeded(7)

@@ -110,5 +110,6 @@ def test_walls_that_are_none():
     for wall in (2, -2, 3):
         with pytest.raises(BadInput, match="wall"):
             propagate(PAPER, State(osc.moment(Ball(0)), Ball(1), Ball(-1), wall), Ball(1))
-    with pytest.raises(NotProved, match="not at its wall"):
-        propagate(PAPER, State(osc.moment(Ball(0)), Ball(0), Ball(-1), 1), Ball(1))
+    for x in (Ball(0), Ball("nan"), Ball("inf"), Ball(0, "inf")):
+        with pytest.raises(NotProved, match="not at its wall"):
+            propagate(PAPER, State(osc.moment(Ball(0)), x, Ball(-1), 1), Ball(1))
