@@ -1,5 +1,6 @@
 """Nothing is told of boxes whose orbits differ, nor of times and states that make no sense."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -34,6 +35,27 @@ def test_input_that_is_no_state():
             propagate(PAPER, at_time_zero(x, v), Ball(1))
     with pytest.raises((BadInput, NotProved)):
         far(PAPER, (1, 1), 1, wall=1)
+
+
+@pytest.mark.parametrize("size", ["1e400", "1e10000000000000000000000000"])
+def test_absurd_sizes(size):
+    """Of states and times, in balls that no fraction and no float holds."""
+    huge, one = Ball(size), Ball(1)
+    for x, v, end in ((huge, one, one), (Ball(0), huge, one), (Ball(0, huge), one, one)):
+        with pytest.raises(NotProved):
+            propagate(PAPER, at_time_zero(x, v), end)
+    with pytest.raises(NotProved, match="periods away"):
+        propagate(PAPER, at_time_zero(Ball(0), one), huge)
+
+
+@pytest.mark.parametrize("name", ["F", "omega", "R"])
+@pytest.mark.parametrize("power", [400, -400])
+def test_absurd_parameters(name, power):
+    """That no float holds: it cannot steer, so nothing is proved."""
+    p = replace(PAPER, l=Fraction(0), f=Fraction(0))
+    p = replace(p, **{"r" if name == "R" else name: Fraction(10) ** power})
+    with pytest.raises(NotProved):
+        after_periods(p, interval.ball(p.R / 2), Ball(1), 1)
 
 
 def refused(p, box, end, *steps, start=0):
