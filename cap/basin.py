@@ -77,7 +77,7 @@ def _is_slow(J: Matrix[Ball]) -> bool:
     """
     radius = _radius(J)
     if not radius < 1 + SLOW:
-        raise NotProved("basin", f"P* is no sink: the spectral radius is {radius:.6g}")
+        raise NotProved("basin", f"in floats P* is no sink: a spectral radius of {radius:.6g}")
     return radius > 1 - SLOW
 
 
@@ -87,7 +87,7 @@ def _extra(point: FixedPoint) -> int:
         return 0
     slack = 1 - interval.midpoint(matrix.determinant(point.orbit.monodromy))
     if not slack > 0:
-        raise NotProved("basin", "P* is no sink: its determinant is not certain to be below 1")
+        raise NotProved("basin", "P* may be no sink: its determinant is 1, to all digits")
     return -interval.decade(slack)
 
 

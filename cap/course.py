@@ -3,11 +3,12 @@
 This is the machine behind `cap.flow.follow`; see there for the words of events.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Generic, NamedTuple, cast
 
 from cap import capture, interval
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
 from cap.event import (
     E,
     Enclosure,
@@ -34,7 +35,8 @@ SIDES = {"r": 1, "l": -1, "right": 1, "left": -1}
 class State(NamedTuple, Generic[E]):
     """A box of states (x, v) at a moment.
 
-    ``wall`` is 1 or -1 if x is exactly r or l, else 0; a velocity that is exactly 0 is ``Ball(0)``.
+    ``wall`` is 1 or -1 if the mass is exactly at r or l, else 0: then x is taken to be that wall,
+    which it must meet.  A velocity that is exactly 0 is ``Ball(0)``; any other must have a sign.
     """
 
     at: Moment[Ball]
@@ -48,8 +50,11 @@ class Orbit(Generic[E]):
     """Enclosures over a box of initial states of all that happens until the end.
 
     ``s`` is the sign of the first flight, 0 if the mass rests; ``events`` in order of time; ``end``
-    is the state at the end; ``monodromy`` encloses its derivative at every state of the box.  For
-    orbits that neither turn nor rest, without viscosity, ``least_speed`` encloses the least |v|.
+    is the state at the end; ``monodromy`` encloses its derivative at every state of the box, along
+    the box: if x is at a wall, or v exactly 0, then this does not vary, and its column is 0.  (Nor
+    need there be a derivative across the box: for v = 0, launched at once, those by v from either
+    side differ by the factor of a turning.)  For orbits that neither turn nor rest, without
+    viscosity, ``least_speed`` encloses the least |v|.
     """
 
     s: int
@@ -64,18 +69,39 @@ class Orbit(Generic[E]):
         return tuple(event for event in self.events if event.word.startswith("hit"))
 
 
+def placed(osc: Oscillator[Any], start: State[E], bound: Callable[[E], Ball]) -> State[E]:
+    """Prove that the box is between the walls, or at one; return it, with that wall as its x.
+
+    Between the walls it may touch one if it moves away from it.
+    """
+    x, v = bound(start.x), bound(start.v)
+    if start.wall not in (-1, 0, 1):
+        raise BadInput(f"the wall must be 1, -1 or 0: {start.wall!r}")
+    if start.wall:
+        if not (x.is_finite() and x.overlaps(osc.wall(start.wall))):
+            raise NotProved("start", "the box is not at its wall", {"x": x})
+        return start._replace(x=cast(E, osc.wall(start.wall)))
+    if not (osc.l < x < osc.r or (v > 0 and osc.l <= x < osc.r) or (v < 0 and osc.l < x <= osc.r)):
+        raise NotProved("start", "the box is not between the walls", {"x": x})
+    return start
+
+
 class Course(Generic[E]):
     """What has been proved of the orbits so far: they fly (``flight``), or rest at ``place``."""
 
     def __init__(self, osc: Oscillator[Any], start: State[E], kind: Enclosure[E]) -> None:
         self.osc, self.kind, self.bound = osc, kind, kind.bound
         self.flight: Flight[E] | None = None
+        start = placed(osc, start, self.bound)
         self.place, self.wall, self.pending = start.x, start.wall, start.at.t
         self.released: int | None = None
         self.now, self.before = start.at.t, cast(E, start.at.t)
-        self.monodromy = cast("Matrix[E]", ((1, 0), (0, 1)))
+        velocity = self.bound(start.v)
+        self.monodromy = cast(
+            "Matrix[E]", ((int(not start.wall), 0), (0, int(not velocity.is_zero())))
+        )
         self.events: list[Event[E]] = []
-        self.least = abs(self.bound(start.v))
+        self.least = abs(velocity)
         self.s = _begin(self, start)
 
     def meet(self, expected: Expected, number: int) -> None:
@@ -112,7 +138,8 @@ class Course(Generic[E]):
         if not speed > 0:
             raise NotProved(f"event {number}", "the hit may not be transverse", {"speed": speed})
         self._fly(flight, moment.t)
-        self.least = interval.least(self.least, speed)
+        after = speed if self.osc.elastic else self.bound(self.osc.e * speed)
+        self.least = interval.least(self.least, after)
         salt = self.osc.saltation(flight.s, velocity, moment.cos)
         self.monodromy = self.osc.hit(self.monodromy, salt)
         self.flight = self.osc.reflect(flight, moment, velocity)
@@ -242,21 +269,12 @@ def _scalar(entry: E) -> E:
 
 def _begin(course: Course[E], start: State[E]) -> int:
     """Prove how the orbits begin; return the sign of the first flight, or 0 for a rest."""
-    osc, x, v = course.osc, course.bound(start.x), course.bound(start.v)
-    if not (
-        start.wall
-        or osc.l < x < osc.r
-        or (v > 0 and osc.l <= x < osc.r)
-        or (v < 0 and osc.l < x <= osc.r)
-    ):
-        raise NotProved("start", "the box is not between the walls", {"x": x})
-    if start.wall and not x.overlaps(osc.wall(start.wall)):
-        raise NotProved("start", "the box is not at its wall", {"x": x})
+    v = course.bound(start.v)
     if v > 0 or v < 0:
         s = 1 if v > 0 else -1
         if start.wall == s:
             raise NotProved("start", "the mass moves into the wall: begin with the velocity after")
-        course.flight = osc.launch(s, start.at, start.x, start.v)
+        course.flight = course.osc.launch(s, start.at, start.x, start.v)
         return s
     if not v.is_zero():
         raise NotProved("start", "the velocity may vanish at the start", {"v": v})
@@ -264,17 +282,17 @@ def _begin(course: Course[E], start: State[E]) -> int:
 
 
 def _begin_at_rest(course: Course[E], start: State[E]) -> int:
-    """The same for a velocity that is exactly zero."""
-    osc, zero = course.osc, cast(E, Ball(0))
-    force = osc.forcing(start.at)
+    """The same for a velocity that is exactly zero: the forcing decides.
+
+    A wall holds the mass, with the help of friction, while the force away from it is at most f.
+    """
+    osc, force = course.osc, course.osc.forcing(start.at)
     for side in (1, -1):
         if side * force > osc.f and side != start.wall:
-            course.flight = osc.launch(side, start.at, start.x, zero)
+            course.flight = osc.launch(side, start.at, start.x, cast(E, Ball(0)))
             return side
-    if start.wall and start.wall * force > osc.f:
-        course.monodromy = (zero, zero), (zero, zero)
-    elif abs(force) < osc.f:
-        course.monodromy = cast("Matrix[E]", ((1, 0), (0, 0)))
-    else:
+    if not (start.wall * force > -osc.f if start.wall else abs(force) < osc.f):
         raise NotProved("start", "whether the mass moves at once is undecided", {"F cos wt": force})
+    (a, b), _ = course.monodromy
+    course.monodromy = (a, b), cast("tuple[E, E]", (0, 0))
     return 0

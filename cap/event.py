@@ -12,7 +12,6 @@ The same code runs over balls (fast, for small boxes) and Taylor models (tight, 
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import ceil, floor, isfinite
 from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from cap import interval
@@ -162,15 +161,15 @@ def flies(
 
 
 def slow_numbers(osc: Oscillator[Any], s: int, start: Ball, end: Ball) -> range:
-    """Return numbers k that include all with `Oscillator.slow` (s, k) between the times."""
-    origin, period = osc.slow_right if s > 0 else osc.slow_left, float(osc.T.mid())
-    first, last = (float((t - origin).mid()) / period for t in (start, end))
-    spread = float(start.rad() + end.rad() + origin.rad())
-    spread += float(osc.T.rad()) * (2 + abs(first) + abs(last))
-    slack = 1e-6 + spread / period
-    if not (isfinite(first + last) and slack < 1):
+    """Return numbers k that include all with `Oscillator.slow` (s, k) between the times.
+
+    `Oscillator.slow` (s, k) is ``origin`` + kT.  Raises `NotProved` if k is uncertain by 1 or more.
+    """
+    origin = osc.slow_right if s > 0 else osc.slow_left
+    first, last = (start - origin) / osc.T, (end - origin) / osc.T
+    if not (first.is_finite() and last.is_finite() and first.rad() < 1 and last.rad() < 1):
         raise NotProved("flight", "its time is too uncertain", {"start": start, "end": end})
-    return range(ceil(first - slack), floor(last + slack) + 1)
+    return interval.integers(first, last)
 
 
 def next_slow(osc: Oscillator[Any], s: int, since: Ball) -> int:

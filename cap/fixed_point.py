@@ -7,6 +7,7 @@ The functions here choose boxes, windows and preconditioners; all that they choo
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isfinite
 from typing import Any, NamedTuple
 
 from cap import interval, matrix
@@ -164,7 +165,10 @@ def _representative(event: Expected) -> Ball:
 
 def _short(x: Ball) -> Fraction:
     """Return a decimal with about ten digits near ``x``."""
-    return Fraction(f"{float(x.mid()):.9e}")
+    near = float(x.mid())
+    if not isfinite(near):
+        raise NotProved("preconditioner", "it is beyond floats: the fixed point may be double")
+    return Fraction(f"{near:.9e}")
 
 
 def find_windows(

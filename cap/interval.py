@@ -8,6 +8,7 @@ everything, so tests written as ``if not x > 0: raise NotProved`` are safe.
 Precision is scoped: build every ball inside ``with workprec(bits)``.
 """
 
+import re
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from math import floor, log10
@@ -20,6 +21,9 @@ Ball = arb
 ComplexBall = acb
 Box = tuple[arb, arb]
 workprec = ctx.workprec
+
+LARGEST = 2**20  # exponent of what becomes a fraction
+_STATED = re.compile(r"-?\d+(\.\d+|/\d+)?", re.ASCII)
 
 
 def guarded() -> AbstractContextManager[object]:
@@ -66,13 +70,32 @@ def symmetric(x: arb) -> arb:
 
 
 def rational(x: arb) -> Fraction:
-    """Return the exact value of a ball of radius zero."""
+    """Return the exact value of a ball of radius zero.
+
+    Raises `NotProved` if it is beyond 2^±`LARGEST`: a fraction would take that many digits.
+    """
+    _, exponent = x.man_exp()
+    if abs(exponent) > LARGEST:
+        raise NotProved("evaluation", "a number is too large or too small to write", {"value": x})
     q = x.fmpq()
     return Fraction(int(q.p), int(q.q))
 
 
+def integers(first: arb, last: arb) -> range:
+    """Return all integers between a point of ``first`` and one of ``last``, which are finite."""
+    return range(-_floor(-first.lower()), _floor(last.upper()) + 1)
+
+
+def _floor(x: arb) -> int:
+    """Return the largest integer at most the ball of radius zero; see `rational`."""
+    mantissa, exponent = map(int, x.man_exp())
+    if exponent > LARGEST:
+        raise NotProved("evaluation", "a number is too large to count to", {"value": x})
+    return mantissa << exponent if exponent > 0 else mantissa >> -exponent
+
+
 def ends(x: arb) -> tuple[Fraction, Fraction]:
-    """Return the exact lower and upper end of a finite ball."""
+    """Return the exact lower and upper end of a finite ball; see `rational`."""
     if not x.is_finite():
         raise NotProved("evaluation", "an enclosure is not finite", {"value": x})
     mid, rad = rational(x.mid()), rational(x.rad())
@@ -141,6 +164,16 @@ def decimal(value: Fraction, places: int) -> str:
 def decade(value: Fraction) -> int:
     """Return the largest integer d with 10^d <= value, give or take one; value > 0."""
     return floor(log10(value.numerator) - log10(value.denominator))
+
+
+def stated(text: str) -> Fraction:
+    """Return the number that `decimal`, or the ``str`` of a fraction, states.
+
+    Raises `ValueError` for any other text: an exponent might take all memory.
+    """
+    if not _STATED.fullmatch(text):
+        raise ValueError(f"not a decimal, nor a fraction: {text[:40]!r}")
+    return Fraction(text)
 
 
 def exact_decimal(value: Fraction) -> str:

@@ -39,7 +39,8 @@ class Happening:
 class Path:
     """The events of an orbit, its (x, v) at the end, and the derivative of that in the start.
 
-    ``wall`` is 1 or -1 if the mass rests at r or l at the end, else 0.
+    Of v = 0, launched at once, the derivative by v is that to the side of the launch.  ``wall`` is
+    1 or -1 if the mass rests at r or l at the end, else 0.
     """
 
     events: tuple[Happening, ...]

@@ -15,6 +15,8 @@ def strobe_jet(osc: Oscillator[Any], box: Box, orbit: Orbit[Ball], order: int) -
     ``orbit`` is ``strobe(osc, box, ...)``, with hits only: it proves that the hit times are
     analytic functions of the state on ``box`` and encloses them.  The jets are in (δx, δv).
     """
+    if orbit.events != orbit.hits:
+        raise ValueError("jets are transported through hits only")
     x, v = Jet.variables(box, order)
     flight = osc.launch(orbit.s, Moment(Ball(0), Ball(0), Ball(1)), x, v)
     for hit in orbit.events:

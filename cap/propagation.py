@@ -11,25 +11,26 @@ by the mean value theorem, so the new set has C' = A C and the errors A Q r + Δ
 The steps end in the middle of flights or rests, where no event is near.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
 from cap import interval, matrix
-from cap.course import Orbit, State
+from cap.course import Orbit, State, placed
 from cap.errors import NotProved
 from cap.event import BALLS, TAYLOR_MODELS, Expected
 from cap.fixed_point import Itinerary, windows_for
 from cap.flow import follow, oscillator
 from cap.interval import Ball, Box
-from cap.itinerary import itinerary
+from cap.itinerary import Happening, itinerary
 from cap.matrix import Matrix
 from cap.model import Moment, Oscillator
 from cap.parameters import Parameters
 from cap.taylor_model import Domain, TaylorModel
 
 ORDER = 2  # of the Taylor models for one step
-MOST_STEPS = 100_000
+LONGEST = 100_000  # periods
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,9 @@ class Image:
     """What is proved of all orbits from a box until the end.
 
     The ``events`` in their order; the ``state`` (x, v) at the end; the ``monodromy``, its
-    derivative at every initial state of the box; ``wall`` is 1 or -1 if all rest at r or l then.
+    derivative at every initial state, along the box: by what does not vary in it, a velocity that
+    is exactly 0 or a place that is a wall, it is 0 (`cap.course.Orbit`).  ``wall`` is 1 or -1 if
+    all rest at r or l at the end, else 0.
     """
 
     events: tuple[Happened, ...]
@@ -61,16 +64,20 @@ def propagate(p: Parameters, start: State[Ball], end: Ball) -> Image:
     the set has become too large to decide.
     """
     osc = oscillator(p)
-    cloud, events = _Cloud(start), list[Happened]()
-    while cloud.time is not end:
-        if not (cloud.time < end and end.is_finite()):
+    cloud, events, until = _Cloud(osc, start), list[Happened](), None
+    if not end - cloud.time < LONGEST * osc.T:
+        sets = {"time": cloud.time, "end": end}
+        raise NotProved("propagation", f"the end may be more than {LONGEST} periods away", sets)
+    while until is not end:
+        if not cloud.time < end:
             sets = {"time": cloud.time, "end": end}
             raise NotProved("propagation", "the end may not be after all that comes before", sets)
-        if len(events) > MOST_STEPS:
-            raise NotProved("propagation", f"more than {MOST_STEPS} events")
         expected, until = _plan(p, osc, cloud, end)
         events += cloud.advance(osc, expected, until)
-    return Image(tuple(events), cloud.box(), cloud.monodromy(), cloud.wall)
+    state, (row, other) = cloud.box(), cloud.monodromy()
+    if not all(q.is_finite() for q in (*state, *row, *other)):
+        raise NotProved("propagation", "the set has become too large", {"state": state})
+    return Image(tuple(events), state, (row, other), cloud.wall)
 
 
 def _plan(
@@ -79,20 +86,41 @@ def _plan(
     """Return the events that floats expect of the next step, and when it is to end; it steers.
 
     The step lasts about a period; it ends in the middle of the longest time without an event in its
-    second half, or at the end.
+    second half, or at the end.  Times in floats are counted from a whole number of periods.
     """
-    now, last = float(cloud.time.mid()), float(end.mid())
-    x, v = (float(q.mid()) for q in cloud.box())
+    begin = _periods(osc, cloud.time) * osc.T
+    now, last = float((cloud.time - begin).mid()), float((end - begin).mid())
     horizon = min(last, now + float(osc.T.mid()))
-    events = itinerary(p, x, v, horizon, start=now, wall=cloud.wall).events
+    events = _foreseen(p, osc, cloud, (now, horizon))
     until = end
     if horizon < last:
         knots = [(now + horizon) / 2, *(e.time for e in events), horizon]
         knots = sorted(t for t in knots if t >= (now + horizon) / 2)
         _, middle = max((b - a, (a + b) / 2) for a, b in pairwise(knots))
-        until = Ball(middle)
+        until = interval.point(begin + middle)
         events = tuple(e for e in events if e.time < middle)
-    return tuple(Expected(e.word, Ball(e.time)) for e in events), until
+    return tuple(Expected(e.word, interval.point(begin + e.time)) for e in events), until
+
+
+def _foreseen(
+    p: Parameters, osc: Oscillator[Any], cloud: "_Cloud", times: tuple[float, float]
+) -> tuple[Happening, ...]:
+    """Return the events between two times in floats, places being counted from the left wall."""
+    x, v = cloud.box()
+    state, near = (float((x - osc.l).mid()), float(v.mid())), replace(p, l=Fraction(0), r=p.R)
+    try:
+        return itinerary(near, *state, times[1], start=times[0], wall=cloud.wall).events
+    except (ValueError, ArithmeticError) as error:
+        reason = f"floats, which steer, cannot follow the orbit: {error}"
+        raise NotProved("propagation", reason, {"x": x, "v": v}) from None
+
+
+def _periods(osc: Oscillator[Any], time: Ball) -> int:
+    """Return how many periods, about, have passed at a time; it steers."""
+    turns = time / osc.T
+    if not turns.rad() < 1:
+        raise NotProved("propagation", "the time is too uncertain", {"time": time})
+    return round(interval.midpoint(turns))
 
 
 class _Errors:
@@ -136,10 +164,11 @@ def _rotation(column: Box) -> Matrix[Ball]:
 class _Cloud:
     """The set of states at a time, with the derivative in the initial state."""
 
-    def __init__(self, start: State[Ball]) -> None:
+    def __init__(self, osc: Oscillator[Any], start: State[Ball]) -> None:
         self.time, self.wall, self.at = start.at.t, start.wall, start.at
-        self.centre: Box = (interval.point(start.x), interval.point(start.v))
-        self.initial: Box = (start.x - self.centre[0], start.v - self.centre[1])
+        _, x, v, _ = placed(osc, start, BALLS.bound)
+        self.centre: Box = (interval.point(x), interval.point(v))
+        self.initial: Box = (x - self.centre[0], v - self.centre[1])
         self.linear: Matrix[Ball] = (Ball(1), Ball(0)), (Ball(0), Ball(1))
         self.errors = _Errors()
         self.columns = _Errors(), _Errors()

@@ -16,6 +16,7 @@ from pathlib import Path
 from threading import Lock
 from typing import NamedTuple
 
+from cap import interval
 from cap.console import quoted
 from cap.errors import BadInput
 
@@ -174,4 +175,4 @@ def _verdict(line: str) -> tuple[Cell, str]:
     lower, upper, verdict = json.loads(line)
     if not all(isinstance(word, str) for word in (lower, upper, verdict)):
         raise TypeError(line)
-    return Cell(Fraction(lower), Fraction(upper)), verdict
+    return Cell(interval.stated(lower), interval.stated(upper)), verdict

@@ -236,8 +236,8 @@ def _enclosure(verdict: str) -> Bracket | None:
     if verdict == UNDECIDED:
         return None
     try:
-        low, high = map(Fraction, verdict.split())
-    except ValueError:
+        low, high = map(interval.stated, verdict.split())
+    except (ValueError, ZeroDivisionError):
         low, high = Fraction(0), Fraction(0)
     if not (low <= high and low * high > 0):
         raise BadInput(f"the journal is damaged: {verdict[:40]!r}; remove it")

@@ -70,8 +70,8 @@ class Curve:
         p = self.scale.p
         lowest = interval.ball(self.low * Fraction(999, 1000) / p.F if self.low else LOWEST)
         if not self.birth > lowest:
-            born = float(self.birth * self.scale.F)
-            raise BadInput(f"the pair exists for f < {born:.6g} only: give a lower --from")
+            born = interval.outward(self.birth * self.scale.F, 6 - interval.decade(p.F))[1]
+            raise BadInput(f"the pair exists for f < {born} only: give a lower --from")
         top, _ = asymmetry(lowest, self.scale.rho, 12)
         if not top:
             raise NotProved("range", "the pair is born too near the lowest f: give a lower --from")

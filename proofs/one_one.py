@@ -150,12 +150,13 @@ def _asymmetric_orbits() -> Iterator[tuple[str, Any]]:
 def asymmetry(alpha: Ball, rho: Ball, places: int) -> tuple[Fraction, Fraction]:
     """Return δ between which α(δ) passes ``alpha``, neighbouring multiples of 10^-places.
 
-    At the second there may be no orbit, if ``alpha`` is near 0.
+    At the second there may be no orbit, if ``alpha`` is near 0.  Raises `NotProved` if a sign is
+    not certain, also where S may be 1.
     """
 
     def above(delta: Fraction) -> Ball:
-        difference: Ball = asymmetric(interval.ball(delta), rho).alpha - alpha
-        return difference if difference.is_finite() else Ball(-1)  # S may exceed 1
+        orbit = asymmetric(interval.ball(delta), rho)
+        return Ball(-1) if orbit.S > 1 else orbit.alpha - alpha
 
     return bisection.crossing(above, Fraction(0), Fraction(157, 100), places)
 

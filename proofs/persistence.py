@@ -168,8 +168,8 @@ class _Builder:
             self.grow(corner)
         reached = self.grid.nodes[0][-1], self.grid.nodes[1][-1]
         if reached != corner:
-            e, m = map(float, reached)
-            reason = f"the family is proved for epsilon <= {e:.4g}, mu <= {m:.4g} only"
+            e, m = map(interval.exact_decimal, reached)
+            reason = f"the family is proved for epsilon <= {e}, mu <= {m} only"
             raise NotProved("Lemma 5", f"{reason} ({len(self.grid.cells)} cells)")
 
     def _begin(self, corner: Pair, start: Start) -> None:

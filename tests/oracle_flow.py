@@ -47,7 +47,8 @@ class System:
             number(getattr(parameters, name)) for name in names
         )
         self.T = 2 * mp.pi / self.omega
-        self.arc = mp.acos(self.f / self.F)
+        self.arc, self.P = mp.acos(self.f / self.F), self.F / (self.mu**2 + self.omega**2)
+        self.last = None, None
 
     def wall(self, side):
         """Return the right wall for 1, the left one for -1."""
@@ -72,22 +73,32 @@ class System:
 
     def flight(self, start, t):
         """Return x and its first four derivatives at t on the flight from a state."""
-        F, w, m, s = self.F, self.omega, self.mu, start.s
-        d, sin, cos = t - start.t, mp.sin(w * t), mp.cos(w * t)
-        sin0, cos0 = mp.sin(w * start.t), mp.cos(w * start.t)
-        # (1 - exp(-m d))/m and (d - that)/m, without cancellation
-        h, k = (
-            (d, d**2 / 2)
-            if m == 0
-            else (d * mp.hyp1f1(1, 2, -m * d), d**2 / 2 * mp.hyp1f1(1, 3, -m * d))
-        )
-        P = F / (m**2 + w**2)
+        F, w, m, P, drag = self.F, self.omega, self.mu, self.P, start.s * self.f
+        d, (cos, sin) = t - start.t, mp.cos_sin(w * t)
+        cos0, sin0 = self._phase(start.t)
+        h, k = self._relaxed(d)
         v0 = start.v - P * (m * cos0 + w * sin0)
-        v = P * (m * cos + w * sin) + v0 * mp.exp(-m * d) - s * self.f * h
-        x = start.x + P * (m / w * (sin - sin0) - (cos - cos0)) + v0 * h - s * self.f * k
-        a = F * cos - s * self.f - m * v
+        v = P * (m * cos + w * sin) + v0 * (1 - m * h) - drag * h
+        x = start.x + P * (m / w * (sin - sin0) - (cos - cos0)) + v0 * h - drag * k
+        a = F * cos - drag - m * v
         j = -F * w * sin - m * a
         return x, v, a, j, -F * w**2 * cos - m * j
+
+    def _phase(self, t):
+        """Return cosine and sine of ωt, where a flight starts; it is asked for again and again."""
+        if self.last[0] != t:
+            self.last = t, mp.cos_sin(self.omega * t)
+        return self.last[1]
+
+    def _relaxed(self, d):
+        """Return (1 - exp(-μd))/μ and (d - that)/μ, without much cancellation."""
+        m = self.mu
+        if m == 0:
+            return d, d**2 / 2
+        if m * d < 1:
+            return d * mp.hyp1f1(1, 2, -m * d), d**2 / 2 * mp.hyp1f1(1, 3, -m * d)
+        h = (1 - mp.exp(-m * d)) / m
+        return h, (d - h) / m
 
     def bounds(self, start, t):
         """Return bounds of |v|, and its first three derivatives, on the flight until t."""
@@ -136,14 +147,19 @@ def first_zero(g, bounds, a, b, order):
     return None
 
 
-def orbit(parameters, t0, x, v, t1):
-    """Return the events in [t0, t1) of the orbit of (x, v) at t0, and its state (x, v) at t1."""
+def orbit(parameters, t0, x, v, t1, most=mp.inf):
+    """Return the events in [t0, t1) of the orbit of (x, v) at t0, and its state (x, v) at t1.
+
+    Raises `ArithmeticError` after ``most`` events, and if two zeros of v are hardly two.
+    """
     system, t1 = System(parameters), number(t1)
     v = number(v)
     state, events = State(number(t0), number(x), v, int(mp.sign(v))), []
     while state.t < t1:
         step = _rest if state.s == 0 else _fly
         state = step(system, state, t1, events)
+        if len(events) > most:
+            raise ArithmeticError(f"more than {most} events")
     return events, (state.x, state.v)
 
 
@@ -153,7 +169,8 @@ def _rest(system, state, t1, events):
     if t >= t1:
         return state._replace(t=t1)
     word = "release right" if side < 0 else "release left"
-    events.append(Event(t, word, state.x, mpf(0), mpf(0)))
+    if t > state.t:  # else it was at rest only for the moment of the start
+        events.append(Event(t, word, state.x, mpf(0), mpf(0)))
     return state._replace(t=t, s=-side)
 
 
@@ -194,7 +211,7 @@ def _hit(system, state, events):
         ratio = system.e * mp.sqrt((b - f) / (b + f))
         left = abs(v) * (1 / (b + f) + 1 / mp.sqrt(b * b - f * f)) / (1 - ratio) if ratio < 1 else 1
         # the sum has a relative error of this order, the height of a bounce is of its square
-        small = mpf(10) ** (-mp.dps / 3)
+        small = mpf(10) ** (-min(mp.dps, 30) / mpf(3))
         if left * system.omega * max(1, system.F / (b - f)) < small:
             events.append(Event(state.t + left, f"capture {word}", state.x, v, mpf(0)))
             return State(state.t + left, state.x, mpf(0), 0)

@@ -268,3 +268,13 @@ def test_find_windows():
         for bad in ([Ball("nan")] * 2, [Ball(0, "inf")] * 2, [Ball(5), Ball(6)]):
             with pytest.raises(NotProved):
                 find_windows(osc, state, hits(1, bad), BALLS)
+
+
+def test_preconditioners_are_decimals_or_refused():
+    """Ten digits of each entry; beyond floats there are none."""
+    for value in ("0.1", "-123456789.123", "1e-300", "7e300", "0"):
+        short = fixed_point._short(Ball(value))
+        assert abs(short - Fraction(value)) <= abs(Fraction(value)) / 10**9
+    for value in ("1e400", "-1e400", "nan", "inf", "1e10000000000000000000000"):
+        with pytest.raises(NotProved, match="beyond floats"):
+            fixed_point._short(Ball(value))

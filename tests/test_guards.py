@@ -1,10 +1,13 @@
 """Misuse of the algebra is refused: what would silently be wrong raises."""
 
 import pytest
+from flows import exactly, point_orbit
 
 from cap.errors import NotProved
+from cap.flow import oscillator
 from cap.interval import Ball, workprec
 from cap.jet import Jet, Space
+from cap.jet_transport import strobe_jet
 from cap.normal_form import twists
 from cap.taylor_model import Domain
 
@@ -33,6 +36,15 @@ def test_integers_are_no_scalars_to_divide():
         with pytest.raises(TypeError, match="no exact scalar"):
             combine()
     assert (Jet.constant(Ball(0), Space(2, 2)) / 3).coefficients[1:] == [0] * 5
+
+
+def test_jets_are_not_transported_through_turnings():
+    """An event that is no hit would be taken for one."""
+    p, state, start, end, events = point_orbit("turns")
+    orbit = exactly(p, state, start, end, events)
+    assert orbit.hits != orbit.events
+    with pytest.raises(ValueError, match="hits only"):
+        strobe_jet(oscillator(p), (Ball(0), Ball(1) / 10), orbit, 2)
 
 
 def test_contractions_have_no_twist():

@@ -68,6 +68,72 @@ def test_ends_are_exact_and_refuse_what_is_not_finite():
                 function(ball)
 
 
+@pytest.mark.parametrize("exponent", [10**6, 2 * 10**6, 10**9, 10**25, 10**400])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_numbers_too_long_to_write(exponent, sign):
+    """2^±1000000 is a fraction; what is much larger or smaller is refused, in no time."""
+    huge = Ball((3, sign * exponent))
+    for ball in (huge, -huge, Ball((1, 0), (1, sign * exponent))):
+        if exponent == 10**6:
+            assert interval.ends(huge)[0] == 3 * Fraction(2) ** (sign * exponent)
+            continue
+        for function in (interval.ends, interval.midpoint, lambda x: interval.outward(x, 3)):
+            with pytest.raises(NotProved, match="to write"):
+                function(ball)
+    if exponent > 10**6:
+        with pytest.raises(NotProved, match="to write"):
+            interval.rational(huge)
+
+
+@pytest.mark.parametrize("text", ["1e10000000000000000000000000", "-2e-10000000000000000000000000"])
+def test_decimals_too_long_to_write(text):
+    """Exponents that a person can type and no memory holds: neither hang nor crash."""
+    for function in (interval.ends, interval.midpoint):
+        with pytest.raises(NotProved, match="to write"):
+            function(Ball(text))
+    with pytest.raises(ValueError, match="not a decimal"):
+        interval.stated(text)
+
+
+def test_integers_between_balls():
+    """Those that are between some of their points, no others: halves, ends, huge and tiny."""
+    random = seeded(8)
+    for _ in range(rounds(300)):
+        size = Fraction(10) ** random.choice([-20, -1, 0, 1, 5, 15, 40])
+        boxes = [(decimal_fraction(random, size), abs(decimal_fraction(random))) for _ in "ab"]
+        with interval.workprec(random.choice([53, 200])):
+            first, last = (interval.around(*box) for box in boxes)
+            low, high = interval.ends(first)[0], interval.ends(last)[1]
+            found = interval.integers(first, last)
+            slack = Fraction(abs(low) + abs(high)) / 2**50
+        assert low - slack <= found.start < low + 1
+        assert high < found.stop <= high + slack + 1
+    for k in (-(10**30), -3, -1, 0, 1, 2, 10**30):
+        with interval.workprec(120):
+            assert list(interval.integers(Ball(k), Ball(k))) == [k]
+            below, above = Ball(k) - Ball(2) ** -10, Ball(k) + Ball(2) ** -10
+            assert list(interval.integers(below, above)) == [k]
+            assert list(interval.integers(above, above)) == []
+    assert list(interval.integers(Ball((1, -(10**30))), Ball(1, Ball((1, -(10**30)))))) == [1]
+    for bad in (NAN, INFINITE, EVERYTHING, Ball((1, 10**9)), Ball((-1, 10**40))):
+        with pytest.raises((NotProved, ValueError)):
+            interval.integers(bad, bad)
+
+
+def test_numbers_stated():
+    """What is written by `decimal` or as a fraction is read as it was; nothing else is."""
+    random = seeded(7)
+    for _ in range(rounds(100)):
+        q, decimal = decimal_fraction(random), Fraction(random.randint(-(10**9), 10**9), 10**6)
+        assert interval.stated(str(q)) == q
+        assert interval.stated(interval.exact_decimal(decimal)) == decimal
+    for text in ("", "1e3", "1.", ".5", "+1", " 1", "1/2/3", "1/-2", "nan", "inf", "1_0", "٣"):
+        with pytest.raises(ValueError, match="not a decimal"):
+            interval.stated(text)
+    with pytest.raises(ZeroDivisionError):
+        interval.stated("1/0")
+
+
 def test_symmetric_point_hull_least_intersection():
     """They contain what their docstrings say, for random balls and points in them."""
     random = seeded(1)

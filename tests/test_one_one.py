@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 from conftest import STARTS
 from mpmath import mp, workdps
+from support import rational
 
 from cap import interval
 from cap.errors import NotProved
@@ -115,3 +116,24 @@ def test_claims_are_wider_than_the_ball():
             assert low <= a <= b <= high
             assert high - low <= Fraction(4, 10**10)
             assert value.contains(0) or low < a <= b < high
+
+
+@pytest.mark.parametrize("bits", [40, 60, 100, 300])
+def test_the_asymmetry_at_hardly_any_friction(bits):
+    """Where S is nearly 1 the bits may not tell whether there is an orbit: that is no bracket."""
+
+    def excess(d):
+        """Return α² - 10^-18."""
+        G = mp.pi**2 / 2 * mp.sinc(d) - 2 * mp.cos(d) - 2 * d * mp.sin(d)
+        return (2 / mp.pi * mp.cos(d)) ** 2 * (1 - (2 / G) ** 2) - mp.mpf(10) ** -18
+
+    with workdps(50):
+        delta = rational(mp.findroot(excess, 0.75))
+    with interval.workprec(bits):
+        alpha, rho = interval.ball(Fraction(1, 10**9)), Ball(2)
+        if bits < 60:
+            with pytest.raises(NotProved, match="a sign is not certain"):
+                one_one.asymmetry(alpha, rho, 15)
+        else:
+            low, high = one_one.asymmetry(alpha, rho, 15)
+            assert low < delta < high == low + Fraction(1, 10**15)

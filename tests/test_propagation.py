@@ -1,5 +1,6 @@
 """The flow of boxes over long times: tight, true, and with no event left undecided."""
 
+import math
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise, product
@@ -200,21 +201,42 @@ BEGINNINGS = {  # parameters, state, start, wall
 @pytest.mark.parametrize("end", ["1/2", "2", "30"])
 @pytest.mark.parametrize("name", BEGINNINGS)
 def test_other_beginnings(name, end):
-    """At a wall, at rest, at other times: like floats, and like the exact orbit."""
+    """At a wall, at rest, at other times: like floats, and like the exact orbit.
+
+    The derivative is along the box: by x at a wall, or v = 0, it is 0.
+    """
     p, state, start, wall = BEGINNINGS[name]
     x, v = map(Fraction, state)
     start, end = Fraction(start), Fraction(start) + Fraction(end)
     image = far(p, (x, v), end, start=start, wall=wall)
     path = itinerary(p, float(x), float(v), float(end), start=float(start), wall=wall)
     assert (words(image), image.wall) == (path.words, path.wall)
-    if v or path.words[:1] == ("release left",):  # the oracle tells of a release at the start
-        with workdps(30):
-            holds_orbit(image, *orbit(p, start, x, v, end))
+    with workdps(30):
+        holds_orbit(image, *orbit(p, start, x, v, end))
     for ball, value in zip(image.state, path.end, strict=True):
         assert holds(ball, value, 1e-8)
     for row, values in zip(image.monodromy, path.monodromy, strict=True):
-        for entry, value in zip(row, values, strict=True):
-            assert holds(entry, value, 1e-5 * (1 + abs(value)))
+        for entry, value, varies in zip(row, values, (not wall, v != 0), strict=True):
+            assert holds(entry, value, 1e-5 * (1 + abs(value))) if varies else entry.is_zero()
+
+
+@pytest.mark.parametrize("end", ["3/5", "2", "5"])
+def test_the_derivative_of_a_launch(end):
+    """From v = 0 it is told by x only: by v it is another from either side, by a turning."""
+    start, end, step = Fraction(1, 10), Fraction(end), Fraction(1, 10**12)
+    image = far(PAPER, ("1/3", 0), end, start=start)
+    with workdps(40):
+        starts = ((0, 0), (step, 0), (0, step), (0, -step))
+        here, *others = (orbit(PAPER, start, Fraction(1, 3) + x, v, end)[1] for x, v in starts)
+        by_x, by_v, by_less_v = (
+            [rational(one - other) / step for one, other in zip(there, here, strict=True)]
+            for there in others
+        )
+    force = math.cos(start)
+    for row, x, v, w in zip(image.monodromy, by_x, by_v, by_less_v, strict=True):
+        assert holds(row[0], x, Fraction(1, 10**9))
+        assert row[1].is_zero()
+        assert float(w) == pytest.approx(-float(v) * (force - 0.4) / (force + 0.4), rel=1e-6)
 
 
 @pytest.mark.parametrize("name", ["turns", "stick", "soft", "viscous", "brisk"])

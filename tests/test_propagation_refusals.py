@@ -1,11 +1,12 @@
 """Nothing is told of boxes whose orbits differ, nor of times and states that make no sense."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 from flows import starting
 
-from cap import interval
+from cap import interval, propagation
 from cap.errors import BadInput, NotProved
 from cap.flow import State, oscillator
 from cap.interval import Ball
@@ -34,6 +35,27 @@ def test_input_that_is_no_state():
             propagate(PAPER, at_time_zero(x, v), Ball(1))
     with pytest.raises((BadInput, NotProved)):
         far(PAPER, (1, 1), 1, wall=1)
+
+
+@pytest.mark.parametrize("size", ["1e400", "1e10000000000000000000000000"])
+def test_absurd_sizes(size):
+    """Of states and times, in balls that no fraction and no float holds."""
+    huge, one = Ball(size), Ball(1)
+    for x, v, end in ((huge, one, one), (Ball(0), huge, one), (Ball(0, huge), one, one)):
+        with pytest.raises(NotProved):
+            propagate(PAPER, at_time_zero(x, v), end)
+    with pytest.raises(NotProved, match="periods away"):
+        propagate(PAPER, at_time_zero(Ball(0), one), huge)
+
+
+@pytest.mark.parametrize("name", ["F", "omega", "R"])
+@pytest.mark.parametrize("power", [400, -400])
+def test_absurd_parameters(name, power):
+    """That no float holds: it cannot steer, so nothing is proved."""
+    p = replace(PAPER, l=Fraction(0), f=Fraction(0))
+    p = replace(p, **{"r" if name == "R" else name: Fraction(10) ** power})
+    with pytest.raises(NotProved):
+        after_periods(p, interval.ball(p.R / 2), Ball(1), 1)
 
 
 def refused(p, box, end, *steps, start=0):
@@ -85,6 +107,20 @@ def test_boxes_too_large():
     saddle = [interval.around(Fraction(q), HAIR) for q in ("0.34352606", "0.7753195")]
     after_periods(PAPER, *saddle, 3)
     refused(PAPER, saddle, 50 * oscillator(PAPER).T, "event", "flight", "end", "windows")
+
+
+@pytest.mark.parametrize("bad", [Ball("nan"), Ball("inf"), Ball(0, "inf")], ids=str)
+@pytest.mark.parametrize("name", ["box", "monodromy"])
+def test_sets_that_are_not_finite(monkeypatch, name, bad):
+    """Every number would be in them: that is not told as a result."""
+    one = Ball(1)
+    monkeypatch.setattr(propagation, "_plan", lambda _p, _osc, _cloud, end: ((), end))
+    monkeypatch.setattr(propagation._Cloud, "advance", lambda *_: [])
+    far(PAPER, P_STAR, 1)
+    value = (one, bad) if name == "box" else ((one, one), (bad, one))
+    monkeypatch.setattr(propagation._Cloud, name, lambda _: value)
+    with pytest.raises(NotProved, match="too large"):
+        far(PAPER, P_STAR, 1)
 
 
 def test_beginnings_that_are_undecided():

@@ -19,6 +19,7 @@ from cap.subdivision import Cell
 from proofs import branch, branch_curve, pitchfork
 from proofs.branch_curve import Part
 from proofs.fixed_point import Setting
+from proofs.one_one import Scale
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -55,6 +56,20 @@ def test_ranges_without_a_pair(rho, low, high, why):
     with pytest.raises(BadInput, match=why) as caught:
         branch.prove(setting(rho, f_range=f_range))
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("rho", ["1", "3/2", "2", "9/4"])
+def test_where_the_pair_exists_is_rounded_up(rho):
+    """What is said of the f below which there is a pair is not below it; at each size of F."""
+    for F in (Fraction(1), Fraction(1, 10**9), Fraction(10**9)):
+        p = Parameters(F, Fraction(1), F / 2, Fraction(0), Fraction(rho) * F)
+        ask = Setting(p, Start(0.0, 0.0, ()), 12, f_range=(F * 63 / 100, None))
+        with pytest.raises(BadInput) as caught:
+            branch.prove(ask)
+        with interval.workprec(200):
+            birth = pitchfork.lemma_2_parabolic(Scale(ask)).alpha * interval.ball(F)
+        said = Fraction(str(caught.value).split()[6])
+        assert birth < interval.ball(said) < birth * 100001 / 100000
 
 
 class Altered:
@@ -127,6 +142,16 @@ def test_the_sign_of_the_twist_on_cells():
         assert Part(Cell(Fraction(0), Fraction(1)), bracket).sign == sign.replace("?", "none")
     assert branch.examine_twist(rho, Cell(Fraction(0), Fraction(1, 1000))) == "?"
     assert branch.examine_twist(rho, Cell(Fraction(6, 5), Fraction(7, 5))) == "?"
+
+
+@pytest.mark.parametrize(
+    "verdict",
+    ["", "1", "1 2 3", "2 1", "-1 1", "0 1", "1/0 2", "nan nan", "1e999999999 1e9999999999", "+"],
+)
+def test_verdicts_of_a_damaged_journal(verdict):
+    """No pair of numbers, none of one sign; exponents that no memory holds."""
+    with pytest.raises(BadInput, match="damaged"):
+        branch._enclosure(verdict)
 
 
 def test_changes_of_sign():

@@ -1,9 +1,16 @@
 """How the commands on turning, sticking, capture and losses fail: one line, and no file."""
 
+from fractions import Fraction
+
 import pytest
 from support import proving
 
 from cap import prove
+from cap.errors import NotProved
+from cap.fixed_point import Start
+from cap.parameters import PAPER
+from proofs import persistence
+from proofs.fixed_point import Setting
 
 ORBIT = ("--orbit", "0.1003", "0.5419")
 
@@ -93,6 +100,24 @@ def test_how_far_the_family_reaches_is_said(capsys, tmp_path, monkeypatch, losse
     assert "Lemma 5" in err
     assert reason in err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_how_far_the_family_reaches_is_not_rounded(monkeypatch):
+    """0.0106250009 is said, not 0.01063, up to which nothing was proved."""
+
+    def refuse(*_):
+        raise NotProved("Lemma 5", "no single cell will do")
+
+    monkeypatch.setattr(persistence._Builder, "_begin", refuse)
+    monkeypatch.setattr(persistence._Builder, "_begin_small", lambda *_: None)
+    monkeypatch.setattr(persistence._Builder, "grow", lambda *_: None)
+    reached = Fraction("0.0106250009"), Fraction("0.00093750001")
+    grid = persistence.Grid(tuple([Fraction(0), node] for node in reached))
+    setting = Setting(PAPER, Start(0.1, 0.5, ()), 8)
+    with pytest.raises(NotProved, match=r"epsilon <= 0.0106250009, mu <= 0.00093750001 only"):
+        persistence._Builder(setting, grid, setting.start, Fraction(1)).reach(
+            (Fraction(1, 20),) * 2
+        )
 
 
 def test_the_progress_line_is_cleared(capsys, tmp_path, monkeypatch):

@@ -222,8 +222,10 @@ def test_the_journal_of_something_else(tmp_path):
         '{"cells of": "signs"}\n["0", "1/7", null]\n',
         '{"cells of": "signs"}\n["0", "1/7", "+"] ["0", "1/7", "+"]\n',
         "\0\n",
+        '{"cells of": "signs"}\n["0", "1e999999999999", "+"]\n',
+        '{"cells of": "signs"}\n["1e-999999999999", "1/7", "+"]\n',
     ],
-    ids=range(16),
+    ids=range(18),
 )
 def test_files_that_are_no_journal(tmp_path, text):
     """They are refused in one line, and not a character of them is changed."""
