@@ -169,12 +169,16 @@ def lemma_4_twist(setting: Setting, steps: Steps) -> list[Part]:
     """
     p = setting.parameters
     rho = p.R * p.omega**2 / p.F
-    key = f"twist along the branch of rho = {rho}, order {ORDER}, {BITS} bits, error 1/{SHARP}"
     step = partial(examine_twist, rho)
-    found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, key)
+    found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, journal_key(rho))
     signs = [Part(cell, _enclosure(verdict)) for cell, verdict in found]
     others = [Part(cell, None) for cell in (steps.first, *steps.beyond)]
     return sorted(_merged(signs) + others)
+
+
+def journal_key(rho: Fraction) -> str:
+    """Return what the verdicts of a journal depend on, besides the cell."""
+    return f"twist along the branch of rho = {rho}, order {ORDER}, {BITS} bits, error 1/{SHARP}"
 
 
 def _merged(parts: list[Part]) -> list[Part]:
