@@ -1,12 +1,13 @@
 """Long computations in pieces: on several cores, with progress, and kept when interrupted."""
 
 import multiprocessing
-import signal
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TypeVar
+
+from cap.entry import as_worker
 
 A = TypeVar("A")
 B = TypeVar("B")
@@ -69,7 +70,7 @@ class Work:
         if not processes:
             return ThreadPoolExecutor(self.jobs)
         fresh = multiprocessing.get_context("spawn")
-        return ProcessPoolExecutor(self.jobs, fresh, signal.signal, (signal.SIGINT, signal.SIG_IGN))
+        return ProcessPoolExecutor(self.jobs, fresh, as_worker)
 
     def _in_parallel(
         self,
