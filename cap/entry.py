@@ -8,6 +8,7 @@ it:
   at all.  Signals that are ignored stay ignored.
 - A reader that has closed the output, as ``| head`` does, is the status 141 and no line; output
   that cannot be written, or too little memory, is a line and the status 2.
+- A library that is not installed is a line and the status 2.
 - Characters that the output cannot encode are escaped.
 
 Nothing is imported here that takes time to load.
@@ -123,6 +124,12 @@ def _guarded(target: str, words: Sequence[str]) -> int:
         return INTERRUPTED
     except MemoryError:
         _complain("error: not enough memory: ask for less")
+        return FAILED
+    except ModuleNotFoundError as error:
+        library = str(error.name).partition(".")[0]
+        if library in ("cap", "proofs"):
+            raise
+        _complain(f"error: the library {library} is missing: install cap, say by pip install -e .")
         return FAILED
     except OSError as error:
         return _unwritten(error)

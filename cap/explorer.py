@@ -4,6 +4,7 @@ What can be explored: see `cap.commands`.  After an interrupt what had been done
 """
 
 import argparse
+import logging
 import os
 import sys
 from collections.abc import Sequence
@@ -20,6 +21,7 @@ from cap.parameters import PAPER, Parameters, exact
 from cap.progress import Progress
 
 MOST_PIXELS = 300_000_000
+FIRST = ("--paper", "--out", "--help")  # options before a command
 
 
 def parser() -> Parser:
@@ -91,9 +93,11 @@ def _add(p: argparse.ArgumentParser, command: Command) -> None:
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
-    options = parser().parse_args([protected(word) for word in words])
     progress = Progress()
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells where it keeps its fonts
     try:
+        _in_order(words)
+        options = parser().parse_args([protected(word) for word in words])
         if options.paper and options.command:
             raise BadInput(f"give --paper or {options.command}: not both")
         if options.paper:
@@ -107,6 +111,13 @@ def main(words: Sequence[str]) -> int:
         return 2
     finally:
         progress.clear()
+
+
+def _in_order(words: Sequence[str]) -> None:
+    """Raise `BadInput` if an option of a command comes before the command."""
+    first = words[0].partition("=")[0] if words else ""
+    if first.startswith("--") and not any(own.startswith(first) for own in FIRST):
+        raise BadInput(f"say what to explore before its options: {first[:40]} comes after it")
 
 
 def _paper(labels: Sequence[str], out: Sequence[Path], progress: Progress) -> int:

@@ -12,7 +12,7 @@ import numpy as np
 
 from cap.approx.study import Study
 from cap.errors import BadInput
-from cap.files import replacing
+from cap.files import replacing, tried
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,10 +28,12 @@ def kind(path: Path) -> str:
     if suffix not in IMAGES + DATA:
         known = ", ".join("." + name for name in IMAGES + DATA)
         raise BadInput(f"cannot tell what to write to {str(path)!r}: end it in one of {known}")
-    if not path.parent.is_dir():
-        raise BadInput(f"cannot write {path}: {os.strerror(ENOENT)}: {path.parent}")
-    if path.is_dir() or not os.access(path.parent, os.W_OK):
-        raise BadInput(f"cannot write {path}: {'a directory' if path.is_dir() else 'not allowed'}")
+    try:
+        if not path.parent.is_dir():
+            raise FileNotFoundError(ENOENT, f"{os.strerror(ENOENT)}: {path.parent}")
+        tried(path)
+    except OSError as error:
+        raise BadInput(f"cannot write {path}: {error.strerror}") from None
     return suffix
 
 

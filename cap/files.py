@@ -34,9 +34,9 @@ def tried(path: Path) -> None:
     while not (above.exists() or above.is_symlink()):
         above = above.parent
     if not above.is_dir():
-        raise NotADirectoryError(ENOTDIR, f"{os.strerror(ENOTDIR)}: {above}")
+        raise NotADirectoryError(ENOTDIR, os.strerror(ENOTDIR))
     if not os.access(above, os.W_OK | os.X_OK):
-        raise PermissionError(EACCES, f"{os.strerror(EACCES)}: {above}")
+        raise PermissionError(EACCES, os.strerror(EACCES))
     if above == path.absolute().parent:
         with tempfile.TemporaryFile(dir=above):
             pass

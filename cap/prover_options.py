@@ -102,7 +102,7 @@ class Asked:
             options.out,
         )
         asked._fits()
-        _try(asked.out if asked.into_a_file else asked.out / "certificate.json")
+        _try(asked.out, directory=not asked.into_a_file)
         if asked.journal:
             _try(asked.journal)
         return asked
@@ -178,9 +178,9 @@ def _range(options: argparse.Namespace) -> Range:
     return low, high
 
 
-def _try(path: Path) -> None:
-    """Raise `BadInput` if a file certainly cannot be written."""
+def _try(path: Path, *, directory: bool = False) -> None:
+    """Raise `BadInput` if a file, or one in a directory, certainly cannot be written."""
     try:
-        tried(path)
+        tried(path / "certificate.json" if directory else path)
     except OSError as error:
         raise BadInput(f"cannot write {path}: {error.strerror}") from None

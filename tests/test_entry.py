@@ -111,6 +111,11 @@ def test_handlers_are_given_back():
         ("raise MemoryError", 2, "error: not enough memory: ask for less\n"),
         ("raise PermissionError(13, 'no')", 2, "error: the system refused: no\n"),
         ("raise BrokenPipeError", 141, ""),
+        (
+            "import no_such_library.part",
+            2,
+            "error: the library no_such_library is missing: install cap, say by pip install -e .\n",
+        ),
         ("sys.exit(2)", 2, ""),
         ("raise KeyboardInterrupt", 130, "interrupted; nothing half-written\n"),
     ],

@@ -368,7 +368,7 @@ def test_long_tables_are_written_in_pieces(tmp_path, monkeypatch):
 def test_pieces_fit_into_memory():
     """Where the state after each of a million periods is kept, few orbits are followed at once."""
     parts = []
-    Work().pieces(10, parts.append, "test", kept=250_000)
+    Work().pieces(10, parts.append, "test", 250_000)
     assert [(part.start, part.stop) for part in parts] == [(k, k + 2) for k in range(0, 10, 2)]
 
 
