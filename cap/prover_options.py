@@ -1,8 +1,10 @@
 """The options of `cap.prove`: each is read, and tried, before anything is searched or proved."""
 
 import argparse
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
+from errno import ENOENT
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -105,6 +107,8 @@ class Asked:
         _try(asked.out, directory=not asked.into_a_file)
         if asked.journal:
             _try(asked.journal)
+            if not asked.journal.parent.is_dir():
+                raise BadInput(f"cannot write {asked.journal}: {os.strerror(ENOENT)}")
         return asked
 
     @property

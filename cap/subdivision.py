@@ -118,7 +118,6 @@ def _journal(path: Path | None, key: str) -> Iterator[tuple[Verdicts, Callable[[
         yield {}, lambda _cell, _verdict: None
         return
     with _usable(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
         known = _read(path, key)
         file = path.open("a", encoding="ascii")
         if not path.stat().st_size:

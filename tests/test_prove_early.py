@@ -37,6 +37,7 @@ def _no_search(monkeypatch):
         (("saddle", "--out", "/dev/null/a.json"), "cannot write /dev/null/a.json: Not a dir"),
         (("saddle", "--out", "x" * 300 + ".json"), "File name too long"),
         (("branch", "--journal", "/dev/null/j"), "cannot write /dev/null/j: Not a directory"),
+        (("branch", "--journal", "no/j"), "cannot write no/j: No such file or directory"),
         (("branch", "--journal", "."), "cannot write .: Is a directory"),
     ],
     ids=lambda words: " ".join(words)[:40] if isinstance(words, tuple) else "",
