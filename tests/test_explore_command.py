@@ -1,6 +1,7 @@
 """The explorer's command line: the order of words, files, figures of the paper, compiled code."""
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -13,7 +14,9 @@ import pytest
 from cap import explore
 from cap.approx import compiled
 from cap.approx.compiled import kept
+from cap.approx.work import Work
 from cap.entry import INTERRUPTED
+from cap.errors import BadInput
 from cap.paper import command
 from cap.paper.registry import figure
 
@@ -77,6 +80,17 @@ def test_an_interrupt_while_a_picture_is_written(tmp_path, monkeypatch, capsys):
     assert status == INTERRUPTED
     assert "## fig:cover" in (tmp_path / "comparison.md").read_text()
     assert {path.name for path in tmp_path.iterdir()} == {"cover.png", "cover.pdf", "comparison.md"}
+
+
+def killed(_task):
+    """End the process, as a system does that has no memory left."""
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_a_process_that_is_killed():
+    """A line that says so, no traceback."""
+    with pytest.raises(BadInput, match="a process was killed"):
+        Work(2).map(killed, [1, 2, 3], "test", processes=True)
 
 
 def add(numbers):

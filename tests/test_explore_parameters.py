@@ -111,7 +111,7 @@ def test_no_branch_point_next_to_a_grazing():
 def test_an_end_has_a_reason():
     """If it is only that the points are used."""
     found = continuation(PAPER, points=3, branches=1)
-    assert [each.label for each in found.special] == ["end: 3 points", "end: 3 points"]
+    assert [each.label for each in found.special] == ["followed no further: 3 points"] * 2
 
 
 def test_crossing_branches_are_followed():

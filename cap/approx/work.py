@@ -3,13 +3,20 @@
 import multiprocessing
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import (
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import TypeVar
 
 from cap.entry import as_worker
+from cap.errors import BadInput
 
 A = TypeVar("A")
 B = TypeVar("B")
@@ -94,6 +101,8 @@ class Work:
                     futures.append(pool.submit(function, task))
                 done.append(futures.popleft().result())
                 self.tell(words, len(done) / len(tasks))
+        except BrokenExecutor:
+            raise BadInput("a process was killed: ask for less, or for fewer --jobs") from None
         except KeyboardInterrupt:
             for child in multiprocessing.active_children():
                 if child not in others:  # a piece may take minutes
