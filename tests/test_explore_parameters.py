@@ -164,7 +164,7 @@ def test_parameters_vary_exactly():
 def test_no_orbit_above_the_impulse_bound():
     """Over (f, R): none where f > 2F/π; both kinds at the paper's parameters."""
     found = plane(PAPER, first=(0.4, 0.7), second=(1.9, 2.1), points=3)
-    assert [found.names[k] for k in found.code[1]] == ["both", "both", "none"]
+    assert [found.names[k] for k in found.code[1]] == [*["elliptic and saddle"] * 2, "none"]
     np.testing.assert_array_equal(found.number[:, 2], 0)
 
 
