@@ -2,15 +2,19 @@
 
 import json
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from support import proving
 
 from cap import naming
+from cap.certificate import stored
 from cap.checker.theorem import check
 from cap.errors import BadInput
 from cap.parameters import PAPER, Parameters
+from proofs.theorems import THEOREMS
 
+STORED = Path(__file__).parent.parent / "certificates"
 P_STAR = (0.10027989, 0.54194331)
 
 
@@ -108,6 +112,19 @@ def test_another_file_is_not_replaced(capsys, tmp_path, other):
     assert path.read_bytes() == before
     assert proving(capsys, "saddle", "--digits", "8", "--out", str(path))[0] == 0
     assert path.read_bytes() != before
+
+
+@pytest.mark.parametrize("theorem", [name for name in THEOREMS if name != "persistence"])
+def test_no_stored_certificate_is_in_the_way(theorem):
+    """At the paper's parameters the name is free, or that of a certificate about just that.
+
+    (There `persistence` has nothing to prove.)
+    """
+    path = STORED / naming.name(theorem, PAPER, {})
+    old = stored(path)
+    claims = old.claims if old else {}
+    state = [sum(claims[z][:2]) / 2 for z in "xv"] if "x" in claims else [PAPER.r, 0]
+    naming.free(path, theorem, PAPER, tuple(map(float, state)))
 
 
 def test_what_is_about_the_same(capsys, tmp_path):
