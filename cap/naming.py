@@ -17,6 +17,7 @@ from pathlib import Path
 from cap.certificate import stored
 from cap.checker.certificate import Certificate
 from cap.checker.forms import FOR_ALL_F
+from cap.checker.forms import THEOREMS as CLOSED_FORMS
 from cap.errors import BadInput
 from cap.parameters import PAPER, Parameters
 
@@ -62,10 +63,13 @@ def _told(theorem: str, parameters: Parameters) -> dict[str, str]:
 
 
 def _is_about(old: Certificate, theorem: str, p: Parameters, state: State) -> bool:
-    """Return whether a certificate has this theorem and these parameters, and holds the state."""
+    """Return whether a certificate has this theorem and these parameters, and holds the state.
+
+    What starts from closed forms is about no one state.
+    """
     same = all(getattr(old.parameters, key) == getattr(p, key) for key in _told(theorem, p))
-    if old.theorem != theorem or not same:
-        return False
+    if old.theorem != theorem or not same or theorem in CLOSED_FORMS:
+        return old.theorem == theorem and same
     where = old.claims if "x" in old.claims else old.claims.get("box", {})
     units = {"x": p.R, "v": p.R * p.omega}
     return all(

@@ -9,6 +9,7 @@ from support import proving
 
 from cap import naming
 from cap.certificate import stored
+from cap.checker.forms import THEOREMS as CLOSED_FORMS
 from cap.checker.theorem import check
 from cap.errors import BadInput
 from cap.parameters import PAPER, Parameters
@@ -123,8 +124,9 @@ def test_no_stored_certificate_is_in_the_way(theorem):
     path = STORED / naming.name(theorem, PAPER, {})
     old = stored(path)
     claims = old.claims if old else {}
-    state = [sum(claims[z][:2]) / 2 for z in "xv"] if "x" in claims else [PAPER.r, 0]
-    naming.free(path, theorem, PAPER, tuple(map(float, state)))
+    closed, there = theorem in CLOSED_FORMS, [PAPER.r, 0]  # as searched for, and for a capture
+    state = [sum(claims[z][:2]) / 2 for z in "xv"] if "x" in claims else there
+    naming.free(path, theorem, PAPER, (0.0, 0.0) if closed else tuple(map(float, state)))
 
 
 def test_what_is_about_the_same(capsys, tmp_path):
