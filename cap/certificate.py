@@ -7,11 +7,8 @@ import json
 import platform
 from collections.abc import Mapping
 from dataclasses import dataclass
-from errno import ENOTDIR
 from fractions import Fraction
-from hashlib import sha256
 from importlib.metadata import version
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +19,7 @@ from cap.errors import TooFewDigits
 from cap.files import replacing
 from cap.interval import Ball
 from cap.matrix import Matrix
-from cap.parameters import PAPER, Parameters
+from cap.parameters import Parameters
 
 FORMAT = "cap-certificate/1"
 NONE = "none"  # for what does not exist
@@ -104,62 +101,13 @@ def dumps(certificate: Mapping[str, Any]) -> str:
     return json.dumps(certificate, indent=1) + "\n"
 
 
-def place(certificate: Mapping[str, Any], directory: Path) -> Path:
-    """Return a path in ``directory`` for a certificate: free, or held by one on the same orbit.
-
-    That is THEOREM.json, THEOREM-2.json, ...; or, where one for other parameters is in the way,
-    THEOREM-SPECIAL.json, ..., where SPECIAL tells the parameters.  So nothing else is overwritten.
-    """
-    theorem, new = certificate["theorem"], read(dumps(certificate).encode())
-    for number in count(1):
-        path = directory / f"{theorem}{_suffix(number)}.json"
-        if _is_open_to(path, new):
-            return path
-        old = _stored(path)
-        if not (old and old.parameters == new.parameters):
-            break
-    special = _special(certificate["parameters"])
-    paths = (directory / f"{theorem}-{special}{_suffix(number)}.json" for number in count(1))
-    return next(path for path in paths if _is_open_to(path, new))
-
-
-def _special(parameters: Mapping[str, str]) -> str:
-    """Return what tells the parameters from the paper's."""
-    paper = PAPER.strings()
-    changed = [f"{k}={v}" for k, v in parameters.items() if v != paper[k]]
-    name = "-".join(changed).replace("/", "_") or "paper"
-    return name if len(name) <= 80 else sha256(name.encode()).hexdigest()[:12]
-
-
-def _suffix(number: int) -> str:
-    return "" if number == 1 else f"-{number}"
-
-
-def _is_open_to(path: Path, new: Certificate) -> bool:
-    """Return whether ``path`` is free, or held by a certificate on the same orbit."""
-    old = _stored(path)
-    return not path.exists() or (old is not None and _same_orbit(old, new))
-
-
-def _same_orbit(old: Certificate, new: Certificate) -> bool:
-    """Return whether two certificates are of one theorem, with parameters and orbit the same.
-
-    Captures are the same if their boxes meet.
-    """
-    if (old.theorem, old.parameters) != (new.theorem, new.parameters):
-        return False
-    where = [c.claims if "x" in c.claims else c.claims["box"] for c in (old, new)]
-    pairs = [(where[0][key], where[1][key]) for key in ("x", "v")]
-    return all(a.lower <= b.upper and b.lower <= a.upper for a, b in pairs)
-
-
-def _stored(path: Path) -> Certificate | None:
+def stored(path: Path) -> Certificate | None:
     """Return the certificate at ``path``, or None if there is none of this format."""
-    if not path.is_file() or path.stat().st_size > MAX_BYTES:
-        return None
     try:
+        if not path.is_file() or path.stat().st_size > MAX_BYTES:
+            return None
         return read(path.read_bytes())
-    except Rejected:
+    except (Rejected, OSError):
         return None
 
 
@@ -169,12 +117,10 @@ def write(certificate: Mapping[str, Any], path: Path) -> str:
     A file that differs in its provenance only is left alone.  Returns what happened, in a word.
     Raises `OSError` if the file cannot be written.
     """
-    old = _stored(path)
+    old = stored(path)
     same = {"provenance": certificate["provenance"]}
     if old and {**json.loads(path.read_bytes()), **same} == certificate:
         return "unchanged"
-    if path.parent.exists() and not path.parent.is_dir():
-        raise NotADirectoryError(ENOTDIR, "not a directory")
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as file:
         file.write(dumps(certificate).encode())

@@ -1,13 +1,9 @@
-"""What the command lines share: complaints in one line, names in quotation marks, and output that
-nobody can read."""
+"""What the command lines share: complaints in one line, names in quotation marks, and lines that
+somebody may hear."""
 
 import argparse
-import io
-import os
 import re
-import sys
-from collections.abc import Callable
-from typing import NoReturn, TextIO
+from typing import Any, NoReturn, TextIO
 
 
 class Parser(argparse.ArgumentParser):
@@ -16,6 +12,11 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Print the complaint and exit."""
         self.exit(2, f"error: {printable(message)} (--help says more)\n")
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Print help or a complaint; `argparse` would be silent about a file that is full."""
+        if file is not None:
+            file.write(message)
 
 
 def printable(text: str) -> str:
@@ -32,28 +33,6 @@ def quoted(name: object) -> str:
 def protected(word: str) -> str:
     """Return ``word`` such that argparse takes a negative number, also -1/2, for a value."""
     return " " + word if re.fullmatch(r"-[\d.]\S*", word) else word
-
-
-def closing_quietly(command: Callable[[], int]) -> int:
-    """Run ``command`` and return its status; what goes wrong with standard output is no traceback.
-
-    Returns 141 if a reader has closed it, as ``| head`` does, and 2 if it cannot be written.
-    Characters that it cannot encode are escaped.
-    """
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
-    try:
-        status = command()
-        if sys.stdout is not None:
-            sys.stdout.flush()
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what is still buffered goes nowhere
-        if isinstance(error, BrokenPipeError):
-            return 141
-        say(f"error: standard output cannot be written: {error.strerror}", sys.stderr)
-        return 2
-    return status
 
 
 def say(line: str, stream: TextIO | None) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from cap.approx.study import Study
 from cap.console import quoted
 from cap.errors import BadInput
-from cap.files import replacing
+from cap.files import replacing, tried
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,12 +29,12 @@ def kind(path: Path) -> str:
     if suffix not in IMAGES + DATA:
         known = ", ".join("." + name for name in IMAGES + DATA)
         raise BadInput(f"cannot tell what to write to {quoted(path)}: end it in one of {known}")
-    if not path.parent.is_dir():
-        why = f"{os.strerror(ENOENT)}: {quoted(path.parent)}"
-        raise BadInput(f"cannot write {quoted(path)}: {why}")
-    if path.is_dir() or not os.access(path.parent, os.W_OK):
-        why = "a directory" if path.is_dir() else "not allowed"
-        raise BadInput(f"cannot write {quoted(path)}: {why}")
+    try:
+        if not path.parent.is_dir():
+            raise FileNotFoundError(ENOENT, f"{os.strerror(ENOENT)}: {quoted(path.parent)}")
+        tried(path)
+    except OSError as error:
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
     return suffix
 
 

@@ -60,6 +60,8 @@ class Parameters:
             )
         if self.l >= self.r:
             raise BadInput(f"the left wall must be left of the right wall: l={self.l}, r={self.r}")
+        if self.R * _LARGEST < 1:
+            raise BadInput(f"the walls must be at least 1e-30 apart: {float(self.R):.3g}")
         if not 0 < self.e <= 1:
             raise BadInput(f"the restitution must be positive and at most 1: e = {self.e}")
         if self.mu < 0:

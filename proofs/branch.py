@@ -65,6 +65,7 @@ LONGEST = Fraction(1, 100)  # to this length
 SMALLEST = Fraction(1, 10**9)  # the shortest cell
 ORDER = 6  # of the Taylor models
 BITS = 120
+SHARP = 20  # values are so many times the error of their model; the checker grants a tenth
 
 CITED = cited(
     *MOSER,
@@ -164,17 +165,21 @@ def lemma_3_monotone(setting: Setting, last: Fraction, parabolic: Bracket | None
 def lemma_4_twist(setting: Setting, steps: Steps) -> list[Part]:
     """*Statement.* (1 + T) τ_1 lies in explicit intervals without 0, on cells.
 
-    *Computed.* `examine_twist` on the cells where the pair is elliptic, halved until 0 is excluded
-    or they are short.  The journal is for this, which takes the longest.
+    *Computed.* `examine_twist` on the cells where the pair is elliptic, halved until a sharp
+    enclosure excludes 0 or they are short.  The journal is for this, which takes the longest.
     """
     p = setting.parameters
     rho = p.R * p.omega**2 / p.F
-    key = f"twist along the branch of rho = {rho}, order {ORDER}, {BITS} bits"
     step = partial(examine_twist, rho)
-    found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, key)
+    found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, journal_key(rho))
     signs = [Part(cell, _enclosure(verdict)) for cell, verdict in found]
     others = [Part(cell, None) for cell in (steps.first, *steps.beyond)]
     return sorted(_merged(signs) + others)
+
+
+def journal_key(rho: Fraction) -> str:
+    """Return what the verdicts of a journal depend on, besides the cell."""
+    return f"twist along the branch of rho = {rho}, order {ORDER}, {BITS} bits, error 1/{SHARP}"
 
 
 def _merged(parts: list[Part]) -> list[Part]:
@@ -214,17 +219,27 @@ def examine_monotone(rho: Fraction, cell: Cell) -> str:
 def examine_twist(rho: Fraction, cell: Cell) -> str:
     """Return an enclosure of (1 + T) τ_1 on a cell without 0, or `UNDECIDED`.
 
-    It is larger by a hundredth than what is proved, so that a looser arithmetic agrees.
+    It is larger by a hundredth than what is proved, so that a looser arithmetic agrees, and
+    comes from a sharp model, so that a sharper arithmetic finds it no wider than its width rule
+    allows.
     """
     with interval.workprec(BITS):
         E, t = period_jet(asymmetric(_model(cell), interval.ball(rho)), 3)
         lower_left = _sign(t[1, 0].bound())
-        N = regular_twist(E, t, lower_left).bound() if lower_left else Ball("nan")
-        wider = N + interval.symmetric(N) / 100
-        if not _sign(wider):
+        if not lower_left:
+            return UNDECIDED
+        N = regular_twist(E, t, lower_left)
+        values = N.bound()
+        wider = values + interval.symmetric(values) / 100
+        if not (_sign(wider) and is_sharp(N)):
             return UNDECIDED
         size = interval.ends(abs(wider))[1]
         return " ".join(interval.outward(wider, 6 - interval.decade(size)))
+
+
+def is_sharp(model: TaylorModel) -> bool:
+    """Return whether the remainder is certainly a small part of the largest value."""
+    return bool(abs(model.remainder) * SHARP < interval.upper(abs(model.bound())))
 
 
 def _sign(x: Ball) -> int:

@@ -24,6 +24,7 @@ from functools import cache
 from typing import Any
 
 from cap import certificate, family, interval, matrix
+from cap.checker.certificate import MAX_WORK, work
 from cap.errors import BadInput, NotProved
 from cap.event import TAYLOR_MODELS
 from cap.family import Cell, Pair
@@ -55,8 +56,7 @@ SHARED = (  # of its box holds the K of a neighbour, where this part of the orbi
     (Fraction(0), Fraction(3, 4)),
 )
 CROWDED = Fraction(9, 10)  # the same where it takes many cells to reach the (ε, μ) given
-MOST_CELLS = 150  # the rectangle grows no further
-MOST_CELLS_BELOW = 1000  # the (ε, μ) given
+MOST_CELLS = 150  # the rectangle grows no further than needed
 
 
 @dataclass
@@ -152,6 +152,7 @@ class _Builder:
         p = setting.parameters
         self.p, self.grid, self.start, self.progress = p, grid, start, setting.progress
         self.shared = shared
+        self.fitting = _most_cells(len(start.events), setting.checker_bits)
         self.period = 2 * interval.pi() / interval.ball(p.omega)
 
     def reach(self, given: Pair) -> None:
@@ -205,7 +206,7 @@ class _Builder:
         Not beyond the ``corner``, if there is one.
         """
         steps, open_sides = list(STEP), [0, 1]
-        most = MOST_CELLS if corner is None else MOST_CELLS_BELOW
+        most = self.fitting if corner else min(MOST_CELLS, self.fitting)
         while open_sides:
             for side in tuple(open_sides):
                 others = len(self.grid.nodes[1 - side]) - 1
@@ -262,6 +263,11 @@ class _Builder:
     def _constants(self, epsilon: Any, mu: Any) -> Constants[Any]:
         constants = Constants.of(self._at(Fraction(0), Fraction(0)), interval.ball)
         return constants._replace(e=1 - epsilon, mu=mu)
+
+
+def _most_cells(events: int, bits: int) -> int:
+    """Return how many cells a certificate may have, which the checker must finish in time."""
+    return (MAX_WORK - work(events, bits)) // work(events, 0, cells=1)
 
 
 def _start(centre: Pair, events: Itinerary) -> Start:

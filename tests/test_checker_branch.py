@@ -279,7 +279,7 @@ def test_hints_far_off(short, whole):
     precise = forge_branch(digits=25, first="0.2", width="0.03", last="0.3")
     assert not accepted(changed(precise, "hints", "bits", "64"))
     rejected(changed(short, "hints", "bits", "63"), "bits")
-    rejected(changed(whole, "hints", "bits", "8192"), "bits times cells")
+    rejected(changed(whole, "hints", "bits", "4096"), "too much")
 
 
 def test_wide_cells_prove_nothing():

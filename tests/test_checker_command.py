@@ -13,7 +13,7 @@ import pytest
 from checker.altered import encode
 from checker.forge import forge
 
-from cap import verify
+from cap import verifier, verify
 
 
 @pytest.fixture(scope="module")
@@ -88,7 +88,7 @@ def test_any_exception_is_a_rejection(files, capsys, monkeypatch):
     def fail(*_):
         raise ZeroDivisionError("x" * 10000 + "\n")
 
-    monkeypatch.setattr(verify, "check", fail)
+    monkeypatch.setattr(verifier, "check", fail)
     assert verify.main([str(files / "good.json")]) == 1
     assert capsys.readouterr().out.endswith("ZeroDivisionError while checking\n")
 
@@ -99,7 +99,7 @@ def test_an_interrupt_exits_130(files, monkeypatch):
     def interrupt(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(verify, "check", interrupt)
+    monkeypatch.setattr(verifier, "check", interrupt)
     assert verify.main([str(files / "good.json")]) == 130
 
 

@@ -6,7 +6,7 @@ import copy
 from fractions import Fraction
 
 import pytest
-from checker.altered import changed, encode
+from checker.altered import encode
 from checker.forge import forge
 
 from cap.checker.certificate import read
@@ -238,28 +238,3 @@ def test_each_rule_of_the_format(good, name):
     at(bad, path[:-1])[path[-1]] = value
     with pytest.raises(Rejected, match=why):
         read(encode(bad))
-
-
-@pytest.mark.parametrize(
-    ("bits", "hits", "fine"),
-    [
-        (8192, 4, True),
-        (512, 64, True),
-        (8192, 5, False),
-        (513, 64, False),
-        (3641, 9, False),  # 32769 = 3641 * 9, one beyond
-    ],
-)
-def test_bits_times_hits_is_limited(good, bits, hits, fine):
-    """32768 = 2^15 units of work are read, with many bits or with many hits; more reject."""
-    certificate = changed(good, "hints", "bits", str(bits))
-    for part, name in (
-        ("hints", "hit_times"),
-        *(("claims", name) for name in ("hit_times", "hit_speeds", "hit_forcing")),
-    ):
-        certificate = changed(certificate, part, name, [["1", "2"]] * hits)
-    if fine:
-        assert read(encode(certificate)).hints["bits"] == bits
-    else:
-        with pytest.raises(Rejected, match="bits times hits"):
-            read(encode(certificate))

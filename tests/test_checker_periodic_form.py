@@ -50,7 +50,7 @@ def test_losses_do_not_belong_to_the_old_theorems(good):
         (("claims", "turning_factors"), [], "list of 2"),
         (("hints", "events"), [["0", "1"]] * 65, "list of 1 to 64"),
         (("hints", "events"), [], "list of 1 to 64"),
-        (("hints", "bits"), "8192", "too large"),
+        (("hints", "bits"), "4097", "between 64 and 4096"),
         (("hints", "order"), "3", "unknown"),
         (("claims",), [], "not an object"),
         (("cites",), [], "cites"),

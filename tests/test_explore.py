@@ -16,10 +16,11 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from cap import explore, export, verify
+from cap import explore, explorer, export, verify
 from cap.approx import cycles, fate, inventory, swarm
 from cap.approx.work import Work
 from cap.commands import COMMANDS
+from cap.entry import INTERRUPTED
 from cap.errors import BadInput, NotProved
 from cap.parameters import PAPER
 from proofs import theorems
@@ -196,7 +197,7 @@ def test_a_failure_leaves_the_old_file(tmp_path, monkeypatch):
     path = tmp_path / "orbit.csv"
     path.write_text("old")
     monkeypatch.setattr("csv.writer", lambda _: (_ for _ in ()).throw(KeyboardInterrupt))
-    assert tiny("orbit", "--out", str(path)) == explore.INTERRUPTED
+    assert tiny("orbit", "--out", str(path)) == INTERRUPTED
     assert path.read_text() == "old"
     assert [each.name for each in tmp_path.iterdir()] == ["orbit.csv"]
 
@@ -219,7 +220,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path, monkeypatch, capsys):
     arguments = ["--box", "-1", "1", "-2", "2", "--points", "50", "--periods", "3"]
     monkeypatch.setattr(fate, "require_followed", lambda *_: None)
     monkeypatch.setattr(swarm, "follow", interrupting(2, swarm.follow))
-    assert run("basin", *arguments, "--out", str(path)) == explore.INTERRUPTED
+    assert run("basin", *arguments, "--out", str(path)) == INTERRUPTED
     assert "interrupted" in capsys.readouterr().err
     with np.load(path) as data:
         assert not data["complete"]
@@ -231,10 +232,10 @@ def test_ctrl_c_keeps_what_is_done(tmp_path, monkeypatch, capsys):
 def test_ctrl_c_at_once(name, tmp_path, monkeypatch, capsys):
     """Even nothing can be written and drawn, or there is one line that says why not."""
     monkeypatch.setattr(Work, "map", lambda self, *_, **__: interrupted(self))
-    monkeypatch.setattr(explore._Bar, "tell", interrupting(0, None))
+    monkeypatch.setattr(explorer.Progress, "tell", interrupting(0, None))
     status = tiny(name, "--out", str(tmp_path / "a.png"), "--out", str(tmp_path / "a.csv"))
     captured = capsys.readouterr()
-    assert status == explore.INTERRUPTED
+    assert status == INTERRUPTED
     assert "interrupted" in captured.err
 
 
@@ -264,10 +265,10 @@ def test_a_signal_stops_a_process(words, tmp_path):
     path = tmp_path / "part.npz"
     command = [sys.executable, "-m", "cap.explore", *words, "--jobs", "2", "--out", str(path)]
     process = subprocess.Popen(command, stderr=subprocess.PIPE, start_new_session=True, text=True)
-    time.sleep(3)
+    time.sleep(6)  # modules are loaded
     os.killpg(process.pid, signal.SIGINT)
     _, complaint = process.communicate(timeout=10)  # not when the pieces begun are done
-    assert process.returncode == explore.INTERRUPTED
+    assert process.returncode == INTERRUPTED
     assert complaint == "interrupted; what was done is kept\n"
     with np.load(path) as data:
         assert not data["complete"]
@@ -279,7 +280,7 @@ def test_help_teaches(capsys):
         explore.main(["--help"])
     assert end.value.code == 0
     said = capsys.readouterr().out
-    parser = explore.parser()
+    parser = explorer.parser()
     for name, command in COMMANDS.items():
         assert command.line(name) in said
         assert parser.parse_args(command.line(name).split()[3:]).command == name
@@ -327,7 +328,10 @@ def test_certificates_of_an_inventory(tmp_path, capsys):
     assert run("inventory", *words) == 0
     assert capsys.readouterr().out.count("proved") == 2
     files = sorted((tmp_path / "c").iterdir())
-    assert [file.name for file in files] == ["periodic-2.json", "periodic.json"]
+    assert [file.name for file in files] == [
+        "periodic-F=17_20-x=-0.666836-v=0.567744.json",
+        "periodic-F=17_20-x=0.273982-v=0.705495.json",
+    ]
     for file in files:
         assert json.loads(file.read_text(encoding="utf-8"))["parameters"]["F"] == "17/20"
         assert verify.main([str(file)]) == 0
@@ -364,7 +368,7 @@ def test_long_tables_are_written_in_pieces(tmp_path, monkeypatch):
 def test_pieces_fit_into_memory():
     """Where the state after each of a million periods is kept, few orbits are followed at once."""
     parts = []
-    Work().pieces(10, parts.append, "test", kept=250_000)
+    Work().pieces(10, parts.append, "test", 250_000)
     assert [(part.start, part.stop) for part in parts] == [(k, k + 2) for k in range(0, 10, 2)]
 
 

@@ -134,7 +134,7 @@ def test_no_branch_point_next_to_a_grazing():
 def test_an_end_has_a_reason():
     """If it is only that the points are used."""
     found = continuation(PAPER, points=3, branches=1)
-    assert [each.label for each in found.special] == ["end: 3 points", "end: 3 points"]
+    assert [each.label for each in found.special] == ["followed no further: 3 points"] * 2
 
 
 def test_crossing_branches_are_followed():
@@ -187,7 +187,7 @@ def test_parameters_vary_exactly():
 def test_no_orbit_above_the_impulse_bound():
     """Over (f, R): none where f > 2F/π; both kinds at the paper's parameters."""
     found = plane(PAPER, first=(0.4, 0.7), second=(1.9, 2.1), points=3)
-    assert [found.names[k] for k in found.code[1]] == ["both", "both", "none"]
+    assert [found.names[k] for k in found.code[1]] == [*["elliptic and saddle"] * 2, "none"]
     np.testing.assert_array_equal(found.number[:, 2], 0)
 
 

@@ -228,7 +228,7 @@ def test_the_command_writes_a_picture_or_a_table(tmp_path, capsys):
     heard = []
     picture, table, text = (tmp_path / f"one.{kind}" for kind in ("svg", "csv", "md"))
     for path in (picture, table, text):
-        assert command.run("cover", path, lambda *words: heard.append(words), quick=True) == 0
+        assert command.run("cover", [path], lambda *words: heard.append(words), quick=True) == 0
     printed = capsys.readouterr().out
     assert "## fig:cover" in printed
     assert "| what | paper | ours | agrees? |" in printed
@@ -243,7 +243,7 @@ def test_the_command_writes_a_picture_or_a_table(tmp_path, capsys):
 def test_the_data_of_a_picture_can_be_read_again(tmp_path, capsys):
     """The archive has the table and the numbers of the picture."""
     path = tmp_path / "one.npz"
-    assert command.run("fig:cover", path, lambda _words, _part: None, quick=True) == 0
+    assert command.run("fig:cover", [path], lambda _words, _part: None, quick=True) == 0
     with np.load(path) as archive:
         assert len(archive["what"]) == len(archive["reason"]) == 5
         assert str(archive["f"]) == "2/5"
@@ -254,7 +254,7 @@ def test_the_command_writes_all_into_a_directory(tmp_path, capsys, monkeypatch):
     """Pictures and one table are written, and the times said."""
     chosen = ["fig:cover", "fig:multi-particle"]
     monkeypatch.setattr(command, "labelled", lambda _label: chosen)
-    assert command.run("all", tmp_path / "new", lambda _words, _part: None, quick=True) == 0
+    assert command.run("all", [tmp_path / "new"], lambda _words, _part: None, quick=True) == 0
     names = {path.name for path in (tmp_path / "new").iterdir()}
     assert names == {"cover.png", "cover.pdf", "multi-particle.png", "multi-particle.pdf",
                      "comparison.md"}  # fmt: skip
@@ -265,7 +265,7 @@ def test_the_command_writes_all_into_a_directory(tmp_path, capsys, monkeypatch):
 def test_bad_requests(label, name, tmp_path):
     """A file of no known kind, or no such figure, is bad input."""
     with pytest.raises(BadInput):
-        command.run(label, tmp_path / name, lambda _words, _part: None)
+        command.run(label, [tmp_path / name], lambda _words, _part: None)
 
 
 def test_an_interrupt_keeps_what_is_done(tmp_path, capsys, monkeypatch):
@@ -280,7 +280,7 @@ def test_an_interrupt_keeps_what_is_done(tmp_path, capsys, monkeypatch):
 
     monkeypatch.setattr(command, "labelled", lambda _label: ["fig:cover", "fig:sali"])
     monkeypatch.setattr(command, "figure", stopping)
-    assert command.run("all", tmp_path, lambda _words, _part: None) == command.INTERRUPTED
+    assert command.run("all", [tmp_path], lambda _words, _part: None) == command.INTERRUPTED
     assert "interrupted in fig:sali" in capsys.readouterr().err
     assert "fig:cover" in (tmp_path / "comparison.md").read_text()
     assert not (tmp_path / "sali.png").exists()
@@ -294,7 +294,7 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
 
     one = replace(figure("fig:cover"), compute=failing)
     monkeypatch.setattr(command, "figure", lambda _label: one)
-    assert command.run("fig:cover", None, lambda _words, _part: None) == 1
+    assert command.run("fig:cover", [], lambda _words, _part: None) == 1
     assert "fig:cover: not proved: Lemma 1" in capsys.readouterr().err
 
 

@@ -102,9 +102,8 @@ def test_trace_and_twist_from_orbits_alone(f):
 def test_a_journal_with_a_verdict_that_is_none(tmp_path):
     """A verdict that no cell can have is refused in one line, like other damage."""
     journal = tmp_path / "journal"
-    key = f"twist along the branch of rho = {RHO}, order {branch.ORDER}, {branch.BITS} bits"
-    first = ["1/1000", "3/2500", "zzz"]
-    journal.write_text(json.dumps({"cells of": key}) + "\n" + json.dumps(first) + "\n")
+    header, first = {"cells of": branch.journal_key(RHO)}, ["1/1000", "3/2500", "zzz"]
+    journal.write_text(json.dumps(header) + "\n" + json.dumps(first) + "\n")
     with pytest.raises(BadInput, match="damaged"):
         branch.prove(setting(f_range=(Fraction("0.46"), None), workers=Workers(None, journal)))
 

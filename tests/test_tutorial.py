@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cap import explore
+from cap import explorer
 
 DOCS = Path(__file__).parent.parent / "docs"
 SCRIPT = (DOCS / "tutorial.py").read_text(encoding="utf-8")
@@ -169,7 +169,7 @@ def test_commands(render):
         python, m, module, *rest = shlex.split(words)
         assert (python, m) == ("python", "-m")
         if module == "cap.explore":
-            explore.parser().parse_args(rest)
+            explorer.parser().parse_args(rest)
         else:
             assert module in ("cap.prove", "cap.verify")
 

@@ -112,7 +112,7 @@ def attractors(
     if cells.count * seen > MOST:
         raise BadInput(f"too many states: {cells.count} seeds x {seen} periods (at most {MOST})")
     require_followed(p, cells.sample())
-    length = max(1, min(PIECE, KEPT // seen))
+    length = max(1, min(PIECE, KEPT // (transient + seen)))
     pieces = [slice(k, min(k + length, cells.count)) for k in range(0, cells.count, length)]
     ends = work.map(
         lambda part: settle(p, cells.states(part), transient, seen), pieces, "attractors"

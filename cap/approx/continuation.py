@@ -3,8 +3,8 @@
 Labels: ``fold``, ``flip`` (a multiplier -1: the period doubles, a branch of twice the period
 begins), ``pitchfork`` (branches cross at an orbit that is its own mirror image), ``branch point``
 (at another), ``grazing`` and ``sticking border`` (the itinerary changes: `cap.approx.border`;
-"…, fold" if the branch turns back there), ``end`` with its reason: what is near, or that all
-``points`` are used.
+"…, fold" if the branch turns back there), ``end`` with what is near, ``followed no further`` where
+all ``points`` are used.
 """
 
 import itertools

@@ -17,6 +17,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from cap.approx import flight
+from cap.approx.compiled import kept
 from cap.approx.flight import (
     FULL_TURN,
     NONE,
@@ -261,7 +262,6 @@ def _compiled(sources: str) -> Callable[[System, Floats, Floats, Floats, Log], N
     Without it, numba would not notice a change in the functions that are compiled into this one.
     """
 
-    @njit(cache=True, error_model="numpy", nogil=True)
     def follow(y: System, ends: Floats, rows: Floats, tangents: Floats, log: Log) -> None:
         """Follow orbits.  ``rows`` (N, K, 3) holds v, wall and depth, first only the starts.
 
@@ -274,7 +274,7 @@ def _compiled(sources: str) -> Callable[[System, Floats, Floats, Floats, Log], N
         for i in range(len(rows)):
             _orbit(y, i, ends, rows, tangents, log)
 
-    return follow
+    return kept(follow)
 
 
 def _digest() -> str:

@@ -93,7 +93,7 @@ def fate(
         for k, kind in enumerate(("turn", "stick", "capture")):
             times[k, part] = found.first_time(kind)
 
-    work.pieces(cells.count, follow, "basin")
+    work.pieces(cells.count, follow, "basin", periods)
     turn, stick, capture = times.reshape(3, *cells.shape)
     return Fate(
         parameters=p,

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from cap import certificate
+from cap import certificate, naming
 from cap.approx.candidates import TYPES
 from cap.approx.cycles import SEEDS, Cycle, cycles
 from cap.approx.grid import polished
@@ -16,6 +16,7 @@ from cap.approx.study import Floats, Study, described, short, value_of, varied
 from cap.approx.work import Work
 from cap.console import quoted
 from cap.errors import BadInput, NotProved
+from cap.files import tried
 from cap.fixed_point import Start
 from cap.parameters import Parameters
 
@@ -114,8 +115,8 @@ def inventory(  # noqa: PLR0913 (the options of the command)
     ``certificates``, if one is named.
     """
     work = work or Work()
-    if certificates and certificates.exists() and not certificates.is_dir():
-        raise BadInput(f"cannot write to {quoted(certificates)}: not a directory")
+    if certificates:
+        _try(certificates)
     systems = [varied(p, parameter, value) for value in dict.fromkeys(values)] or [p]
     own = [value_of(system, parameter) for system in systems]
     tasks = [(*each, period) for each in zip(systems, own, strict=True)]
@@ -124,10 +125,11 @@ def inventory(  # noqa: PLR0913 (the options of the command)
     entries = [entry for entry, _ in orbits]
     if prove or certificates:
         starts = [(systems[own.index(entry.value)], entry, start) for entry, start in orbits]
+        paths = [_path(certificates, *task) for task in starts] if certificates else []
         proved = work.map(_proved, starts, "proving", processes=True)
         entries = [entry for entry, _ in proved] + entries[len(proved) :]
-        if certificates:
-            _write([theorem for _, theorem in proved if theorem], certificates)
+        for path, (_, theorem) in zip(paths, proved, strict=False):
+            _write(theorem, path)
     return Inventory(
         parameters=systems[0] if len(systems) == 1 else p,
         complete=not work.interrupted,
@@ -199,10 +201,27 @@ def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any
     return replace(entry, verdict=PROVED), proved
 
 
-def _write(proved: list[dict[str, Any]], directory: Path) -> None:
-    """Write the certificates where `cap.prove` would."""
-    for each in proved:
-        try:
-            certificate.write(each, certificate.place(each, directory))
-        except OSError as error:
-            raise BadInput(f"cannot write to {quoted(directory)}: {error.strerror}") from None
+def _try(directory: Path) -> None:
+    """Raise `BadInput` if no file can be written to a directory."""
+    try:
+        tried(directory / "certificate.json")
+    except OSError as error:
+        raise BadInput(f"cannot write to {quoted(directory)}: {error.strerror}") from None
+
+
+def _path(directory: Path, p: Parameters, entry: Entry, start: Start) -> Path:
+    """Return where `cap.prove` would write the certificate; `BadInput` if another file is there."""
+    state, periods = (start.x, start.v), start.periods
+    about = {"period": str(periods)} if periods > 1 else {}
+    path = directory / naming.name("periodic", p, about | naming.of_state((entry.x, entry.v)))
+    naming.free(path, "periodic", p, state)
+    return path
+
+
+def _write(proved: dict[str, Any] | None, path: Path) -> None:
+    """Write a certificate, if there is one."""
+    try:
+        if proved:
+            certificate.write(proved, path)
+    except OSError as error:
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None

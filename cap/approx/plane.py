@@ -14,10 +14,10 @@ from cap.approx.work import Work
 from cap.errors import BadInput
 from cap.parameters import Parameters
 
-ORBITS = ("none", "elliptic only", "saddle only", "both")
+ORBITS = ("none", "elliptic only", "saddle only", "elliptic and saddle")
 ATTRACTORS = ("period 1", "period 2", "period 3", "period 4", "longer period", "chaotic",
-              "never hits a wall", "never turns")  # fmt: skip
-OUTSIDE = -1  # no oscillator: f >= F, ...; or not computed
+              "never hits a wall", "never turns", "no attractor found")  # fmt: skip
+OUTSIDE, UNDONE = -1, -2  # no oscillator: f >= F, ...; not computed
 SEEDS = 6  # per side, of the states that are followed to their attractor
 DEFAULTS = {"f": (0.01, 0.7), "F": (1.05, 4.0), "R": (0.1, 2.25), "omega": (0.5, 2.0),
             "e": (0.5, 1.0), "mu": (0.0, 0.5)}  # fmt: skip
@@ -34,8 +34,8 @@ class Cell(NamedTuple):
 class Plane(Study):
     """A map over the values ``first`` (N,) and ``second`` (M,) of two parameters.
 
-    ``code`` (M, N): places in ``names``, -1 outside.  ``number`` (M, N): of orbits their
-    number; of attractors the larger exponent per time.
+    ``code`` (M, N): places in ``names``, -1 outside, -2 not computed.  ``number`` (M, N): of orbits
+    their number; of attractors the larger exponent per time.
     """
 
     parameter_1: str
@@ -91,7 +91,7 @@ def plane(  # noqa: PLR0913 (the options of the command)
               for name, given in ((a, first), (b, second))]  # fmt: skip
     tasks = [(p, (a, b), values[0], value, what) for value in values[1].tolist()]
     rows = work.map(_row, tasks, "plane", processes=True)
-    code = np.full((points, points), OUTSIDE)
+    code = np.full((points, points), UNDONE)
     number = np.full((points, points), np.nan)
     for k, row in enumerate(rows):
         code[k], number[k] = np.array(row).T
@@ -154,7 +154,7 @@ def _attractor(p: Parameters) -> Cell:
     seeds = grid(p, whole(p), SEEDS)
     _, found = sort(p, [settle(p, seeds.states(slice(0, seeds.count)), 200, 2 * LONGEST)])
     if not found:
-        return Cell(OUTSIDE, np.nan)
+        return Cell(ATTRACTORS.index("no attractor found"), np.nan)
     return Cell(ATTRACTORS.index(_name(found[0])), found[0].exponent)
 
 

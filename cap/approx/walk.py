@@ -56,7 +56,7 @@ class Walker:
         with self.work.keeping():
             while True:
                 if len(way) >= self.points:
-                    changes.append(Change(f"end: {self.points} points", station))
+                    changes.append(Change(f"followed no further: {self.points} points", station))
                     break
                 self.work.tell("continuation", len(way) / self.points)
                 following = self._next(station, step) or self._beyond_the_wall(station)

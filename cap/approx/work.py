@@ -1,18 +1,29 @@
 """Long computations in pieces: on several cores, with progress, and kept when interrupted."""
 
 import multiprocessing
-import signal
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import (
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import TypeVar
+
+from cap.entry import as_worker
+from cap.errors import BadInput
 
 A = TypeVar("A")
 B = TypeVar("B")
 
 PIECE = 500  # orbits: few enough that `cap.approx.swarm` follows them in one thread
-KEPT = 500_000  # orbits x periods of a piece that keeps the states after each of them
+KEPT = 500_000  # orbits x periods of a piece: half a second; all these states have room
+AHEAD = 4  # pieces that wait for each core: an interrupt waits only for those begun
 
 
 @dataclass
@@ -55,21 +66,24 @@ class Work:
         return done
 
     def pieces(
-        self, count: int, function: Callable[[slice], None], words: str, kept: int = 1
+        self, count: int, function: Callable[[slice], None], words: str, periods: int
     ) -> None:
         """Call ``function`` for slices of ``count`` orbits, each at most `PIECE` long.
 
-        And so short that ``kept`` states of each orbit have room in memory.
+        And so short that ``periods`` of them take less than a second.
         """
-        length = max(1, min(PIECE, KEPT // kept))
-        cuts = range(0, count, length)
-        self.map(function, [slice(k, min(k + length, count)) for k in cuts], words)
+        length = max(1, min(PIECE, KEPT // periods))
+
+        def piece(k: int) -> None:
+            function(slice(k, min(k + length, count)))
+
+        self.map(piece, range(0, count, length), words)
 
     def _pool(self, processes: bool) -> Executor:
         if not processes:
             return ThreadPoolExecutor(self.jobs)
         fresh = multiprocessing.get_context("spawn")
-        return ProcessPoolExecutor(self.jobs, fresh, signal.signal, (signal.SIGINT, signal.SIG_IGN))
+        return ProcessPoolExecutor(self.jobs, fresh, as_worker)
 
     def _in_parallel(
         self,
@@ -79,13 +93,16 @@ class Work:
         done: list[B],
         pool: Executor,
     ) -> None:
-        futures: list[Future[B]] = []
+        futures, rest = deque[Future[B]](), iter(tasks)
         others = multiprocessing.active_children()
         try:
-            futures = [pool.submit(function, task) for task in tasks]
-            for future in futures:
-                done.append(future.result())
+            while len(done) < len(tasks):
+                for task in islice(rest, AHEAD * self.jobs - len(futures)):
+                    futures.append(pool.submit(function, task))
+                done.append(futures.popleft().result())
                 self.tell(words, len(done) / len(tasks))
+        except BrokenExecutor:
+            raise BadInput("a process was killed: ask for less, or for fewer --jobs") from None
         except KeyboardInterrupt:
             for child in multiprocessing.active_children():
                 if child not in others:  # a piece may take minutes

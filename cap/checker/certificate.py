@@ -2,6 +2,9 @@
 
 How many events an orbit has, and of which kinds, and which order it is expanded to, follows from
 the hints and the itinerary.
+
+*Time.*  What is read here bounds the time that a proof may take: the precision, the number of
+events and cells, the order, and the sizes of the parameters, as large numbers have more bits.
 """
 
 from __future__ import annotations
@@ -33,10 +36,11 @@ from cap.checker.rejection import need
 __all__ = ["MAX_BYTES", "Certificate", "read"]
 
 MAX_EVENTS = 64
-MAX_CELLS = 4096
-MAX_CELL_EVENTS = 1 << 14
-MAX_BITS = 8192
-MAX_WORK = 1 << 15  # bits times events
+MAX_BITS = 4096
+MAX_WORK = 3 << 18  # see ``work``
+CELL_WORK = 1 << 10  # an event in a rectangle of persistence: 64 bits, four variables
+MAX_CELLS = MAX_WORK // CELL_WORK
+MAX_SIZE = 10**30  # of parameters, and of their inverses
 MAX_PERIODS = 16
 ORDERS = (3, 5, 7, 9)
 WITHOUT_LOSSES = ("elliptic", "saddle")
@@ -85,6 +89,9 @@ def read_parameters(theorem: str, value: object) -> Parameters:
     need(p.l < p.r, "l < r does not hold")
     need(0 < p.e <= 1, "0 < e <= 1 does not hold")
     need(p.mu >= 0, "mu >= 0 does not hold")
+    large = max(p.F, p.omega, abs(p.l), abs(p.r), p.mu) > MAX_SIZE
+    small = min(p.F, p.omega, p.r - p.l) * MAX_SIZE < 1
+    need(not (large or small), "the parameters are not between 10^-30 and 10^30 in size")
     return p
 
 
@@ -102,17 +109,22 @@ def read_hints(theorem: str, value: object) -> dict[str, Any]:
         shape["order"] = text
     if theorem == "persistence":
         cells = length(part(value, "cells", "hints"), 1, MAX_CELLS, "hints.cells")
-        need(cells * len(windows) <= MAX_CELL_EVENTS, "cells times events is too large")
         shape["cells"] = [{"events": windows} | inverse] * cells
     hints: dict[str, Any] = matched(value, shape, "hints")
     hints["bits"] = bounded(hints["bits"], 64, MAX_BITS, "bits")
-    what = "hits" if theorem in WITHOUT_LOSSES else "events"
-    need(hints["bits"] * len(windows) <= MAX_WORK, f"bits times {what} is too large")
     if "order" in hints:
         hints["order"] = bounded(hints["order"], ORDERS[0], ORDERS[-1], "order")
         need(hints["order"] in ORDERS, "order is not odd")
+    counts = len(windows), hints["bits"], hints.get("order", 0), len(hints.get("cells", ()))
+    needed = work(*counts)
+    need(needed <= MAX_WORK, f"bits, order, events and cells are too much: {needed} > {MAX_WORK}")
     need("radius" not in hints or hints["radius"] > 0, "radius is not positive")
     return hints
+
+
+def work(events: int, bits: int, order: int = 0, cells: int = 0) -> int:
+    """Return a measure of the time: 10 to 50 microseconds for each unit.  Jets have order >= 4."""
+    return events * (bits * (max(order, 4) + 1) ** 2 + CELL_WORK * cells)
 
 
 def claim_shape(theorem: str, value: object, hints: dict[str, Any]) -> dict[str, Any]:

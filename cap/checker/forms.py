@@ -20,9 +20,9 @@ from cap.checker.rejection import need
 
 THEOREMS = ("symmetric", "pitchfork", "branch")
 FOR_ALL_F = ("pitchfork", "branch")
-MAX_CELLS = 1024
-MAX_BITS = 8192
-MAX_WORK = 1 << 17  # bits times cells
+MAX_CELLS = 512
+MAX_BITS = 4096
+MAX_WORK = 1 << 27  # bits^2 times cells and zeros of the twist
 MAX_RESONANCES = 16
 MAX_ZEROS = 64
 
@@ -87,7 +87,8 @@ def symmetric_orbit(value: Any, where: str) -> Any:
 def branch_shape(value: object, hints: dict[str, Any]) -> dict[str, Any]:
     """Return the shape of the claims about a branch."""
     cells = length(part(value, "cells", "claims"), 1, MAX_CELLS, "claims.cells")
-    need(hints["bits"] * cells <= MAX_WORK, "bits times cells is too large")
+    work = hints["bits"] ** 2 * (cells + len(hints["twist_zeros"]))
+    need(work <= MAX_WORK, f"bits and cells are too much: {work} > {MAX_WORK}")
     most = cells + MAX_RESONANCES
     exceptions = length(part(value, "exceptions", "claims"), 0, most, "claims.exceptions")
     end = enclosure if hints["end"] is not None else or_none(exactly("none"))

@@ -2,18 +2,18 @@
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
 from cap import export
 from cap.console import quoted, say
+from cap.entry import INTERRUPTED
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
 from cap.paper.figure import Compared, Run, Whole
 from cap.paper.registry import figure, labelled
 
-INTERRUPTED = 130
 TABLE = "comparison.md"
 RULE = (
     "A number agrees if it is at most one unit of the last printed digit away; a count, if it is "
@@ -23,7 +23,7 @@ RULE = (
 
 def run(
     label: str,
-    out: Path | None,
+    out: Sequence[Path],
     progress: Callable[[str, float], None],
     *,
     jobs: int = 2,
@@ -31,44 +31,49 @@ def run(
 ) -> int:
     """Print the table of a figure, or of all; return the exit status.
 
-    ``out`` is a file: a picture (.png, .pdf, .svg) or the table (.csv, .npz, .md).  With ``all`` it
-    is a directory, for pictures and the table of all.  ``progress`` hears what is done, and which
-    part.  Status 1: a theorem that a table asks for was not proved.  Raises `BadInput` if there is
-    no such figure, or ``out`` cannot be written.
+    ``out`` are files: a picture (.png, .pdf, .svg) or the table (.csv, .npz, .md).  With ``all`` it
+    is one directory, for pictures and the table of all, which is written anew after each figure.
+    ``progress`` hears what is done, and which part.  Status 1: a theorem that a table asks for was
+    not proved.  Raises `BadInput` if there is no such figure, or ``out`` cannot be written.
     """
-    labels = labelled(label)
-    many = label == "all"
-    if out is not None:
-        _prepare(out, many)
+    labels, many = labelled(label), label == "all"
+    if many and len(out) > 1:
+        raise BadInput("--paper all goes to one directory: give one --out")
+    for path in out:
+        _prepare(path, many)
     tables, status = [RULE], 0
     print(RULE)
     for each in labels:
         began = time.monotonic()
-        one = figure(each)
-        work = Whole(jobs, partial(_tell, progress, each))
         progress(each, 0.0)
         try:
-            found = one.compared(each, Run(work, quick))
+            lines = _figure(
+                each, out, many, Run(Whole(jobs, partial(_tell, progress, each)), quick)
+            )
         except KeyboardInterrupt:
             say(f"interrupted in {each}; what was done before is kept", sys.stderr)
-            status = INTERRUPTED
-            break
+            return INTERRUPTED
         except NotProved as failure:
             say(f"{each}: not proved: {failure}", sys.stderr)
             status = 1
             continue
-        lines = ["", *found.lines()]
-        print("\n".join(lines), flush=True)
         tables += lines
-        if out is not None:
-            files = [out] if not many else [out / f"{each[4:]}.{kind}" for kind in ("png", "pdf")]
-            for path in files:
-                _write(found, path, lines)
         if many:
+            for path in out:
+                _text(path / TABLE, tables)
             say(f"{each}: {time.monotonic() - began:.1f} s", sys.stderr)
-    if out is not None and many:
-        _text(out / TABLE, tables)
     return status
+
+
+def _figure(label: str, out: Sequence[Path], many: bool, how: Run) -> list[str]:
+    """Compute a figure, print its table, write its files; return the lines of the table."""
+    found = figure(label).compared(label, how)
+    lines = ["", *found.lines()]
+    print("\n".join(lines), flush=True)
+    for path in out:
+        for file in [path / f"{label[4:]}.{kind}" for kind in ("png", "pdf")] if many else [path]:
+            _write(found, file, lines)
+    return lines
 
 
 def _tell(progress: Callable[[str, float], None], label: str, words: str, part: float) -> None:

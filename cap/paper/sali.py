@@ -223,7 +223,8 @@ def draw(data: Maps, figure: FigureBase) -> None:
         states = f"{len(study.x)} x {len(study.v)} states, {study.periods} periods"
         each.set_title(f"{states}: {never:.1%} never turn")
     axes[1].set_ylabel("")
-    figure.colorbar(image, ax=axes, label=r"$\log_{10}$ SALI (grey: turns or sticks)")
+    label = r"$\log_{10}$ SALI (grey: turns or sticks)"
+    figure.colorbar(image, ax=axes, label=label, extend="min")
     figure.suptitle(f"SALI around the elliptic orbit\n{parameters(PAPER)}", fontsize=10)
 
 

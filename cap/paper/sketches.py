@@ -21,7 +21,7 @@ from cap.paper.comparison import Comparison, claim, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures.states import fates
-from cap.pictures.style import BLACK, BLUE, GREEN, GREY, RED, SKY, UNITS, parameters
+from cap.pictures.style import BLACK, BLUE, GREEN, GREY, RED, UNITS, parameters
 
 MASSES = 1.0, 0.9
 SADDLE = 0.3435, 0.7753
@@ -225,7 +225,7 @@ def draw_decomposition(data: Decomposition, figure: FigureBase) -> None:
     axes.get_legend().remove()  # type: ignore[union-attr]
     for each in data.islands:
         own = each.states[~each.turned].reshape(-1, 2)
-        axes.scatter(own[:, 0], own[:, 1], s=0.3, c=SKY, lw=0, rasterized=True)
+        axes.scatter(own[:, 0], own[:, 1], s=0.3, c=BLUE, lw=0, rasterized=True)
     for kind, marker, colour in (("elliptic", "*", RED), ("saddle", "s", "white")):
         (line,) = axes.plot(*np.array(data.points[kind]).reshape(-1, 2).T, marker, ms=7, mfc=colour,
                             mec=BLACK, mew=0.7, ls="none")  # fmt: skip

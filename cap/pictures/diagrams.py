@@ -7,14 +7,16 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import FigureBase
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
 
 from cap.approx.continuation import Branch, Continuation
 from cap.approx.inventory import KINDS, PROVED, Inventory
-from cap.approx.plane import Plane
+from cap.approx.plane import OUTSIDE, UNDONE, Plane
 from cap.pictures.style import (
     BLACK,
     BLUE,
     CYCLE,
+    DARK,
     GREEN,
     GREY,
     ORANGE,
@@ -27,6 +29,7 @@ from cap.pictures.style import (
     YELLOW,
     parameters,
     stroboscopic,
+    undone,
 )
 
 MARKS = {  # of special points: marker, colour
@@ -37,6 +40,7 @@ MARKS = {  # of special points: marker, colour
     "grazing": ("s", ORANGE),
     "sticking border": ("p", SKY),
     "end": ("|", BLACK),
+    "followed no further": ("*", GREY),
 }
 TYPE_MARKS = dict(zip(KINDS, ("o", "s", "P", "*", "^", "v", "x"), strict=True))
 TYPE_COLOURS = dict(zip(KINDS, (BLUE, SKY, PURPLE, GREEN, RED, ORANGE, GREY), strict=True))
@@ -51,8 +55,9 @@ def continuation(study: Continuation, figure: FigureBase) -> None:
     for label, (marker, colour) in MARKS.items():
         own = [s for s in study.special if _mark(s.label) == label]
         for values, each in (([s.x for s in own], axes[0]), ([s.trace for s in own], axes[1])):
-            each.plot([s.value for s in own], values, marker, ms=5.5, mfc="white", mec=colour,
-                      mew=1.1, ls="none", label=label if own else None, zorder=3)  # fmt: skip
+            each.plot([s.value for s in own], values, marker=marker, ms=5.5, mfc="white",
+                      mec=colour, mew=1.1, ls="none", label=label if own else None,
+                      zorder=3)  # fmt: skip
     axes[0].set_ylabel("$x$ at $t = 0$  [length]")
     axes[1].set_ylabel("trace")
     traces = np.concatenate([branch.trace for branch in study.branches])
@@ -70,46 +75,61 @@ def continuation(study: Continuation, figure: FigureBase) -> None:
 
 
 def _mark(label: str) -> str:
-    """Return the mark of a label: where a branch ends, that of the reason."""
+    """Return the mark of a label: where a branch ends, that of the reason, if it has one."""
     reason = label.removeprefix("end: ").removesuffix(", fold")
-    return reason if reason in MARKS else "end"
+    known = [name for name in MARKS if reason.startswith(name)]
+    return known[0] if known else "end"
 
 
 def _line(axes: Axes, branch: Branch, name: str, colour: str) -> None:
     """Draw a branch in pieces, cut where the stability changes or the state jumps at a wall."""
-    y = getattr(branch, name)
-    change = np.flatnonzero(np.diff(branch.stable) | (np.diff(branch.itinerary) != 0)) + 1
-    for begin, end in zip([0, *change], [*change, len(y)], strict=True):
-        joins = end < len(y) and branch.itinerary[end - 1] == branch.itinerary[end]
-        part = slice(begin, end + joins)
-        stable = branch.stable[begin]
-        look = {"lw": 1.4} if stable else {"lw": 0.9, "ls": (0, (4, 2))}
-        axes.plot(branch.value[part], y[part], color=colour, **look)
+    y, solid = getattr(branch, name), _solid(branch)
+    looks = np.where(np.diff(branch.itinerary) != 0, -1, solid.astype(int))  # -1: no line
+    change = np.flatnonzero(np.diff(looks)) + 1
+    for begin, end in zip([0, *change], [*change, len(looks)], strict=True):
+        if begin < end and looks[begin] >= 0:
+            look = {"lw": 1.4} if looks[begin] else {"lw": 0.9, "ls": (0, (4, 2))}
+            part = slice(begin, end + 1)
+            axes.plot(branch.value[part], y[part], color=colour, **look)
+
+
+def _solid(branch: Branch) -> NDArray[np.bool_]:
+    """Return whether the orbits between neighbours are stable.
+
+    1 + det - |trace| is positive on stable orbits and 0 at a fold, a flip or where branches cross:
+    with its sum over both ends, the neighbour of such a point decides.
+    """
+    with np.errstate(invalid="ignore"):
+        margin = 1 + branch.determinant - np.abs(branch.trace)
+        return np.asarray(margin[:-1] + margin[1:] > 0)
 
 
 def plane(study: Plane, figure: FigureBase) -> None:
     """Draw what is found over two parameters."""
     axes = figure.subplots()
     shades = {
-        "none": "white", "elliptic only": BLUE, "saddle only": ORANGE, "both": SKY,
+        "none": "white", "elliptic only": BLUE, "saddle only": ORANGE,
+        "elliptic and saddle": SKY,
         "period 1": BLUE, "period 2": SKY, "period 3": GREEN, "period 4": PURPLE,
         "longer period": ORANGE, "chaotic": RED, "never hits a wall": PALE,
-        "never turns": YELLOW,
+        "never turns": YELLOW, "no attractor found": "white",
     }  # fmt: skip
-    colours = ListedColormap(["#777777", *(shades[name] for name in study.names)])
+    colours = ListedColormap([DARK, *(shades[name] for name in study.names)])
     count = len(study.names) + 1
     norm = BoundaryNorm(np.arange(-1.5, count - 1), count)
     a, b = study.first, study.second
     da, db = (a[1] - a[0]) / 2, (b[1] - b[0]) / 2
     extent = (a[0] - da, a[-1] + da, b[0] - db, b[-1] + db)
-    axes.imshow(study.code, origin="lower", extent=extent, aspect="auto", cmap=colours, norm=norm)
+    shown = np.ma.masked_equal(study.code, UNDONE)
+    axes.imshow(shown, origin="lower", extent=extent, aspect="auto", cmap=colours, norm=norm)
     handles: list[Artist] = [
         Patch(fc=shades[name], ec=BLACK, lw=0.4, label=name)
         for k, name in enumerate(study.names)
         if (study.code == k).any()
     ]
-    if (study.code < 0).any():
-        handles.append(Patch(fc="#777777", ec=BLACK, lw=0.4, label="no oscillator, or none found"))
+    if (study.code == OUTSIDE).any():
+        handles.append(Patch(fc=DARK, ec=BLACK, lw=0.4, label="no oscillator"))
+    handles += undone(axes) if (study.code == UNDONE).any() else []
     _border(axes, study)
     handles += [each for each in axes.get_legend_handles_labels()[0] if not isinstance(each, Patch)]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, handlelength=1.0)

@@ -1,8 +1,10 @@
 """Pictures of the plane of states at t = 0 mod T."""
 
+import math
 from typing import Any
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import FigureBase
@@ -12,11 +14,11 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from cap.approx.alignment import THRESHOLD, Alignment
-from cap.approx.attractor import Attractors
-from cap.approx.fate import FATES, Fate
+from cap.approx.attractor import NONE, Attractors
+from cap.approx.fate import FATES, LOST, Fate
 from cap.approx.manifold import Manifolds
 from cap.approx.portrait import Portrait
-from cap.approx.study import Floats
+from cap.approx.study import Floats, Study
 from cap.pictures.style import (
     BLACK,
     BLUE,
@@ -31,9 +33,12 @@ from cap.pictures.style import (
     star,
     stroboscopic,
     title,
+    undone,
 )
 
 DENSE = 20_000  # points above which they are drawn as pixels
+LARGEST = {"sali": math.sqrt(2), "gali": 1.0}  # the smaller of |a + b|, |a - b|; |a ^ b|
+LOWEST = -16  # of log10 of an index: what doubles can tell from 0
 FATE_COLOURS = (BLUE, YELLOW, ORANGE, PURPLE)
 
 
@@ -82,7 +87,8 @@ def alignment(study: Alignment, figure: FigureBase) -> None:
     axes = figure.subplots(1, 2, width_ratios=[1.35, 1])
     name = study.name.upper()
     image = index_map(axes[0], study)
-    figure.colorbar(image, ax=axes[0], label=rf"$\log_{{10}}$ {name} after {study.periods} periods")
+    label = rf"$\log_{{10}}$ {name} after {study.periods} periods"
+    figure.colorbar(image, ax=axes[0], label=label, extend="min")
     for k, (start, curve) in enumerate(zip(study.starts, study.curves, strict=True)):
         if np.isfinite(curve).any():
             n = np.arange(1, len(curve) + 1)
@@ -100,14 +106,15 @@ def alignment(study: Alignment, figure: FigureBase) -> None:
 
 
 def index_map(axes: Axes, study: Alignment) -> AxesImage:
-    """Draw log10 of the index; states whose orbit turned are grey."""
-    with np.errstate(divide="ignore"):
-        shown = np.log10(np.maximum(study.index, 1e-16))
-    axes.set_facecolor(PALE)
-    image = _field(axes, study.x, study.v, shown, cmap="cividis_r", vmin=-14, vmax=0)
-    if study.lost.any():  # as paper, not as what turned
-        nothing = np.where(study.lost, 0.0, np.nan)
-        _field(axes, study.x, study.v, nothing, cmap=ListedColormap(["white"]))
+    """Draw log10 of the index; states whose orbit turned are grey.
+
+    What is below the colour bar, as an index 0, has the colour of its lower end.
+    """
+    shown = np.log10(np.maximum(study.index, 10.0 ** (LOWEST - 1)))
+    top = math.log10(LARGEST[study.name])
+    undone(axes)
+    _one(axes, study, ~study.lost, PALE)
+    image = _field(axes, study.x, study.v, shown, cmap="cividis_r", vmin=LOWEST, vmax=top)
     if study.centre is not None:
         axes.plot(*study.centre, "*", ms=9, mfc="white", mec=BLACK, mew=0.7)
     stroboscopic(axes)
@@ -119,7 +126,8 @@ def fate(study: Fate, figure: FigureBase) -> None:
     axes = figure.subplots(1, 2, sharey=True)
     fates(axes[0], study)
     T = 2 * np.pi / float(study.parameters.omega)
-    axes[1].set_facecolor(BLUE)
+    undone(axes[1])
+    _one(axes[1], study, study.fate != LOST, BLUE)
     first = study.first / T
     top = float(np.nanmax(first)) if np.isfinite(first).any() else 1.0
     image = _field(axes[1], study.x, study.v, first, cmap="magma", vmin=0, vmax=max(top, 1e-9))
@@ -134,17 +142,18 @@ def fate(study: Fate, figure: FigureBase) -> None:
 
 def fates(axes: Axes, study: Fate) -> None:
     """Draw the partition of the plane."""
-    colours = ListedColormap(["white", *FATE_COLOURS])
-    norm = BoundaryNorm([-1.5, -0.5, 0.5, 1.5, 2.5, 3.5], 5)
-    _field(axes, study.x, study.v, study.fate, cmap=colours, norm=norm)
+    norm = BoundaryNorm([-0.5, 0.5, 1.5, 2.5, 3.5], 4)
+    shown = np.ma.masked_equal(study.fate, LOST)
+    _field(axes, study.x, study.v, shown, cmap=ListedColormap(FATE_COLOURS), norm=norm)
     star(axes, study.centre, None)
     stroboscopic(axes)
     counts, total = study.counts, max(1, study.fate.size)
-    handles = [
+    handles: list[Artist] = [
         Patch(fc=colour, ec=BLACK, lw=0.4, label=f"{name} ({counts[name] / total:.1%})")
         for name, colour in zip(FATES, FATE_COLOURS, strict=True)
         if counts[name]
     ]
+    handles += _left_out(axes, study, study.fate == LOST)
     axes.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2,
                 handlelength=0.9, columnspacing=1.2)  # fmt: skip
 
@@ -177,9 +186,10 @@ def attractors(study: Attractors, figure: FigureBase) -> None:
     """Draw where each seed ends, and the attractors themselves."""
     axes = figure.subplots(1, 2)
     shades = _shades(len(study.found))
-    colours = ListedColormap(["white", *(shades or ["white"])])
-    norm = BoundaryNorm(np.arange(-1.5, colours.N - 1), colours.N)
-    _field(axes[0], study.x, study.v, study.label, cmap=colours, norm=norm)
+    colours = ListedColormap(shades or ["white"])
+    norm = BoundaryNorm(np.arange(-0.5, colours.N), colours.N)
+    shown = np.ma.masked_equal(study.label, NONE)
+    _field(axes[0], study.x, study.v, shown, cmap=colours, norm=norm)
     for each, colour in zip(study.found, shades, strict=True):
         few = len(each.states) <= 64
         look = {"ms": 5, "mec": BLACK, "mew": 0.5} if few else {"ms": 0.7, "mew": 0}
@@ -189,10 +199,11 @@ def attractors(study: Attractors, figure: FigureBase) -> None:
     for each_axes, words in zip(axes, ("basins (by seed)", "attractors"), strict=True):
         stroboscopic(each_axes)
         each_axes.set_title(words)
-    handles = [
+    handles: list[Artist] = [
         Patch(fc=colour, ec=BLACK, lw=0.4, label=f"{each.kind} ({each.share:.1%})")
         for each, colour in zip(study.found[:9], shades, strict=False)
     ]
+    handles += _left_out(axes[0], study, study.label == NONE)
     if handles:
         figure.legend(handles=handles, loc="outside lower center", ncols=3, handlelength=0.9)
     title(figure, study, "Attractors and their basins")
@@ -202,6 +213,16 @@ def _shades(count: int) -> list[str]:
     """Return colours; after the palette, lighter and darker greys."""
     greys = [str(round(0.35 + 0.5 * k / max(1, count), 3)) for k in range(max(0, count - 8))]
     return [*CYCLE[:count], *greys]
+
+
+def _left_out(axes: Axes, study: Study, cells: NDArray[np.bool_]) -> list[Artist]:
+    """Hatch the cells of which nothing is known, if there are any, and say why."""
+    return undone(axes, "lost" if study.complete else "not computed") if cells.any() else []
+
+
+def _one(axes: Axes, study: Alignment | Fate, cells: NDArray[np.bool_], colour: str) -> None:
+    """Draw these cells in one colour."""
+    _field(axes, study.x, study.v, np.where(cells, 0.0, np.nan), cmap=ListedColormap([colour]))
 
 
 def _field(axes: Axes, x: Floats, v: Floats, values: NDArray[np.generic], **look: Any) -> AxesImage:

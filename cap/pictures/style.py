@@ -7,9 +7,11 @@ from typing import Any
 
 import matplotlib as mpl
 from cycler import cycler
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure, FigureBase
+from matplotlib.patches import Patch
 
 from cap.approx.study import Study, short
 from cap.parameters import PAPER, Parameters
@@ -18,7 +20,7 @@ from cap.parameters import PAPER, Parameters
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, YELLOW, BLACK, GREY = "#CC79A7", "#56B4E9", "#F0E442", "#000000", "#999999"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK, YELLOW)
-PALE = "#DDDDDD"
+PALE, DARK = "#DDDDDD", "#777777"
 
 SYMBOLS = {"F": "F", "omega": r"\omega", "f": "f", "R": "R", "e": "e", "mu": r"\mu"}
 UNITS = {  # of what the axes show: a mass of 1, length and time in the units of the parameters
@@ -82,6 +84,13 @@ def _formula(number: str) -> str:
     q = Fraction(number)
     decimal = f"{float(q):.6g}"
     return decimal if Fraction(decimal) == q or "/" not in number else short(number)
+
+
+def undone(axes: Axes, label: str = "not computed") -> list[Artist]:
+    """Hatch what nothing is drawn over, and return what a legend says of it."""
+    look: Any = {"fc": "white", "ec": "#BBBBBB", "hatch": "////", "lw": 0.0}
+    axes.patch.set(**look)
+    return [Patch(**look, label=label)]
 
 
 def stroboscopic(axes: Axes) -> None:

@@ -1,0 +1,83 @@
+"""How far a long computation is: one line on a terminal, and in a log a line now and then."""
+
+import os
+import sys
+import time
+
+PATIENCE = 1.0  # seconds without a bar
+REFRESH = 0.1  # seconds between two states of the line on a terminal
+SELDOM = 30.0  # seconds between two lines in a log, and before the first
+BAR = 30  # characters
+
+
+class Progress:
+    """The line of one command, on standard error."""
+
+    def __init__(self) -> None:
+        now = time.monotonic()
+        self._words, self._began, self._shown, self._logged = "", now, 0.0, now
+        self._on_the_line = False
+
+    def tell(self, words: str, part: float | None = None) -> None:
+        """Say what is done, and of ``part`` of it how long the rest may take; "" clears the line.
+
+        What has a part is shown when it has taken a second.
+        """
+        if sys.stderr is None:
+            return
+        if not words:
+            self.clear()
+            return
+        now = time.monotonic()
+        if part is not None and words != self._words:
+            self._words, self._began = words, now
+        if not sys.stderr.isatty():
+            self._log(words, part, now)
+        elif now - self._shown >= REFRESH and (part is None or now - self._began >= PATIENCE):
+            self._shown, self._on_the_line = now, True
+            self._write(self._line(words, part, now))
+
+    def clear(self) -> None:
+        """Empty the line on a terminal."""
+        if self._on_the_line:
+            self._write("")
+            self._on_the_line = False
+
+    def _log(self, words: str, part: float | None, now: float) -> None:
+        if now - self._logged >= SELDOM:
+            self._logged = now
+            shown = words if part is None else f"{words}: {part:.0%}{self._left(part, now)}"
+            print(shown, file=sys.stderr, flush=True)
+
+    def _line(self, words: str, part: float | None, now: float) -> str:
+        if part is None:
+            return words
+        bar = "#" * round(BAR * part)
+        return f"{words:<20.20} [{bar:<{BAR}}] {part:4.0%}{self._left(part, now)}"
+
+    def _left(self, part: float, now: float) -> str:
+        """Return how long the rest may take, if that is known."""
+        if not 0 < part < 1:
+            return ""
+        return f"  {_duration((now - self._began) * (1 - part) / part)} left"
+
+    def _write(self, line: str) -> None:
+        """Write over the line on the terminal, and no further than to its end."""
+        width = _columns() - 1
+        print(f"\r{line[:width]:<{width}}\r", end="", file=sys.stderr, flush=True)
+
+
+def _columns() -> int:
+    """Return the width of the terminal."""
+    try:
+        return os.get_terminal_size(sys.stderr.fileno()).columns or 80
+    except (OSError, ValueError):
+        return 80
+
+
+def _duration(seconds: float) -> str:
+    """Return a time for people: 50 s, 3 min, 2 h."""
+    for unit, name in ((3600, "h"), (60, "min")):
+        if seconds >= 2 * unit:
+            return f"{seconds / unit:.0f} {name}"
+    return f"{seconds:.0f} s"
