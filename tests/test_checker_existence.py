@@ -10,6 +10,8 @@ from checker.altered import changed, decimal, rejected, verify
 
 from cap.checker.rejection import Rejected
 
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
+
 
 def test_the_box_must_be_between_the_walls(good):
     """A box that touches either wall is refused."""

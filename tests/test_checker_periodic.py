@@ -15,6 +15,8 @@ from cap.checker.periodic import Periodic, norm
 from cap.checker.reading import Enclosure
 from cap.checker.rejection import Rejected
 
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
+
 TYPES = {
     "focus": "sink focus",
     "saddle": "saddle",
