@@ -192,7 +192,7 @@ def _expressions(node: ast.expr) -> Iterator[str]:
 
 def _sums(op: ast.operator, a: str, b: str) -> Iterator[str]:
     """Give what may stand in the place of a sum, a product, a quotient."""
-    if type(op) in OPERATORS:
+    if type(op) in OPERATORS and not {a, b} & {"(s)", "(-s)", "(side)", "(sign)"}:  # they are +-1
         yield f"{a} {OPERATORS[type(op)]} {b}"
     if isinstance(op, ast.Add | ast.Sub | ast.Mult):
         yield from (a, b)

@@ -38,6 +38,7 @@ ROOT = Path(__file__).parents[1]
 TARGET = "cap/checker"
 TESTS = ("test_checker_*.py", "test_tampering*.py", "test_certificates.py", "test_latex.py")
 SEEN = builtins.SEEN = set()  # (path, line) of the checker's statements that were executed
+FIRST = 4
 LOADED = ("cap.flow", "cap.twist", "cap.impact_map", "cap.fixed_point", "jsonschema", "mpmath")
 
 
@@ -66,11 +67,25 @@ class Runner:
 
         return forge
 
-    def run(self, tests: list[str]) -> str:
-        """Run tests, and return the first that fails, or nothing."""
-        options = ("-x", "-q", "-o", "addopts=", "-p", "no:cacheprovider")
-        status = pytest.main([*options, *tests], [self])
+    def run(self, files: list[str]) -> str:
+        """Run the tests of files, and return the first that fails, or nothing."""
+        options = ["-x", "-q", "--tb=no", "--assert=plain", "-o", "addopts="]
+        for plugin in ("cacheprovider", "unraisableexception", "threadexception", "faulthandler"):
+            options += ["-p", f"no:{plugin}"]
+        signal.alarm(0 if self.chosen is None else 60)  # until the first test
+        status = pytest.main([*options, *files], [self])
         return self.failed or ("" if status == 0 else f"status {status}")
+
+    def run_in_order(self) -> str:
+        """Run the chosen tests; those of the first few files alone before all others are loaded."""
+        files = list(dict.fromkeys(test.split("::")[0] for test in self.chosen))
+        failed = self.run(sorted(files[:FIRST]))
+        if not failed and files[FIRST:]:
+            self.chosen = {
+                t: n for t, n in self.chosen.items() if t.split("::")[0] not in files[:FIRST]
+            }
+            failed = self.run(sorted(files[FIRST:]))
+        return failed
 
     def pytest_collection_modifyitems(self, items):
         """Keep the chosen tests, in their order."""
@@ -135,9 +150,8 @@ def attempt(mutant: Mutant, path: Path, chosen: dict[str, float], forged: dict, 
     resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
     text = mutant.source(path.read_text())
     compiling(lambda name, _: text if name == mutant.module else None)
-    signal.alarm(60)  # until the first test
     try:
-        failed = Runner(forged, chosen).run(sorted({test.split("::")[0] for test in chosen}))
+        failed = Runner(forged, chosen).run_in_order()
     except Exception as error:  # noqa: BLE001 (it cannot be imported)
         failed = repr(error)
     (work / str(os.getpid())).write_text(failed)
@@ -244,6 +258,9 @@ def main() -> None:
     parser.add_argument("--budget", type=float, default=60, help="seconds of tests for a mutant")
     options = parser.parse_args()
     sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
+    os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
+    sys.pycache_prefix, sys.dont_write_bytecode = str(options.work / "pycache"), False
+    pytest.main(["--version", "--noconftest"])  # loads its own modules once for all processes
     for name in LOADED:
         import_module(name)
     found = list[tuple[Mutant, Path]]()
@@ -254,7 +271,8 @@ def main() -> None:
     random.shuffle(found)
     found = found[: round(options.sample * len(found))]
     trials = Trials(options.work, options.budget)
-    trials.run([(m, path) for m, path in found if not trials.by.get(m.name)], options.jobs)
+    todo = [(m, path) for m, path in found if not trials.by.get(m.name)]
+    trials.run(sorted(todo, key=lambda item: item[0].name in trials.by), options.jobs)
     print(table(sorted(m for m, _ in found), trials.by))
 
 

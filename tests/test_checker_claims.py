@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 from checker.altered import changed, decimal, leaves, rejected, verify
-from checker.forge import forge
+from checker.forge import ORBITS, PARAMETERS, forge
 from checker.parts import Proof
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")
@@ -51,7 +51,11 @@ def test_each_comparison_uses_its_unit():
     parameters = {"F": "1", "omega": "1/10", "f": "2/5", "l": "-100", "r": "100"}
     R, w = Fraction(200), Fraction(1, 10)
     certificate = forge(
-        parameters=parameters, orbit=("10.027988984", "5.41943306"), box_radius="0.02", digits=9
+        parameters=parameters,
+        orbit=("10.027988984", "5.41943306"),
+        box_radius="0.02",
+        digits=9,
+        order=5,
     )
     units = {
         "x": R,
@@ -62,6 +66,7 @@ def test_each_comparison_uses_its_unit():
         "hit_forcing": 1,
     }
     units |= {"twist": 1 / (R**2 * w), "twist_action": 1 / (R**2 * w)}
+    units["higher_twists"] = 1 / (R**2 * w) ** 2
     for path, (lower, upper) in enclosures(certificate):
         unit = units.get(path[0], 1)
         if path[0] == "jacobian":
@@ -113,11 +118,26 @@ def test_conclusions_of_both(good, saddle, uncompared, claims, why):
         rejected(replaced(certificate, claims), why)
 
 
-def test_the_last_hit_is_before_the_end(good, uncompared):
-    """2 pi lies between 6.2831853 and 6.2831854, and twice that for omega = 1/2 is not meant."""
-    times = good["claims"]["hit_times"]
-    verify(replaced(good, {"hit_times": [times[0], ["6", "6.2831853"]]}))
-    rejected(replaced(good, {"hit_times": [times[0], ["6", "6.2831854"]]}), "before T")
+@pytest.mark.parametrize(("omega", "walls"), [("1", "1"), ("2", "1/4")])
+def test_the_last_hit_is_before_the_end(uncompared, omega, walls):
+    """2 pi lies between 6.2831853 and 6.2831854: for omega = 2, T is half of that."""
+    parameters = PARAMETERS | {"omega": omega, "l": f"-{walls}", "r": walls}
+    orbit = [str(Fraction(q) * Fraction(walls)) for q in ORBITS["elliptic"]]
+    orbit[1] = str(Fraction(orbit[1]) * Fraction(omega))
+    certificate = forge(
+        parameters=parameters,
+        orbit=orbit,
+        digits=6,
+        box_radius="0.0002",
+        remainder_radius="0.00001",
+    )
+    times = certificate["claims"]["hit_times"]
+    for last, fine in (("6.2831853", True), ("6.2831854", False)):
+        late = [times[0], [times[1][0], str(Fraction(last) / Fraction(omega))]]
+        if fine:
+            verify(replaced(certificate, {"hit_times": late}))
+        else:
+            rejected(replaced(certificate, {"hit_times": late}), "before T")
 
 
 @pytest.mark.parametrize(

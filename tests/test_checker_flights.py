@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 from checker.hybrid import Flow
-from checker.parts import Interval, Rejected, least, slope_of_gap
+from checker.parts import Interval, Mechanics, Parameters, Rejected, least, slope_of_gap
 from mpmath import mp, mpf
 from support import number, rational
 from test_checker_events import BITS, STICKY, UNIT, mechanics, passage, point
@@ -44,6 +44,15 @@ def test_a_minimum_that_may_come_after_the_end(t, after):
     assert abs(found.upper - last) < F(1, 10**20)
     apart = M.least_speed(flight, exact)
     assert abs(apart.lower - truth) + abs(apart.upper - truth) < F(1, 10**20)
+    sets = [point(0), over("1.4", "1.6")]
+    free = Parameters(**{k: F(q) for k, q in FREE.items()})
+    M = Mechanics(free, sets, [q.midpoint() for q in sets], 2)
+    wide, tenth = (
+        M.least_speed(M.launch(), end._replace(t=M.constant(over("4.5", "4.9")))),
+        F(1, 10),
+    )
+    assert wide.lower <= truth - tenth < truth + tenth <= wide.upper
+    assert abs(wide.lower - F(2, 5)) + abs(wide.upper - last - tenth) < F(1, 10**20)
 
 
 @pytest.mark.parametrize("mu", ["0", "1/5", "7"])

@@ -104,6 +104,65 @@ def test_the_number_of_roots(f, where, excess):
     rejected(changed(certificate, "hints", "bits", "64"), why)
 
 
+@pytest.mark.parametrize("side", ["-1e-25", "1e-25"])
+def test_a_formula_with_a_hit_speed_near_zero(side):
+    """With R = 2|c| +- 1e-25, 64 bits do not tell whether 'minus' hits the walls."""
+    with mp.workdps(50):
+        r = decimals(2 * mp.sqrt(1 - (mp.pi / 20) ** 2) + mpf(side))
+    certificate = forge_symmetric(PAPER | {"f": "1/10", "l": "0", "r": r}, 15)
+    if side == "-1e-25":  # with the other sign the trace has 50 digits
+        verify(certificate)
+    why = "branches.minus. the sign of the hit speed is not decided"
+    rejected(changed(certificate, "hints", "bits", "64"), why)
+
+
+@pytest.mark.parametrize("side", ["-1e-25", "1e-25"])
+def test_a_speed_that_may_decrease_after_a_hit(side):
+    """'minus' hits r when the forces balance if f = 1/sqrt(1 + pi^2/4)."""
+    with mp.workdps(50):
+        f = decimals(1 / mp.sqrt(1 + mp.pi**2 / 4) + mpf(side))
+    certificate = forge_symmetric(PAPER | {"f": f}, 15)
+    verify(certificate)
+    why = "whether the speed decreases after a hit is not decided"
+    rejected(changed(certificate, "hints", "bits", "64"), why)
+
+
+@pytest.mark.parametrize("name", ["pitchfork", "minus_identity"])
+@pytest.mark.parametrize("side", ["-1e-25", "1e-25"])
+def test_a_gap_at_which_a_value_of_f_appears(name, side):
+    """At R = (pi^2 - 4)/2 or pi^2 - 2 to 25 digits, 64 bits do not tell whether c < 1."""
+    with mp.workdps(50):
+        R = (mp.pi**2 - 4) / 2 if name == "pitchfork" else mp.pi**2 - 2
+        r = decimals(R + mpf(side))
+    certificate = forge_symmetric(PAPER | {"l": "0", "r": r}, 11)
+    verify(certificate)
+    assert (certificate["claims"][name] == "none") == (side == "1e-25")
+    rejected(changed(certificate, "hints", "bits", "64"), "whether c is below 1 is not decided")
+
+
+def test_a_root_at_the_end_of_its_claim():
+    """Newton's operator must map the claim into itself: with the root at its edge it does not."""
+    certificate = forge_symmetric(digits=6)
+    with mp.workdps(30):
+        root = mpf(forge_symmetric(digits=30)["claims"]["paper_roots"][0]["theta"][0])
+        ends = [decimals(root - mpf("1e-14"), 30), decimals(root + mpf("9e-7"), 30)]
+    bad = changed(certificate, "claims", "paper_roots", 0, "theta", ends)
+    rejected(bad, r"paper_roots\[0\].theta does not contain the enclosure computed")
+
+
+def test_a_velocity_near_zero():
+    """With a root 1e-8 before pi the paper's velocity is not told from 0 by six digits."""
+    with mp.workdps(50):
+        r = decimals(mp.pi**2 * 9 / 20 - 2 + mpf("1e-8"))
+    certificate = forge_symmetric(PAPER | {"f": "9/10", "l": "0", "r": r}, 10)
+    verify(certificate)
+    certificate["digits"] = "6"
+    path = "claims", "paper_roots", 1, "velocity"
+    for upper in ("0", "0.0000001"):
+        ends = [certificate["claims"]["paper_roots"][1]["velocity"][0], upper]
+        rejected(changed(certificate, *path, ends), r"paper_roots\[1\].velocity is not negative")
+
+
 # the pitchfork
 
 

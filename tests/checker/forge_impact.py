@@ -324,7 +324,7 @@ def regular(system, low, high):
         if not value.is_finite():
             return ["1", "2"]
         wider = value + interval.symmetric(value) / 100
-        return list(interval.outward(wider, 5))
+        return list(interval.outward(wider, 14))
 
 
 def rational(q):
