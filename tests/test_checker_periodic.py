@@ -182,6 +182,23 @@ def test_the_contraction(forged):
     )
 
 
+@pytest.mark.parametrize("side", [-1, 1])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_an_ellipse_that_touches_the_box(forged, axis, side):
+    """The box may end where the ellipse does, but not a unit 2^-bits before."""
+    certificate = forged["focus"]
+    proof, fixed_point, _ = compared(certificate)
+    (a, b), (c, d) = proof.claims["basin"]["matrix"]
+    row = [(d, -b), (-c, a)][axis]  # of the inverse, times the determinant
+    square = sum(q**2 for q in row) / (a * d - b * c) ** 2
+    reach = Interval.enclosing(square, square, proof.hints["bits"]).sqrt().upper
+    z, unit = fixed_point[axis], Fraction(1, 1 << proof.hints["bits"])
+    end = z.upper + reach if side > 0 else z.lower - reach
+    path = "claims", "box", "xv"[axis], (side + 1) // 2
+    verify(changed(certificate, *path, str(end)))
+    rejected(changed(certificate, *path, str(end - side * unit)), "basin does not certainly lie")
+
+
 def test_an_ellipse_in_the_box_that_is_not_contracted(forged):
     """A round ellipse is not contracted by a focus that shears, nor is a large one by a node."""
     round_one = [["10000", "0"], ["0", "10000"]]

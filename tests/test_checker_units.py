@@ -6,6 +6,8 @@ from fractions import Fraction
 
 import pytest
 from checker.altered import changed, decimal, leaves, rejected, verify
+from checker.forge import forge
+from checker.forge_capture import forge_capture
 from checker.forge_hybrid import forge_periodic
 from checker.forge_impact import forge_branch, forge_pitchfork, forge_symmetric
 
@@ -19,11 +21,12 @@ UNITS = {
     "v": R * OMEGA,
     "hit_times": 1 / OMEGA,
     "event_times": 1 / OMEGA,
+    "release_time": 1 / OMEGA,
     "half_trace_slope": 1 / FORCE,
     "velocity": R * OMEGA,
     **dict.fromkeys(("hit_speed", "hit_speeds", "least_speed"), R * OMEGA),
     **dict.fromkeys(("f", "f_start", "curvature", "saddle_center", "pitchfork"), FORCE),
-    "minus_identity": FORCE,
+    **dict.fromkeys(("minus_identity", "hit_forcing"), FORCE),
 }
 
 
@@ -63,12 +66,26 @@ def test_pitchfork():
     widths(forge_pitchfork(WALLS, 9))
 
 
+def test_saddle():
+    """Trace, multipliers and the orbit."""
+    parameters, orbit = WALLS | {"f": "20"}, ("1717.6303", "387.65975")
+    options = {"orbit": orbit, "digits": 9, "box_radius": "1"}
+    widths(forge("saddle", parameters=parameters, **options), ("box",))
+
+
 def test_periodic():
     """A sink with turns, and a node."""
     parameters = WALLS | {"F": "150", "f": "20", "e": "9/10", "mu": "1/100"}
     orbit = ("2000", "-300")
     certificate = forge_periodic("focus", parameters=parameters, orbit=orbit, radius="1", digits=9)
     widths(certificate, ("box", "basin"))
+
+
+def test_capture():
+    """The time of the release."""
+    parameters, box = WALLS | {"f": "20", "e": "1", "mu": "0"}, (("4990", "5000"), ("-20", "20"))
+    certificate = forge_capture(parameters=parameters, box=box, held=("5",), digits=9)
+    widths(certificate, ("box", "event_times", "forcing", "accumulation_time"))
 
 
 @pytest.fixture(scope="module")
