@@ -222,6 +222,7 @@ def test_a_stick_and_its_release():
     events, flight = follow(M, M.launch(), ["stick", "release left"], windows)
     with mp.workdps(40):
         assert abs(rational(mp.acos(mpf(-9) / 10)) - events[1].moment.t.value.lower) < 1e-30
+    assert events[1].forcing.lower <= Fraction(-9, 10) <= events[1].forcing.upper
     assert flight.at_rest
     assert len(flight.minima) == 0  # the release is not among them
     x = M.place(flight, M.full_turns(M.horizon))

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 from checker.hybrid import Flow
-from checker.parts import Interval, Mechanics, Parameters, Rejected, least, slope_of_gap
+from checker.parts import Interval, Mechanics, Parameters, Rejected, least, slope_of_gap, stick
 from mpmath import mp, mpf
 from support import number, rational
 from test_checker_events import BITS, STICKY, UNIT, mechanics, passage, point
@@ -84,3 +84,20 @@ def test_a_release_before_the_stick():
     with pytest.raises(Rejected, match="no release to this side certainly follows"):
         passage(far, "0", "5.028", ["stick", "release left"], [*late, early])
     passage(far, "0", "5.028", ["stick", "release right"], [*late, ("5.8", "5.9")])
+
+
+@pytest.mark.parametrize(("f", "omega"), [("9/10", "1"), ("9/10", "2"), ("9/10", "1/3")])
+def test_how_long_a_stick_lasts_at_most(f, omega):
+    """|F cos wt| < f for (pi - 2 arccos(f/F))/w: the rest after a stick is shorter."""
+    parameters = STICKY | {"f": f, "omega": omega, "l": "-900", "r": "900"}
+    with mp.workdps(40):
+        w, k = number(F(omega)), number(F(f))
+        v = k * mpf("1.66") / w - mp.sin(mpf("1.66")) / w  # it vanishes at w t = 1.66
+        window = [(rational(mpf(t) / w)) for t in ("1.6", "1.7")]
+        M = mechanics(parameters, "0", rational(v))
+        event, rest = stick(M, M.launch(), "stick", window)
+        assert abs(rational((mp.pi - 2 * mp.acos(k)) / w) - rest.longest.upper) < F(1, 10**30)
+        assert abs(rational(mpf("1.66") / w) - event.moment.t.value.upper) < F(1, 10**30)
+    assert rest.longest.width < 100
+    assert rest.sides == (1, -1)
+    assert rest.since is event.moment.t.value

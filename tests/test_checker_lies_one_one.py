@@ -163,6 +163,18 @@ def test_a_velocity_near_zero():
         rejected(changed(certificate, *path, ends), r"paper_roots\[1\].velocity is not negative")
 
 
+@pytest.mark.parametrize("n", [0, 1])
+def test_a_root_near_an_end(n):
+    """A claim that reaches over 0, or pi, is not in its half of (0, pi), with its root in it."""
+    with mp.workdps(50):
+        r = decimals(mp.pi**2 * 9 / 20 - 2 + mpf("1e-8"))
+        over = ["-0.0000001", "3.1415927"][n]
+    certificate = forge_symmetric(PAPER | {"f": "9/10", "l": "0", "r": r}, 10)
+    certificate["digits"] = "6"
+    path = "claims", "paper_roots", n, "theta", n
+    rejected(changed(certificate, *path, over), "theta is not in its half")
+
+
 # the pitchfork
 
 

@@ -83,9 +83,9 @@ def test_periodic():
 
 def test_capture():
     """The time of the release."""
-    parameters, box = WALLS | {"f": "20", "e": "1", "mu": "0"}, (("4990", "5000"), ("-20", "20"))
+    parameters, box = WALLS | {"f": "20", "e": "1", "mu": "0"}, (("4990", "5000"), ("-10", "10"))
     certificate = forge_capture(parameters=parameters, box=box, held=("5",), digits=9)
-    widths(certificate, ("box", "event_times", "forcing", "accumulation_time"))
+    widths(certificate, ("box", "itinerary", "event_times", "forcing", "accumulation_time"))
 
 
 @pytest.fixture(scope="module")
