@@ -95,6 +95,15 @@ def test_each_cell_counts(damped):
     rejected(changed(damped, *path, "events", [["1", "2"]]), "list of 2")
 
 
+@pytest.mark.parametrize(("mu", "why"), [("1/1000", "K does not lie"), ("1/20", "wall may not be")])
+def test_viscosity_counts(mu, why):
+    """Without viscosity one box holds the orbit for all mu; its fixed point moves with mu."""
+    short = ("0", "1/100000")
+    certificate = forge_persistence("elliptic", epsilon=short, mu=short)
+    verify(certificate)
+    rejected(changed(certificate, "claims", "range", "mu", ["0", mu]), why)
+
+
 # one function: the rectangles are 0 and 1 in the first row, 2 and 3 in the second
 
 
