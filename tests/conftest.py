@@ -5,6 +5,7 @@ from importlib.metadata import version
 
 import mpmath
 import pytest
+from checker import remembered
 from checker.forge import forge
 from flint import ctx
 
@@ -67,3 +68,17 @@ def good():
 def saddle():
     """Return a valid certificate of the saddle."""
     return forge("saddle")
+
+
+@pytest.fixture(scope="module")
+def orbits_computed_once():
+    """Let the checker compute the orbits from a box once for equal arguments."""
+    with remembered.orbits_computed_once():
+        yield
+
+
+@pytest.fixture(scope="module")
+def pairs_computed_once():
+    """Let the checker compute pairs of (1,1) orbits once for equal arguments."""
+    with remembered.pairs_computed_once():
+        yield

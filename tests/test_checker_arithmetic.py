@@ -94,6 +94,16 @@ def test_square_root_magnitude_of_random_intervals(bits):
         assert (root.upper - ulp) ** 2 < y.upper <= root.upper**2 or y.hi == root.hi == 0
 
 
+@pytest.mark.parametrize("bits", [0, 1, 6])
+def test_square_roots_of_all_small_numbers(bits):
+    """Exact for squares, and otherwise one unit wide."""
+    for n in range(300):
+        root = Interval(n, n, bits).sqrt()
+        assert root.lower**2 <= Fraction(n, 1 << bits) <= root.upper**2
+        exact = root.lower**2 == Fraction(n, 1 << bits)
+        assert root.width == (0 if exact else 1)
+
+
 def test_square_root_of_negative_numbers_rejects():
     """An interval that reaches below zero has no square root."""
     with pytest.raises(Rejected, match="negative"):

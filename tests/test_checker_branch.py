@@ -17,6 +17,8 @@ from cap.checker.certificate import read
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
 
+pytestmark = pytest.mark.usefixtures("pairs_computed_once")
+
 F = Fraction
 NARROW = {"F": "1", "omega": "1", "l": "-7/10", "r": "7/10"}
 NARROW_ZERO = "0.240703080213486"

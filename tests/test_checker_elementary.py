@@ -19,6 +19,7 @@ from cap.checker.elementary import (
     _sine_series,
     arccos,
     cos_sin,
+    phi,
     pi,
 )
 from cap.checker.interval import Interval
@@ -173,3 +174,56 @@ def test_the_error_bounds_of_the_series_before_the_guard_bits_are_cut(p):
         for n in (5, 239):
             value, error = _arctan_of_inverse(n, p)
             assert abs(value - mp.atan(mp.mpf(1) / n) / unit) <= error <= p
+
+
+# with few bits, where a unit counts
+
+
+def holds(few, many):
+    """Check that an enclosure of few bits contains one of the same quantity with more of them."""
+    assert few.lower <= many.lower
+    assert many.upper <= few.upper
+
+
+def test_pi_at_all_precisions():
+    """At each of 400 precisions the enclosure contains that of 500 bits."""
+    for bits in range(1, 400):
+        holds(pi(bits), pi(500))
+
+
+def test_all_points_of_few_bits():
+    """Cosine and sine at 513 points of 5 bits, exponentials of 6, arccosine of 7 bits."""
+    for n in range(-256, 257):
+        for few, many in zip(cos_sin(Interval(n, n, 5)), cos_sin(point(n, 5, 90)), strict=True):
+            holds(few, many)
+        for order in range(3):
+            holds(phi(order, Interval(n, n, 6), n % 3), phi(order, point(n, 6, 90), n % 3))
+    for n in range(-127, 128):
+        holds(arccos(Interval(n, n, 7)), arccos(point(n, 7, 90)))
+
+
+def point(n, bits, more):
+    """Return the point n 2^-bits with more bits."""
+    return Interval(n, n, bits).with_bits(more)
+
+
+@pytest.mark.parametrize("bits", [8, 20, 64])
+@pytest.mark.parametrize("n", [-2, -1, 0, 1, 2])
+def test_tiny_arguments(bits, n):
+    """At a unit from 0, what is left out is far below a unit, but it is there."""
+    for order in range(3):
+        for k in range(3):
+            holds(phi(order, Interval(n, n, bits), k), phi(order, point(n, bits, 400), k))
+    for few, many in zip(cos_sin(Interval(n, n, bits)), cos_sin(point(n, bits, 400)), strict=True):
+        holds(few, many)
+
+
+def test_the_error_bounds_that_the_text_states():
+    """2N + 2 for the sine after N terms, 2N + 1 for the arctangent of 1/n."""
+    for p in (4, 64):
+        assert _sine_series(0, p) == (0, 2)
+        assert _sine_series(1, p) == (1, 4)
+    assert _arctan_of_inverse(5, 1) == (0, 1)
+    assert _arctan_of_inverse(5, 3) == (1, 3)
+    assert _sine_series(200, 8)[1] == 6  # the terms are 200 and 20
+    assert _arctan_of_inverse(5, 10)[1] == 5  # 204 and 8/3

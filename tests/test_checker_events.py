@@ -94,10 +94,14 @@ def test_flights_solve_the_differential_equation(mu, s):
             assert abs(slopes[1] - (flow.force(q) - s * flow.f - flow.mu * v)) < 1e-15
 
 
-def test_flights_with_the_viscosity_in_an_interval():
-    """With mu in [0, 1/50], position and speed contain those of five values of mu."""
+@pytest.mark.parametrize("mu", ["0", "1/5"])
+def test_flights_with_the_viscosity_in_an_interval(mu):
+    """With mu in [0, 1/50], position and speed contain those of five values of mu.
+
+    The mu of the parameters, which may be 0, does not matter.
+    """
     losses = Losses((Fraction(9, 10), Fraction(1)), (Fraction(0), Fraction(1, 50)))
-    M = mechanics(UNIT, "0", "1", losses)
+    M = mechanics(UNIT | {"mu": mu}, "0", "1", losses)
     flight, moment = M.launch(), M.moment(M.constant(point(2)))
     x, v = M.place(flight, moment), M.speed(flight, moment)
     with mp.workdps(40):
@@ -218,6 +222,7 @@ def test_a_stick_and_its_release():
     events, flight = follow(M, M.launch(), ["stick", "release left"], windows)
     with mp.workdps(40):
         assert abs(rational(mp.acos(mpf(-9) / 10)) - events[1].moment.t.value.lower) < 1e-30
+    assert events[1].forcing.lower <= Fraction(-9, 10) <= events[1].forcing.upper
     assert flight.at_rest
     assert len(flight.minima) == 0  # the release is not among them
     x = M.place(flight, M.full_turns(M.horizon))

@@ -6,9 +6,12 @@ import copy
 from fractions import Fraction
 
 import pytest
-from checker.altered import changed, decimal, rejected, verify
+from checker.altered import changed, decimal, encode, rejected, verify
+from checker.parts import Centred, Elliptic, Jet, read
 
 from cap.checker.rejection import Rejected
+
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 
 
 def test_the_box_must_be_between_the_walls(good):
@@ -108,6 +111,28 @@ def test_the_remainder_must_be_large_enough(good, component):
         changed(good, "claims", "remainder", component, decimal(bound / 4, 80)),
         f"remainder of {component}",
     )
+
+
+@pytest.mark.parametrize("component", ["x", "v"])
+def test_the_remainder_to_the_last_digit(good, component, monkeypatch):
+    """What is claimed may be Lagrange's bound times the radius^(order + 1), but no less."""
+    computed, found = Elliptic.lagrange, []
+    monkeypatch.setattr(Elliptic, "lagrange", lambda *q: found.append(computed(*q)) or found[-1])
+    verify(good)
+    radius = Fraction(good["claims"]["remainder"]["radius"])
+    bound = found["xv".index(component)].upper * radius**4
+    path = "claims", "remainder", component
+    verify(changed(good, *path, str(bound)))
+    rejected(changed(good, *path, str(bound * (1 - Fraction(1, 10**30)))), "remainder of")
+
+
+def test_the_form_of_lagrange(good):
+    """The sum of |c_ij| sqrt(i^i j^j / n^n) over i + j = n, for c_ij of either sign, by hand."""
+    proof = Elliptic(read(encode(good)), print)
+    one = proof.number(Fraction(1))
+    jet = Jet(2, {(0, 0): one * 0, (2, 0): one * -3, (1, 1): one * 8, (0, 2): one * -5})
+    result = proof.lagrange(Centred(jet, jet, (one - one, one - one)), 2)
+    assert abs(result.upper - 12) + abs(result.lower - 12) < Fraction(1, 10**30)
 
 
 def test_the_remainder_disk(good):

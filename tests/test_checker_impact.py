@@ -6,7 +6,8 @@ from fractions import Fraction
 
 import pytest
 from checker.forge import Flow, _mp, _twists
-from checker.forge_impact import PAPER, WALLS, System
+from checker.forge_impact import PAPER, WALLS, System, lowest
+from checker.parts import steepness
 from mpmath import mp, mpf
 
 from cap.checker import impact
@@ -112,6 +113,19 @@ def test_over_a_cell_everything_is_enclosed(ends):
         assert values[-1].lies_in(cell_twist.lower, cell_twist.upper)
     spread = max(v.upper for v in values) - min(v.lower for v in values)
     assert cell_twist.upper - cell_twist.lower < 2 * spread
+
+
+@pytest.mark.parametrize("delta", ["1/10", "3/10", "45/100"])
+def test_the_slope_of_the_least_speed(delta):
+    """L' over a short cell, against differences of the least speed of the flow."""
+    half, q = Fraction(1, 10**9), Fraction(delta)
+    pair = impact.over_cells(number(2)).at(TaylorModel.variable(q - half, q + half, BITS), 1)
+    slope, h = steepness(pair), mpf("1e-12")
+    with mp.workdps(40):
+        system = System(WALLS)
+        low, high = (lowest(system.pair(_mp(delta) + side * h)) for side in (-1, 1))
+        exact = (high - low) / (2 * h)
+        assert abs(_mp(slope.lower) - exact) + abs(_mp(slope.upper) - exact) < mpf("1e-6")
 
 
 @pytest.mark.parametrize("alpha", ["1/10", "2/5", "53/100", "6/10"])

@@ -189,6 +189,16 @@ def test_the_offsets_of_both_variables_count():
         assert abs(c.upper - c.lower - width) < Fraction(1, 1 << 100)
 
 
+def test_coefficients_that_are_not_there():
+    """Up to the order they are 0; beyond it nothing is known."""
+    constant = Jet(2, {(0, 0): thin(5)})
+    x, _ = box_pair(2, "1/2", "1/3", "1/1000")
+    five = Centred(constant, constant, x.offsets)
+    assert (five[1, 0].lo, five[1, 0].hi, five.slope(1).lo, five.slope(1).hi) == (0, 0, 0, 0)
+    with pytest.raises(Rejected, match="beyond the order"):
+        five[2, 1]
+
+
 def test_a_wrong_centre_rejects():
     """A centre that the box cannot contain makes the two forms disjoint."""
     x, _ = box_pair(2, "1/2", "1/3", "1/1000")

@@ -199,6 +199,14 @@ def test_a_jacobian_that_is_not_elliptic_rejects(rows):
         run(linear(3, rows))
 
 
+@pytest.mark.parametrize("c", [(-1, 1), (0, 1), (-1, 0)])
+def test_a_lower_left_entry_that_may_vanish_rejects(c):
+    """Also if zero is an end of its enclosure."""
+    rows = [[thin(Fraction(1, 2)), thin(-1)], [Interval(*c, BITS), thin(Fraction(1, 2))]]
+    with pytest.raises(Rejected, match="lower left entry"):
+        elliptic_frame(rows)
+
+
 def test_the_coordinate():
     """(p, q) is a left eigenvector of the Jacobian for e^(i Theta), with p > 0 and Im p q = 1."""
     rows = ((Fraction(9, 8), Fraction(-13, 4)), (Fraction(1, 2), Fraction(-5, 9)))

@@ -11,9 +11,11 @@ from checker.forge_hybrid import PERIODIC, valid
 
 from cap.checker.certificate import read
 from cap.checker.interval import Interval
-from cap.checker.periodic import Periodic, norm
+from cap.checker.periodic import Periodic, norm, real
 from cap.checker.reading import Enclosure
 from cap.checker.rejection import Rejected
+
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 
 TYPES = {
     "focus": "sink focus",
@@ -180,6 +182,23 @@ def test_the_contraction(forged):
     )
 
 
+@pytest.mark.parametrize("side", [-1, 1])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_an_ellipse_that_touches_the_box(forged, axis, side):
+    """The box may end where the ellipse does, but not a unit 2^-bits before."""
+    certificate = forged["focus"]
+    proof, fixed_point, _ = compared(certificate)
+    (a, b), (c, d) = proof.claims["basin"]["matrix"]
+    row = [(d, -b), (-c, a)][axis]  # of the inverse, times the determinant
+    square = sum(q**2 for q in row) / (a * d - b * c) ** 2
+    reach = Interval.enclosing(square, square, proof.hints["bits"]).sqrt().upper
+    z, unit = fixed_point[axis], Fraction(1, 1 << proof.hints["bits"])
+    end = z.upper + reach if side > 0 else z.lower - reach
+    path = "claims", "box", "xv"[axis], (side + 1) // 2
+    verify(changed(certificate, *path, str(end)))
+    rejected(changed(certificate, *path, str(end - side * unit)), "basin does not certainly lie")
+
+
 def test_an_ellipse_in_the_box_that_is_not_contracted(forged):
     """A round ellipse is not contracted by a focus that shears, nor is a large one by a node."""
     round_one = [["10000", "0"], ["0", "10000"]]
@@ -194,6 +213,28 @@ def test_the_norm_of_a_matrix():
     assert 0 <= norm(exact).upper ** 2 - 45 < Fraction(1, 10**15)
     wide = [[q + Interval(-1 << 60, 1 << 60, 64) for q in row] for row in exact]
     assert abs(norm(wide).upper - norm(exact).upper - Fraction(1, 8)) < Fraction(1, 10**15)
+
+
+@pytest.mark.parametrize("entry", [(0, 0), (0, 1), (1, 0), (1, 1)])
+def test_the_radius_of_each_entry_counts(entry):
+    """The norm of a matrix with one entry in [-1, 1] and zeros is at most 1, and may be 1."""
+    N = [
+        [Interval((n, m) == entry and -1 << 64, (n, m) == entry and 1 << 64, 64) for m in (0, 1)]
+        for n in (0, 1)
+    ]
+    assert 1 <= norm(N).upper < 1 + Fraction(1, 10**15)
+
+
+@pytest.mark.parametrize(
+    ("trace", "det", "zeros"),
+    [(3, 2, (2, 1)), (-3, 2, (-2, -1)), (5, 4, (4, 1)), (-5, 4, (-4, -1))],
+)
+def test_real_multipliers(trace, det, zeros):
+    """The zeros of z^2 - 3 z + 2 and others, of either sign, the larger one first."""
+    found = real(*(Interval(q << 64, q << 64, 64) for q in (trace, det)))
+    for value, zero in zip(found, zeros, strict=True):
+        assert value.lower <= zero <= value.upper
+        assert value.width < 10
 
 
 @pytest.mark.parametrize("name", ["focus", "stick", "captured"])

@@ -12,6 +12,8 @@ from checker.forge_hybrid import PERIODIC, valid
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
 
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
+
 
 @pytest.fixture(scope="module")
 def forged():

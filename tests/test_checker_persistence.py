@@ -8,12 +8,11 @@ from fractions import Fraction
 import pytest
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_hybrid import forge_periodic, forge_persistence
+from checker.parts import Enclosure, Persistence, Rejected, check, read
 
-from cap.checker.certificate import read
-from cap.checker.persistence import Persistence
-from cap.checker.rejection import Rejected
 from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 
 SMALL = ("0", "1/20000", "1/10000")
 
@@ -96,14 +95,93 @@ def test_each_cell_counts(damped):
     rejected(changed(damped, *path, "events", [["1", "2"]]), "list of 2")
 
 
-def test_neighbours_must_agree(continuation):
-    """Two halves of the range with boxes that hold their own fixed points only."""
-    proof, fixed_point = continuation
+@pytest.mark.parametrize(("mu", "why"), [("1/1000", "K does not lie"), ("1/20", "wall may not be")])
+def test_viscosity_counts(mu, why):
+    """Without viscosity one box holds the orbit for all mu; its fixed point moves with mu."""
+    short = ("0", "1/100000")
+    certificate = forge_persistence("elliptic", epsilon=short, mu=short)
+    verify(certificate)
+    rejected(changed(certificate, "claims", "range", "mu", ["0", mu]), why)
+
+
+# one function: the rectangles are 0 and 1 in the first row, 2 and 3 in the second
+
+
+def continued(continuation, places, fixed_point, **losses):
+    """Try whether fixed points in boxes at some places are one function.
+
+    A place is the middle of a box of half-width 1, where its fixed point is, or None: then the box
+    contains all places, and its fixed point is at the first.
+    """
+    proof, _ = continuation
     altered = copy.copy(proof)
-    images = iter([fixed_point, tuple(z + 1 for z in fixed_point)] * 2)
+    altered.p = proof.p._replace(**{name: F(value) for name, value in losses.items()})
+    sides = [
+        [(-99, 99) if place is None else (place[k] - 1, place[k] + 1) for place in places]
+        for k in (0, 1)
+    ]
+    boxes = [
+        {
+            name: Enclosure(F(side[n][0]), F(side[n][1]), ("", ""))
+            for name, side in zip("xv", sides, strict=True)
+        }
+        for n in range(4)
+    ]
+    altered.claims = proof.claims | {"range": proof.claims["range"] | {"boxes": boxes}}
+    images = iter([[proof.number(F(z)) for z in place or (0, 0)] for place in places])
     altered.rectangle = lambda *_: next(images)
+    altered.continuation([proof.number(F(z)) for z in fixed_point])
+
+
+@pytest.mark.parametrize("shift", [(3, 0), (-3, 0), (0, 3), (0, -3)], ids=str)
+@pytest.mark.parametrize("edge", [(0, 1), (2, 3), (0, 2), (1, 3)], ids=str)
+def test_neighbours_must_agree(continuation, edge, shift):
+    """On each edge, and in each coordinate: one of the fixed points lies in the other's box."""
+    here = (0, 0)
+    places = [{edge[0]: here, edge[1]: shift}.get(n) for n in range(4)]
     with pytest.raises(Rejected, match="common edge"):
-        altered.continuation(fixed_point)
+        continued(continuation, places, here)
+    for n in edge:
+        wider = [*places[:n], None, *places[n + 1 :]]
+        continued(continuation, wider, wider[3] or here)
+    places[edge[1]] = (shift[0] / 3, shift[1] / 3)  # it touches
+    continued(continuation, places, here)
+
+
+@pytest.mark.parametrize(
+    ("losses", "around"),
+    [
+        ({"e": "1", "mu": "0"}, [0]),
+        ({"e": "1", "mu": "1/1000"}, [1]),
+        ({"e": "999/1000", "mu": "0"}, [2]),
+        ({"e": "999/1000", "mu": "1/1000"}, [3]),
+        ({"e": "1", "mu": "1/2000"}, [0, 1]),
+        ({"e": "1999/2000", "mu": "1/1000"}, [1, 3]),
+        ({"e": "1999/2000", "mu": "1/2000"}, [0, 1, 2, 3]),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("beside", [(2, 0), (0, 2), (-2, 0), (0, -2)], ids=str)
+def test_the_fixed_point_is_in_a_box_of_its_losses(continuation, losses, around, beside):
+    """It may lie in one box of several, but must not lie in those of other losses alone."""
+    places = [(0, 0)] * 4
+    continued(continuation, places, (1, -1), **losses)
+    with pytest.raises(Rejected, match="one continued"):
+        continued(continuation, places, beside, **losses)
+    for n in range(4):
+        only = [None if n == m else (0, 0) for m in range(4)]
+        if n in around:
+            continued(continuation, only, beside, **losses)
+        else:
+            with pytest.raises(Rejected, match="one continued"):
+                continued(continuation, only, beside, **losses)
+
+
+@pytest.mark.parametrize("losses", [("998/1000", "0"), ("1", "2/1000"), ("998/1000", "2/1000")])
+def test_losses_beyond_the_range(continuation, losses):
+    """Both e and mu must be in the range."""
+    with pytest.raises(Rejected, match="not in the range"):
+        continued(continuation, [None] * 4, (0, 0), **dict(zip(("e", "mu"), losses, strict=True)))
 
 
 def test_stability_on_every_rectangle(continuation, monkeypatch):

@@ -66,6 +66,102 @@ def test_arithmetic():
             assert holds(model, function), name
 
 
+# with few bits, where a unit counts
+
+
+def small_model(random):
+    """Return a Taylor model of few bits, with those functions in it that lie at its borders."""
+    bits = random.randint(1, 5)
+    c = [random.randint(-9, 9) for _ in range(random.randint(0, ORDER + 1))]
+    return c, random.choice([0, 0, 1, 3]), bits
+
+
+def value(c, y):
+    """Return the value of a polynomial."""
+    return sum(c_k * y**k for k, c_k in enumerate(c))
+
+
+POINTS = [Fraction(k, 3) for k in (-3, -1, 2, 3)]
+
+
+def test_sums_products_and_parts_to_the_unit():
+    """At the borders of models of a few units, exactly: no error is off by one."""
+    random = seeded(4)
+    for _ in range(rounds(80)):
+        (p, a, bits), (q, b, _) = small_model(random), small_model(random)
+        G, H, unit = TaylorModel(p, a, bits), TaylorModel(q, b, bits), Fraction(1, 2**bits)
+        n = random.choice([-7, -2, -1, 1, 3, 11])
+        for model, operation in (
+            (G + H, lambda g, h: g + h),
+            (G - H, lambda g, h: g - h),
+            (-G, lambda g, _: -g),
+            (G * H, lambda g, h: g * h),
+            (G * n, lambda g, _, n=n: g * n),
+            (G / n, lambda g, _, n=n: g / n),
+            (G + n, lambda g, _, n=n: g + n),
+        ):
+            for y in POINTS:
+                for s in (-a, a):
+                    for t in (-b, b):
+                        exact = operation((value(p, y) + s) * unit, (value(q, y) + t) * unit)
+                        error = abs(exact - value(model.coefficients, y) * unit)
+                        assert error <= model.error * unit
+
+
+def test_quotients_and_roots_to_the_unit():
+    """So it is for 1/g and sqrt g, g at the borders of a model of a few units."""
+    random = seeded(5)
+    for _ in range(rounds(300)):
+        bits = random.randint(4, 9)
+        c = [random.randint(-3, 3) for _ in range(random.randint(1, ORDER + 1))]
+        c[0] = random.choice([-1, 1]) * (sum(map(abs, c)) + random.randint(4, 2 << bits))
+        a, unit = random.choice([0, 1, 2]), Fraction(1, 2**bits)
+        model = TaylorModel(c, a, bits)
+        try:
+            results = [model.inverse()] if c[0] < 0 else [model.inverse(), model.sqrt()]
+        except Rejected:
+            continue
+        for y in POINTS:
+            polynomials = [value(result.coefficients, y) * unit for result in results]
+            for s in (-a, a):
+                g = (value(c, y) + s) * unit
+                assert abs(1 / g - polynomials[0]) <= results[0].error * unit
+                if c[0] > 0:
+                    low, high = (polynomials[1] + t * results[1].error * unit for t in (-1, 1))
+                    assert max(low, 0) ** 2 <= g <= high**2
+
+
+def test_constants_and_variables_to_the_unit():
+    """An interval of an odd number of units, and a cell between units, are in their models."""
+    for lo, hi in ((0, 1), (-1, 0), (3, 8), (-8, -3), (-2, 5), (4, 4)):
+        c = TaylorModel.constant(Interval(lo, hi, 3))
+        middle = value(c.coefficients, 0)
+        assert middle - c.error <= lo <= hi <= middle + c.error <= hi + 1
+    random = seeded(6)
+    for _ in range(rounds(200)):
+        low = Fraction(random.randint(-50, 50), random.randint(1, 40))
+        high, bits = low + Fraction(random.randint(1, 9), random.randint(1, 40)), 4
+        x = TaylorModel.variable(low, high, bits)
+        for y in POINTS:
+            exact = (low + high) / 2 + y * (high - low) / 2
+            assert abs(exact * 2**bits - value(x.coefficients, y)) <= x.error <= 1
+
+
+def test_the_range_to_the_unit():
+    """All values of functions at the border lie in the range, bounds and sizes are above them."""
+    random = seeded(7)
+    for _ in range(rounds(300)):
+        c, a, bits = small_model(random)
+        model = TaylorModel(c, a, bits)
+        values = [value(c, y) for y in POINTS]
+        assert model.range().lo <= min(values) - a
+        assert max(values) + a <= model.range().hi
+        assert model.range().bits == bits
+        assert max(map(abs, values)) <= model.size() == model.bound() - a
+    few = TaylorModel([1, 2, -3], 1, 4).range()
+    assert (few.lo, few.hi) == (1 - 2 - 3 - 1, 1 + 2 + 1)
+
+
 def test_the_range():
     """All values on the cell lie in the range; odd and even powers are told apart."""
     random = seeded(2)

@@ -7,10 +7,13 @@ import time
 from fractions import Fraction
 
 import pytest
-from checker.altered import changed, decimal, rejected, verify
+from checker.altered import changed, decimal, encode, rejected, verify
 from checker.forge import ORBITS, PARAMETERS, forge
+from checker.forge_impact import System
+from checker.parts import Rejected, Saddle, read
+from mpmath import mp
 
-from cap.checker.rejection import Rejected
+F = Fraction
 
 SCALED = {
     "F": "3",
@@ -59,6 +62,25 @@ def test_an_elliptic_certificate_is_verified_in_bounded_time(good):
 def test_the_saddle_that_hits_slowly():
     """The orbit with least speed 0.14 is verified, in a box that is small enough."""
     verify(forge("saddle", orbit=SLOW_SADDLE, box_radius="0.0000002", digits=10))
+
+
+def test_a_flip_saddle():
+    """Of the asymmetric pair beyond rotation number 1/2: both multipliers are negative."""
+    walls = {"F": "1", "omega": "1", "l": "-7/10", "r": "7/10"}
+    with mp.workdps(40):
+        pair = System(walls).pair(mp.mpf("0.35"))
+        f, *start = (mp.nstr(q, 20) for q in (pair.alpha, *pair.start))
+    certificate = forge("saddle", parameters=walls | {"f": f}, orbit=start, digits=6)
+    outer, inner = (F(ends[1]) for ends in certificate["claims"]["multipliers"])
+    assert outer < -1 < inner < 0
+    verify(certificate)
+
+
+def test_the_first_wall(saddle):
+    """It is r if all velocities in the box are positive, and l if they are negative."""
+    for v, first in ((["1/9", "1/2"], "hit r"), (["-1/2", "-1/9"], "hit l")):
+        certificate = read(encode(changed(saddle, "claims", "box", "v", v)))
+        assert Saddle(certificate, print).phi.itinerary[0] == first
 
 
 # other theorems

@@ -10,6 +10,8 @@ import pytest
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
 
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
+
 CERTIFICATES = [
     path
     for theorem in ("elliptic", "saddle")

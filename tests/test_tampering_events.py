@@ -1,7 +1,6 @@
 """Certificates with turns, sticks, captures and losses, tampered with number by number.
 
-The flow does not depend on most of what is claimed, so `over` is computed once for equal arguments:
-this leaves every step of the checker as it is.
+The flow does not depend on most of what is claimed, so it is computed once for equal arguments.
 """
 
 import copy
@@ -13,11 +12,12 @@ from pathlib import Path
 import pytest
 from test_tampering import changed, enclosures, get, leaves, text
 
-from cap.checker import itinerary
 from cap.checker.certificate import TYPES
 from cap.checker.itinerary import WORDS
 from cap.checker.rejection import Rejected
 from cap.checker.theorem import check
+
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 
 STORED = Path(__file__).parent.parent / "certificates"
 PERIODIC = sorted(STORED.glob("periodic*.json"))
@@ -29,23 +29,6 @@ each = {
     "quick": pytest.mark.parametrize("path", QUICK, ids=lambda path: path.stem),
     "capture": pytest.mark.parametrize("path", CAPTURES, ids=lambda path: path.stem),
 }
-
-
-@pytest.fixture(autouse=True, scope="module")
-def remembered():
-    """Compute the flow over a box once."""
-    known, computed = {}, itinerary.PeriodMap.over
-
-    def over(phi, box, m, order):
-        sets = tuple((z.lo, z.hi, z.bits) for z in (*box, *m))
-        key = repr((tuple(phi), sets, order))
-        if key not in known:
-            known[key] = computed(phi, box, m, order)
-        return known[key]
-
-    itinerary.PeriodMap.over = over
-    yield
-    itinerary.PeriodMap.over = computed
 
 
 def load(path):

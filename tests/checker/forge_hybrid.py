@@ -1,4 +1,4 @@
-"""A test tool: valid certificates of ``periodic``, ``persistence`` and ``capture``, made in mpmath.
+"""A test tool: valid certificates of ``periodic`` and ``persistence``, made in mpmath.
 
 Nothing here is rigorous: margins are guessed, and the tests show that the checker accepts them.
 """
@@ -240,46 +240,3 @@ def forge_persistence(
     certificate["claims"]["range"] = {"epsilon": list(epsilon), "mu": list(mu), "boxes": boxes}
     certificate["hints"]["cells"] = cells
     return certificate
-
-
-def forge_capture(  # noqa: PLR0913
-    *,
-    parameters=PAPER | {"e": "1", "mu": "0"},
-    box=(("0.998", "1"), ("-0.02", "0.02")),
-    wall="r",
-    held=("0.5",),
-    speed=None,
-    release=None,
-    digits=20,
-):
-    """Return a valid certificate of a capture, at once or (with a speed) by the hit below it."""
-    with mp.workdps(40):
-        flow = Flow(parameters)
-        side = 1 if wall == "r" else -1
-        corners = [tuple(map(mpf, q)) for q in box]
-        times, words, start = [], [], mpf(0)
-        if speed is not None:
-            captures = mpf(speed), held
-            times, words = windows([flow], corners, captures=captures, margin="0.0005")
-            cut = words.index(f"capture {wall}")
-            times, words = times[:cut], words[:cut]
-            start = mpf(times[-1][0])
-        words += [f"capture {wall}", f"release {'left' if side > 0 else 'right'}"]
-        times.append([times[-1][0] if times else "0", held[-1]])
-        b = [side * flow.force(start + (mpf(held[-1]) - start) * n / 100) for n in range(101)]
-        low, high = min(b) - mpf("1e-9"), max(b) + mpf("1e-9")
-        out, _ = flow.released(mpf(held[-1]), -side)
-        times.append(around(out, mpf("1e-9")))
-        k = flow.e * mp.sqrt((high - flow.f) / (low + flow.f)) + mpf("1e-9")
-        claims = {
-            "box": {name: list(q) for name, q in zip("xv", box, strict=True)},
-            "wall": wall,
-            "itinerary": words,
-            "event_times": [list(w) for w in times],
-            "forcing": [_decimal(low, 20), _decimal(high, 20)],
-            "ratio": _decimal(k, 20),
-            "accumulation_time": list(times[-2]),
-            "release_time": claim(out, digits, 1 / flow.omega),
-        }
-    hints = {"bits": str(int(digits * 3.33) + 60), "events": times}
-    return envelope("capture", parameters, digits, claims, hints)

@@ -24,8 +24,10 @@ def accepted(certificate):
 
 
 def moved(pair):
-    """Give enclosures that miss the number, or are much wider."""
+    """Give enclosures that miss the number and are as narrow, or are much wider."""
     low, high = map(Fraction, pair)
+    shift = 10 * (high - low) or Fraction(1, 10**8)
+    yield from ([low - shift, high - shift], [low + shift, high + shift])
     width = max(high - low, Fraction(1, 10**8)) * 1000 * max(1, abs(high), abs(low))
     yield from ([low - width, low - width / 2], [high + width / 2, high + width])
     yield from ([low - width, high], [low, high + width])
