@@ -1,6 +1,7 @@
 """The verdicts as they are recorded: ``recorded.json``, which only ``--record`` writes."""
 
 import json
+from contextlib import suppress
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
@@ -14,11 +15,14 @@ PATH = Path(__file__).with_name("recorded.json")
 
 @cache
 def recorded() -> dict[str, Verdict]:
-    """Return the recorded verdicts by the ids of the claims."""
+    """Return the recorded verdicts by the ids of the claims; one that is none is not recorded."""
     if not PATH.is_file():
         return {}
-    entries = json.loads(PATH.read_text(encoding="utf-8"))
-    return {name: verdict(fields) for name, fields in entries.items()}
+    found = {}
+    for name, fields in json.loads(PATH.read_text(encoding="utf-8")).items():
+        with suppress(ValueError, KeyError):
+            found[name] = verdict(fields)
+    return found
 
 
 def write(verdicts: dict[str, Verdict]) -> None:

@@ -24,7 +24,7 @@ class Strength(StrEnum):
     CERTIFIED = "certified"  # by a stored certificate that the checker accepts now
     BY_ARGUMENT = "by argument"  # by a written proof; what a machine can check of it, it checked
     NUMERICAL = "numerical"
-    NONE = "none"  # of what is open, or cannot be checked
+    NONE = "not decided"  # of what is open, or cannot be checked
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -53,17 +53,15 @@ def funnel() -> Verdict:
     return imprecise(
         "there may be several attractors: at F = 3 two different periodic sinks are certified "
         f"({sinks[0]}, {sinks[1]}); at the paper's parameters there is a segment of T-periodic "
-        f"orbits that touch no wall, of stroke {stroke} < R, one for each place that has room: they "
-        "attract nothing along the segment",
+        f"orbits that touch no wall, of stroke {stroke} < R, one for each place that has room: "
+        "they attract nothing along the segment",
         "Stored certificates; the segment in closed form: v = 0 at sin t = -πf/2 and half a period "
         "later, F cos t > f there, checked in balls.",
         certificate="periodic-3.json",
     )
 
 
-@claim(
-    "thm:OmNS-structure", Kind.STEP, stated="the neighbourhood U of P* is in Ω_NS, by continuity"
-)
+@claim("thm:OmNS-structure", Kind.STEP, stated="a neighbourhood of P* is in Ω_NS, by continuity")
 def neighbourhood_in_the_set() -> Verdict:
     """Φ is C^∞ on a neighbourhood of P* contained in Ω_NS, by continuity of the impact times."""
     with interval.workprec(block.BITS):
