@@ -9,10 +9,10 @@ from cap.errors import BadInput
 
 MODULES = (
     *("introduction", "inclusion", "stops", "wellposed", "strobe"),
-    *("cover", "symplectic", "saltation"),
+    *("cover", "lifting", "symplectic", "saltation"),
     *("ansatz", "roots", "fold", "linearization"),
     *("smoothness", "birkhoff", "kam"),
-    *("slow", "melnikov"),
+    *("slow", "melnikov", "homoclinic"),
     *("decomposition", "impulse"),
     *("persistence", "basin"),
     *("particles", "tori"),
@@ -21,15 +21,14 @@ MODULES = (
 
 @cache
 def claims() -> dict[str, Claim]:
-    """Return all claims by their ids: by section, and there as their modules declare them."""
+    """Return all claims by their ids: place after place, and there in their modules' order."""
     found: list[Claim] = []
     for name in MODULES:
         module = f"cap.audit.claims.{name}"
         import_module(module)
         found += declared_in(module)
-    paper = labels.stored()
-    order = {label: k for k, label in enumerate(sections())}
-    found.sort(key=lambda each: order[paper.place(each.where).section])
+    order = {place.label: k for k, place in enumerate(labels.stored().places)}
+    found.sort(key=lambda each: order.get(each.where, len(order)))
     return {each.id: each for each in found}
 
 

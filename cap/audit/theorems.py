@@ -83,9 +83,9 @@ STATEMENTS = (
     ),
     statement(
         "thm:lift",
-        "cover.lift-exists",
-        "cover.lift-is-unique",
-        "cover.converse",
+        "lifting.lift-exists",
+        "lifting.lift-is-unique",
+        "lifting.converse",
         instead="The proposition with p > 0 in the converse, the lift unique up to even integers.",
     ),
     statement(

@@ -6,7 +6,7 @@ from cap.audit import ledger, recorded
 from cap.audit.decide import decided
 
 TOGETHER = (("persistence", "basin"), ("birkhoff", "kam"))  # the same large certificate
-SLOW = {"persistence", "melnikov"}  # a large certificate, a search in floats
+SLOW = {"persistence", "homoclinic"}  # a large certificate, a search in floats
 GROUPS = [
     *TOGETHER,
     *((name,) for name in ledger.MODULES if not any(name in group for group in TOGETHER)),

@@ -75,7 +75,7 @@ def test_changes_are_noticed():
 
 def test_floats_may_differ_in_their_digits():
     """What is found in floats is not compared, its verdict is."""
-    name = "melnikov.horseshoe"
+    name = "homoclinic.horseshoe"
     old = recorded.recorded()[name]
     assert old.strength is Strength.NUMERICAL
     assert recorded.changes({name: still_open("else", "", numerical=True)}, whole=False) == []
