@@ -2,13 +2,14 @@
 
 import signal
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, ProcessPoolExecutor, wait
 
 from cap.audit import cache, ledger
 from cap.audit.claim import Claim
 from cap.audit.means import stored
 from cap.audit.means.written import exists
 from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.errors import BadInput
 
 Progress = Callable[[str], None]
 
@@ -62,6 +63,8 @@ def _at_once(
                     name = todo.pop(each)
                     progress(f"{len(todo)} claims to decide; {name}")
                     yield name, each.result()
+        except BrokenExecutor:
+            raise BadInput("a process of --jobs was killed (what was decided is kept)") from None
         except BaseException:
             executor.shutdown(wait=False, cancel_futures=True)
             raise

@@ -25,7 +25,7 @@ FINDINGS = (
     Finding(
         "roots.universality",
         Outcome.REFUTED,
-        "The saddle-center of symmetric orbits is at f = 2F/π for every gap, as GKR2019 has it "
+        "The saddle-center of symmetric orbits is at f = 2F/π, whatever the gap, as GKR2019 has it "
         "according to the paper: the correction has to be withdrawn. Multipliers there go with the "
         "fourth root of the distance, not the square root.",
     ),

@@ -1,9 +1,13 @@
 """Deciding: nothing that goes wrong is a verdict, and processes decide the same."""
 
+import os
+
+import pytest
+
 from cap.audit import ledger, recorded
 from cap.audit.decide import all_decided, decided
 from cap.audit.verdict import Outcome, Strength, confirmed, refuted, still_open
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
 
 pytest_plugins = ["audit_fixtures"]
 FEW = ("stops.tangency-times", "roots.value-of-f-sc", "cover.triangular-wave")
@@ -97,3 +101,11 @@ def test_recording(tmp_path, monkeypatch):
         assert recorded.recorded().keys() == {"a.b"}
     finally:
         recorded.recorded.cache_clear()
+
+
+def test_a_process_that_is_killed(own_cache, monkeypatch):
+    """One line, no traceback."""
+    claim = ledger.claims()[FEW[0]]
+    monkeypatch.setitem(ledger.claims(), claim.id, with_function(claim, lambda: os._exit(1)))
+    with pytest.raises(BadInput, match="was killed"):
+        all_decided([ledger.claims()[claim.id]], print, jobs=2, fresh=True)
