@@ -1,0 +1,71 @@
+"""Verdicts kept from one run to the next, by the content of what decided them.
+
+An entry is one file, named by a digest of the claim's id and `cap.audit.dependencies.digest`; it
+also names the stored certificates that were asked for, with their digests, and holds only while
+these are the same.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where
+it cannot be read or written there is no cache.
+"""
+
+import hashlib
+import json
+import os
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from cap.audit.claim import Claim
+from cap.audit.dependencies import digest
+from cap.audit.means import stored
+from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.files import replacing
+
+
+def folder() -> Path:
+    """Return the folder of the cache."""
+    if own := os.environ.get("CAP_CACHE"):
+        return Path(own)
+    user = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(user) / "cap" / "audit"
+
+
+def known(claim: Claim) -> Verdict | None:
+    """Return the verdict that is kept, if what decides the claim is as it was then."""
+    try:
+        entry = json.loads(_path(claim).read_text(encoding="utf-8"))
+        asked: dict[str, str] = entry["certificates"]
+        if all(stored.digest(name) == value for name, value in asked.items()):
+            return verdict(entry["verdict"])
+    except (OSError, RuntimeError, ValueError, KeyError, TypeError):
+        pass  # no entry, or none that can be read
+    return None
+
+
+def keep(claim: Claim, decided: Verdict, certificates: dict[str, str]) -> None:
+    """Keep a verdict, if the folder can be written; what is undecided is not kept."""
+    if decided.outcome is Outcome.UNDECIDED:
+        return
+    entry = {"verdict": asdict(decided), "certificates": certificates}
+    try:
+        path = _path(claim)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with replacing(path) as file:
+            file.write(json.dumps(entry).encode())
+    except (OSError, RuntimeError):
+        pass  # RuntimeError: there is no home
+
+
+def verdict(fields: dict[str, Any]) -> Verdict:
+    """Return the verdict with these fields; `ValueError` or `KeyError` if there is none."""
+    return Verdict(
+        outcome=Outcome(fields["outcome"]),
+        strength=Strength(fields["strength"]),
+        found=str(fields.get("found", "")),
+        evidence=str(fields.get("evidence", "")),
+        proof=str(fields.get("proof", "")),
+        certificate=str(fields.get("certificate", "")),
+    )
+
+
+def _path(claim: Claim) -> Path:
+    name = hashlib.sha256(f"{claim.id} {digest(claim.module)}".encode()).hexdigest()
+    return folder() / f"{name[:40]}.json"

@@ -1,0 +1,1 @@
+"""The claims, one module for a part of the paper; each function decides one."""

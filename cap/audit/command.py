@@ -1,0 +1,161 @@
+"""``python -m cap.audit``: a referee's report that can be run."""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from cap.audit import labels, ledger, recorded
+from cap.audit.coverage import compared, coverage
+from cap.audit.decide import all_decided
+from cap.audit.report.latex import latex
+from cap.audit.report.markdown import markdown
+from cap.audit.report.page import page
+from cap.audit.report.text import data, plain
+from cap.audit.report.view import Report, report
+from cap.audit.verdict import Outcome, Verdict
+from cap.console import Parser, closing_quietly, say
+from cap.errors import BadInput
+from cap.files import replacing
+
+FORMATS: dict[str, Callable[[Report], str]] = {
+    "text": plain,
+    "markdown": markdown,
+    "html": page,
+    "json": data,
+    "latex": latex,
+}
+INTERRUPTED = 130
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the command line."""
+    p = Parser(
+        prog="python -m cap.audit",
+        description="Decide the claims of the paper, and report. Exit status 0: every claim was "
+        "decided as recorded; 1: something changed; 2: the request makes no sense.",
+        epilog="Examples: python -m cap.audit --only saltation.wall-entry; python -m cap.audit "
+        "--verdict refuted --section 4; python -m cap.audit --jobs 2 --format html > audit.html",
+    )
+    p.add_argument("--only", metavar="ID", help="one claim (--format json lists the ids)")
+    p.add_argument("--section", metavar="S", help="one section: its number, or any label in it")
+    p.add_argument("--verdict", metavar="V", help="claims with this verdict: refuted, open, ...")
+    p.add_argument("--format", choices=FORMATS, default="text", help="default: text")
+    p.add_argument("--jobs", metavar="N", default="1", help="processes (default 1)")
+    p.add_argument("--fresh", action="store_true", help="decide again what the cache knows")
+    p.add_argument(
+        "--coverage",
+        action="store_true",
+        help="list the places of the paper with the claims taken from each; status 1 if one is "
+        "forgotten",
+    )
+    p.add_argument(
+        "--paper",
+        type=Path,
+        metavar="FILE.tex",
+        help="compare the places stored here with those of the paper's TeX file; with --record, "
+        "store these",
+    )
+    p.add_argument(
+        "--record",
+        action="store_true",
+        help="record the verdicts (of all claims): later runs are compared with them",
+    )
+    return p
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line; return its exit status."""
+    options = parser().parse_args(sys.argv[1:] if argv is None else argv)
+    return closing_quietly(lambda: _main(options))
+
+
+def _main(options: argparse.Namespace) -> int:
+    """Do what is asked; bad input and interrupts become a line and an exit status."""
+    try:
+        if options.paper is not None:
+            return _paper(options)
+        if options.coverage:
+            return _coverage()
+        return _audit(options)
+    except BadInput as error:
+        _progress("")
+        say(f"error: {error}", sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        _progress("")
+        say("interrupted; what was decided is in the cache", sys.stderr)
+        return INTERRUPTED
+
+
+def _paper(options: argparse.Namespace) -> int:
+    """Compare the stored places with those of the TeX file, or store them."""
+    lines = compared(options.paper)
+    if options.record:
+        with replacing(labels.STORED) as file:
+            file.write(labels.dumps(labels.read(options.paper)).encode())
+        print(f"{labels.STORED}: written ({len(lines)} differences)")
+        return 0
+    print("\n".join(lines or ["the stored places are those of this file"]))
+    return 1 if lines else 0
+
+
+def _coverage() -> int:
+    found = coverage()
+    print("\n".join(found.lines()))
+    return 1 if found.wrong else 0
+
+
+def _audit(options: argparse.Namespace) -> int:
+    """Decide, report, and compare with what is recorded."""
+    wanted = _outcome(options.verdict)
+    claims = ledger.chosen(options.only, options.section)
+    whole = len(claims) == len(ledger.claims())
+    if options.record and not whole:
+        raise BadInput("--record is for all claims: leave out --only and --section")
+    verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
+    _progress("")
+    if options.record:
+        return _record(verdicts)
+    shown = {name: each for name, each in verdicts.items() if wanted in (None, each.outcome)}
+    print(FORMATS[options.format](report(shown)), end="" if options.format == "markdown" else "\n")
+    changed = recorded.changes(verdicts, whole=whole)
+    for line in changed:
+        say(f"changed: {line}", sys.stderr)
+    return 1 if changed else 0
+
+
+def _record(verdicts: dict[str, Verdict]) -> int:
+    undecided = [name for name, each in verdicts.items() if each.outcome is Outcome.UNDECIDED]
+    for name in undecided:
+        say(f"undecided: {name}: {verdicts[name].evidence}", sys.stderr)
+    if undecided:
+        return 1
+    changed = recorded.changes(verdicts, whole=True)
+    recorded.write(verdicts)
+    print("\n".join([*changed, f"{recorded.PATH}: {len(verdicts)} verdicts written"]))
+    return 0
+
+
+def _outcome(text: str | None) -> Outcome | None:
+    if text is None:
+        return None
+    try:
+        return Outcome(text)
+    except ValueError:
+        names = ", ".join(str(each) for each in Outcome)
+        raise BadInput(f"there is no verdict {text!r}: one of {names}") from None
+
+
+def _jobs(text: str) -> int:
+    most = 4 * (os.cpu_count() or 1)
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= max(most, 4)):
+        raise BadInput(f"--jobs must be an integer from 1 to {max(most, 4)}: {text!r}")
+    return int(text)
+
+
+def _progress(words: str) -> None:
+    """Show how far the work is, on one line of a terminal; no words clear it."""
+    if sys.stderr is not None and sys.stderr.isatty():
+        print(f"\r{words:<90.90}", end="\r", file=sys.stderr, flush=True)

@@ -1,0 +1,83 @@
+"""Which places of the paper claims are taken from; it fails if a place is forgotten."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from cap.audit import labels, ledger
+from cap.audit.labels import Place
+from cap.audit.reasons import PENDING, REASONS
+from cap.errors import BadInput
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """The places with the ids of their claims; ``wrong``: what must not be, in words."""
+
+    claims: dict[str, list[str]]
+    wrong: tuple[str, ...]
+
+    def lines(self) -> list[str]:
+        """Return one line for each place, and what is wrong."""
+        paper = labels.stored()
+        shown = [_line(place, self.claims[place.label]) for place in paper.places]
+        taken = sum(bool(ids) for ids in self.claims.values())
+        pending = sum(place.section in PENDING for place in paper.places)
+        total = sum(len(ids) for ids in self.claims.values())
+        summary = (
+            f"{len(paper.places)} places: {taken} with {total} claims, {len(REASONS)} with a "
+            f"reason for none, {pending} in sections whose audit is still to come "
+            f"({', '.join(PENDING)})"
+        )
+        return [*shown, "", summary, *(f"WRONG: {each}" for each in self.wrong)]
+
+
+def coverage() -> Coverage:
+    """Compare the places with the claims and the reasons."""
+    found: dict[str, list[str]] = {place.label: [] for place in labels.stored().places}
+    wrong = []
+    for claim in ledger.claims().values():
+        if claim.where in found:
+            found[claim.where].append(claim.id)
+        else:
+            wrong.append(f"claim {claim.id} is taken from {claim.where!r}, which is no place")
+    wrong += [
+        f"a reason is given for {each!r}, which is no place" for each in REASONS.keys() - found
+    ]
+    for place in labels.stored().places:
+        wrong += _wrong(place, found[place.label])
+    return Coverage(found, tuple(wrong))
+
+
+def _wrong(place: Place, ids: list[str]) -> list[str]:
+    if ids and place.label in REASONS:
+        return [f"{place.label} has claims, and a reason for having none"]
+    if not ids and place.label not in REASONS and place.section not in PENDING:
+        return [f"{place.label} is forgotten: it has neither claims nor a reason for none"]
+    return []
+
+
+def _line(place: Place, ids: list[str]) -> str:
+    name = f"{place.kind} {place.number}".strip()
+    if ids:
+        words = ", ".join(ids)
+    elif place.section in PENDING:
+        words = "(still to come)"
+    else:
+        words = f"none: {REASONS.get(place.label, 'FORGOTTEN')}"
+    return f"{place.label:<28} {name:<20} {words}"
+
+
+def compared(path: Path) -> list[str]:
+    """Return how the places of a TeX file differ from those that are stored."""
+    try:
+        own, new = labels.stored(), labels.read(path)
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadInput(f"cannot read {path}: {error}") from None
+    old_places, new_places = ({p.label: p for p in paper.places} for paper in (own, new))
+    lines = [f"gone: {label}" for label in old_places.keys() - new_places]
+    lines += [f"new: {label}" for label in new_places.keys() - old_places]
+    common = old_places.keys() & new_places
+    lines += [f"moved or changed: {k}" for k in common if old_places[k] != new_places[k]]
+    if own.sha256 != new.sha256:
+        lines.append(f"the file has the digest {new.sha256}, not {own.sha256}")
+    return sorted(lines)

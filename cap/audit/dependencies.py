@@ -1,0 +1,68 @@
+"""What decides a claim: the source of all modules that its module imports, and the libraries."""
+
+import ast
+import hashlib
+import sys
+from collections.abc import Iterator
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+OURS = ("cap", "proofs")
+LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
+
+
+@cache
+def digest(module: str) -> str:
+    """Return a digest of the module, of all our modules it imports, and of the libraries."""
+    total = hashlib.sha256(_versions().encode())
+    for name in sorted(closure(module)):
+        total.update(name.encode())
+        total.update(_file(name).read_bytes())
+    return total.hexdigest()
+
+
+def closure(module: str) -> set[str]:
+    """Return the module and all our modules that it imports, also inside of functions."""
+    found, todo = set[str](), [module]
+    while todo:
+        name = todo.pop()
+        if name not in found and _file(name).is_file():
+            found.add(name)
+            todo += _imported(name)
+    return found
+
+
+@cache
+def _versions() -> str:
+    """Return the versions of what computes."""
+    found = [sys.version]
+    for library in LIBRARIES:
+        try:
+            found.append(f"{library} {version(library)}")
+        except PackageNotFoundError:
+            found.append(f"no {library}")
+    return "; ".join(found)
+
+
+def _file(module: str) -> Path:
+    """Return the file of a module of ours; there may be none of this name."""
+    path = ROOT.joinpath(*module.split("."))
+    return path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+
+
+@cache
+def _imported(module: str) -> tuple[str, ...]:
+    tree = ast.parse(_file(module).read_text(encoding="utf-8"))
+    return tuple(name for name in _names(tree) if name.partition(".")[0] in OURS)
+
+
+def _names(tree: ast.AST) -> Iterator[str]:
+    """Give the names of modules that may be imported; what is no module has no file."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            yield node.module
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)

@@ -1,0 +1,183 @@
+"""The places of the paper that claims are taken from: its labels, read from the TeX file.
+
+Every label of a section, a statement, an equation, an item, a table or a figure is a place, and so
+is every statement without a label, called by its kind and number (``remark 5.2``), and the
+abstract.  Numbers are those that LaTeX prints.  The list is stored in ``labels.json``.
+"""
+
+import hashlib
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from functools import cache
+from pathlib import Path
+
+STORED = Path(__file__).with_name("labels.json")
+_STATEMENTS = (
+    *("theorem", "lemma", "proposition", "corollary", "definition", "remark", "conjecture"),
+)
+_EQUATIONS = ("equation", "align")
+_FLOATS = ("figure", "table")
+_TOKEN = re.compile(
+    r"\\(?P<section>section|subsection)\{(?P<name>(?:[^{}]|\{[^{}]*\})*)\}"
+    r"|\\begin\{(?P<begin>\w+\*?)\}(?:\[(?P<title>(?:[^][]|\[[^]]*\])*)\])?"
+    r"|\\end\{(?P<end>\w+\*?)\}|\\label\{(?P<label>[^}]*)\}|(?P<appendix>\\appendix\b)"
+    r"|(?P<item>\\item\b)"
+)
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place: its label, its kind, number and section as printed, its title, its line."""
+
+    label: str
+    kind: str
+    number: str
+    section: str
+    title: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Paper:
+    """The places of the paper in its order, and a digest of the file they were read from."""
+
+    sha256: str
+    places: tuple[Place, ...]
+
+    def place(self, label: str) -> Place:
+        """Return the place with this label; `KeyError` if there is none."""
+        return self._by_label[label]
+
+    @property
+    def _by_label(self) -> dict[str, Place]:
+        return {place.label: place for place in self.places}
+
+
+@dataclass
+class _Reader:
+    """Where the reading has come to: counters, and the environments that are open."""
+
+    section: int = 0
+    subsection: int = 0
+    appendix: bool = False
+    statement: int = 0
+    equation: int = 0
+    floats: dict[str, int] = field(default_factory=lambda: dict.fromkeys(_FLOATS, 0))
+    items: int = 0
+    open: list[tuple[str, str, int, bool]] = field(default_factory=list)
+    at_heading: str = ""
+    last_title: str = ""
+
+    @property
+    def number(self) -> str:
+        return chr(ord("A") + self.section - 1) if self.appendix else str(self.section)
+
+
+def read(path: Path) -> Paper:
+    """Return the places of a TeX file."""
+    data = path.read_bytes()
+    text = re.sub(r"(?<!\\)%.*", "", data.decode("utf-8"))
+    return Paper(hashlib.sha256(data).hexdigest(), tuple(_places(text)))
+
+
+def _places(text: str) -> Iterator[Place]:
+    r = _Reader()
+    for token in _TOKEN.finditer(text):
+        line = text.count("\n", 0, token.start()) + 1
+        if token["section"]:
+            _heading(r, token["section"], token["name"])
+        elif token["appendix"]:
+            r.appendix, r.section = True, 0
+        elif token["begin"]:
+            _begin(r, token["begin"], token["title"] or "")
+            if token["begin"] == "abstract":
+                yield Place("abstract", "abstract", "", "0", "Abstract", line)
+        elif token["item"]:
+            r.items += 1
+        elif token["end"]:
+            yield from _end(r, line)
+        else:
+            yield _labelled(r, token["label"], line)
+
+
+def _heading(r: _Reader, level: str, name: str) -> None:
+    r.at_heading, r.last_title = level, _plain(name)
+    if level == "section":
+        r.section, r.subsection = r.section + 1, 0
+        r.statement = r.equation = 0
+    else:
+        r.subsection += 1
+
+
+def _begin(r: _Reader, name: str, title: str) -> None:
+    if name == "document":
+        return
+    r.at_heading = ""
+    if name in _STATEMENTS:
+        r.statement += 1
+    elif name == "equation":
+        r.equation += 1
+    elif name in _FLOATS:
+        r.floats[name] += 1
+    elif name == "enumerate":
+        r.items = 0
+    r.open.append((name, title, r.statement, False))
+
+
+def _end(r: _Reader, line: int) -> Iterator[Place]:
+    """Close an environment; a statement without a label is a place of its own name."""
+    if not r.open:
+        return
+    opened, title, number, labelled = r.open.pop()
+    if opened in _STATEMENTS and not labelled:
+        printed = f"{r.number}.{number}"
+        yield Place(f"{opened} {printed}", opened, printed, r.number, _plain(title), line)
+
+
+def _labelled(r: _Reader, label: str, line: int) -> Place:
+    kinds = [name for name, *_ in r.open]
+    inner = next(
+        (k for k in reversed(kinds) if k in (*_STATEMENTS, *_EQUATIONS, *_FLOATS, "enumerate")), ""
+    )
+    if inner in _STATEMENTS:
+        index = len(kinds) - 1 - kinds[::-1].index(inner)
+        name, title, count, _ = r.open[index]
+        r.open[index] = name, title, count, True
+        return Place(label, inner, f"{r.number}.{count}", r.number, _plain(title), line)
+    if inner in _EQUATIONS:
+        r.equation += inner == "align"
+        return Place(label, "equation", f"({r.number}.{r.equation})", r.number, "", line)
+    if inner in _FLOATS:
+        return Place(label, inner, str(r.floats[inner]), r.number, "", line)
+    if inner == "enumerate":
+        return Place(label, "item", str(r.items), r.number, "", line)
+    if r.at_heading:
+        number = r.number if r.at_heading == "section" else f"{r.number}.{r.subsection}"
+        kind, r.at_heading = r.at_heading, ""
+        return Place(label, kind, number, r.number, r.last_title, line)
+    return Place(label, "paragraph", f"{r.number}.{r.subsection}", r.number, "", line)
+
+
+def _plain(title: str) -> str:
+    """Return a title without the commands of TeX."""
+    without = re.sub(r"\\(?:Om|Omega)_\{\\rm (\w+)\}", r"Ω_\1", title)
+    for command, letter in (("Phi", "Φ"), ("PP", "Φ'"), ("Sigma", "Σ")):
+        without = re.sub(rf"\\{command}\b", letter, without)
+    without = without.replace('\\"o', "ö")
+    return re.sub(r"\s+", " ", re.sub(r"\\\w+|[{}$]", "", without)).strip()
+
+
+def dumps(paper: Paper) -> str:
+    """Return the text of the stored list."""
+    rows = [json.dumps(asdict(place), ensure_ascii=False) for place in paper.places]
+    places = ",\n  ".join(rows)
+    return f'{{\n "sha256": "{paper.sha256}",\n "places": [\n  {places}\n ]\n}}\n'
+
+
+@cache
+def stored() -> Paper:
+    """Return the places as they are stored."""
+    found = json.loads(STORED.read_text(encoding="utf-8"))
+    return Paper(found["sha256"], tuple(Place(**each) for each in found["places"]))

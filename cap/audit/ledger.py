@@ -1,0 +1,78 @@
+"""All claims, in the order of the paper."""
+
+from functools import cache
+from importlib import import_module
+
+from cap.audit import labels
+from cap.audit.claim import Claim, declared_in
+from cap.errors import BadInput
+
+MODULES = (
+    *("introduction", "inclusion", "stops", "wellposed", "strobe"),
+    *("cover", "lifting", "symplectic", "saltation"),
+    *("ansatz", "roots", "fold", "linearization"),
+    *("smoothness", "birkhoff", "kam"),
+    *("slow", "melnikov", "homoclinic"),
+    *("decomposition", "impulse"),
+    *("persistence", "basin"),
+    *("particles", "tori"),
+)
+
+
+@cache
+def claims() -> dict[str, Claim]:
+    """Return all claims by their ids: place after place, and there in their modules' order."""
+    found: list[Claim] = []
+    for name in MODULES:
+        module = f"cap.audit.claims.{name}"
+        import_module(module)
+        found += declared_in(module)
+    order = {place.label: k for k, place in enumerate(labels.stored().places)}
+    found.sort(key=lambda each: order.get(each.where, len(order)))
+    return {each.id: each for each in found}
+
+
+def sections() -> dict[str, str]:
+    """Return the sections of the paper, in its order: their titles by their numbers."""
+    front = {"0": "Abstract"}
+    headings = (place for place in labels.stored().places if place.kind == "section")
+    return front | {place.number: place.title for place in headings}
+
+
+def section_of(claim: Claim) -> str:
+    """Return the number of the section from which the claim is taken."""
+    return labels.stored().place(claim.where).section
+
+
+def chosen(only: str | None, section: str | None) -> list[Claim]:
+    """Return the claims that are asked for; `BadInput` if there are none of this name."""
+    found = list(claims().values())
+    if only is not None:
+        found = [each for each in found if each.id == only]
+        if not found:
+            raise BadInput(f"there is no claim {only!r}{_near(only)}")
+    if section is not None:
+        number = _section(section)
+        found = [each for each in found if section_of(each) == number]
+        if not found:
+            raise BadInput(f"no claim is taken from section {section}")
+    return found
+
+
+def _section(text: str) -> str:
+    """Return the number of a section given by its number or by any of its labels."""
+    if text in sections():
+        return text
+    try:
+        return labels.stored().place(text).section
+    except KeyError:
+        raise BadInput(f"the paper has no section {text!r}{_near(text)}") from None
+
+
+def _near(text: str) -> str:
+    """Return a guess of what was meant."""
+    from difflib import get_close_matches  # noqa: PLC0415 (only after a mistake)
+
+    names = [*claims(), *(place.label for place in labels.stored().places)]
+    near = get_close_matches(text, names, 3)
+    return f" (near: {', '.join(near)})" if near else ""

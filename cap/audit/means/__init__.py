@@ -1,0 +1,1 @@
+"""How claims are decided: algebra, balls, quadrature, orbits, stored certificates."""

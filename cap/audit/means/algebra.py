@@ -1,0 +1,136 @@
+"""Symbolic steps: identities by sympy, differences at exact points in balls.
+
+That two expressions are equal is left to a computer algebra system, as in `proofs.one_one`; that
+they are not is certain, because both are enclosed at a rational point.
+"""
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import reduce
+from operator import add, mul
+from typing import Any
+
+from cap import interval
+from cap.audit.means.lazy import sympy as sp
+from cap.audit.verdict import Verdict, confirmed, corrected
+from cap.errors import NotProved
+from cap.interval import Ball
+
+BITS = 120
+_UNARY: dict[str, Callable[[Ball], Ball]] = {
+    **{name: getattr(Ball, name) for name in ("sin", "cos", "tan", "exp", "log")},
+    **{name: getattr(Ball, name) for name in ("asin", "acos", "atan", "sinh", "cosh", "tanh")},
+    "sech": lambda x: 1 / x.cosh(),
+    "Abs": abs,
+    "sign": Ball.sgn,
+}
+
+
+def symbols(names: str) -> Any:
+    """Return positive symbols: the parameters F, f, ω, R and what is positive beside them."""
+    return sp.symbols(names, positive=True)
+
+
+def reals(names: str) -> Any:
+    """Return real symbols."""
+    return sp.symbols(names, real=True)
+
+
+def same(left: Any, right: Any) -> bool:
+    """Return whether the difference of two expressions, or matrices, simplifies to 0."""
+    difference = left - right
+    entries = list(difference) if isinstance(difference, sp.MatrixBase) else [difference]
+    return all(_vanishes(entry) for entry in entries)
+
+
+def _vanishes(expression: Any) -> bool:
+    if sp.expand(expression) == 0:
+        return True
+    return bool(sp.simplify(sp.expand(sp.expand_trig(expression))) == 0)
+
+
+def differs(left: Any, right: Any) -> bool:
+    """Return whether two expressions certainly take different values at an exact point."""
+    difference = left - right
+    free = sorted(difference.free_symbols, key=str)
+    point = {symbol: Fraction(7 * k + 10, 5 * k + 13) for k, symbol in enumerate(free)}
+    with interval.workprec(BITS):
+        value = enclosure(difference, point)
+        return bool(value.is_finite() and (value > 0 or value < 0))
+
+
+def enclosure(expression: Any, point: Mapping[Any, Fraction | Ball] | None = None) -> Ball:
+    """Return a ball that contains the expression at a point, at the current precision."""
+    values = {
+        symbol: interval.ball(value) if isinstance(value, Fraction | int) else value
+        for symbol, value in (point or {}).items()
+    }
+    return _value(sp.sympify(expression), values)
+
+
+def _value(expression: Any, values: Mapping[Any, Ball]) -> Ball:
+    if expression in values:
+        return values[expression]
+    if expression.is_Rational:
+        return interval.ball(Fraction(int(expression.p), int(expression.q)))
+    if expression is sp.pi:
+        return interval.pi()
+    arguments = [_value(each, values) for each in expression.args]
+    if expression.is_Add or expression.is_Mul:
+        return reduce(add if expression.is_Add else mul, arguments)
+    if expression.is_Pow:
+        return _power(arguments, expression.exp)
+    name = type(expression).__name__
+    if name not in _UNARY:
+        raise NotProved("algebra", f"no enclosure of {name} is known")
+    return _UNARY[name](*arguments)
+
+
+def _power(arguments: list[Ball], exponent: Any) -> Ball:
+    base, power = arguments
+    if exponent.is_Integer:
+        return base ** int(exponent)
+    if exponent.is_Rational and exponent.q == 2:
+        return base.sqrt() ** int(exponent.p)
+    return base**power
+
+
+def shown(expression: Any) -> str:
+    """Return an expression in one line for people."""
+    text = sp.sstr(expression).replace("**2", "²").replace("**3", "³").replace("**4", "⁴")
+    for name in ("omega", "theta", "lambda", "epsilon", "mu", "tau", "alpha", "beta", "pi", "xi"):
+        text = text.replace(name, _GREEK[name])
+    return str(text.replace("*", " "))
+
+
+_GREEK = {
+    "omega": "ω",
+    "theta": "θ",
+    "lambda": "λ",
+    "epsilon": "ε",
+    "mu": "μ",
+    "tau": "τ",
+    "alpha": "α",
+    "beta": "β",
+    "pi": "π",
+    "xi": "ξ",
+}
+
+
+def formula(derived: Any, stated: Any, evidence: str, found: str = "") -> Verdict:
+    """Return the verdict on a formula: confirmed if it is the one derived here, else corrected.
+
+    ``found`` is the derived one in words of people, if the printed expression is not good enough.
+    """
+    words = found or shown(sp.simplify(derived))
+    if same(derived, stated):
+        return confirmed(words, evidence)
+    if differs(derived, stated):
+        return corrected(words, evidence)
+    raise NotProved("algebra", f"whether {words} is {shown(stated)} is undecided")
+
+
+def identity(name: str, left: Any, right: Any = 0) -> None:
+    """Raise `NotProved` unless an identity is confirmed."""
+    if not same(sp.sympify(left), sp.sympify(right)):
+        raise NotProved("algebra", f"this identity was not confirmed: {name}")

@@ -1,0 +1,63 @@
+"""Stored certificates: read, checked by `cap.checker`, and remembered for the cache."""
+
+import hashlib
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from cap.audit.means.need import need
+from cap.errors import NotProved
+
+ROOT = Path(__file__).resolve().parents[3]
+FOLDER = ROOT / "certificates"
+_asked: set[str] = set()
+
+
+class Stored(NamedTuple):
+    """A certificate that the checker has accepted just now."""
+
+    name: str
+    parameters: dict[str, Any]
+    claims: dict[str, Any]
+
+
+def stored(name: str) -> Stored:
+    """Return a stored certificate, or raise `NotProved` if the checker rejects it."""
+    _asked.add(name)
+    return _accepted(name)
+
+
+def sentence(name: str) -> str:
+    """Return the theorem of a stored certificate in the checker's words; it is checked first."""
+    from cap.checker.certificate import read  # noqa: PLC0415
+    from cap.checker.statement import words  # noqa: PLC0415
+
+    stored(name)
+    return words(read((FOLDER / name).read_bytes()))
+
+
+@cache
+def _accepted(name: str) -> Stored:
+    from cap.checker.rejection import Rejected  # noqa: PLC0415 (the checker, where it is needed)
+    from cap.checker.theorem import check  # noqa: PLC0415
+
+    path = FOLDER / name
+    need(path.is_file(), f"there is no certificate {name}: run this in the repository")
+    try:
+        found = check(path.read_bytes(), lambda _step: None)
+    except Rejected as reason:
+        raise NotProved("audit", f"the checker rejects {name}: {reason}") from None
+    return Stored(name, found.parameters._asdict(), found.claims)
+
+
+def asked_for() -> dict[str, str]:
+    """Return the certificates asked for since the last call, with digests; forget them."""
+    names = sorted(_asked)
+    _asked.clear()
+    return {name: digest(name) for name in names}
+
+
+def digest(name: str) -> str:
+    """Return a digest of a stored certificate, or nothing if there is none."""
+    path = FOLDER / name
+    return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else ""

@@ -1,0 +1,28 @@
+"""Written proofs, ``proofs/audit/*.md``: each section is a proof with numbered steps."""
+
+import re
+from functools import cache
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parents[3] / "proofs" / "audit"
+
+
+def exists(reference: str) -> bool:
+    """Return whether ``FILE.md#section`` names a section of a written proof."""
+    name, _, section = reference.partition("#")
+    return section in sections(name)
+
+
+@cache
+def sections(name: str) -> dict[str, str]:
+    """Return the sections of a file: their titles by the names that a link uses."""
+    path = FOLDER / name
+    if not path.is_file():
+        return {}
+    titles = re.findall(r"^## (.+)$", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return {anchor(title): title for title in titles}
+
+
+def anchor(title: str) -> str:
+    """Return the name of a section in links, as the usual renderers of Markdown make it."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-")

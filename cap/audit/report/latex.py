@@ -1,0 +1,134 @@
+"""The report in LaTeX, for an editor to print: pdflatex, standard packages only."""
+
+import re
+import unicodedata
+
+from cap.audit.report.view import INTRODUCTION, TITLE, Entry, Report, consequence
+
+_SPECIAL = {
+    **{sign: f"\\{sign}" for sign in "&%$#_{}"},
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "<": r"$<$",
+    ">": r"$>$",
+    "|": r"\textbar{}",
+    '"': r"\textquotedbl{}",
+    "`": r"\textasciigrave{}",
+    "−": "$-$",
+}
+_LETTERS = (
+    ("αβγδεζηθκλμ", "alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu"),
+    ("νξπρστφχψω", "nu xi pi rho sigma tau varphi chi psi omega"),
+    ("ΓΔΘΛΣΦΨΩℓ", "Gamma Delta Theta Lambda Sigma Phi Psi Omega ell"),
+    ("∂∫∮∞∧∪±∓·×≡≈♯‖", "partial int oint infty wedge cup pm mp cdot times equiv approx sharp Vert"),
+)
+_COMMANDS = {
+    sign: name for signs, names in _LETTERS for sign, name in zip(signs, names.split(), strict=True)
+}
+_MARKS = {"\u0303": r"\tilde", "\u0304": r"\bar", "\u0302": r"\hat", "\u0308": r"\""}
+_PLACES = {"<super>": "textsuperscript", "<sub>": "textsubscript"}
+_CLUSTER = re.compile("(.)([\u0300-\u036f]*)", re.DOTALL)
+
+
+def latex(report: Report) -> str:
+    """Return a document."""
+    lines = [
+        r"\documentclass[11pt]{article}",
+        r"\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\usepackage{textcomp}",
+        r"\usepackage[a4paper,margin=25mm]{geometry}\usepackage{amssymb,graphicx,longtable}",
+        r"\usepackage[hidelinks]{hyperref}\sloppy\setlength{\parindent}{0pt}",
+        r"\setlength{\parskip}{4pt plus 2pt}",
+        rf"\title{{{written(TITLE)}}}\date{{}}\begin{{document}}\maketitle",
+    ]
+    for paragraph in INTRODUCTION:
+        lines += [written(paragraph), ""]
+    if report.whole:
+        lines += [*_counts(report), *_findings(report), *_statements(report)]
+    for number, title, entries in report.sections():
+        heading = title if number == "0" else f"{number}. {title}"
+        lines.append(rf"\section*{{{written(heading)}}}")
+        for entry in entries:
+            lines += _entry(entry)
+    return "\n".join([*lines, r"\end{document}", ""])
+
+
+def written(text: str) -> str:
+    """Return text for LaTeX; `ValueError` names a sign for which there is no way to write it."""
+    clusters = _CLUSTER.finditer(unicodedata.normalize("NFD", text))
+    signs = "".join(_marked(_sign(each[1]), each[2]) for each in clusters)
+    return signs.replace("--", "-{}-")  # no dash
+
+
+def _marked(letter: str, marks: str) -> str:
+    """Return a letter with the marks that are above it."""
+    for mark in marks:
+        accent = _MARKS[mark]
+        letter = (
+            f"{accent}{{{letter}}}" if mark == "\u0308" else rf"\ensuremath{{{accent}{{{letter}}}}}"
+        )
+    return letter
+
+
+def _sign(sign: str) -> str:
+    if sign in _SPECIAL:
+        return _SPECIAL[sign]
+    if " " <= sign <= "~":
+        return sign
+    if sign in _COMMANDS:
+        return rf"\ensuremath{{\{_COMMANDS[sign]}}}"
+    place, _, code = unicodedata.decomposition(sign).partition(" ")
+    if place not in _PLACES:
+        raise ValueError(f"no way to write {sign!r} in LaTeX ({unicodedata.name(sign, '?')})")
+    return rf"\{_PLACES[place]}{{{_sign(chr(int(code, 16)))}}}"
+
+
+def _counts(report: Report) -> list[str]:
+    outcomes = [str(each) for each in report.outcomes()]
+    heads = " & ".join(rf"\rotatebox{{90}}{{{each}}}" for each in outcomes)
+    lines = [
+        r"\section*{Summary}",
+        rf"\begin{{longtable}}{{p{{0.5\textwidth}}{'r' * len(outcomes)}}}",
+    ]
+    lines.append(rf"& {heads} \\ \hline")
+    for name, row in report.counts():
+        lines.append(rf"{written(name)} & {' & '.join(map(str, row))} \\")
+    return [*lines, r"\end{longtable}", ""]
+
+
+def _findings(report: Report) -> list[str]:
+    lines = [r"\section*{The ten that matter most}", r"\begin{enumerate}"]
+    for finding, entry in report.findings():
+        words = written(consequence(finding, entry))
+        lines.append(
+            rf"\item \texttt{{{entry.claim.id}}}, \emph{{{entry.verdict.outcome}}}. {words}"
+        )
+    return [*lines, r"\end{enumerate}", ""]
+
+
+def _statements(report: Report) -> list[str]:
+    lines = [r"\section*{The statements, and what may be cited instead}"]
+    lines.append(r"\begin{longtable}{p{0.28\textwidth}p{0.17\textwidth}p{0.47\textwidth}}")
+    for statement, status in report.statements():
+        cells = map(written, (statement.name, status, statement.instead))
+        lines.append(rf"{' & '.join(cells)} \\[3pt]")
+    return [*lines, r"\end{longtable}", ""]
+
+
+def _entry(entry: Entry) -> list[str]:
+    claim, verdict = entry.claim, entry.verdict
+    head = rf"\texttt{{{claim.id}}}: \emph{{{verdict.outcome}}} ({verdict.strength})"
+    parts = [
+        ("Stated", written(claim.stated)),
+        ("Found", written(verdict.found)),
+        ("Evidence", written(verdict.evidence)),
+        ("Proof", verdict.proof and rf"\texttt{{{written(f'proofs/audit/{verdict.proof}')}}}"),
+        ("Run", r"; ".join(rf"\texttt{{{written(each)}}}" for each in entry.commands)),
+    ]
+    rows = [rf"\textit{{{name}.}} {words}" for name, words in parts if words]
+    place = written(f"{entry.place}, {claim.kind}.")
+    return [rf"\bigskip\textbf{{{head}}}", "", f"{place} {written(claim.says)}", "", *_apart(rows)]
+
+
+def _apart(rows: list[str]) -> list[str]:
+    return [line for row in rows for line in (row, "")]

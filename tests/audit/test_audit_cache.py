@@ -1,0 +1,116 @@
+"""The cache: verdicts are kept by the content of what decided them."""
+
+import pytest
+
+from cap.audit import cache, dependencies
+from cap.audit.decide import decided
+from cap.audit.means import stored
+from cap.audit.verdict import Outcome, Strength, confirmed, still_open
+
+pytest_plugins = ["audit_fixtures"]
+
+
+def test_a_verdict_is_decided_once(example):
+    """The second time it is taken from the cache, unless that is not wanted."""
+    one, calls = example
+    assert decided(one) == decided(one)
+    assert len(calls) == 1
+    decided(one, fresh=True)
+    assert len(calls) == 2
+
+
+def test_another_source_decides_anew(example, monkeypatch):
+    """The digest of what decides the claim is part of the entry's name."""
+    one, calls = example
+    decided(one)
+    monkeypatch.setattr(cache, "digest", lambda _module: "another source")
+    decided(one)
+    assert len(calls) == 2
+
+
+def test_another_certificate_decides_anew(example, monkeypatch):
+    """Certificates that were asked for have to be the same; others may change."""
+    one, calls = example
+    cache.keep(one, confirmed("kept", ""), {"capture.json": stored.digest("capture.json")})
+    assert decided(one).found == "kept"
+    monkeypatch.setattr(stored, "digest", lambda name: f"another {name}")
+    assert decided(one).found == "yes"
+    assert len(calls) == 1
+
+
+@pytest.mark.parametrize("content", ["", "{", "[]", "{}", '{"verdict": {}, "certificates": {}}'])
+def test_entries_that_cannot_be_read(example, own_cache, content):
+    """They count for nothing, and are replaced."""
+    one, calls = example
+    decided(one)
+    (entry,) = own_cache.iterdir()
+    entry.write_text(content)
+    decided(one)
+    decided(one)
+    assert len(calls) == 2
+
+
+def test_a_folder_that_cannot_be_written(example, monkeypatch, tmp_path):
+    """There is no cache, and no complaint."""
+    one, calls = example
+    (tmp_path / "file").write_text("no folder")
+    monkeypatch.setenv("CAP_CACHE", str(tmp_path / "file" / "below"))
+    assert decided(one).outcome is Outcome.CONFIRMED
+    assert decided(one).outcome is Outcome.CONFIRMED
+    assert len(calls) == 2
+
+
+def test_what_is_undecided_is_not_kept(example, own_cache):
+    """It is tried again the next time."""
+    one, _ = example
+
+    def fail():
+        raise ZeroDivisionError("no reason")
+
+    fail.__module__ = one.module
+    broken = type(one)(one.id, one.where, one.kind, one.says, one.stated, fail)
+    verdict = decided(broken)
+    assert (verdict.outcome, verdict.strength) == (Outcome.UNDECIDED, Strength.NONE)
+    assert "ZeroDivisionError: no reason" in verdict.evidence
+    assert not own_cache.exists()
+
+
+def test_the_folder(monkeypatch, tmp_path):
+    """Its own variable, else the user's cache folder."""
+    monkeypatch.delenv("CAP_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    assert cache.folder() == tmp_path / "cap" / "audit"
+
+
+def test_dependencies_are_followed():
+    """Modules that are imported inside of functions, and by imported modules; not the libraries."""
+    found = dependencies.closure("cap.audit.claims.homoclinic")
+    assert {"cap.audit.means.stored", "cap.interval", "cap.errors"} <= found
+    assert "cap.approx.manifold" in found
+    assert "sympy" not in found
+    assert "cap.audit.claims.tori" not in found
+
+
+def test_a_digest_depends_on_every_source(monkeypatch, tmp_path):
+    """One letter in a module that is imported changes it."""
+    (tmp_path / "cap").mkdir()
+    (tmp_path / "cap" / "a.py").write_text("from cap import b\n")
+    (tmp_path / "cap" / "b.py").write_text("x = 1\n")
+    monkeypatch.setattr(dependencies, "ROOT", tmp_path)
+    digests = []
+    for text in ("x = 1\n", "x = 2\n"):
+        (tmp_path / "cap" / "b.py").write_text(text)
+        dependencies._imported.cache_clear()
+        dependencies.digest.cache_clear()
+        digests.append(dependencies.digest("cap.a"))
+    dependencies._imported.cache_clear()
+    dependencies.digest.cache_clear()
+    assert digests[0] != digests[1]
+
+
+def test_verdicts_survive_the_way_to_the_cache_and_back(example):
+    """All fields."""
+    one, _ = example
+    verdict = still_open("found", "evidence", numerical=True)
+    cache.keep(one, verdict, {})
+    assert cache.known(one) == verdict

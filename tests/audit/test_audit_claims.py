@@ -1,0 +1,26 @@
+"""Every claim of the audit, decided anew, against what is recorded."""
+
+import pytest
+
+from cap.audit import ledger, recorded
+from cap.audit.decide import decided
+
+TOGETHER = (("persistence", "basin"), ("birkhoff", "kam"))  # the same large certificate
+SLOW = {"persistence", "homoclinic"}  # a large certificate, a search in floats
+GROUPS = [
+    *TOGETHER,
+    *((name,) for name in ledger.MODULES if not any(name in group for group in TOGETHER)),
+]
+MODULES = [
+    pytest.param(group, marks=[pytest.mark.slow] if SLOW & set(group) else [], id=" ".join(group))
+    for group in GROUPS
+]
+
+
+@pytest.mark.parametrize("modules", MODULES)
+def test_claims_are_decided_as_recorded(modules):
+    """Verdict, strength and what was found; nothing is taken from the cache."""
+    claims = [each for each in ledger.claims().values() if each.id.partition(".")[0] in modules]
+    assert claims
+    verdicts = {each.id: decided(each, fresh=True) for each in claims}
+    assert recorded.changes(verdicts, whole=False) == []

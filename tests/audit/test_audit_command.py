@@ -1,0 +1,146 @@
+"""The command line: what it prints, and its exit status."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from cap.audit import command, labels, ledger, recorded
+from cap.audit.verdict import Outcome
+
+pytest_plugins = ["audit_fixtures"]
+ONE = "roots.value-of-f-sc"
+KEYS = ["id", "where", "claim", "stated", "found", "verdict", "strength", "evidence", "command"]
+
+
+@pytest.fixture
+def run(capsys):
+    """Return (status, standard output, standard error) of the command."""
+
+    def command_line(*words):
+        try:
+            status = command.main(words)
+        except SystemExit as stop:
+            status = stop.code
+        captured = capsys.readouterr()
+        return status, captured.out, captured.err
+
+    return command_line
+
+
+def test_one_claim(run):
+    """Decided as recorded: status 0; text says how to decide it again."""
+    status, out, err = run("--only", ONE)
+    assert (status, err) == (0, "")
+    assert f"{ONE}: confirmed (proved)" in out
+    assert f"run: python -m cap.audit --only {ONE} --fresh" in out
+    assert "The ten" not in out
+
+
+def test_data(run):
+    """A list of objects with the keys that were asked for."""
+    status, out, _ = run("--section", "def:Phi", "--format", "json")
+    objects = json.loads(out)
+    assert status == 0
+    assert {each["section"] for each in objects} == {"2"}
+    for each in objects:
+        assert list(each)[: len(KEYS)] == KEYS
+        assert "certificate" in each
+        assert each["verdict"] in [str(outcome) for outcome in Outcome]
+
+
+def test_one_verdict(run):
+    """Only claims with it are shown; the others are decided all the same."""
+    status, out, _ = run("--section", "2", "--verdict", "vacuous", "--format", "json")
+    assert status == 0
+    assert [each["id"] for each in json.loads(out)] == ["inclusion.sticking-to-a-wall"]
+
+
+def test_a_verdict_that_changed(run, monkeypatch):
+    """Status 1, and what changed, on standard error."""
+    known = recorded.recorded()
+    changed = known | {ONE: replace(known[ONE], outcome=Outcome.REFUTED)}
+    monkeypatch.setattr(recorded, "recorded", lambda: changed)
+    status, _, err = run("--only", ONE)
+    assert status == 1
+    assert err == f"changed: {ONE}: recorded refuted, now confirmed\n"
+
+
+def test_a_claim_that_cannot_be_decided(run, monkeypatch):
+    """Status 1; the report shows it as undecided."""
+    claim = ledger.claims()[ONE]
+
+    def fail():
+        raise ArithmeticError("broken")
+
+    fail.__module__ = claim.module
+    monkeypatch.setitem(ledger.claims(), ONE, replace(claim, decide=fail))
+    status, out, err = run("--only", ONE, "--fresh")
+    assert status == 1
+    assert f"{ONE}: undecided" in out
+    assert "could not be decided: ArithmeticError: broken" in err
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (("--only", "roots.value-of-f"), "no claim 'roots.value-of-f' (near: "),
+        (("--section", "0.5"), "no section '0.5'"),
+        (("--verdict", "wrong"), "no verdict 'wrong': one of confirmed, "),
+        (("--jobs", "0"), "--jobs must be an integer"),
+        (("--jobs", "two"), "--jobs must be an integer"),
+        (("--record", "--only", ONE), "--record is for all claims"),
+        (("--paper", "none.tex"), "cannot read none.tex"),
+        (("--format", "word"), "invalid choice"),
+        (("else",), "unrecognized arguments"),
+    ],
+)
+def test_requests_that_make_no_sense(run, words, complaint):
+    """One line on standard error, and status 2."""
+    status, out, err = run(*words)
+    assert (status, out) == (2, "")
+    assert complaint in err
+    assert err.count("\n") == 1
+
+
+def test_coverage(run):
+    """All places, one to a line; status 0 as none is forgotten."""
+    status, out, _ = run("--coverage")
+    assert status == 0
+    assert len(out.splitlines()) == len(labels.stored().places) + 2
+    assert "none: definition of the system" in out
+
+
+def test_coverage_fails(run, monkeypatch):
+    """Status 1 if a place is forgotten."""
+    monkeypatch.setattr("cap.audit.coverage.REASONS", {})
+    status, out, _ = run("--coverage")
+    assert status == 1
+    assert "WRONG: eq:model is forgotten" in out
+
+
+def test_the_paper(run, tmp_path, monkeypatch):
+    """Another file has other places: status 1; with --record they are stored."""
+    path = tmp_path / "paper.tex"
+    path.write_text(r"\section{One}\label{sec:intro}")
+    assert run("--paper", str(path))[0] == 1
+    monkeypatch.setattr(labels, "STORED", tmp_path / "labels.json")
+    assert run("--paper", str(path), "--record")[0] == 0
+    labels.stored.cache_clear()
+    try:
+        status, out, _ = run("--paper", str(path))
+    finally:
+        labels.stored.cache_clear()
+    assert (status, out) == (0, "the stored places are those of this file\n")
+
+
+def test_an_interrupt(run, monkeypatch):
+    """Status 130, and a line."""
+
+    def interrupted(*_words, **_options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command, "all_decided", interrupted)
+    status, out, err = run("--only", ONE)
+    assert (status, out) == (130, "")
+    assert err.startswith("interrupted")

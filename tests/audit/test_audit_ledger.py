@@ -1,0 +1,122 @@
+"""The ledger: all claims are well formed, and no place of the paper is forgotten."""
+
+import pytest
+
+from cap.audit import coverage, labels, ledger, matters, recorded, theorems
+from cap.audit.claim import Kind, claim, declared_in
+from cap.audit.verdict import Outcome, confirmed
+from cap.errors import BadInput
+
+pytest_plugins = ["audit_fixtures"]
+
+
+def test_claims_are_many_and_well_formed():
+    """Each has an id of its own, a place, words that end, and a value stated."""
+    claims = ledger.claims()
+    assert len(claims) >= 250
+    for name, each in claims.items():
+        assert name == each.id
+        assert each.says[-1] in ".?", name
+        assert each.stated, name
+        assert labels.stored().place(each.where)
+
+
+def test_claims_are_in_the_order_of_the_sections():
+    """The abstract first, then section by section."""
+    order = list(ledger.sections())
+    numbers = [order.index(ledger.section_of(each)) for each in ledger.claims().values()]
+    assert numbers == sorted(numbers)
+
+
+def test_recorded_verdicts_are_those_of_the_claims():
+    """All claims, and no others; none is undecided."""
+    assert recorded.recorded().keys() == ledger.claims().keys()
+    assert all(each.outcome is not Outcome.UNDECIDED for each in recorded.recorded().values())
+
+
+def test_no_place_is_forgotten():
+    """Each place has claims or a reason, not both; sections to come are named."""
+    found = coverage.coverage()
+    assert found.wrong == ()
+    assert len(found.claims) == len(labels.stored().places)
+
+
+@pytest.mark.parametrize(
+    ("reasons", "complaint"),
+    [
+        ({}, "eq:model is forgotten"),
+        ({"thm:wellposed": "?"}, "thm:wellposed has claims, and a reason"),
+        ({"thm:nothing": "?"}, "'thm:nothing', which is no place"),
+    ],
+)
+def test_coverage_complains(monkeypatch, reasons, complaint):
+    """A forgotten place, a needless reason, a reason for nothing."""
+    given = coverage.REASONS | reasons if reasons else {}
+    monkeypatch.setattr(coverage, "REASONS", given)
+    assert any(complaint in each for each in coverage.coverage().wrong)
+
+
+def test_coverage_complains_of_claims_without_a_place(monkeypatch, example):
+    """A claim that is taken from nowhere."""
+    one = example[0]
+    lost = type(one)(one.id, "eq:lost", one.kind, one.says, one.stated, one.decide)
+    monkeypatch.setattr(ledger, "claims", lambda: {lost.id: lost})
+    assert any("'eq:lost', which is no place" in each for each in coverage.coverage().wrong)
+
+
+def test_summaries_name_claims():
+    """The ten findings and the table of statements; every theorem of the audited part is in it."""
+    ids = ledger.claims().keys()
+    assert len(matters.FINDINGS) == 10
+    assert {each.claim for each in matters.FINDINGS} <= ids
+    assert {name for each in theorems.STATEMENTS for name in each.decided_by} <= ids
+    kinds = ("theorem", "lemma", "proposition", "corollary", "conjecture")
+    audited = [p for p in labels.stored().places if p.section not in coverage.PENDING]
+    assert [each.label for each in theorems.STATEMENTS] == [
+        place.label for place in audited if place.kind in kinds
+    ]
+
+
+def test_findings_were_written_for_the_recorded_verdicts():
+    """Their consequences belong to the verdicts that they have."""
+    known = recorded.recorded()
+    assert [known[each.claim].outcome for each in matters.FINDINGS] == [
+        each.expected for each in matters.FINDINGS
+    ]
+
+
+def test_a_claim_is_declared_by_its_function():
+    """Its id is made of module and name, its words are the docstring; a second one replaces it."""
+    for words in ("First.", "Second\n    line."):
+
+        def some_name():
+            return confirmed("", "")
+
+        some_name.__doc__, some_name.__module__ = words, "a.test_module"
+        claim("eq:model", Kind.NUMBER, stated="1")(some_name)
+    (only,) = declared_in("a.test_module")
+    assert (only.id, only.says, only.where) == ("test-module.some-name", "Second line.", "eq:model")
+
+
+def test_claims_are_chosen():
+    """By id, and by section: its number or any of its labels."""
+    assert [each.id for each in ledger.chosen("stops.tangency-times", None)] == [
+        "stops.tangency-times"
+    ]
+    third = ledger.chosen(None, "3")
+    assert third == ledger.chosen(None, "thm:symplectic")
+    assert {ledger.section_of(each) for each in third} == {"3"}
+
+
+@pytest.mark.parametrize(
+    ("only", "section", "words"),
+    [
+        ("stops.tangency-time", None, "near: stops.tangency-times"),
+        (None, "42", "no section"),
+        (None, "A", "no claim is taken"),
+    ],
+)
+def test_choices_that_make_no_sense(only, section, words):
+    """One line, with a guess of what was meant."""
+    with pytest.raises(BadInput, match=words):
+        ledger.chosen(only, section)

@@ -1,0 +1,121 @@
+"""Derivatives of events from first principles, against divided differences of floats."""
+
+import math
+
+import pytest
+import sympy as sp
+
+from cap import interval
+from cap.audit.claims.saltation import hit
+from cap.audit.means import block
+from cap.audit.means.block import Block
+from cap.audit.means.collision import collision, standard_form
+from cap.audit.means.linear import Event, derivative
+from cap.errors import NotProved
+from cap.fixed_point import Start
+from cap.interval import Ball
+
+STEP = 1e-6
+
+
+def pushed(x, v, a, d):
+    """Return the state after a time with a constant acceleration."""
+    return x + v * d + a * d * d / 2, v + a * d
+
+
+def through_a_hit(x, v, accelerations, restitution):
+    """Return the state at the time 0, of an orbit that hits x = 0 near then, from (x, v) at 0.
+
+    Before the hit it is continued backwards, after it forwards, with constant accelerations.
+    """
+    before, after = accelerations
+    root = math.sqrt(v * v - 2 * before * x)
+    d = -2 * x / (v + math.copysign(root, v))
+    x, v = pushed(x, v, before, d)
+    return pushed(x, -restitution * v, after, -d)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("restitution", [1.0, 0.7])
+def test_hits(side, restitution):
+    """Both walls, elastic and not."""
+    e = sp.Symbol("e")
+    M, u, c, f = hit(side, e)
+    values = {u: 1.3, c: 0.45, f: 0.4, e: restitution}
+    numbers = [[float(entry.subs(values)) for entry in M[row, :]] for row in (0, 1)]
+    accelerations = 0.45 - 0.4 * side, 0.45 + 0.4 * side
+    for column, (dx, dv) in enumerate(((STEP, 0), (0, STEP))):
+        ends = [
+            through_a_hit(s * dx, 1.3 * side + s * dv, accelerations, restitution) for s in (1, -1)
+        ]
+        for row in (0, 1):
+            slope = (ends[0][row] - ends[1][row]) / (2 * STEP)
+            assert slope == pytest.approx(numbers[row][column], abs=1e-6)
+
+
+def test_a_turn():
+    """Velocities are multiplied by the quotient of the accelerations, positions kept."""
+    before, after = sp.Rational(7, 5), sp.Rational(3, 5)
+    M = derivative(Event(sp.Integer(0), before, sp.Integer(0), after), hit=False)
+    assert sp.diag(1, after / before) == M
+
+
+def test_a_collision():
+    """Masses, friction and signs as they come, against divided differences."""
+    k = collision()
+    m, f, v, s, r, c = (1.0, 0.9), (0.4, 0.4), (0.8, -0.7), (1, -1), (-1, 1), 0.3
+    symbols = (*k.m, *k.f, *k.v, *k.before, *k.after, k.c)
+    S = k.derivative().subs(dict(zip(symbols, (*m, *f, *v, *s, *r, c), strict=True)))
+
+    def after(deviation):
+        x = list(deviation[:2])
+        u = [v[i] + deviation[2 + i] for i in (0, 1)]
+        a = [(c - f[i] * s[i]) / m[i] for i in (0, 1)]
+        gap, closing, bend = x[0] - x[1], u[0] - u[1], a[0] - a[1]
+        root = math.sqrt(closing * closing - 2 * bend * gap)
+        d = -2 * gap / (closing + math.copysign(root, closing))
+        states = [pushed(x[i], u[i], a[i], d) for i in (0, 1)]
+        p, q = states[0][1], states[1][1]
+        total = m[0] + m[1]
+        speeds = (
+            ((m[0] - m[1]) * p + 2 * m[1] * q) / total,
+            (2 * m[0] * p + (m[1] - m[0]) * q) / total,
+        )
+        b = [(c - f[i] * r[i]) / m[i] for i in (0, 1)]
+        ends = [pushed(states[i][0], speeds[i], b[i], -d) for i in (0, 1)]
+        return [ends[0][0], ends[1][0], ends[0][1], ends[1][1]]
+
+    for column in range(4):
+        plus, minus = ([sign * STEP * (row == column) for row in range(4)] for sign in (1, -1))
+        slopes = [(p - q) / (2 * STEP) for p, q in zip(after(plus), after(minus), strict=True)]
+        assert slopes == pytest.approx([float(S[row, column]) for row in range(4)], abs=1e-5)
+
+
+def test_forms():
+    """They are antisymmetric, and agree for masses 1."""
+    k = collision()
+    assert k.form() == -k.form().T
+    assert k.form().subs({k.m[0]: 1, k.m[1]: 1}) == standard_form()
+
+
+def test_a_block_needs_a_saddle():
+    """Around the elliptic orbit nothing is stretched."""
+    start = Start.non_sticking(0.1002798898, 0.5419433067, (1.0991729107, 3.5160904414))
+    with interval.workprec(block.BITS):
+        one, zero = Ball(1), Ball(0)
+        around = Block(
+            (Ball(start.x), Ball(start.v)),
+            ((one, zero), (zero, one)),
+            block.Fraction(1, 10**8),
+            block.Fraction(2, 10**8),
+        )
+        with pytest.raises(NotProved):
+            around.covers_itself()
+
+
+@pytest.mark.parametrize("h", ["1/10000000", "1/1000"])
+def test_a_block_must_be_small(h):
+    """A large one is not squeezed into its height, or its orbits do more than hit walls."""
+    size = block.Fraction(h)
+    with interval.workprec(block.BITS), pytest.raises(NotProved):
+        block.around_the_saddle(size, 2 * size).covers_itself()

@@ -1,0 +1,145 @@
+"""Numbers, roots, integrals, orbits, certificates: each means against what is known otherwise."""
+
+from fractions import Fraction
+
+import pytest
+from support import holds
+
+from cap import interval
+from cap.approx import swarm
+from cap.audit.means import stored
+from cap.audit.means.balls import above, below, between, inner, number, pair, roots
+from cap.audit.means.orbits import States, at, before_a_stop, hits_only, until
+from cap.audit.means.paper_equation import Equation
+from cap.audit.means.quadrature import over_the_line
+from cap.audit.verdict import Outcome
+from cap.checker.reading import Enclosure
+from cap.errors import NotProved
+from cap.interval import Ball
+from cap.parameters import PAPER
+
+THIRDS = Enclosure(Fraction(1, 3), Fraction(2, 3), ("1/3", "2/3"))
+
+
+def test_numbers_of_the_paper():
+    """One unit of the last digit, both ways; a wide ball decides nothing."""
+    with interval.workprec(60):
+        assert number("3.14", interval.pi(), "").outcome is Outcome.CONFIRMED
+        assert number("3.15", interval.pi(), "").outcome is Outcome.CONFIRMED
+        assert number("3.16", interval.pi(), "").outcome is Outcome.CORRECTED
+        assert number("3", interval.pi(), "").found == "[3.141, 3.142]"
+        with pytest.raises(NotProved, match="undecided"):
+            number("3.16", interval.around(Fraction(315, 100), Fraction(1, 10)), "")
+
+
+def test_roundings():
+    """Enclosures outwards, bounds to their side, ranges inwards."""
+    assert pair(THIRDS, 2) == "[0.33, 0.67]"
+    assert inner(THIRDS, 2) == "[0.34, 0.66]"
+    assert (below(THIRDS, 1), above(THIRDS, 1)) == ("0.3", "0.7")
+    with interval.workprec(60):
+        assert between(interval.ball(Fraction(1, 4)), 2) == "0.25"
+
+
+def test_all_roots_are_found():
+    """Of sin on [1/2, 20]: six, in their order."""
+    with interval.workprec(80):
+        found = roots(Ball.sin, Ball.cos, interval.ball(Fraction(1, 2)), Ball(20))
+        assert len(found) == 6
+        for k, root in enumerate(found, 1):
+            assert root.contains(k * interval.pi())
+
+
+def test_a_double_root_is_refused():
+    """(x - 1/3)² has a root without a change of sign."""
+    third = Fraction(1, 3)
+    with interval.workprec(60), pytest.raises(NotProved, match="undecided"):
+        roots(
+            lambda x: (x - interval.ball(third)) ** 2,
+            lambda x: 2 * (x - interval.ball(third)),
+            Ball(0),
+            Ball(1),
+        )
+
+
+@pytest.mark.parametrize("alpha", ["3/10", "2/5", "1/2", "13/20"])
+def test_roots_of_the_equation(alpha):
+    """They are symmetric about π/2, and sharper enclosures still contain a zero."""
+    equation = Equation(Fraction(alpha), Fraction(2))
+    with interval.workprec(100):
+        found = [equation.bisected(root) for root in equation.roots()]
+        assert len(found) == (0 if alpha == "3/10" else 2)
+        for root in found:
+            assert equation.value(root).contains(0)
+            assert float(root.rad()) < 1e-19
+        if found:
+            assert (found[0] + found[1] - interval.pi()).contains(0)
+
+
+def test_an_integral():
+    """Of sech² over the line: 2."""
+    with interval.workprec(80):
+        value = over_the_line(lambda u: 1 / (u.cosh() * u.cosh()), 4)
+        assert holds(value, 2)
+        assert float(value.rad()) < 1e-20
+
+
+def test_a_pole_on_the_line_is_refused():
+    """The enclosure is not finite there."""
+    with interval.workprec(60), pytest.raises(NotProved, match="quadrature failed"):
+        over_the_line(lambda u: 1 / u, 1)
+
+
+def test_orbits_agree_with_floats():
+    """The image of a box contains that of its centre."""
+    states = States("-0.39", "0.53", "0.001")
+    first = hits_only(states)
+    seen = swarm.follow(PAPER, [[-0.39, 0.53]], 1).states[0]
+    assert [abs(float(b.mid()) - q) < 0.02 for b, q in zip(first.state, seen, strict=True)]
+    assert all(b.contains(q) for b, q in zip(first.state, seen, strict=True))
+    assert "hit r at [" in first.shown()
+    assert str(states) == "|x - (-0.39)| <= 0.001, |v - (0.53)| <= 0.001"
+    assert str(States("1", "2")) == "(x, v) = (1, 2)"
+
+
+def test_orbits_that_stop():
+    """They do not only hit walls."""
+    with pytest.raises(NotProved, match="do not only hit walls"):
+        hits_only(States("-0.73", "2.08", "0.001"))
+
+
+@pytest.mark.parametrize(("cosine", "verb"), [("-3/10", "stick"), ("-1/2", "turn left")])
+def test_orbits_made_to_stop(cosine, verb):
+    """They hit l at 3/2, and stop at the time that was asked for."""
+    with interval.workprec(100):
+        orbit = until(before_a_stop(Fraction(cosine)), interval.ball(Fraction(5, 2)))
+        assert orbit.words[:2] == ("hit l", verb)
+        assert orbit.times[0].contains(Fraction(3, 2).numerator / Ball(2))
+        assert (orbit.times[1].cos() - interval.ball(Fraction(cosine))).contains(0)
+
+
+def test_parameters():
+    """The paper's but for those given, exactly."""
+    assert at(F="3", e="0.9").e == Fraction(9, 10)
+    assert at(F="3").f == PAPER.f
+
+
+def test_certificates_are_checked():
+    """A stored one is accepted; what was asked for is remembered once."""
+    stored.asked_for()
+    assert stored.stored("capture.json").parameters["f"] == Fraction(2, 5)
+    assert stored.sentence("capture.json").startswith("x'' = F cos(omega t)")
+    assert stored.asked_for() == {"capture.json": stored.digest("capture.json")}
+    assert stored.asked_for() == {}
+    with pytest.raises(NotProved, match=r"no certificate none\.json"):
+        stored.stored("none.json")
+
+
+def test_certificates_are_not_believed(tmp_path, monkeypatch):
+    """The checker rejects one that was changed."""
+    text = (stored.FOLDER / "capture.json").read_text()
+    (tmp_path / "false.json").write_text(text.replace('"capture r"', '"capture l"'))
+    monkeypatch.setattr(stored, "FOLDER", tmp_path)
+    with pytest.raises(NotProved, match=r"the checker rejects false\.json"):
+        stored.stored("false.json")
+    stored.asked_for()

@@ -1,0 +1,178 @@
+"""The report: the stored page is true to the code, and every format holds together."""
+
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from cap.audit import ledger, recorded
+from cap.audit.claim import Claim, Kind
+from cap.audit.means import written
+from cap.audit.report.latex import latex
+from cap.audit.report.latex import written as in_latex
+from cap.audit.report.markdown import escaped, markdown
+from cap.audit.report.page import page
+from cap.audit.report.text import WIDTH, plain
+from cap.audit.report.view import report
+from cap.audit.theorems import Statement
+from cap.audit.verdict import Outcome, confirmed, corrected, refuted, vacuous
+
+ROOT = Path(__file__).resolve().parents[2]
+NASTY = '<b> & "quotes" | `code` *stars* _under_ \\command{x} $5 #1 100% ~ ^ -- μ^(1/2) θ̃ ö'
+
+
+@pytest.fixture(scope="module")
+def whole():
+    """Return the report of the recorded verdicts."""
+    return report(recorded.recorded())
+
+
+@pytest.fixture
+def nasty():
+    """Return a report of one claim whose words have every special sign."""
+    one = Claim("stops.nasty", "eq:model", Kind.WORDS, NASTY, NASTY, lambda: confirmed("", ""))
+    known = ledger.claims()
+    known[one.id] = one
+    try:
+        yield report({one.id: confirmed(NASTY, NASTY)})
+    finally:
+        del known[one.id]
+
+
+def test_the_stored_report_is_true_to_the_code(whole):
+    """`docs/audit.md` is what is written of the recorded verdicts; these, claims are tested on."""
+    stored = (ROOT / "docs/audit.md").read_text(encoding="utf-8")
+    assert stored == markdown(whole)
+
+
+def test_summary(whole):
+    """Counts by section add up."""
+    rows = whole.counts()
+    assert rows[0][0] == "Abstract"
+    assert sum(rows[-1][1]) == len(ledger.claims())
+    assert rows[-1][1] == [sum(c) for c in zip(*(row for _, row in rows[:-1]), strict=True)]
+
+
+def test_every_claim_is_in_every_format(whole):
+    """With its id, and in text with what was found."""
+    texts = [plain(whole), markdown(whole), page(whole), latex(whole)]
+    for name in ledger.claims():
+        assert all(name in text for text in texts), name
+
+
+def test_text_is_not_wider_than_a_terminal(whole):
+    """But for the table of counts, words are wrapped."""
+    lines = plain(whole).splitlines()
+    table = next(n for n, line in enumerate(lines) if line.startswith("All "))
+    assert all(len(line) <= WIDTH for line in lines[table + 1 :])
+
+
+class Tags(HTMLParser):
+    """Whether tags are closed in their order; what is fetched; the ids."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.fetched, self.ids = [], [], []
+
+    def handle_starttag(self, tag, attrs):
+        """Note a tag."""
+        given = dict(attrs)
+        self.fetched += [given[name] for name in ("src", "href") if name in given]
+        self.ids += [given["id"]] if "id" in given else []
+        if tag not in ("meta", "br", "input"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        """Close a tag."""
+        assert self.open.pop() == tag
+
+
+def test_the_page_is_one_file(whole):
+    """Tags are balanced, ids unique, links stay on the page, nothing is fetched."""
+    tags = Tags()
+    text = page(whole)
+    tags.feed(text)
+    assert tags.open == []
+    assert len(set(tags.ids)) == len(tags.ids)
+    assert {each[1:] for each in tags.fetched} <= set(tags.ids)
+    assert all(each.startswith("#") for each in tags.fetched)
+    assert "http" not in text.replace("http-equiv", "")
+
+
+def test_words_stay_words(nasty):
+    """Special signs of no format do anything."""
+    tags = Tags()
+    tags.feed(page(nasty))
+    assert "b" not in tags.open
+    assert "&lt;b&gt; &amp;" in page(nasty)
+    assert r"\<b\>" in markdown(nasty)
+    assert latex(nasty).count("{") == latex(nasty).count("}")
+    assert "<b>" in plain(nasty)
+
+
+def test_markdown_is_escaped():
+    """Signs that Markdown would take for its own."""
+    assert escaped("a*b_c|d<e`f[g]") == r"a\*b\_c\|d\<e\`f\[g\]"
+
+
+def test_latex_needs_no_unicode(whole):
+    """Only ASCII is left, no ligature is made of two hyphens; an unknown sign is an error."""
+    text = latex(whole)
+    assert text.isascii()
+    assert "--" not in text
+    assert in_latex("θ̃ ö ⁻¹ ₀ a_b") == (
+        r"\ensuremath{\tilde{\ensuremath{\theta}}} \"{o} "
+        r"\textsuperscript{$-$}\textsuperscript{1} \textsubscript{0} a\_b"
+    )
+    with pytest.raises(ValueError, match="no way to write"):
+        in_latex("∃")
+
+
+def test_links_of_the_stored_report():
+    """Files and sections of written proofs that it links are there."""
+    stored = (ROOT / "docs/audit.md").read_text(encoding="utf-8")
+    links = set(re.findall(r"\]\(\.\./([^)]+)\)", stored))
+    assert any("certificates/" in each for each in links)
+    for link in links:
+        path, _, section = link.partition("#")
+        assert (ROOT / path).is_file(), link
+        assert not section or section in written.sections(Path(path).name), link
+
+
+def test_links_within_the_stored_report():
+    """The ten lead to their claims."""
+    stored = (ROOT / "docs/audit.md").read_text(encoding="utf-8")
+    headings = {written.anchor(each) for each in re.findall(r"^### (.+)$", stored, re.MULTILINE)}
+    targets = re.findall(r"\]\(#([^)]+)\)", stored)
+    assert len(targets) == 10
+    assert set(targets) <= headings
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "status"),
+    [
+        ([confirmed("", "")], "stands"),
+        ([confirmed("", ""), refuted("", "")], "stands when changed"),
+        ([corrected("", "")], "stands when changed"),
+        ([refuted("", ""), confirmed("", "")], "falls"),
+        ([vacuous("", ""), confirmed("", "")], "vacuous"),
+    ],
+)
+def test_what_becomes_of_a_statement(verdicts, status):
+    """The first claim decides; what stands may need a change."""
+    names = tuple("abc"[: len(verdicts)])
+    one = Statement("thm:wellposed", names, "")
+    assert one.status(dict(zip(names, verdicts, strict=True))) == status
+    assert one.name == "Theorem 2.5 (Well-posedness)"
+
+
+def test_a_consequence_belongs_to_its_verdict(whole):
+    """If the verdict is another, the report says so, and not what would follow from the old one."""
+    finding, entry = whole.findings()[0]
+    verdicts = dict(recorded.recorded())
+    verdicts[entry.claim.id] = replace(entry.verdict, outcome=Outcome.OPEN)
+    text = markdown(report(verdicts))
+    assert "its consequence has to be written anew" in text
+    assert escaped(finding.consequence) not in text
