@@ -2,16 +2,15 @@
 
 import math
 
-from cap.cells.capture import capture
 from cap.cells.doubleton import Doubleton, box_of, set_base
 from cap.cells.flight import Moment, System, launch, seen
-from cap.cells.motion import FLY, REST, WALL, Motion, exact, lose, set_matrix
-from cap.cells.rest import lean
+from cap.cells.motion import FLY, REST, WALL, Motion, exact, lose, rebase, set_matrix
+from cap.cells.near import may_linger
+from cap.cells.rest import stay_near
 from cap.cells.union import chosen
 from cap.sets.compiled import kernel
 from cap.sets.doubles import (
     Interval,
-    between,
     clipped,
     is_finite,
     is_negative,
@@ -32,7 +31,7 @@ def begin(y: System, n: Motion, d: Doubleton, start: Moment, choice: int) -> int
     """
     x, v = box_of(d)
     inside = clipped(x, -upper(y.width), 0.0)
-    n.kind, n.ended, n.certain, n.linear = FLY, 0, 1, 1
+    n.kind, n.ended, n.certain = FLY, 0, 1
     n.rising, n.bounced, n.words, n.maybe, n.itinerary = 0, 0, 0, 0, 0
     set_base(n.base, d)
     if not (is_finite(inside) and is_finite(v)):
@@ -49,7 +48,7 @@ def begin(y: System, n: Motion, d: Doubleton, start: Moment, choice: int) -> int
         _start(y, n, sign, start, (inside, exact(d.x)), (v, exact(d.v)))
     else:
         n.certain = 0
-        if not (_caught(y, n, 1.0, x, v, start) or _caught(y, n, -1.0, x, v, start)):
+        if not (_near(y, n, 1.0, x, v, start) or _near(y, n, -1.0, x, v, start)):
             return _split(y, n, (inside, v), start, choice)
     return 1
 
@@ -79,17 +78,17 @@ def _start(
 
 
 @kernel
-def _caught(
+def _near(
     y: System, n: Motion, side: float, x: Interval, v: Interval, start: Moment
 ) -> bool:
-    """Prove that the wall of a side captures all states of a box at it; then they rest there."""
+    """Forget all but that the states of a box are near the wall of a side, if they are at it."""
     gap = _gap(y, side, x)
     if not lower(gap) <= 0:
         return False
-    found = capture(y, side, start.t, upper(gap), magnitude(v), False)
-    if found.proved:
-        lean(n, side, between(lower(start.t), found.until))
-    return found.proved
+    if not may_linger(y, side, start.t, upper(gap), magnitude(v)):
+        return False
+    stay_near(n, side, start.t, max(upper(gap), 0.0), magnitude(v))
+    return True
 
 
 @kernel
@@ -122,15 +121,15 @@ def _split(
     count, kind = chosen(_possible(y, x, v, start), choice)
     zero = exact(0.0)
     if kind in (STILL, LEAN_R, LEAN_L):
-        n.kind, n.linear = (REST if kind == STILL else WALL), 0
+        n.kind = REST if kind == STILL else WALL
         sign = -1.0 if kind == LEAN_L else 1.0
         _start(y, n, sign, start, (x, exact(x.mid)), (zero, zero))
+        rebase(n, x.rad, 0.0)
         return count
     half = clipped(v, 0.0, math.inf) if kind == AHEAD else clipped(v, -math.inf, 0.0)
     sign = 1.0 if kind == AHEAD else -1.0
     _start(y, n, sign, start, (x, exact(x.mid)), (half, exact(half.mid)))
     n.flight.speed = clipped(n.flight.speed, 0.0, math.inf)
     n.rising = 1 if is_positive(n.flight.cos - y.alpha) else 0
-    base = n.base
-    base.p, base.q, base.r, base.w, base.x, base.v = x.rad, 0.0, 0.0, half.rad, 0.0, 0.0
+    rebase(n, x.rad, half.rad)
     return count

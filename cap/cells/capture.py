@@ -3,16 +3,14 @@
 import math
 from typing import NamedTuple
 
-from cap.cells.flight import System
+from cap.cells.flight import System, cosines
 from cap.sets.circular import sin_cos
 from cap.sets.compiled import kernel
 from cap.sets.doubles import (
     Interval,
-    between,
     is_finite,
     is_positive,
     lower,
-    magnitude,
     sqrt,
     square,
     upper,
@@ -20,17 +18,15 @@ from cap.sets.doubles import (
 
 
 class Rest(NamedTuple):
-    """Whether the lemma holds; until when the mass is at rest; how far and fast it is till then."""
+    """Whether the lemma holds, and by when the mass is at rest."""
 
     proved: bool
     until: float
-    far: float
-    fast: float
 
 
 @kernel
 def _nothing() -> Rest:
-    return Rest(False, 0.0, 0.0, 0.0)
+    return Rest(False, 0.0)
 
 
 @kernel
@@ -58,12 +54,12 @@ def capture(
     if not estimate < 1:
         return _nothing()
     window = 1.1
-    for _ in range(4):
+    for _ in range(6):
         end = upper(time) + window * estimate + 1e-12
         found = _lemma(y, side, (begin, upper(time), end), far, fast, leaving)
         if found.proved:
             return found
-        window *= 1.5
+        window *= 1.25
     return _nothing()
 
 
@@ -78,10 +74,9 @@ def _lemma(
 ) -> Rest:
     """Verify the lemma for a mass that enters between two times, to be at rest at the third."""
     begin, entered, end = times
-    span = between(begin, end)
     if not end - begin < 1:
         return _nothing()
-    b = sin_cos(span)[1] if side > 0 else -sin_cos(span)[1]
+    b = cosines(side, begin, end)
     least, most = Interval(lower(b), 0.0), Interval(upper(b), 0.0)
     press, hold, hardest = least + y.alpha, least - y.alpha, most - y.alpha
     if not is_positive(hold):
@@ -106,7 +101,7 @@ def _lemma(
     until = upper(Interval(entered, 0.0) + last)
     if not (is_finite(last) and until <= end):
         return _nothing()
-    return Rest(True, until, magnitude(height), max(magnitude(arrival), fast))
+    return Rest(True, until)
 
 
 @kernel

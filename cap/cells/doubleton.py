@@ -10,7 +10,7 @@ with the set (Lohner 1987).  If a map φ has φ(m) in c and derivatives in A + �
 import math
 
 from cap.cells.flight import Base, Matrix, System
-from cap.cells.motion import LOST, WALL, Motion, exact
+from cap.cells.motion import FLY, REST, WALL, Motion, exact
 from cap.sets.compiled import kernel
 from cap.sets.doubles import TINY, Interval, magnitude, upper
 from cap.sets.records import Record, assign
@@ -137,11 +137,6 @@ def image(n: Motion, y: System, source: Doubleton, d: Doubleton) -> None:
         at = exact(0.0) if right else -y.width
         set_box(d, WALL, n.flight.sign, at, exact(0.0))
         return
-    if n.kind == LOST or n.linear == 0:
-        gap, speed = n.flight.gap, n.flight.speed
-        x, v = (-gap, speed) if right else (gap - y.width, -speed)
-        set_box(d, n.kind, 0.0, x, v)
-        return
     gap, speed = n.centre.gap, n.centre.speed
     x, v = (-gap, speed) if right else (gap - y.width, -speed)
     base, A = n.base, derivative(n)
@@ -157,7 +152,7 @@ def image(n: Motion, y: System, source: Doubleton, d: Doubleton) -> None:
     more_x = (x.rad + B.a.rad + B.b.rad) + (A.a.rad * dx + A.b.rad * dv)
     more_v = (v.rad + B.c.rad + B.d.rad) + (A.c.rad * dx + A.d.rad * dv)
     carry(d.errors, A, magnitude(exact(more_x)), magnitude(exact(more_v)))
-    d.kind, d.side, d.x, d.v = n.kind, 0.0, x.mid, v.mid
+    d.kind, d.side, d.x, d.v = REST if n.kind == REST else FLY, 0.0, x.mid, v.mid
     d.p, d.q, d.r, d.w = B.a.mid, B.b.mid, B.c.mid, B.d.mid
 
 

@@ -21,7 +21,17 @@ from typing import Any, NamedTuple
 from cap.sets.circular import TURN, sin_cos
 from cap.sets.compiled import kernel
 from cap.sets.decay import relaxed
-from cap.sets.doubles import TINY, UNIT, Interval, magnitude
+from cap.sets.doubles import (
+    TINY,
+    UNIT,
+    Interval,
+    between,
+    is_negative,
+    is_positive,
+    lower,
+    magnitude,
+    upper,
+)
 from cap.sets.records import Record
 
 
@@ -133,6 +143,25 @@ def moment(sign: float, t: Interval) -> Moment:
     """Return the moment at a time, as a flight of this sign sees it."""
     sine, cosine = sin_cos(t)
     return seen(sign, Moment(t, sine, cosine))
+
+
+@kernel
+def cosines(sign: float, begin: float, end: float) -> Interval:
+    """Return all s cos t between two times less than π apart.
+
+    Where the sine has one sign the cosine is monotone; where it is positive at both ends it is so
+    between, and concave.
+    """
+    span = moment(sign, between(begin, end))
+    first, last = moment(sign, Interval(begin, 0.0)).cos, moment(sign, Interval(end, 0.0)).cos
+    low, high = min(lower(first), lower(last)), max(upper(first), upper(last))
+    if is_positive(span.sin) or is_negative(span.sin):
+        return between(low, high)
+    if low > 0:
+        return between(low, min(1.0, upper(span.cos)))
+    if high < 0:
+        return between(max(-1.0, lower(span.cos)), high)
+    return span.cos
 
 
 @kernel

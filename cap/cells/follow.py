@@ -19,7 +19,7 @@ from cap.cells.doubleton import (
     set_box,
 )
 from cap.cells.flight import Matrix
-from cap.cells.motion import FLY, LOST, Motion
+from cap.cells.motion import FLY, LOST, STOPPED, Motion
 from cap.cells.period import DEEPEST, Choices, World, advanced, follow_branch
 from cap.cells.targets import Targets, strobe_label
 from cap.cells.units import inner_box, place, speed_of
@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 
 ROOM = 48  # sets of a cell that may be alive at a strobe
 SMOOTH, UNION, OPEN = 0, 1, 2
-EVERY = (1 << 9) - 1
+EVERY = (1 << STOPPED + 1) - 1
 
 doubleton = rows(Doubleton)
 
@@ -152,7 +152,7 @@ def _note(cell: Cell, alone: bool) -> None:
     """Note one branch more, the motion of the cell."""
     n = cell.motion
     cell.branches = cell.branches + 1
-    if not (alone and cell.smooth != 0 and n.certain != 0 and n.linear != 0):
+    if not (alone and cell.smooth != 0 and n.certain != 0):
         cell.smooth, cell.itinerary = 0, -1
         return
     _chain(cell.derivative, derivative(n))

@@ -9,6 +9,7 @@ from cap.cells.flight import (
     System,
     drift,
     flown,
+    launch,
     slow,
     spread,
 )
@@ -16,7 +17,7 @@ from cap.sets.compiled import kernel
 from cap.sets.doubles import Interval, is_positive, lower, upper, widened
 from cap.sets.records import Record
 
-FLY, REST, WALL, LOST = 0, 1, 2, 3
+FLY, REST, WALL, NEAR, LOST = 0, 1, 2, 3, 4
 
 WORDS = (
     "hit r",
@@ -30,25 +31,27 @@ WORDS = (
     "release left",
 )
 HIT_R, HIT_L, TURN_RIGHT, TURN_LEFT, STICK, CAPTURE_R, CAPTURE_L, RELEASE_R, RELEASE_L = range(9)
+STOPPED = 9  # a turn, a stick or a capture: not a word, but a bit beside theirs
 LONGEST = 15  # words of an itinerary that a number keeps: four bits each
 
 
 class Motion(Record):
     """A set of motions, all with the same events so far.
 
-    ``kind``: they fly, rest between the walls, rest at the wall ``flight.sign``, or are lost:
-    nothing is known.  ``ended``: the end of the span is reached, and all below is about it.
+    ``kind``: they fly, rest between the walls, rest at the wall ``flight.sign``, are near it, with
+    these gaps and at most this speed in size, or are lost: nothing is known.  ``ended``: the end of
+    the span is reached, and all below is about it.
 
-    ``flight`` encloses when the present flight, or rest, began, and the speeds and gaps then.  If
-    ``linear``, there is more: the motions depend smoothly on the states of a box, by the formulas,
-    which may go on through states that do not follow them.  ``centre`` is the flight of the state
-    m at which the box is based, and at any time t of the flight
+    ``flight`` encloses when the present flight, or rest, began, and the speeds and gaps then.  The
+    motions are among those that depend smoothly, by the formulas, on a point z of a set: ``base``
+    and a point m.  ``centre`` is the flight for m, and at any time t of the flight
 
-        (s x, u) of z  is in  (s x, u) of m  +  M(t) (z - m),
+        (s x, u) for z  is in  (s x, u) for m  +  M(t) (z - m),
 
     M(t) the drift of the matrix (a, b, c, d), by the mean value theorem: M(t) encloses the
-    derivatives at all points of the box.  ``certain``: no event was a matter of choice, so that the
-    states of the box have been mapped by one smooth map.
+    derivatives at all points of the set.  At first z is the state at the beginning, and as long as
+    no event was a matter of choice, ``certain``, all states of the set have been mapped by one
+    smooth map.  After a choice (`rebase`) z is what is not known of the new flight.
 
     ``rising``: v was 0 when the flight began, for some of the motions, and the forcing has pushed
     all of them ahead since.  ``bounced``: it began with a hit.  ``words`` has a bit for each of
@@ -58,7 +61,6 @@ class Motion(Record):
     kind: int
     ended: int
     certain: int
-    linear: int
     rising: int
     bounced: int
     words: int
@@ -83,7 +85,8 @@ def exact(value: float) -> Interval:
 @kernel
 def tell(n: Motion, word: int) -> None:
     """Note an event; an itinerary that has become too long is -1."""
-    n.words = n.words | 1 << word
+    stops = TURN_RIGHT <= word <= CAPTURE_L
+    n.words = n.words | 1 << word | (1 << STOPPED if stops else 0)
     too_long = n.itinerary < 0 or n.itinerary >= 1 << (4 * (LONGEST - 1))
     n.itinerary = -1 if too_long else 16 * n.itinerary + word + 1
 
@@ -91,13 +94,29 @@ def tell(n: Motion, word: int) -> None:
 @kernel
 def lose(n: Motion) -> None:
     """Give up: nothing is known."""
-    n.kind, n.ended, n.certain, n.linear = LOST, 1, 0, 0
+    n.kind, n.ended, n.certain = LOST, 1, 0
 
 
 @kernel
 def set_matrix(n: Motion, a: Interval, b: Interval, c: Interval, d: Interval) -> None:
     """Write the matrix."""
     n.a, n.b, n.c, n.d = a, b, c, d
+
+
+@kernel
+def rebase(n: Motion, first: float, second: float) -> None:
+    """Let z be two numbers that differ from those of m by at most these."""
+    base = n.base
+    base.p, base.q, base.r, base.w, base.x, base.v = first, 0.0, 0.0, second, 0.0, 0.0
+
+
+@kernel
+def place_anywhere(n: Motion) -> None:
+    """Let z be the gap, of a set at rest or with a speed that is known exactly."""
+    f, zero = n.flight, exact(0.0)
+    launch(n.centre, f.sign, Moment(f.t, f.sin, f.cos), f.speed, exact(f.gap.mid))
+    rebase(n, f.gap.rad, 0.0)
+    set_matrix(n, exact(-1.0), zero, zero, zero)
 
 
 @kernel
@@ -109,8 +128,6 @@ def matrix_at(y: System, n: Motion, t: Interval) -> Matrix:
 @kernel
 def ranges(y: System, n: Motion, at: Moment) -> tuple[Interval, Interval]:
     """Return all speeds and gaps at a moment, by the formula of the flight."""
-    if n.linear == 0:
-        return flown(y, n.flight, at)
     speed, gap = flown(y, n.centre, at)
     m = matrix_at(y, n, at.t)
     return widened(speed, spread(m.c, m.d, n.base)), widened(gap, spread(m.a, m.b, n.base))
@@ -131,7 +148,7 @@ def keeps_moving(y: System, n: Motion, until: Interval) -> bool:
         if lower(at.t) > upper(until):
             break
         before = lower(at.t) <= upper(since) if n.rising != 0 else upper(at.t) < lower(since)
-        if not (before or is_positive(flown(y, n.flight, at)[0])):
-            if n.linear == 0 or not is_positive(ranges(y, n, at)[0]):
-                return False
+        quickly = before or is_positive(flown(y, n.flight, at)[0])
+        if not (quickly or is_positive(ranges(y, n, at)[0])):
+            return False
     return True

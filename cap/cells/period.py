@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from cap.cells.begin import begin
 from cap.cells.doubleton import Doubleton
 from cap.cells.flight import Instant, Moment, NearSystem, System, launch, seen
-from cap.cells.motion import FLY, REST, WALL, Motion, lose
+from cap.cells.motion import FLY, NEAR, REST, WALL, Motion, lose
+from cap.cells.near import approach, linger
 from cap.cells.rest import capture_after_hit, release
 from cap.cells.scout import HIT, STOP, scout
 from cap.cells.targets import Targets, event_label
@@ -54,8 +55,6 @@ def _smooth(world: World, n: Motion) -> bool:
     y, sign, near, centre = world.system, n.flight.sign, n.near, n.centre
     if n.bounced != 0 and capture_after_hit(y, n, _moment(world.end)):
         return True
-    if n.linear == 0:
-        return False
     end = seen(sign, _moment(world.end))
     at = Moment(centre.t.mid, centre.sin.mid, centre.cos.mid)
     launch(near, sign, at, centre.speed.mid, centre.gap.mid)
@@ -70,9 +69,11 @@ def _smooth(world: World, n: Motion) -> bool:
 @kernel
 def _pass(world: World, n: Motion, choice: int) -> int:
     """Pass the next event, in the way of this number; return how many ways there may be."""
+    if n.kind == NEAR:
+        return linger(world.system, n, _moment(world.end), choice)
     if n.kind != FLY:
         return release(world.system, n, _moment(world.end), choice)
-    if _smooth(world, n):
+    if _smooth(world, n) or approach(world.system, n, _moment(world.end)):
         return 1
     return branch(world.system, n, seen(n.flight.sign, _moment(world.end)), choice)
 

@@ -1,21 +1,19 @@
 """A mass at rest: how it comes to rest at a wall, how long it rests, how it begins to move."""
 
 from cap.cells.capture import capture
-from cap.cells.flight import Moment, System, launch, seen, slow
+from cap.cells.flight import Moment, System, launch, slow
 from cap.cells.motion import (
     CAPTURE_L,
     CAPTURE_R,
     FLY,
-    HIT_L,
-    HIT_R,
+    NEAR,
     RELEASE_L,
     RELEASE_R,
-    TURN_LEFT,
-    TURN_RIGHT,
     WALL,
     Motion,
     exact,
     lose,
+    place_anywhere,
     set_matrix,
     tell,
 )
@@ -27,7 +25,6 @@ from cap.sets.doubles import (
     is_finite,
     lower,
     magnitude,
-    subtract,
     upper,
 )
 
@@ -48,7 +45,8 @@ def release(y: System, n: Motion, end: Moment, choice: int) -> int:
 
     Between the walls |F cos ωt| <= f when the rest begins, and it ends at the next slow time of
     either side; at a wall, at the next one of the other side: where F cos ωt reaches ∓f.  If the
-    rest may have begun before or after such a time, it may end there or at the next.
+    rest may have begun before or after such a time, it may end there or at the next.  A rest does
+    not begin after the end.
     """
     since = n.flight.t
     count, first, found = 0, -1, -1
@@ -68,7 +66,7 @@ def release(y: System, n: Motion, end: Moment, choice: int) -> int:
         lose(n)
     elif upper(at.t) < lower(end.t):
         _begin_to_move(y, n, side, at)
-    elif lower(at.t) > upper(end.t) and upper(since) < lower(end.t):
+    elif lower(at.t) > upper(end.t):
         n.ended = 1
     else:
         lose(n)
@@ -79,24 +77,17 @@ def release(y: System, n: Motion, end: Moment, choice: int) -> int:
 
 @kernel
 def _begin_to_move(y: System, n: Motion, side: float, at: Moment) -> None:
-    """Begin to fly to a side.
-
-    Where only a range of places is known, the set is based anew: a place is the middle and a
-    deviation.  At a wall the place is exact.
-    """
-    zero, base = exact(0.0), n.base
+    """Begin to fly to a side.  At a wall the place is exact."""
+    zero = exact(0.0)
     gap, own, a, b = n.flight.gap, n.centre.gap, n.a, n.b
     if side != n.flight.sign:
         gap, own, a, b = clipped(y.width - gap, 0.0, upper(y.width)), y.width - own, -a, -b
     if n.kind == WALL:
         gap, own, a, b = y.width, y.width, zero, zero
-    elif n.linear == 0:
-        own, a, b = exact(gap.mid), exact(1.0), zero
-        base.p, base.q, base.r, base.w, base.x, base.v = gap.rad, 0.0, 0.0, 0.0, 0.0, 0.0
     set_matrix(n, a, b, zero, zero)
     launch(n.flight, side, at, zero, gap)
     launch(n.centre, side, at, zero, own)
-    n.kind, n.linear, n.rising, n.bounced = FLY, 1, 1, 0
+    n.kind, n.rising, n.bounced = FLY, 1, 0
     tell(n, RELEASE_R if side > 0 else RELEASE_L)
 
 
@@ -104,30 +95,37 @@ def _begin_to_move(y: System, n: Motion, side: float, at: Moment) -> None:
 def capture_after_hit(y: System, n: Motion, end: Moment) -> bool:
     """Prove that the wall captures the motions that have just left it; then they rest there.
 
-    If that may last beyond the end, they are near the wall then.
+    If that may last beyond the end, they are near the wall.
     """
     side, since = -n.flight.sign, n.flight.t
     if not n.flight.cos.mid < -y.alpha.mid:
         return False
-    found = capture(y, side, since, 0.0, magnitude(n.flight.speed), True)
+    fast = magnitude(n.flight.speed)
+    found = capture(y, side, since, 0.0, fast, True)
     if not found.proved or not upper(since) < lower(end.t):
         return False
     if found.until < lower(end.t):
         lean(n, side, between(lower(since), found.until))
-        return True
-    speed = between(-found.fast, found.fast)
-    gap = between(lower(subtract(y.width, exact(found.far))), upper(y.width))
-    launch(n.flight, -side, seen(-side, end), speed, gap)
-    n.ended, n.certain, n.linear = 1, 0, 0
-    n.maybe = n.maybe | (1 << HIT_R | 1 << TURN_RIGHT if side > 0 else 1 << HIT_L | 1 << TURN_LEFT)
+    else:
+        stay_near(n, side, since, 0.0, fast)
     return True
+
+
+@kernel
+def stay_near(n: Motion, side: float, since: Interval, far: float, fast: float) -> None:
+    """Forget all but that the motions are near a wall."""
+    zero = exact(0.0)
+    n.kind, n.certain, n.rising, n.bounced = NEAR, 0, 0, 0
+    launch(n.flight, side, Moment(since, zero, zero), between(-fast, fast), between(0.0, far))
+    place_anywhere(n)
+    n.centre.speed, n.base.w, n.d = zero, n.flight.speed.rad, exact(1.0)
 
 
 @kernel
 def lean(n: Motion, side: float, since: Interval) -> None:
     """Rest at a wall, captured in this time."""
     zero = exact(0.0)
-    n.kind, n.linear, n.rising, n.bounced = WALL, 1, 0, 0
+    n.kind, n.rising, n.bounced = WALL, 0, 0
     at = Moment(since, zero, zero)  # the sine and cosine are not asked for in a rest
     launch(n.flight, side, at, zero, zero)
     launch(n.centre, side, at, zero, zero)

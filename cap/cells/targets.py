@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 
 from cap.cells.doubleton import Doubleton, frame_box
 from cap.cells.flight import System
-from cap.cells.motion import CAPTURE_L, CAPTURE_R, LOST, STICK, TURN_LEFT, TURN_RIGHT, Motion, exact
+from cap.cells.motion import LOST, STOPPED, Motion, exact
 from cap.cells.units import Units, place, speed_of
 from cap.sets.compiled import kernel
 from cap.sets.doubles import Interval, lower, magnitude, upper
 
-STOPS = 1 << TURN_RIGHT | 1 << TURN_LEFT | 1 << STICK | 1 << CAPTURE_R | 1 << CAPTURE_L
 BOX, ELLIPSE = 0.0, 1.0
 
 Floats = NDArray[np.float64]
@@ -65,7 +64,7 @@ def event_label(targets: Targets, units: Units, y: System, n: Motion, released: 
     """Return the label that the last event of a motion gives it."""
     if n.kind == LOST:
         return 0
-    if targets.stop != 0 and n.words & STOPS != 0:
+    if targets.stop != 0 and n.words >> STOPPED & 1 != 0:
         return targets.stop
     right = n.flight.sign > 0
     if not released or len(targets.labels_right if right else targets.labels_left) == 0:

@@ -17,7 +17,7 @@ each motion has had an event before it.
 import math
 from typing import NamedTuple
 
-from cap.cells.flight import Moment, System, fast_before, flown, launch, moment, slow, steepest
+from cap.cells.flight import Moment, System, fast_before, flown, force, launch, moment, slow, steepest
 from cap.cells.motion import (
     HIT_L,
     HIT_R,
@@ -30,7 +30,9 @@ from cap.cells.motion import (
     exact,
     lose,
     matrix_at,
+    place_anywhere,
     ranges,
+    rebase,
     set_matrix,
     tell,
 )
@@ -45,6 +47,8 @@ from cap.sets.doubles import (
     is_positive,
     lower,
     magnitude,
+    sqrt,
+    square,
     upper,
     widened,
 )
@@ -56,15 +60,17 @@ BOUNCE, LEAN, TURN, HOLD, PASS = 1, 2, 4, 8, 16  # the possible continuations, a
 
 
 class Windows(NamedTuple):
-    """The first and last time at which a motion of the set may stop, and hit; inf: never.
+    """What is asked is what happens until the ``horizon``.
 
-    ``top``: each motion has had an event by then, or the end is reached.
+    A motion of the set neither stops before ``stop`` nor hits the wall before ``hit`` (inf: never).
+    By ``done`` each has had an event; ``top`` is that or the horizon.
     """
 
     stop: float
     hit: float
     done: float
     top: float
+    horizon: Moment
 
 
 @kernel
@@ -101,40 +107,42 @@ def _edge(y: System, n: Motion, sure: float, unsure: float, question: int) -> fl
 
 
 @kernel
-def _stops(y: System, n: Motion, end: Moment) -> tuple[float, float]:
-    """Return the first and last time of a stop; the first is below, the last above the truth."""
+def _stops(y: System, n: Motion, end: Moment) -> tuple[float, float, Moment]:
+    """Return the first and last time of a stop, inf for never, and the horizon.
+
+    That is the first slow moment at which u > 0 is not certain, or the end.  A slow moment before
+    which not all motions have begun is none: for them, the formula does not hold there.
+    """
     begun, latest = lower(n.flight.t), upper(n.flight.t)
-    first, last = math.inf, math.inf
-    if not (n.rising != 0 or is_positive(n.flight.speed)):
-        first = begun
+    first, horizon, falls = math.inf, end, begun
     for k in range(4):
         at = slow(y, n.flight.sign, k)
-        passed = lower(at.t) <= latest if n.rising != 0 else upper(at.t) < begun
-        if passed:
-            continue
         falls = lower(fast_before(y, at))
-        if falls > upper(end.t):
-            break
+        passed = lower(at.t) <= latest if n.rising != 0 else upper(at.t) < begun
         final = upper(at.t) >= lower(end.t)
-        knot = end if final else at
-        speed = ranges(y, n, knot)[0]
-        if first == math.inf and not is_positive(speed):
-            first = _edge(y, n, max(begun, falls), lower(knot.t), SPEED_ABOVE)
-        if is_negative(speed) and latest < lower(knot.t):
-            last = upper(knot.t)
-            if _margin(y, n, last, SPEED_BELOW) > 0:
-                last = _edge(y, n, last, max(latest, falls), SPEED_BELOW)
+        if passed and not final:
+            continue
+        horizon = end if final else at
+        certain = is_positive(ranges(y, n, horizon)[0])
+        if not certain and lower(horizon.t) <= latest:
+            first = begun
+        elif not certain and first == math.inf and falls <= upper(horizon.t):
+            first = _edge(y, n, max(begun, falls), lower(horizon.t), SPEED_ABOVE)
+        if final or not (certain or lower(horizon.t) <= latest):
             break
-        if final:
-            break
-    return first, last
+    last = math.inf
+    if latest < lower(horizon.t) and is_negative(ranges(y, n, horizon)[0]):
+        last = upper(horizon.t)
+        if _margin(y, n, last, SPEED_BELOW) > 0:
+            last = _edge(y, n, last, max(latest, falls), SPEED_BELOW)
+    return first, last, horizon
 
 
 @kernel
-def _hits(y: System, n: Motion, end: Moment, stops: tuple[float, float]) -> tuple[float, float]:
-    """Return the first and last time of a hit, given those of a stop."""
-    begun, latest = lower(n.flight.t), upper(n.flight.t)
-    sure, top = min(stops[0], lower(end.t)), min(stops[1], upper(end.t))
+def _hits(y: System, n: Motion, w: tuple[float, float, Moment]) -> tuple[float, float]:
+    """Return the first and last time of a hit, given what `_stops` says."""
+    begun, latest, end = lower(n.flight.t), upper(n.flight.t), w[2].t
+    sure, top = min(w[0], lower(end)), min(w[1], upper(end))
     first, last = math.inf, math.inf
     if sure >= begun and _margin(y, n, sure, GAP_ABOVE) > 0:
         if sure < top and not is_positive(_during(y, n, sure, top)[1]):
@@ -157,33 +165,73 @@ def _during(y: System, n: Motion, begin: float, end: float) -> tuple[Interval, I
 
 
 @kernel
-def _windows(y: System, n: Motion, end: Moment) -> Windows:
-    """Return when the motions may stop and hit; ``end`` is as the flight sees it."""
-    stops = _stops(y, n, end)
-    hits = _hits(y, n, end, stops)
-    done = min(stops[1], hits[1])
-    return Windows(stops[0], hits[0], done, min(done, upper(end.t)))
+def _push(y: System, n: Motion, until: float) -> Interval:
+    """Return all u' of the flights until a time."""
+    begun = lower(n.flight.t)
+    span = moment(n.flight.sign, between(begun, until))
+    speed = n.flight.speed
+    if y.viscous != 0:
+        speed = clipped(_during(y, n, begun, until)[0], 0.0, math.inf)
+    return force(y, span.cos, speed)
 
 
 @kernel
-def _possible(y: System, n: Motion, w: Windows, end: Moment) -> int:
+def _hit_speed(y: System, n: Motion, begin: float, end: float) -> Interval:
+    """Return the speeds of hits between two times; NaN if there are none.
+
+    By the formula, and by the energy: u² at the hit is u0² + 2 u' gap0, with a mean of u'.
+    """
+    speed = clipped(_during(y, n, begin, end)[0], 0.0, math.inf)
+    energy = square(n.flight.speed) + 2.0 * (_push(y, n, end) * n.flight.gap)
+    if upper(energy) < 0:
+        return energy / exact(0.0)
+    least = lower(energy)
+    low = lower(sqrt(exact(least))) if least > 0 else 0.0
+    high = upper(sqrt(exact(upper(energy)))) if upper(energy) > 0 else 0.0
+    return clipped(speed, low, high)
+
+
+@kernel
+def _stop_gap(y: System, n: Motion, begin: float, end: float) -> Interval:
+    """Return the gaps at stops between two times; NaN if there are none.
+
+    By the formula, and by the energy: a flight that stops has gone u0²/(-2u'), with a mean of u'.
+    """
+    gap = clipped(_during(y, n, begin, end)[1], 0.0, upper(y.width))
+    push = _push(y, n, end)
+    if not is_negative(push):
+        return gap
+    left = n.flight.gap - square(n.flight.speed) / (-2.0 * push)
+    return clipped(gap, lower(left), upper(left))
+
+
+@kernel
+def _windows(y: System, n: Motion, end: Moment) -> Windows:
+    """Return when the motions may stop and hit; ``end`` is as the flight sees it."""
+    stops = _stops(y, n, end)
+    hits = _hits(y, n, stops)
+    done = min(stops[1], hits[1])
+    return Windows(stops[0], hits[0], done, min(done, upper(stops[2].t)), stops[2])
+
+
+@kernel
+def _possible(y: System, n: Motion, w: Windows) -> int:
     """Return the bits of all continuations that are not excluded."""
-    found = 0
+    found, sign = 0, n.flight.sign
     if w.hit <= w.top:
-        pushed = moment(n.flight.sign, between(w.hit, w.top)).cos + y.alpha
-        speed, _ = _during(y, n, w.hit, w.top)
-        if not is_negative(speed):
+        pushed = moment(sign, between(w.hit, w.top)).cos + y.alpha
+        speed = _hit_speed(y, n, w.hit, w.top)
+        if is_finite(speed):
             found |= BOUNCE
             if not (is_positive(speed) or is_negative(pushed)):
                 found |= LEAN
     if w.stop <= w.top:
-        pushed = moment(n.flight.sign, between(w.stop, w.top)).cos + y.alpha
-        _, gap = _during(y, n, w.stop, w.top)
-        if not is_negative(gap):
+        pushed = moment(sign, between(w.stop, w.top)).cos + y.alpha
+        if is_finite(_stop_gap(y, n, w.stop, w.top)):
             found |= 0 if is_positive(pushed) else TURN
             found |= 0 if is_negative(pushed) else HOLD
-    if w.done >= lower(end.t):
-        speed, gap = ranges(y, n, end)
+    if w.done >= lower(w.horizon.t):
+        speed, gap = ranges(y, n, w.horizon)
         if not (is_negative(speed) or is_negative(gap)):
             found |= PASS
     return found
@@ -213,9 +261,10 @@ def branch(y: System, n: Motion, end: Moment, choice: int) -> int:
     if not (known and (begin > w.top or w.top - begin < WIDEST)):
         lose(n)
         return 1
-    count, kind = chosen(_possible(y, n, w, end), choice)
+    count, kind = chosen(_possible(y, n, w), choice)
     if kind == PASS:
-        _arrive(y, n, end)
+        _go_on(y, n, w.horizon)
+        n.ended = 1 if upper(w.horizon.t) >= lower(end.t) else 0
     elif kind in (BOUNCE, LEAN):
         _strike(y, n, (w.hit, w.top), kind)
     elif kind in (TURN, HOLD):
@@ -227,56 +276,73 @@ def branch(y: System, n: Motion, end: Moment, choice: int) -> int:
 
 
 @kernel
-def _arrive(y: System, n: Motion, end: Moment) -> None:
-    """Pass no event until the end."""
-    sign, (speed, gap) = n.flight.sign, ranges(y, n, end)
-    if n.linear != 0:
-        one_speed, one_gap = flown(y, n.centre, end)
-        m = matrix_at(y, n, end.t)
-        set_matrix(n, m.a, m.b, m.c, m.d)
-        launch(n.centre, sign, end, one_speed, one_gap)
+def _go_on(y: System, n: Motion, at: Moment) -> None:
+    """Pass no event until a moment; if it is a slow one, the forcing pushes ahead from there."""
+    sign, (speed, gap) = n.flight.sign, ranges(y, n, at)
+    one_speed, one_gap = flown(y, n.centre, at)
+    m = matrix_at(y, n, at.t)
+    set_matrix(n, m.a, m.b, m.c, m.d)
+    launch(n.centre, sign, at, one_speed, one_gap)
     inside = clipped(gap, 0.0, upper(y.width))
-    launch(n.flight, sign, end, clipped(speed, 0.0, math.inf), inside)
-    n.ended = 1
+    launch(n.flight, sign, at, clipped(speed, 0.0, math.inf), inside)
+    n.rising, n.bounced = 1, 0
 
 
 @kernel
 def _strike(y: System, n: Motion, times: tuple[float, float], kind: int) -> None:
     """Pass a hit between two times: the motions leave the wall, or rest at it."""
-    sign = n.flight.sign
+    sign, zero = n.flight.sign, exact(0.0)
     at = moment(sign, between(times[0], times[1]))
-    speed, _ = _during(y, n, times[0], times[1])
+    speed = _hit_speed(y, n, times[0], times[1])
     tell(n, HIT_R if sign > 0 else HIT_L)
-    n.linear = 0
     if kind == LEAN:
         n.kind = WALL
-        launch(n.flight, sign, at, exact(0.0), exact(0.0))
+        launch(n.flight, sign, at, zero, zero)
         return
-    after = clipped(y.e * clipped(speed, 0.0, math.inf), 0.0, math.inf)
+    after = clipped(y.e * speed, 0.0, math.inf)
     launch(n.flight, -sign, reversed_(at), after, y.width)
+    push = force(y, n.flight.cos, after)
+    _begin_anew(n, at.t, exact(after.mid), y.width)
+    rebase(n, at.t.rad, after.rad)
+    set_matrix(n, -after, zero, -push, exact(1.0))
     n.rising, n.bounced = 1 if is_positive(n.flight.cos - y.alpha) else 0, 1
+
+
+@kernel
+def _begin_anew(n: Motion, t: Interval, speed: Interval, gap: Interval) -> None:
+    """Let the flight for m begin in the middle of a time.
+
+    For those who begin at a time t0 with a speed u0, the derivative of (s x, u) at a fixed time by
+    t0 is the drift of (-u0, -u'(t0)).
+    """
+    at = moment(n.flight.sign, exact(t.mid))
+    launch(n.centre, n.flight.sign, at, speed, gap)
 
 
 @kernel
 def _stop(y: System, n: Motion, times: tuple[float, float], kind: int) -> None:
     """Pass a stop between two times: the motions turn, or rest."""
-    sign, begin = n.flight.sign, times[0]
+    sign, begin, zero = n.flight.sign, times[0], exact(0.0)
     if kind == TURN:
         begin = _pushed_since(y, -sign, times[0], times[1])
     if not begin <= times[1]:
         lose(n)
         return
     at = moment(sign, between(begin, times[1]))
-    gap = clipped(_during(y, n, begin, times[1])[1], 0.0, upper(y.width))
-    n.linear, n.bounced = 0, 0
+    gap = _stop_gap(y, n, begin, times[1])
+    n.bounced = 0
     if kind == HOLD:
         n.kind = REST
         tell(n, STICK)
-        launch(n.flight, sign, at, exact(0.0), gap)
+        launch(n.flight, sign, at, zero, gap)
+        place_anywhere(n)
         return
     tell(n, TURN_RIGHT if sign < 0 else TURN_LEFT)
     behind = clipped(y.width - gap, 0.0, upper(y.width))
-    launch(n.flight, -sign, reversed_(at), exact(0.0), behind)
+    launch(n.flight, -sign, reversed_(at), zero, behind)
+    _begin_anew(n, at.t, zero, exact(behind.mid))
+    rebase(n, at.t.rad, behind.rad)
+    set_matrix(n, zero, exact(-1.0), y.alpha - n.flight.cos, zero)
     n.rising = 1
 
 

@@ -32,7 +32,7 @@ import math
 from cap.sets.doubles import (
     GROWTH,
     Interval,
-    between,
+    clipped,
     is_positive,
     lower,
     magnitude,
@@ -41,6 +41,7 @@ from cap.sets.doubles import (
 
 LIMIT = 2.0**20
 ERROR = 2.0**-52
+WIDE = 0.125  # a radius from which it is worth to remember that |sin| and |cos| are at most 1
 QUARTER_1 = float.fromhex("0x1.921fb54400000p+0")  # 33 bits of π/2
 QUARTER_2 = float.fromhex("0x1.0b4611a600000p-34")  # the next 33
 QUARTER_3 = float.fromhex("0x1.3198a2e037073p-69")  # the nearest double to the rest
@@ -94,7 +95,9 @@ def sin_cos(x: Interval) -> tuple[Interval, Interval]:
     half = 0.5 * r
     sine = Interval(s, (ERROR + (second + first * half)) * GROWTH)
     cosine = Interval(c, (ERROR + (first + second * half)) * GROWTH)
-    return sine, cosine
+    if r < WIDE:
+        return sine, cosine
+    return clipped(sine, -1.0, 1.0), clipped(cosine, -1.0, 1.0)
 
 
 def shifted(sine: Interval, cosine: Interval, by: Interval) -> tuple[Interval, Interval]:
@@ -139,4 +142,3 @@ def _near_acos(x: float) -> float:
     return y
 
 
-__all__ = ["ERROR", "LIMIT", "PI", "TURN", "acos", "between", "shifted", "sin_cos"]
