@@ -1,7 +1,8 @@
 """Compiled: many cells, period after period, each with all its branches."""
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,7 @@ from cap.cells.motion import FLY, LOST, STOPPED, Motion
 from cap.cells.period import DEEPEST, Choices, World, advanced, follow_branch
 from cap.cells.targets import Targets, strobe_label
 from cap.cells.units import inner_box, place, speed_of
-from cap.sets.compiled import kernel, rows
+from cap.sets.compiled import compiled, kernel, rounds_to_nearest, rows, sources
 from cap.sets.doubles import Interval, hull, is_finite, lower, magnitude, upper
 from cap.sets.records import Record, assign
 
@@ -34,6 +35,9 @@ SMOOTH, UNION, OPEN = 0, 1, 2
 EVERY = (1 << STOPPED + 1) - 1
 
 doubleton = rows(Doubleton)
+
+
+Follow = Callable[[World, Targets, Floats, int, "Memory", Floats, "Result"], bool]
 
 
 class Derivative(Record):
@@ -262,15 +266,28 @@ def _write(world: World, room: Room, i: int, count: int, cell: Cell, out: Result
         _write_derivative(world, cell.derivative, out.derivative[i])
 
 
-def follow(
-    world: World, targets: Targets, boxes: Floats, periods: int, memory: Memory, out: Result
-) -> None:
-    """Follow the cells ``boxes`` (N, 4), rows (x low, x high, v low, v high), for some periods."""
-    room, cell = memory
-    for i in range(len(boxes)):
-        count, k = _begin(world, boxes[i], room, cell), 0
-        while k < periods and count > 0:
-            count = _span(world, targets, room, count, cell)
-            k += 1
-        out.periods[i] = k
-        _write(world, room, i, count, cell, out)
+def _compiled(digest: str) -> Follow:
+    @compiled
+    def follow(world, targets, boxes, periods, memory, probe, out):  # type: ignore[no-untyped-def]
+        """Follow cells; see `FOLLOW`."""
+        _ = digest
+        if not rounds_to_nearest(probe):
+            return False
+        room, cell = memory
+        for i in range(len(boxes)):
+            count, k = _begin(world, boxes[i], room, cell), 0
+            while k < periods and count > 0:
+                count = _span(world, targets, room, count, cell)
+                k += 1
+            out.periods[i] = k
+            _write(world, room, i, count, cell, out)
+        return True
+
+    return cast(Follow, follow)
+
+
+FOLLOW = _compiled(sources())
+"""Follow the cells ``boxes`` (N, 4), rows (x low, x high, v low, v high), for some periods.
+
+(world, targets, boxes, periods, memory, probe, out) -> whether the processor rounds as it should.
+"""

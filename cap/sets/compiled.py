@@ -10,12 +10,15 @@ out.  Division gives infinities and NaN instead of exceptions.
 """
 
 import operator
+import platform
 from collections.abc import Callable
 from functools import partial
-from typing import Any, TypeVar
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import types
+from numba import njit, types
 from numba.core import cgutils
 from numba.core.imputils import (
     lower_constant,
@@ -38,12 +41,13 @@ from numba.extending import (
 )
 from numpy.typing import NDArray
 
+from cap.errors import NotProved
 from cap.sets import circular, decay, doubles
 from cap.sets.doubles import Interval
 from cap.sets.records import R, Record, assign, row_of
 
 F = TypeVar("F", bound=Callable[..., Any])
-IEEE = {"error_model": "numpy", "_nrt": False}
+IEEE = {"error_model": "numpy", "_nrt": False}  # no exceptions, and no arrays of its own
 
 
 class _Type(types.Type):  # type: ignore[misc]
@@ -173,6 +177,48 @@ def kernel(function: F) -> F:
     """Let compiled code call a function, which stays what it is for Python."""
     register_jitable(**IEEE)(function)
     return function
+
+
+def compiled(function: F) -> F:
+    """Compile a function that Python calls; it releases the interpreter lock.
+
+    The code is kept for other processes, if there is somewhere to keep it: not if the package is
+    installed where one may not write and there is no home directory.  numba does not notice changes
+    of what is compiled into it: let `sources` be in its closure.
+    """
+    try:
+        return cast(F, njit(function, cache=True, nogil=True, **IEEE))
+    except RuntimeError:  # no locator of a cache
+        return cast(F, njit(function, nogil=True, **IEEE))
+
+
+def sources() -> str:
+    """Return a digest of all that may be compiled: the arithmetic, and the flow of cells."""
+    here = Path(__file__).parent
+    files = sorted([*here.glob("*.py"), *(here.parent / "cells").glob("*.py")])
+    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
+PROBE = np.array([1.0, 2.0**-53, 3 * 2.0**-54, 2.0**-1074, 2.0**-1022, 2.0**900])
+
+
+@kernel
+def rounds_to_nearest(probe: NDArray[np.float64]) -> bool:
+    """Return whether the processor rounds to nearest, with gradual underflow, in this thread.
+
+    ``probe`` is `PROBE`; of constants the compiler would do the sums itself.
+    """
+    one, half, more, least, normal, large = probe
+    ties = one + half == one and one + more > one + half and one - more < one
+    gradual = normal * 0.5 > 0 and least * large > 0 and least + least > least
+    return bool(ties and gradual and -one - more < -one)
+
+
+def require_ieee(found: bool) -> None:
+    """Raise `NotProved` if the processor does not do what the bounds of errors assume."""
+    if not found:
+        reason = "the processor does not round to nearest, or flushes small numbers to zero"
+        raise NotProved("arithmetic", reason, {"machine": platform.machine()})
 
 
 for _function in (

@@ -1,0 +1,57 @@
+"""The door to the compiled flow of cells."""
+
+from fractions import Fraction
+
+import numpy as np
+
+from cap.cells import units
+from cap.cells.flow import Floats, Goals, Images
+from cap.cells.follow import FOLLOW, Result, memory
+from cap.cells.period import World
+from cap.cells.targets import BOX, ELLIPSE, Targets
+from cap.parameters import Parameters
+from cap.sets.compiled import PROBE, require_ieee
+
+
+def world_of(p: Parameters, start: Fraction, span: Fraction) -> World:
+    """Return what is the same for all cells that are followed through spans of time."""
+    system = units.system_of(p)
+    return World(
+        system=system,
+        near=units.near(system),
+        start=units.instant(start),
+        end=units.instant(start + span),
+        units=units.units_of(p),
+    )
+
+
+def follow(
+    p: Parameters, boxes: Floats, periods: Fraction, start: Fraction, goals: Goals
+) -> Images:
+    """Follow cells; see `cap.cells.flow.flow`."""
+    spans, span = (int(periods), Fraction(1)) if periods.denominator == 1 else (1, periods)
+    n = len(boxes)
+    numbers = (np.zeros(n, dtype=np.int64) for _ in range(7))
+    result = Result(
+        np.zeros(n, dtype=np.int8), *numbers, np.full((n, 4), np.nan), np.full((n, 8), np.nan)
+    )
+    world, targets = world_of(p, start, span), targets_of(goals)
+    require_ieee(FOLLOW(world, targets, boxes, spans, memory(), PROBE, result))
+    *most, states, derivative = result
+    return Images(*most, states.reshape(n, 2, 2), derivative.reshape(n, 2, 2, 2))
+
+
+def targets_of(goals: Goals) -> Targets:
+    """Return targets as arrays."""
+    rows = [
+        [*r.centre, *r.matrix[0], *r.matrix[1], ELLIPSE if r.round else BOX] for r in goals.regions
+    ]
+    return Targets(
+        goals.stops,
+        np.array(goals.right[0], dtype=np.float64),
+        np.array(goals.right[1], dtype=np.int64),
+        np.array(goals.left[0], dtype=np.float64),
+        np.array(goals.left[1], dtype=np.int64),
+        np.array(rows, dtype=np.float64).reshape(-1, 7),
+        np.array([r.label for r in goals.regions], dtype=np.int64),
+    )
