@@ -5,17 +5,27 @@ from fractions import Fraction
 import numpy as np
 
 from cap.cells import units
-from cap.cells.flow import Floats, Goals, Images
+from cap.cells.existence import FixedPoints
+from cap.cells.flow import NOWHERE, Floats, Goals, Images
 from cap.cells.follow import FOLLOW, Result, memory
+from cap.cells.krawczyk import SEARCH, Found
+from cap.cells.launch import Launches
+from cap.cells.launches import FLY_OVER, Flights
+from cap.cells.motion import Motion
 from cap.cells.period import World
 from cap.cells.targets import BOX, ELLIPSE, Targets
 from cap.parameters import Parameters
 from cap.sets.compiled import PROBE, require_ieee
 
 
-def world_of(p: Parameters, start: Fraction, span: Fraction) -> World:
-    """Return what is the same for all cells that are followed through spans of time."""
-    system = units.system_of(p)
+HORIZON = Fraction(2)  # periods: no launch is followed longer
+
+
+def world_of(
+    p: Parameters, start: Fraction, span: Fraction, friction: Fraction = Fraction(1)
+) -> World:
+    """Return what is the same for all cells; ``friction`` is 1, or -1 for the friction -f."""
+    system = units.system_of(p, friction)
     return World(
         system=system,
         near=units.near(system),
@@ -55,3 +65,27 @@ def targets_of(goals: Goals) -> Targets:
         np.array(rows, dtype=np.float64).reshape(-1, 7),
         np.array([r.label for r in goals.regions], dtype=np.int64),
     )
+
+
+def fly(p: Parameters, boxes: Floats, friction: Fraction) -> Launches:
+    """Follow launches; see `cap.cells.launch.launches`.  ``friction`` is 1, or -1 for -f."""
+    n = len(boxes)
+    result = Flights(
+        np.zeros(n, dtype=np.int8), np.full((n, 4), np.nan), np.full((n, 8), np.nan)
+    )
+    world = world_of(p, Fraction(0), HORIZON, friction)
+    require_ieee(FLY_OVER(world, boxes, Motion(), PROBE, result))
+    return Launches(
+        result.verdict, result.images.reshape(n, 2, 2), result.derivative.reshape(n, 2, 2, 2)
+    )
+
+
+def search(p: Parameters, boxes: Floats, frictions: Floats) -> FixedPoints:
+    """Prove fixed points; see `cap.cells.existence.fixed_points`."""
+    n = len(boxes)
+    ends = (np.full((n, width), np.nan) for width in (4, 2, 2))
+    found = Found(np.zeros(n, dtype=np.bool_), np.full(n, -1, dtype=np.int64), *ends)
+    world, targets = world_of(p, Fraction(0), Fraction(1)), targets_of(NOWHERE)
+    require_ieee(SEARCH(world, targets, boxes, frictions, memory(), PROBE, found))
+    proved, itinerary, inner, trace, rotation = found
+    return FixedPoints(proved, itinerary, inner.reshape(n, 2, 2), trace, rotation)

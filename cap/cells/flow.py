@@ -146,7 +146,7 @@ def flow(
     """
     from cap.cells.engine import follow  # numba is imported here only
 
-    boxes = _boxes(p, cells)
+    boxes = boxes_of(p, cells)
     whole = Fraction(periods)
     if not (0 < whole < 1 or whole.denominator == 1) or whole < 0:
         raise BadInput(f"give a whole number of periods, or a part of one: not {periods}")
@@ -155,7 +155,7 @@ def flow(
     return follow(p, boxes, whole, start, goals)
 
 
-def _boxes(p: Parameters, cells: ArrayLike) -> Floats:
+def boxes_of(p: Parameters, cells: ArrayLike) -> Floats:
     """Return the cells as an array; raise `BadInput` if they are not cells."""
     boxes = np.ascontiguousarray(cells, dtype=np.float64)
     if boxes.ndim != 2 or boxes.shape[1] != 4:

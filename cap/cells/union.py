@@ -206,7 +206,7 @@ def _stop_gap(y: System, n: Motion, begin: float, end: float) -> Interval:
 
 
 @kernel
-def _windows(y: System, n: Motion, end: Moment) -> Windows:
+def windows(y: System, n: Motion, end: Moment) -> Windows:
     """Return when the motions may stop and hit; ``end`` is as the flight sees it."""
     stops = _stops(y, n, end)
     hits = _hits(y, n, stops)
@@ -255,7 +255,7 @@ def branch(y: System, n: Motion, end: Moment, choice: int) -> int:
 
     Return how many continuations there may be.  A motion of the set has one of them at least.
     """
-    w = _windows(y, n, end)
+    w = windows(y, n, end)
     begin = min(w.hit, w.stop)
     known = is_finite(n.flight.t) and is_finite(n.flight.speed) and is_finite(n.flight.gap)
     if not (known and (begin > w.top or w.top - begin < WIDEST)):

@@ -56,9 +56,9 @@ def units_of(p: Parameters) -> Units:
     return Units(right=enclosing(p.r), length=length, speed=speed)
 
 
-def system_of(p: Parameters) -> System:
-    """Return the constants, enclosed."""
-    alpha, mu = p.f / p.F, p.mu / p.omega
+def system_of(p: Parameters, friction: Fraction = Fraction(1)) -> System:
+    """Return the constants, enclosed; with the friction multiplied by 1 or -1."""
+    alpha, mu = friction * p.f / p.F, p.mu / p.omega
     with interval.workprec(BITS):
         ratio, pi = interval.ball(alpha), interval.pi()
         arc = ratio.acos()
