@@ -78,9 +78,7 @@ def _start(
 
 
 @kernel
-def _near(
-    y: System, n: Motion, side: float, x: Interval, v: Interval, start: Moment
-) -> bool:
+def _near(y: System, n: Motion, side: float, x: Interval, v: Interval, start: Moment) -> bool:
     """Forget all but that the states of a box are near the wall of a side, if they are at it."""
     gap = _gap(y, side, x)
     if not lower(gap) <= 0:
@@ -110,9 +108,7 @@ def _possible(y: System, x: Interval, v: Interval, start: Moment) -> int:
 
 
 @kernel
-def _split(
-    y: System, n: Motion, box: tuple[Interval, Interval], start: Moment, choice: int
-) -> int:
+def _split(y: System, n: Motion, box: tuple[Interval, Interval], start: Moment, choice: int) -> int:
     """Begin the states of a box of one sign, or those with v = 0; return how many ways there are.
 
     Those of one sign are a box of their own, the base of what follows.

@@ -30,9 +30,7 @@ def _nothing() -> Rest:
 
 
 @kernel
-def capture(
-    y: System, side: float, time: Interval, far: float, fast: float, leaving: bool
-) -> Rest:
+def capture(y: System, side: float, time: Interval, far: float, fast: float, leaving: bool) -> Rest:
     """Apply the lemma to a mass within ``far`` of the wall of a side, with |v| <= ``fast``.
 
     ``leaving``: it has just left the wall.  As the window of the lemma is tried a multiple of what
@@ -48,7 +46,9 @@ def capture(
     if not ratio < 1:
         return _nothing()
     arrival = math.sqrt(fast * fast + 2 * hold * far)
-    first = 0.0 if leaving else fast / press + math.sqrt(2 * (far + fast * fast / (2 * press)) / hold)
+    first = (
+        0.0 if leaving else fast / press + math.sqrt(2 * (far + fast * fast / (2 * press)) / hold)
+    )
     again = fast if leaving else y.e.mid * arrival
     estimate = first + again * (1 / press + 1 / math.sqrt(press * hold)) / (1 - ratio)
     if not estimate < 1:

@@ -1,5 +1,6 @@
 """The door to the compiled flow of cells."""
 
+from dataclasses import fields
 from fractions import Fraction
 
 import numpy as np
@@ -16,7 +17,6 @@ from cap.cells.period import World
 from cap.cells.targets import BOX, ELLIPSE, Targets
 from cap.parameters import Parameters
 from cap.sets.compiled import PROBE, require_ieee
-
 
 HORIZON = Fraction(2)  # periods: no launch is followed longer
 
@@ -40,15 +40,12 @@ def follow(
 ) -> Images:
     """Follow cells; see `cap.cells.flow.flow`."""
     spans, span = (int(periods), Fraction(1)) if periods.denominator == 1 else (1, periods)
-    n = len(boxes)
-    numbers = (np.zeros(n, dtype=np.int64) for _ in range(7))
-    result = Result(
-        np.zeros(n, dtype=np.int8), *numbers, np.full((n, 4), np.nan), np.full((n, 8), np.nan)
-    )
-    world, targets = world_of(p, start, span), targets_of(goals)
-    require_ieee(FOLLOW(world, targets, boxes, spans, memory(), PROBE, result))
-    *most, states, derivative = result
-    return Images(*most, states.reshape(n, 2, 2), derivative.reshape(n, 2, 2, 2))
+    images, world = Images.unknown(len(boxes)), world_of(p, start, span)
+    arrays = [getattr(images, field.name) for field in fields(images)]
+    flat = (array.reshape(len(boxes), -1) if array.ndim > 1 else array for array in arrays)
+    result = Result(*flat)
+    require_ieee(FOLLOW(world, targets_of(goals), boxes, spans, memory(), result))
+    return images
 
 
 def targets_of(goals: Goals) -> Targets:
@@ -70,9 +67,7 @@ def targets_of(goals: Goals) -> Targets:
 def fly(p: Parameters, boxes: Floats, friction: Fraction) -> Launches:
     """Follow launches; see `cap.cells.launch.launches`.  ``friction`` is 1, or -1 for -f."""
     n = len(boxes)
-    result = Flights(
-        np.zeros(n, dtype=np.int8), np.full((n, 4), np.nan), np.full((n, 8), np.nan)
-    )
+    result = Flights(np.zeros(n, dtype=np.int8), np.full((n, 4), np.nan), np.full((n, 8), np.nan))
     world = world_of(p, Fraction(0), HORIZON, friction)
     require_ieee(FLY_OVER(world, boxes, Motion(), PROBE, result))
     return Launches(
@@ -86,6 +81,6 @@ def search(p: Parameters, boxes: Floats, frictions: Floats) -> FixedPoints:
     ends = (np.full((n, width), np.nan) for width in (4, 2, 2))
     found = Found(np.zeros(n, dtype=np.bool_), np.full(n, -1, dtype=np.int64), *ends)
     world, targets = world_of(p, Fraction(0), Fraction(1)), targets_of(NOWHERE)
-    require_ieee(SEARCH(world, targets, boxes, frictions, memory(), PROBE, found))
+    require_ieee(SEARCH(world, targets, boxes, frictions, memory(), found))
     proved, itinerary, inner, trace, rotation = found
     return FixedPoints(proved, itinerary, inner.reshape(n, 2, 2), trace, rotation)

@@ -41,14 +41,16 @@ def fixed_points(
     ``cells`` (N, 4): rows (x low, x high, v low, v high), doubles, taken exactly.  ``frictions``
     (N, 2): lower and upper ends of f/F, 0 <= f/F < 1, to be taken instead of that of ``p``.
     """
-    from cap.cells.engine import search  # numba is imported here only
+    from cap.cells.engine import search  # noqa: PLC0415 (numba is imported only here)
 
     boxes = boxes_of(p, cells)
     ranges = np.zeros((0, 2))
     if frictions is not None:
         ranges = np.ascontiguousarray(frictions, dtype=np.float64)
         if ranges.shape != (len(boxes), 2):
-            raise BadInput(f"give the ends of f/F for each box: ({len(boxes)}, 2), not {ranges.shape}")
+            raise BadInput(
+                f"give the ends of f/F for each box: ({len(boxes)}, 2), not {ranges.shape}"
+            )
         if not ((ranges[:, 0] >= 0) & (ranges[:, 0] <= ranges[:, 1]) & (ranges[:, 1] < 1)).all():
             raise BadInput("f/F must be at least 0 and less than 1, its ends in order")
     return search(p, boxes, ranges)

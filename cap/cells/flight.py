@@ -147,13 +147,16 @@ def moment(sign: float, t: Interval) -> Moment:
 
 @kernel
 def cosines(sign: float, begin: float, end: float) -> Interval:
-    """Return all s cos t between two times less than π apart.
+    """Return all s cos t between two times.
 
-    Where the sine has one sign the cosine is monotone; where it is positive at both ends it is so
-    between, and concave.
+    Where the sine has one sign the cosine is monotone.  Between two times less than π apart at
+    which it is positive, it is positive too, and concave.
     """
+    if not end - begin < 3:
+        return Interval(0.0, 1.0)
     span = moment(sign, between(begin, end))
-    first, last = moment(sign, Interval(begin, 0.0)).cos, moment(sign, Interval(end, 0.0)).cos
+    first: Interval = moment(sign, Interval(begin, 0.0)).cos
+    last: Interval = moment(sign, Interval(end, 0.0)).cos
     low, high = min(lower(first), lower(last)), max(upper(first), upper(last))
     if is_positive(span.sin) or is_negative(span.sin):
         return between(low, high)
@@ -161,7 +164,7 @@ def cosines(sign: float, begin: float, end: float) -> Interval:
         return between(low, min(1.0, upper(span.cos)))
     if high < 0:
         return between(max(-1.0, lower(span.cos)), high)
-    return span.cos
+    return Interval(span.cos.mid, span.cos.rad)
 
 
 @kernel
@@ -182,7 +185,8 @@ def slow(y: System, sign: float, k: int) -> Moment:
 @kernel
 def fast_before(y: System, at: Moment) -> Interval:
     """Return the fast time before a slow moment: there, exp(μt) u begins to fall."""
-    return at.t - TURN + 2.0 * y.arc
+    fast: Interval = at.t - TURN + 2.0 * y.arc
+    return fast
 
 
 @kernel

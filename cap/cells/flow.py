@@ -14,6 +14,7 @@ all states of the cell, each of them is followed, and what is written is the uni
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -63,6 +64,16 @@ class Images:
 
     def __len__(self) -> int:
         return len(self.verdict)
+
+    @classmethod
+    def unknown(cls, n: int) -> "Images":
+        """Return what is known of n cells before they have been followed."""
+        names = [field.name for field in fields(cls)]
+        numbers: dict[str, Any] = {name: np.zeros(n, dtype=np.int64) for name in names}
+        numbers["verdict"] = np.full(n, OPEN, dtype=np.int8)
+        numbers["states"] = np.full((n, 2, 2), np.nan)
+        numbers["derivative"] = np.full((n, 2, 2, 2), np.nan)
+        return cls(**numbers)
 
     @classmethod
     def joined(cls, parts: Sequence["Images"]) -> "Images":
@@ -144,7 +155,7 @@ def flow(
     is a cell without a state between the walls.  Each cell is the same, to the last bit, whatever
     the others are.
     """
-    from cap.cells.engine import follow  # numba is imported here only
+    from cap.cells.engine import follow  # noqa: PLC0415 (numba is imported only here)
 
     boxes = boxes_of(p, cells)
     whole = Fraction(periods)

@@ -24,7 +24,7 @@ from cap.cells.motion import FLY, LOST, STOPPED, Motion
 from cap.cells.period import DEEPEST, Choices, World, advanced, follow_branch
 from cap.cells.targets import Targets, strobe_label
 from cap.cells.units import inner_box, place, speed_of
-from cap.sets.compiled import compiled, kernel, rounds_to_nearest, rows, sources
+from cap.sets.compiled import PROBE, compiled, kernel, rounds_to_nearest, rows, sources
 from cap.sets.doubles import Interval, hull, is_finite, lower, magnitude, upper
 from cap.sets.records import Record, assign
 
@@ -37,7 +37,7 @@ EVERY = (1 << STOPPED + 1) - 1
 doubleton = rows(Doubleton)
 
 
-Follow = Callable[[World, Targets, Floats, int, "Memory", Floats, "Result"], bool]
+Follow = Callable[[World, Targets, Floats, int, "Memory", "Result"], bool]
 
 
 class Derivative(Record):
@@ -77,10 +77,11 @@ class Room(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """All the memory that following cells, one after the other, needs."""
+    """All the memory that following cells, one after the other, needs; and `PROBE`."""
 
     room: Room
     cell: Cell
+    probe: Floats
 
 
 class Result(NamedTuple):
@@ -100,9 +101,9 @@ class Result(NamedTuple):
 
 def memory() -> Memory:
     """Return memory for cells."""
-    taken, count = (np.zeros(DEEPEST + 1, dtype=np.int64) for _ in range(2))
+    taken, ways = (np.zeros(DEEPEST + 1, dtype=np.int64) for _ in range(2))
     now, following = (np.zeros((ROOM, Doubleton.SIZE)) for _ in range(2))
-    return Memory(Room(now, following, Choices(taken, count)), Cell())
+    return Memory(Room(now, following, Choices(taken, ways)), Cell(), PROBE)
 
 
 @kernel
@@ -268,12 +269,12 @@ def _write(world: World, room: Room, i: int, count: int, cell: Cell, out: Result
 
 def _compiled(digest: str) -> Follow:
     @compiled
-    def follow(world, targets, boxes, periods, memory, probe, out):  # type: ignore[no-untyped-def]
+    def follow(world, targets, boxes, periods, memory, out):  # type: ignore[no-untyped-def]
         """Follow cells; see `FOLLOW`."""
         _ = digest
+        room, cell, probe = memory
         if not rounds_to_nearest(probe):
             return False
-        room, cell = memory
         for i in range(len(boxes)):
             count, k = _begin(world, boxes[i], room, cell), 0
             while k < periods and count > 0:
@@ -289,5 +290,5 @@ def _compiled(digest: str) -> Follow:
 FOLLOW = _compiled(sources())
 """Follow the cells ``boxes`` (N, 4), rows (x low, x high, v low, v high), for some periods.
 
-(world, targets, boxes, periods, memory, probe, out) -> whether the processor rounds as it should.
+(world, targets, boxes, periods, memory, out) -> whether the processor rounds as it should.
 """

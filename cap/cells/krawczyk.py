@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.cells.doubleton import derivative, set_box
-from cap.cells.flight import Matrix, System
+from cap.cells.flight import Matrix
 from cap.cells.follow import Cell, Memory
 from cap.cells.motion import FLY
 from cap.cells.period import World, follow_branch
@@ -44,7 +44,7 @@ class Found(NamedTuple):
     rotation: Floats
 
 
-Search = Callable[[World, Targets, Floats, Floats, Memory, Floats, Found], bool]
+Search = Callable[[World, Targets, Floats, Floats, Memory, Found], bool]
 
 
 @kernel
@@ -120,10 +120,10 @@ def _write(world: World, box: Floats, cell: Cell, i: int, out: Found) -> None:
 
 def _compiled(digest: str) -> Search:
     @compiled
-    def search(world, targets, boxes, frictions, memory, probe, out):  # type: ignore[no-untyped-def]
+    def search(world, targets, boxes, frictions, memory, out):  # type: ignore[no-untyped-def]
         """Prove fixed points; see `SEARCH`."""
         _ = digest
-        if not rounds_to_nearest(probe):
+        if not rounds_to_nearest(memory.probe):
             return False
         cell = memory.cell
         for i in range(len(boxes)):
@@ -139,5 +139,5 @@ def _compiled(digest: str) -> Search:
 SEARCH = _compiled(sources())
 """Prove fixed points of Φ in ``boxes`` (N, 4), at the values (N, 2) of α, or at that of the world.
 
-(world, targets, boxes, frictions, memory, probe, out) -> whether the processor rounds as it should.
+(world, targets, boxes, frictions, memory, out) -> whether the processor rounds as it should.
 """

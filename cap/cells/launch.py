@@ -41,7 +41,7 @@ def launches(p: Parameters, cells: ArrayLike, *, backward: bool = False) -> Laun
     and F/ω, 0 <= t <= 7 and u >= 0.  Where u may be 0, nothing is decided.  ``backward``: with
     friction -f, for the inverse of G; assumes e = 1 and μ = 0.
     """
-    from cap.cells.engine import fly  # numba is imported here only
+    from cap.cells.engine import fly  # noqa: PLC0415 (numba is imported only here)
 
     boxes = np.ascontiguousarray(cells, dtype=np.float64)
     if boxes.ndim != 2 or boxes.shape[1] != 4:

@@ -17,7 +17,7 @@ from cap.cells.motion import FLY, Motion, exact, rebase, set_matrix
 from cap.cells.period import World
 from cap.cells.scout import HIT, STOP, scout
 from cap.cells.transverse import hit, stop
-from cap.cells.union import windows
+from cap.cells.windows import windows
 from cap.sets.compiled import compiled, kernel, rounds_to_nearest, sources
 from cap.sets.doubles import Interval, between, is_positive, lower, upper
 

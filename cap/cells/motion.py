@@ -55,7 +55,8 @@ class Motion(Record):
 
     ``rising``: v was 0 when the flight began, for some of the motions, and the forcing has pushed
     all of them ahead since.  ``bounced``: it began with a hit.  ``words`` has a bit for each of
-    `WORDS` that occurred, ``maybe`` for others that may have; ``itinerary`` lists them (`tell`).  ``near`` is room for doubles.
+    `WORDS` that occurred, ``maybe`` for others that may have; ``itinerary`` lists them (`tell`).
+    ``near`` is room for doubles.
     """
 
     kind: int

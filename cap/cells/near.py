@@ -186,9 +186,7 @@ def _size(x: Interval) -> Interval:
 
 
 @kernel
-def _settle(
-    y: System, n: Motion, until: float, size: tuple[float, float], choice: int
-) -> int:
+def _settle(y: System, n: Motion, until: float, size: tuple[float, float], choice: int) -> int:
     """Let the motions come to rest by a time, at the wall or before it.
 
     If the release that follows is away from the wall, it does not matter which.

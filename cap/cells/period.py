@@ -41,7 +41,7 @@ class Choices(NamedTuple):
     """At the undecided events of a branch: which continuation is taken, and of how many."""
 
     taken: NDArray[np.int64]
-    count: NDArray[np.int64]
+    ways: NDArray[np.int64]
 
 
 @kernel
@@ -92,7 +92,7 @@ def follow_branch(
     count = begin(world.system, n, d, start, choice)
     for _ in range(MOST_EVENTS):
         if count > 1:
-            choices.taken[depth], choices.count[depth] = choice, count
+            choices.taken[depth], choices.ways[depth] = choice, count
             depth += 1
         if n.ended != 0 or depth >= DEEPEST:
             break
@@ -112,7 +112,7 @@ def advanced(choices: Choices, depth: int) -> int:
     """Choose the next branch; return how many of its choices are given, 0 if there is none."""
     while depth > 0:
         choices.taken[depth - 1] += 1
-        if choices.taken[depth - 1] < choices.count[depth - 1]:
+        if choices.taken[depth - 1] < choices.ways[depth - 1]:
             return depth
         depth -= 1
     return 0

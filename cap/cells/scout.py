@@ -36,7 +36,7 @@ def _root(
             low = t
         else:
             high = t
-        new = t - value / slope
+        new: float = t - value / slope
         if not (low <= new <= high):
             new = 0.5 * (low + high)
         if abs(new - t) < _CLOSE:

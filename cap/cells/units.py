@@ -2,6 +2,8 @@
 
 import math
 from fractions import Fraction
+from typing import Any
+
 from cap import interval
 from cap.cells.flight import Instant, NearSystem, System
 from cap.interval import Ball
@@ -80,7 +82,9 @@ def system_of(p: Parameters, friction: Fraction = Fraction(1)) -> System:
 def near(y: System) -> NearSystem:
     """Return the constants in doubles: they steer."""
     values = {name: getattr(y, name) for name in y.FIELDS}
-    middles = {k: q.mid if isinstance(q, Interval) else q for k, q in values.items()}
+    middles: dict[str, Any] = {
+        name: q.mid if isinstance(q, Interval) else q for name, q in values.items()
+    }
     return NearSystem(**middles)
 
 
@@ -103,5 +107,3 @@ def of_ball(x: Ball) -> Interval:
     gap = max(high - Fraction(mid), Fraction(mid) - low)
     rad = float(gap)
     return Interval(mid, rad if Fraction(rad) >= gap else math.nextafter(rad, math.inf))
-
-

@@ -142,3 +142,7 @@ def _near_acos(x: float) -> float:
     return y
 
 
+BRANCHING = (
+    *(sin_cos_of_double, sin_cos, shifted, acos),
+    *(_sine_tail, _cosine_tail, _near_acos),
+)

@@ -87,3 +87,6 @@ def _nothing() -> Interval:
 def relaxed(mu: Any, d: Any) -> Any:
     """Return `relax` of intervals, `relax_double` of doubles."""
     return relax(mu, d) if isinstance(d, Interval) else relax_double(mu, d)
+
+
+BRANCHING = (relax, relax_double, _halved, _series, _nothing)

@@ -217,3 +217,6 @@ def enclosing(value: Fraction | int) -> Interval:
     gap = abs(exact - Fraction(mid))
     rad = float(gap)
     return Interval(mid, rad if Fraction(rad) >= gap else math.nextafter(rad, math.inf))
+
+
+BRANCHING = (divide, sqrt, is_finite, between, hull, clipped)

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from cap.sets.doubles import Interval
 
-
 R = TypeVar("R", bound="Record")
 
 
