@@ -113,13 +113,13 @@ def square(x: Interval) -> Interval:
 
 
 def divide(x: Interval, y: Interval) -> Interval:
-    """Return x / y; NaN unless y is certain not to contain 0.
+    """Return x / y; NaN unless y is bounded, and certain not to contain 0.
 
     With q = fl(m/n): x/y - m/n = ((x - m) + (m/n)(n - y))/y, and |m/n| <= |q| (1 + u) + 2^-1075,
     so |x/y - m/n| <= (r_x + (|q| (1 + u) + 2^-1075) r_y)/(|n| - r_y).  Nine roundings.
     """
     least = abs(y.mid) - y.rad
-    if not least > 0:
+    if not 0 < least < math.inf:
         return Interval(math.nan, math.nan)
     q = x.mid / y.mid
     spread = ((x.rad + (abs(q) + TINY) * y.rad) + TINY) / least
