@@ -1,0 +1,1 @@
+"""The flow of cells: boxes of states, by the million, through all events, in doubles that prove."""

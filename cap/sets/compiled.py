@@ -1,0 +1,103 @@
+"""Compiled code that computes with intervals of doubles.
+
+Importing this module teaches numba the type `Interval`, its operators, and the functions of
+`cap.sets.doubles` and its companions.  A float operand stands for itself, exactly.  Nothing
+contracts a product and a sum to one operation (the tests look at the code that comes out), and
+division gives infinities and NaN instead of exceptions.
+"""
+
+import operator
+import platform
+from collections.abc import Callable
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+import numpy as np
+from numba import njit
+from numba.extending import overload, register_jitable
+from numpy.typing import NDArray
+
+from cap.errors import NotProved
+from cap.sets import circular, decay, doubles
+from cap.sets.doubles import Interval
+from cap.sets.lowering import DOUBLE, INTERVAL, rows
+
+F = TypeVar("F", bound=Callable[..., Any])
+IEEE: Any = {"error_model": "numpy", "_nrt": False}  # no exceptions, and no arrays of its own
+
+__all__ = ["PROBE", "compiled", "kernel", "require_ieee", "rounds_to_nearest", "rows", "sources"]
+
+
+def kernel(function: F) -> F:
+    """Let compiled code call a function, which stays what it is for Python."""
+    register_jitable(**IEEE)(function)
+    return function
+
+
+for _function in (*doubles.BRANCHING, *circular.BRANCHING, *decay.BRANCHING):
+    kernel(cast(Any, _function))
+
+overload(decay.relaxed, jit_options=IEEE, strict=False)(
+    lambda *operands: decay.relax if operands[1] is INTERVAL else decay.relax_double
+)
+
+
+def _quotient(*operands: Any) -> Any:
+    def left(x: Any, y: Any) -> Any:
+        return doubles.divide(x, Interval(y, 0.0))
+
+    def right(x: Any, y: Any) -> Any:
+        return doubles.divide(Interval(x, 0.0), y)
+
+    patterns: dict[Any, Any] = {
+        (INTERVAL, INTERVAL): doubles.divide,
+        (INTERVAL, DOUBLE): left,
+        (DOUBLE, INTERVAL): right,
+    }
+    return patterns.get(operands)
+
+
+overload(operator.truediv, jit_options=IEEE, strict=False)(_quotient)
+
+
+def compiled(function: F) -> F:
+    """Compile a function that Python calls; it releases the interpreter lock.
+
+    The code is kept for other processes, if there is somewhere to keep it: not if the package is
+    installed where one may not write and there is no home directory.  numba does not notice changes
+    of what is compiled into it: let `sources` be in its closure.
+    """
+    try:
+        return cast(F, njit(cache=True, nogil=True, **IEEE)(function))
+    except RuntimeError:  # no locator of a cache
+        return cast(F, njit(nogil=True, **IEEE)(function))
+
+
+def sources() -> str:
+    """Return a digest of all that may be compiled: the arithmetic, and the flow of cells."""
+    here = Path(__file__).parent
+    files = sorted([*here.glob("*.py"), *(here.parent / "cells").glob("*.py")])
+    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+
+
+PROBE = np.array([1.0, 2.0**-53, 3 * 2.0**-54, 2.0**-1074, 2.0**-1022, 2.0**900])
+
+
+@kernel
+def rounds_to_nearest(probe: NDArray[np.float64]) -> bool:
+    """Return whether the processor rounds to nearest, with gradual underflow, in this thread.
+
+    ``probe`` is `PROBE`; of constants the compiler would do the sums itself.
+    """
+    one, half, more, least, normal, large = probe
+    ties = one + half == one and one + more > one + half and one - more < one
+    gradual = normal * 0.5 > 0 and least * large > 0 and least + least > least
+    return bool(ties and gradual and -one - more < -one)
+
+
+def require_ieee(found: bool) -> None:
+    """Raise `NotProved` if the processor does not do what the bounds of errors assume."""
+    if not found:
+        reason = "the processor does not round to nearest, or flushes small numbers to zero"
+        raise NotProved("arithmetic", reason, {"machine": platform.machine()})
