@@ -1,0 +1,73 @@
+(** * The checker is right: if its tests succeed, the theorem holds with these numbers *)
+
+From Coq Require Import Reals Lra Lia ZArith Bool List.
+From Coquelicot Require Import Coquelicot.
+From Cap Require Import Statement Flight Jet Stages Image OneOne Asymmetric Orbit Box Elliptic Enclosure
+  Data EvalOrbit Check CheckedUnits CheckedBox CheckedOrbit CheckedMap.
+Open Scope R_scope.
+
+Section Checked.
+
+Variables (n : data) (h : hints).
+Hypothesis checks : check n h = true.
+
+Notation p := (Enclosure.F.PtoP (bits h)).
+Definition o : shape := the_shape n h.
+Definition s : around I.type := eval_state p (scaled_f n p) (scaled_l n p) (scaled_r n p) o.
+
+Lemma split_checks : forallb snd (orbit_tests n h o s) = true /\
+  forallb snd (map_tests n h (jmap (iv p) s)) = true /\ forallb snd (box_tests n h) = true.
+Proof.
+  assert (H := checks). unfold check, tests in H. cbv zeta in H. fold o in H. fold s in H.
+  rewrite !forallb_app, !andb_true_iff in H. exact H.
+Qed.
+
+Theorem checked : elliptic_orbit (value (F_ n)) (value (w_ n)) (value (f_ n)) (value (l_ n)) (value (r_ n))
+  (claims_of n).
+Proof.
+  destruct split_checks as (To & Tm & Tb).
+  assert (ok := parameters_ok n h o s To). apply (in_given_units n ok).
+  assert (W := walls n ok). assert (Sm := f_small n ok).
+  destruct (d_exists n h o s To) as (d & d_not_0 & Big & Fr & Dd).
+  assert (Eq := asymmetric (f n) (l n) (r n) W d d_not_0 Big Fr).
+  assert (Fit := inn_asymmetric p (l n) (r n) d _ _ (inn_rho n p) Dd).
+  fold o in Fit. change (eval_asymmetric p (scaled_rho n p) (bracket h) (eval_G p (bracket h))) with o in Fit.
+  set (S := S_of (l n) (r n) d) in *. set (C := C_of (l n) (r n) d) in *.
+  set (V := W_of (l n) (r n) d) in *. set (phi := phi_of (l n) (r n) d) in *.
+  clearbody S C V phi.
+  destruct (inn_state p (f n) (l n) (r n) d S C V phi _ _ _ o (inn_f n p) (inn_l n p) (inn_r n p) Eq Fit)
+    as (St & U1 & U2).
+  change (eval_state p (scaled_f n p) (scaled_l n p) (scaled_r n p) o) with s in St.
+  assert (Cl := sufficient (f n) (l n) (r n) d S C V phi Eq).
+  set (t1 := hit1 d phi) in *. set (t2 := hit2 d phi) in *.
+  set (u1 := speed1 (f n) d V) in *. set (u2 := speed2 (f n) d V) in *. clearbody t1 t2 u1 u2.
+  destruct (jmap_in p _ _ St) as [Jx Jv].
+  rewrite (surjective_pairing (jmap (iv p) s)) in Tm.
+  assert (M := map_ok n h ok _ _ _ _ Jx Jv Tm).
+  destruct St as (_ & _ & _ & _ & X0 & V0 & T1 & Sin1 & Cos1 & _ & T2 & Sin2 & Cos2 & _).
+  cbn [state e_x e_v e_t1 e_sin1 e_cos1 e_t2 e_sin2 e_cos2] in X0, V0, T1, Sin1, Cos1, T2, Sin2, Cos2.
+  assert (Ord := order_ok n h o s To t1 t2 T1 T2).
+  destruct (least_ok n h o s To t1 t2 u1 u2 T1 Sin1 T2 Sin2 U1 U2 Cl) as (Lp & Slow & Fast).
+  destruct (claims_ok n h o s To t1 t2 u1 u2 _ _ T1 Cos1 T2 Cos2 U1 U2 X0 V0)
+    as [K1 K2 K3 K4 K5 K6 K7 K8].
+  assert (ImP : image 1 1 (f n) (l n) (r n) 1 (start_x (f n) (l n) t2 u2) (start_v (f n) t2 u2)
+    (start_x (f n) (l n) t2 u2) (start_v (f n) t2 u2)).
+  { destruct (speeds_above (f n) (l n) (r n) Sm t1 t2 u1 u2 Cl Ord _ Slow) as [Bk Fo].
+    assert (Ord3 : 0 < t1 /\ t1 < t2 /\ t2 < 2 * PI) by lra.
+    assert (Ps := orbit_passes (f n) (l n) (r n) t1 t2 u1 u2 _ Ord3 Cl Lp Bk Fo).
+    assert (Im := passes_image (f n) (l n) (r n) W _ _ _ _ Ps).
+    destruct (orbit_returns (f n) (l n) (r n) t1 t2 u1 u2 Cl) as [E1 E2]. rewrite E1, E2 in Im. exact Im. }
+  apply (elliptic_of_numbers (f n) (l n) (r n) W Sm t1 t2 u1 u2 Cl Ord
+    (sign_of (snd (jmap (iv p) s)))).
+  destruct M. split; try assumption.
+  intros a b Ha Hb. assert (K := box_known n h ok Tb a b Ha Hb).
+  split. exact (known_image (f n) (l n) (r n) W a b _ _ K).
+  intros Im. destruct (friction_known n h Tb) as [sg Fk].
+  apply (fixed_unique (f n) (l n) (r n) W
+    (fun a b => within (box_x (the_claims n)) a /\ within (box_v (the_claims n)) b)
+    _ _ sg (fun d Hd => conj (proj1 (Fk d Hd)) (proj1 (proj2 (Fk d Hd))))
+    (fun d Hd => proj2 (proj2 (Fk d Hd)))
+    (fun a b H => box_known n h ok Tb a b (proj1 H) (proj2 H))); auto.
+Qed.
+
+End Checked.
