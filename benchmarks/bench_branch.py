@@ -10,8 +10,8 @@ from fractions import Fraction
 
 import pytest
 
+from cap.cells.subdivision import UNDECIDED, Cell, Workers, cells_between, subdivide
 from cap.parameters import PAPER
-from cap.subdivision import UNDECIDED, Cell, Workers, cells_between, subdivide
 from proofs import branch
 
 RHO = PAPER.R * PAPER.omega**2 / PAPER.F

@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 from cap.checker import forms
-from cap.checker.certificate import MAX_WORK, work
+from cap.checker.kernel.certificate import MAX_WORK, work
 from cap.checker.theorem import check
-from cap.fixed_point import Start
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from proofs import theorems
 from proofs.fixed_point import Setting

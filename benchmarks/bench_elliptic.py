@@ -13,14 +13,15 @@ import peer
 import pytest
 from mpmath import iv
 
-from cap import fixed_point, interval, matrix
 from cap.checker.theorem import check
-from cap.event import BALLS, TAYLOR_MODELS
-from cap.fixed_point import Start
-from cap.flow import oscillator, strobe
-from cap.jet_transport import strobe_jet
+from cap.flow.event import BALLS, TAYLOR_MODELS
+from cap.flow.jet_transport import strobe_jet
+from cap.flow.strobe import oscillator, strobe
+from cap.maps import fixed_point
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
-from cap.taylor_model import Domain
+from cap.sets import interval, matrix
+from cap.sets.taylor_model import Domain
 
 TIMES = 1.0991729107, 3.5160904414
 START = Start.non_sticking(0.1002798898441954, 0.5419433067664584, TIMES)

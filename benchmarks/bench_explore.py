@@ -13,8 +13,8 @@ import time
 import numpy as np
 import pytest
 
-from cap.approx import alignment, fate, swarm
-from cap.approx.work import Work
+from cap.floats import alignment, fate, swarm
+from cap.floats.work import Work
 from cap.parameters import PAPER
 
 solve_ivp = pytest.importorskip("scipy.integrate").solve_ivp

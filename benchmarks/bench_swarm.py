@@ -3,7 +3,7 @@
     python -m pytest -n0 benchmarks/bench_swarm.py --benchmark-columns=min,median
 
 The states are spread over [-1, 1] x [-2, 2] at the paper's parameters.  Extra information:
-states times periods in a second; the peer is `cap.approx.flow`, in pure Python, for an orbit that
+states times periods in a second; the peer is `cap.floats.flow`, in pure Python, for an orbit that
 neither turns nor sticks.
 """
 
@@ -15,8 +15,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.approx import flow, swarm
-from cap.itinerary import oscillator
+from cap.floats import flow, swarm
+from cap.flow.itinerary import oscillator
 from cap.parameters import PAPER
 
 ELLIPTIC = 0.1002798898441954, 0.5419433067664584
@@ -68,7 +68,7 @@ def test_peer_pure_python(benchmark):
 @pytest.mark.parametrize("cache", ["cold", "warm"])
 def test_first_orbit_of_a_process(benchmark, tmp_path, monkeypatch, cache):
     """Import, compile or load from the cache, one orbit."""
-    program = "from cap.approx import swarm, flow; from cap.parameters import PAPER; "
+    program = "from cap.floats import swarm, flow; from cap.parameters import PAPER; "
     program += "swarm.follow(PAPER, [(0.1, 0.5)], 1)"
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     run = [sys.executable, "-c", program]

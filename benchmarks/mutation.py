@@ -39,7 +39,14 @@ TARGET = "cap/checker"
 TESTS = ("test_checker_*.py", "test_tampering*.py", "test_certificates.py", "test_latex.py")
 SEEN = builtins.SEEN = set()  # (path, line) of the checker's statements that were executed
 FIRST = 4
-LOADED = ("cap.flow", "cap.twist", "cap.impact_map", "cap.fixed_point", "jsonschema", "mpmath")
+LOADED = (
+    "cap.flow.strobe",
+    "cap.maps.twist",
+    "cap.one_one.transport",
+    "cap.maps.fixed_point",
+    "jsonschema",
+    "mpmath",
+)
 
 
 class Runner:

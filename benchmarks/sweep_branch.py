@@ -13,7 +13,7 @@ from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 
 from cap.errors import BadInput, NotProved
-from cap.fixed_point import Start
+from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
 from proofs import theorems
 from proofs.fixed_point import Setting

@@ -1,17 +1,17 @@
 """Prove a theorem: ``python -m cap.prove elliptic``.
 
 Exit status 0 if everything was proved and the checker accepted the certificate, 1 if not, 2 on bad
-input, 130 after an interrupt.  See `cap.prover`.
+input, 130 after an interrupt.  See `cap.command.prover`.
 """
 
 from collections.abc import Sequence
 
-from cap import entry
+from cap.command import entry
 
 
 def main(words: Sequence[str] | None = None) -> int:
     """Run the command line; return its exit status."""
-    return entry.run("cap.prover:main", words)
+    return entry.run("cap.command.prover:main", words)
 
 
 if __name__ == "__main__":

@@ -1,17 +1,17 @@
 """Verify certificates: ``python -m cap.verify FILE...``.
 
 Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line, 130 after
-an interrupt.  See `cap.verifier`.
+an interrupt.  See `cap.command.verifier`.
 """
 
 from collections.abc import Sequence
 
-from cap import entry
+from cap.command import entry
 
 
 def main(words: Sequence[str] | None = None) -> int:
     """Run the command line; return its exit status."""
-    return entry.run("cap.verifier:main", words)
+    return entry.run("cap.command.verifier:main", words)
 
 
 if __name__ == "__main__":

@@ -97,7 +97,7 @@ if __name__ == "__main__":
 # %%
 import numpy as np
 
-from cap.approx import swarm
+from cap.floats import swarm
 from cap.parameters import PAPER
 
 states = np.array([(0.1, 0.55), (0.5, 0.5), (0.999, 0.01), (0.0, 0.0)])
@@ -267,14 +267,15 @@ Path("wrong-f.json").write_text(text.replace('"9/20"', '"7/20"'))
 # %% [markdown]
 # ## 10. A theorem for all f, and what there is for you
 #
-# The pair of step 6, above f = 0.348, is known in closed form, with one parameter δ: `cap.impact`
-# has the formulas. Here they are evaluated in enclosures, without any search (ρ is Rω²/F):
+# The pair of step 6, above f = 0.348, is known in closed form, with one parameter δ:
+# `cap.one_one.closed_form` has the formulas. Here they are evaluated in enclosures, without any
+# search (ρ is Rω²/F):
 
 # %%
 from fractions import Fraction
 
-from cap import interval
-from cap.impact import asymmetric
+from cap.one_one.closed_form import asymmetric
+from cap.sets import interval
 
 with interval.workprec(100):
     print("delta f            trace        least speed on each flight")
@@ -304,8 +305,8 @@ with interval.workprec(100):
 
 # %%
 from cap.errors import NotProved
+from cap.flow.propagation import after_periods
 from cap.parameters import Parameters
-from cap.propagation import after_periods
 
 e, mu = Fraction("0.9"), Fraction("0.05")
 lossy = Parameters(F=1, omega=1, f=Fraction("0.4"), l=-1, r=1, e=e, mu=mu)
@@ -339,9 +340,9 @@ with interval.workprec(100):
 # mod 2π.  Write the map once; jets over enclosures give its derivative; `contract` proves.
 
 # %%
-from cap import matrix
-from cap.jet import Jet
-from cap.krawczyk import Preconditioner, contract
+from cap.maps.krawczyk import Preconditioner, contract
+from cap.sets import matrix
+from cap.sets.jet import Jet
 
 
 def table(phi, w):

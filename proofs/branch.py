@@ -18,10 +18,10 @@ whose velocity never vanishes and that hit each wall once per period, for all f 
        an f with τ_1 = 0.
 
 Proof.  In scaled units the pair is explicit in a parameter δ, half of what the time between the
-hits exceeds T/2, and α = f/F decreases in δ on (0, δ_max) (`cap.impact`): uniqueness and (i)
-follow where the least speed is positive.  The rest is computed: cells [δ', δ''] cover [0, δ_end].
-On each, the closed form is evaluated over Taylor models in δ, with the derivatives by δ as a jet
-over them:
+hits exceeds T/2, and α = f/F decreases in δ on (0, δ_max) (`cap.one_one.closed_form`): uniqueness
+and (i) follow where the least speed is positive.  The rest is computed: cells [δ', δ''] cover [0,
+δ_end]. On each, the closed form is evaluated over Taylor models in δ, with the derivatives by δ as
+a jet over them:
 
  - after the right hit u has its local minimum on the flight; it is less than u at the hits and at
    the other local minimum (on the first cell, where these are equal at δ = 0, by the derivative),
@@ -29,7 +29,7 @@ over them:
  - the trace T has T'(0) = 0, as it is even in δ, T'' < 0 on the first cell, and T' < 0 on the
    others;
  - (1 + T) τ_1, which has no pole at the resonance 1/3, from jets of order three of the two impacts
-   over Taylor models (`cap.impact_map`, `cap.twist`): its values, where they exclude 0.
+   over Taylor models (`cap.one_one.transport`, `cap.maps.twist`): its values, where they exclude 0.
 
 Changes of sign of T - 2 cos 2πp/q, of the least speed, and of (1 + T) τ_1 are enclosed by
 evaluation at exact δ.  Twist and Moser's theorem are about the map from one right hit to the next,
@@ -43,16 +43,16 @@ from functools import partial
 from math import ceil
 from typing import NamedTuple
 
-from cap import interval
-from cap.certificate import NONE
+from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
+from cap.certificate.writer import NONE
 from cap.errors import BadInput, NotProved
-from cap.impact import asymmetric
-from cap.impact_map import period_jet
-from cap.interval import Ball
-from cap.jet import Jet
-from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
-from cap.taylor_model import Domain, TaylorModel
-from cap.twist import regular_twist
+from cap.maps.twist import regular_twist
+from cap.one_one.closed_form import asymmetric
+from cap.one_one.transport import period_jet
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet
+from cap.sets.taylor_model import Domain, TaylorModel
 from proofs.branch_curve import Bracket, Curve, Part, decimals
 from proofs.citation import MOSER, cited
 from proofs.fixed_point import Proof, Setting, assembled

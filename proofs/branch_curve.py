@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap import bisection, interval
-from cap.certificate import NONE, Pair
+from cap.cells.subdivision import Cell
+from cap.certificate.writer import NONE, Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
-from cap.impact import Orbit, asymmetric
-from cap.interval import Ball
-from cap.subdivision import Cell
+from cap.one_one.closed_form import Orbit, asymmetric
+from cap.sets import bisection, interval
+from cap.sets.interval import Ball
 from proofs.one_one import Scale, asymmetry
 
 MOST = 8  # the largest denominator of the resonances listed

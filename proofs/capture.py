@@ -4,7 +4,7 @@ the interior of an explicit box makes infinitely many impacts with one wall, whi
 time in an explicit interval; then the mass rests at the wall until an explicit release time.
 
 Lemma 1 follows all orbits from the box to a hit, with which the infinitely many begin; if the box
-lies at the wall, there is nothing to follow.  Lemma 2 is the lemma of `cap.capture` (ratio and
+lies at the wall, there is nothing to follow.  Lemma 2 is the lemma of `cap.flow.capture` (ratio and
 duration of the bounces over a window of time, geometric sum), applied to the whole box.
 
 *Against Theorem wellposed of the paper.*  Step 4 of its proof excludes that hits accumulate, since
@@ -24,15 +24,16 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from cap import bisection, certificate, interval
-from cap.capture import Accumulation, Entry, accumulation
+from cap.certificate import writer as certificate
 from cap.errors import BadInput, NotProved
-from cap.event import TAYLOR_MODELS, Expected, next_slow
-from cap.fixed_point import Itinerary, windows_for
-from cap.flow import Orbit, State, follow, oscillator
-from cap.interval import Ball
-from cap.model import Moment, Oscillator
-from cap.taylor_model import Domain, TaylorModel
+from cap.flow.capture import Accumulation, Entry, accumulation
+from cap.flow.event import TAYLOR_MODELS, Expected, next_slow
+from cap.flow.model import Moment, Oscillator
+from cap.flow.strobe import Orbit, State, follow, oscillator
+from cap.maps.fixed_point import Itinerary, windows_for
+from cap.sets import bisection, interval
+from cap.sets.interval import Ball
+from cap.sets.taylor_model import Domain, TaylorModel
 from proofs.fixed_point import Proof, Setting, assembled
 
 BITS = 128  # the box is of no extreme size
@@ -197,7 +198,7 @@ def _lemma(
     choice: tuple[Fraction, Fraction],
     u: Fraction,
 ) -> Accumulation:
-    """Apply the lemma of `cap.capture` at t = 0."""
+    """Apply the lemma of `cap.flow.capture` at t = 0."""
     until, ratio = choice
     entry = Entry(Ball(0), interval.ball(_far(setting, ratio, u)), interval.ball(u), leaving=False)
     return accumulation(osc, side, entry, interval.ball(until))

@@ -1,17 +1,17 @@
 """All (1,1) orbits at given parameters: T-periodic, with a velocity that never vanishes and one hit
 of each wall per period.  Orbits that hit each wall once and turn or stick are not among them.
 
-By `cap.impact` they are at most four: the symmetric ones, plus and minus, and one asymmetric pair.
-Each is decided in balls: whether it exists, and its type.
+By `cap.one_one.closed_form` they are at most four: the symmetric ones, plus and minus, and one
+asymmetric pair. Each is decided in balls: whether it exists, and its type.
 """
 
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap import interval
 from cap.errors import NotProved
-from cap.impact import Orbit, asymmetric, birth, friction, symmetric
-from cap.interval import Ball
+from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
+from cap.sets import interval
+from cap.sets.interval import Ball
 from proofs.one_one import asymmetry
 
 BITS = 160

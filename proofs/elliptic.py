@@ -24,16 +24,18 @@ bounds, on an explicit disk, how far Φ is from its Taylor polynomial.
 from fractions import Fraction
 from typing import Any
 
-from cap import certificate, interval, normal_form
+from cap.certificate import writer as certificate
 from cap.errors import NotProved
-from cap.event import TAYLOR_MODELS
-from cap.fixed_point import FixedPoint, Neighbourhood
-from cap.flow import strobe
-from cap.interval import Ball
-from cap.jet import Jet
-from cap.jet_transport import strobe_jet
-from cap.model import Oscillator
-from cap.taylor_model import Domain, TaylorModel
+from cap.flow.event import TAYLOR_MODELS
+from cap.flow.jet_transport import strobe_jet
+from cap.flow.model import Oscillator
+from cap.flow.strobe import strobe
+from cap.maps import normal_form
+from cap.maps.fixed_point import FixedPoint, Neighbourhood
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet
+from cap.sets.taylor_model import Domain, TaylorModel
 from proofs import non_sticking
 from proofs.citation import MOSER, cited
 from proofs.fixed_point import Proof, Setting

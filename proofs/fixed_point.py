@@ -8,13 +8,14 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from cap import fixed_point, interval
-from cap.certificate import FORMAT, Rounding, Units
+from cap.cells.subdivision import Workers
+from cap.certificate.writer import FORMAT, Rounding, Units
 from cap.errors import NotProved
-from cap.fixed_point import FixedPoint, Neighbourhood, Reach, Start
-from cap.model import Oscillator
+from cap.flow.model import Oscillator
+from cap.maps import fixed_point
+from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.parameters import Parameters
-from cap.subdivision import Workers
+from cap.sets import interval
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,11 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from cap import certificate, interval, matrix
-from cap.fixed_point import FixedPoint, Neighbourhood
-from cap.flow import oscillator
-from cap.model import Oscillator
+from cap.certificate import writer as certificate
+from cap.flow.model import Oscillator
+from cap.flow.strobe import oscillator
+from cap.maps.fixed_point import FixedPoint, Neighbourhood
+from cap.sets import interval, matrix
 from proofs.citation import krawczyk
 from proofs.fixed_point import (
     Proof,

@@ -1,24 +1,25 @@
 """The closed form of the (1,1) orbits, derived by machine: of the T-periodic orbits whose velocity
 never vanishes and that hit each wall once per period.
 
-`cap.impact` states it.  Here the flights are integrated, and that each step of the derivation is an
-identity is left to a computer algebra system.  Units: time 1/ω, length F/ω², speed F/ω.
+`cap.one_one.closed_form` states it.  Here the flights are integrated, and that each step of the
+derivation is an identity is left to a computer algebra system.  Units: time 1/ω, length F/ω², speed
+F/ω.
 """
 
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from cap import bisection, interval
-from cap.certificate import Pair
+from cap.certificate.writer import Pair
 from cap.errors import NotProved
-from cap.impact import Orbit, asymmetric
-from cap.interval import Ball
+from cap.one_one.closed_form import Orbit, asymmetric
+from cap.sets import bisection, interval
+from cap.sets.interval import Ball
 from proofs.fixed_point import Setting
 
 
 def lemma_1_closed_form() -> None:
-    """*Statement.* The formulas of `cap.impact` hold.
+    """*Statement.* The formulas of `cap.one_one.closed_form` hold.
 
     *Computed.* Each of the `identities` simplifies to 0.
     """

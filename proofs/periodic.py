@@ -21,15 +21,17 @@ Lemmas 1 and 2 (`proofs.fixed_point`) give (i), Lemma 3 gives (ii) and (iii), Le
 from fractions import Fraction
 from typing import Any
 
-from cap import basin, certificate, interval, matrix
-from cap.basin import Basin
+from cap.certificate import writer as certificate
 from cap.errors import NotProved
-from cap.event import Expected
-from cap.fixed_point import FixedPoint, Itinerary, Neighbourhood
-from cap.flow import Orbit, oscillator
-from cap.interval import Ball
-from cap.model import Oscillator
-from cap.stability import SINKS, Multiplier, multipliers, stability
+from cap.flow.event import Expected
+from cap.flow.model import Oscillator
+from cap.flow.strobe import Orbit, oscillator
+from cap.maps import basin
+from cap.maps.basin import Basin
+from cap.maps.fixed_point import FixedPoint, Itinerary, Neighbourhood
+from cap.maps.stability import SINKS, Multiplier, multipliers, stability
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
 from proofs.citation import krawczyk
 from proofs.fixed_point import (
     Proof,

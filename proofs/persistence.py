@@ -23,16 +23,18 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from cap import certificate, family, interval, matrix
-from cap.checker.certificate import MAX_WORK, work
+from cap.certificate import writer as certificate
+from cap.checker.kernel.certificate import MAX_WORK, work
 from cap.errors import BadInput, NotProved
-from cap.event import TAYLOR_MODELS
-from cap.family import Cell, Pair
-from cap.fixed_point import FixedPoint, Itinerary, Start, refined
-from cap.flow import oscillator
-from cap.interval import Ball
-from cap.model import Constants
+from cap.flow.event import TAYLOR_MODELS
+from cap.flow.model import Constants
+from cap.flow.strobe import oscillator
+from cap.maps import family
+from cap.maps.family import Cell, Pair
+from cap.maps.fixed_point import FixedPoint, Itinerary, Start, refined
 from cap.parameters import Parameters
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
 from proofs import periodic
 from proofs.citation import krawczyk
 from proofs.fixed_point import Proof, Setting, assembled
@@ -126,7 +128,7 @@ def prove(setting: Setting) -> Proof:
 def lemma_5_family(setting: Setting, point: FixedPoint, shared: Fraction) -> Grid:
     """*Statement.* Statement (ii), on a rectangle that contains the (ε, μ) given.
 
-    *Computed.* `cap.family` over each cell, that neighbours have the same fixed point on the
+    *Computed.* `cap.maps.family` over each cell, that neighbours have the same fixed point on the
     common side, |trace| < 1 + det with det = exp(-μT) (1-ε)^(2N), and |trace| < 2 at (0, 0).  As
     det < 1 except at (0, 0), this means that both multipliers lie inside the unit circle.  In
     a cell that contains the (ε, μ) given, P is P* there.  Neighbours agree with only a part

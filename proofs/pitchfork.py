@@ -8,8 +8,8 @@ positive (it is for ρ > 0.70407), f_pf = (2F/π) sqrt(1 - (2ρ/(π² - 4))²).
 
            g(δ, α) = Wδ + (π/2) sin φ sin δ = c1(α) δ + c3(α) δ³ + ...,
 
-       φ(δ, α) and W(δ, α) from the other two equations of `cap.impact`, c1 = 0 and dc1/dα > 0 at
-       f_pf, and c3 > 0: so they exist for f < f_pf only, one pair ±δ, at
+       φ(δ, α) and W(δ, α) from the other two equations of `cap.one_one.closed_form`, c1 = 0 and
+       dc1/dα > 0 at f_pf, and c3 > 0: so they exist for f < f_pf only, one pair ±δ, at
        f = f_pf + curvature δ² + O(δ⁴).
  (iii) Along them trace Φ' = 2 + trace_curvature δ² + O(δ⁴), trace_curvature < 0: they are elliptic
        at birth.
@@ -22,12 +22,12 @@ fold.
 
 from typing import Any
 
-from cap import interval
-from cap.elementary import sqrt
 from cap.errors import NotProved
-from cap.impact import Orbit, asymmetric, birth, friction, symmetric
-from cap.interval import Ball
-from cap.jet import Jet
+from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
+from cap.sets import interval
+from cap.sets.elementary import sqrt
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet
 from proofs.fixed_point import Proof, Setting, assembled
 from proofs.one_one import Scale, lemma_1_closed_form
 

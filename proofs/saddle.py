@@ -16,10 +16,10 @@ Lemmas 1 and 2 (`proofs.non_sticking`) give (i), Lemma 3 gives (ii).
 
 from typing import Any
 
-from cap import matrix
 from cap.errors import NotProved
-from cap.fixed_point import FixedPoint, Neighbourhood
-from cap.model import Oscillator
+from cap.flow.model import Oscillator
+from cap.maps.fixed_point import FixedPoint, Neighbourhood
+from cap.sets import matrix
 from proofs import non_sticking
 from proofs.citation import cited
 from proofs.fixed_point import Proof, Setting

@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
-from cap import certificate
-from cap.approx import candidates
-from cap.approx.candidates import Search
-from cap.checker.rejection import Rejected
+from cap.certificate import writer as certificate
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 from cap.errors import NotProved, TooFewDigits
+from cap.floats import candidates
+from cap.floats.candidates import Search
 from proofs import branch, capture, elliptic, periodic, persistence, pitchfork, saddle, symmetric
 from proofs.fixed_point import Proof, Setting
 

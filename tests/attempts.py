@@ -4,12 +4,12 @@ from fractions import Fraction
 
 import pytest
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import BALLS, Expected
-from cap.flow import oscillator, strobe
-from cap.interval import Ball
-from cap.taylor_model import Domain
+from cap.flow.event import BALLS, Expected
+from cap.flow.strobe import oscillator, strobe
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.taylor_model import Domain
 
 BITS = 200
 HAIR = Fraction(1, 10**9)

@@ -7,10 +7,10 @@ from itertools import pairwise
 from support import seeded
 from test_prove_events import among
 
-from cap import interval
-from cap.fixed_point import Start
-from cap.impact import asymmetric
+from cap.maps.fixed_point import Start
+from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters
+from cap.sets import interval
 from proofs.fixed_point import Setting
 
 

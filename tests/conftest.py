@@ -9,10 +9,10 @@ from checker import remembered
 from checker.forge import forge
 from flint import ctx
 
-from cap import interval
-from cap.fixed_point import Start
-from cap.flow import oscillator
+from cap.flow.strobe import oscillator
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
+from cap.sets import interval
 
 PRECISION = 53
 

@@ -6,13 +6,13 @@ from fractions import Fraction
 from attempts import box
 from support import holds
 
-from cap import interval
-from cap.event import BALLS, Expected
-from cap.fixed_point import windows_for
-from cap.flow import State, follow, oscillator
-from cap.interval import Ball
-from cap.itinerary import itinerary
+from cap.flow.event import BALLS, Expected
+from cap.flow.itinerary import itinerary
+from cap.flow.strobe import State, follow, oscillator
+from cap.maps.fixed_point import windows_for
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 BITS = 160
 HEAVY = replace(PAPER, f=Fraction(9, 10))

@@ -6,7 +6,8 @@ from random import Random
 
 import mpmath
 
-from cap import interval, prove
+from cap import prove
+from cap.sets import interval
 
 
 def seeded(seed):

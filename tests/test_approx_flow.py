@@ -6,11 +6,11 @@ from fractions import Fraction
 
 import pytest
 
-from cap.approx import flow
 from cap.errors import BadInput
-from cap.itinerary import oscillator, root
-from cap.matrix import determinant
+from cap.floats import flow
+from cap.flow.itinerary import oscillator, root
 from cap.parameters import PAPER, Parameters
+from cap.sets.matrix import determinant
 
 OTHER = Parameters(Fraction(2), Fraction(3), Fraction(1, 2), Fraction(3), Fraction(4))
 GENUINE = [  # states whose orbits never turn within a period

@@ -7,9 +7,9 @@ from fractions import Fraction
 import pytest
 from systems import CASES, FRICTIONS
 
-from cap.approx import flow, periodic
 from cap.errors import BadInput
-from cap.itinerary import oscillator
+from cap.floats import flow, periodic
+from cap.flow.itinerary import oscillator
 from cap.parameters import PAPER
 
 

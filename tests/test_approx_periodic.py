@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from systems import CASES, FRICTIONS, SHIFTED
 
-from cap.approx import flow, periodic
-from cap.approx.periodic import Guess
 from cap.errors import BadInput
-from cap.itinerary import oscillator
-from cap.model import Moment
+from cap.floats import flow, periodic
+from cap.floats.periodic import Guess
+from cap.flow.itinerary import oscillator
+from cap.flow.model import Moment
 from cap.parameters import PAPER
 
 
@@ -226,6 +226,6 @@ def test_kinds():
 
 def test_import_is_light():
     """The float search does not load scipy."""
-    code = "import sys, cap.approx.periodic; print('scipy' in sys.modules)"
+    code = "import sys, cap.floats.periodic; print('scipy' in sys.modules)"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert out.stdout.split() == ["False"]

@@ -7,13 +7,14 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap import basin, fixed_point, interval
-from cap.approx.cycles import near
 from cap.errors import NotProved
-from cap.fixed_point import Start
-from cap.flow import oscillator
-from cap.itinerary import itinerary
+from cap.floats.cycles import near
+from cap.flow.itinerary import itinerary
+from cap.flow.strobe import oscillator
+from cap.maps import basin, fixed_point
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
+from cap.sets import interval
 
 STRONG = replace(PAPER, F=Fraction(3))
 SINKS = {  # parameters and a state near

@@ -8,13 +8,13 @@ from flows import BITS, certified, exactly, moment, starting
 from mpmath import mp, mpf, workdps
 from support import holds, number, rational, rounds, seeded
 
-from cap import interval
-from cap.capture import Entry, accumulation
 from cap.errors import NotProved
-from cap.event import BALLS, Expected
-from cap.flow import follow, oscillator
-from cap.interval import Ball
+from cap.flow.capture import Entry, accumulation
+from cap.flow.event import BALLS, Expected
+from cap.flow.strobe import follow, oscillator
 from cap.parameters import PAPER, Parameters
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 
 class Bounces:

@@ -8,8 +8,8 @@ import pytest
 from checker.intervals import BITS, contains, points, some_interval
 from support import rounds, seeded
 
-from cap.checker.interval import Interval
-from cap.checker.rejection import Rejected, need
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import Rejected, need
 
 
 @pytest.mark.parametrize("bits", BITS)

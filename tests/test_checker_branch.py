@@ -12,10 +12,10 @@ from checker.forge_impact import WALLS, System, _mp, forge_branch
 from checker.tampered import accepted, fits_the_schema, malformed, survivors
 from mpmath import mp
 
-from cap.checker.branch import LOW_ORDER, RATIOS, united
-from cap.checker.certificate import read
+from cap.checker.kernel.certificate import read
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
+from cap.checker.theorems.branch import LOW_ORDER, RATIOS, united
 
 pytestmark = pytest.mark.usefixtures("pairs_computed_once")
 

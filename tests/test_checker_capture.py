@@ -14,7 +14,7 @@ from checker.parts import Event, Interval, Mechanics, Parameters, capture, ratio
 from mpmath import mp, mpf
 from support import number, rational, rounds, seeded
 
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
 

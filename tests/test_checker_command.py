@@ -13,7 +13,8 @@ import pytest
 from checker.altered import encode
 from checker.forge import forge
 
-from cap import verifier, verify
+from cap import verify
+from cap.command import verifier
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from checker.intervals import BITS, contains, some_interval
 from mpmath import mp
 from support import rounds, seeded
 
-from cap.checker.elementary import (
+from cap.checker.kernel.elementary import (
     _arctan_of_inverse,
     _cos_sin_at,
     _sine_series,
@@ -22,8 +22,8 @@ from cap.checker.elementary import (
     phi,
     pi,
 )
-from cap.checker.interval import Interval
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import Rejected
 
 
 @pytest.mark.parametrize("bits", [1, 2, 10, 64, 200, 1000, 16384])

@@ -11,12 +11,12 @@ from checker.hybrid import Flow
 from mpmath import mp, mpf
 from support import rational, seeded
 
-from cap.checker.elementary import phi
-from cap.checker.interval import Interval
-from cap.checker.itinerary import WORDS, PeriodMap, follow
-from cap.checker.jet import Jet, composed, inverse
-from cap.checker.mechanics import Losses, Mechanics, Parameters
-from cap.checker.rejection import Rejected
+from cap.checker.flow.itinerary import WORDS, PeriodMap, follow
+from cap.checker.flow.mechanics import Losses, Mechanics, Parameters
+from cap.checker.kernel.elementary import phi
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Jet, composed, inverse
+from cap.checker.kernel.rejection import Rejected
 
 BITS = 128
 UNIT = {"F": "1", "omega": "1", "f": "2/5", "l": "-9", "r": "9", "e": "9/10", "mu": "1/5"}

@@ -9,7 +9,7 @@ import pytest
 from checker.altered import changed, decimal, encode, rejected, verify
 from checker.parts import Centred, Elliptic, Jet, read
 
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.rejection import Rejected
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 

@@ -10,12 +10,12 @@ from checker.forge_impact import PAPER, WALLS, System, lowest
 from checker.parts import steepness
 from mpmath import mp, mpf
 
-from cap.checker import impact
-from cap.checker.elementary import pi
-from cap.checker.interval import Interval
-from cap.checker.rejection import Rejected
-from cap.checker.taylor_model import TaylorModel
-from cap.checker.twist import period_map, regularised_twist
+from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.one_one import closed_form as impact
+from cap.checker.one_one.taylor_model import TaylorModel
+from cap.checker.one_one.twist import period_map, regularised_twist
 
 BITS = 160
 SCALED = {"F": "3", "omega": "2", "l": "1/4", "r": "7/4"}

@@ -33,10 +33,11 @@ def test_the_checker_loads_only_itself():
 
 
 def test_the_command_line_adds_only_itself():
-    """``cap.verify`` adds only itself, ``cap.verifier``, ``cap.entry`` and ``cap.console``."""
-    modules = loaded("import cap.verify, cap.verifier")
+    """``cap.verify`` adds only itself, ``cap.command.verifier``, ``cap.command.entry`` and
+    ``cap.command.console``."""
+    modules = loaded("import cap.verify, cap.command.verifier")
     ours = {m for m in modules if m.split(".")[0] == "cap"}
-    own = {"cap.verify", "cap.verifier", "cap.entry", "cap.console"}
+    own = {"cap.verify", "cap.command.verifier", "cap.command.entry", "cap.command.console"}
     assert ours <= {"cap", "cap.checker", *own, *MODULES}
     assert not {m.split(".")[0] for m in modules} & FOREIGN
 
@@ -49,7 +50,7 @@ def test_every_module_can_be_imported_alone(module):
 
 def test_the_checker_contains_no_assert():
     """No line is an assert, which ``python -O`` would not execute; the sources are ASCII."""
-    for module in [*MODULES, "cap.verify", "cap.verifier"]:
+    for module in [*MODULES, "cap.verify", "cap.command.verifier"]:
         path = __import__(module, fromlist=["x"]).__file__
         with open(path, encoding="ascii") as file:  # noqa: PTH123
             assert not [line for line in file if line.lstrip().startswith("assert")]

@@ -8,10 +8,10 @@ import pytest
 from checker.altered import changed, rejected
 from checker.forge import PARAMETERS
 
-from cap.checker.interval import Interval
-from cap.checker.itinerary import PeriodMap
-from cap.checker.mechanics import Parameters
-from cap.checker.rejection import Rejected
+from cap.checker.flow.itinerary import PeriodMap
+from cap.checker.flow.mechanics import Parameters
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import Rejected
 
 
 @pytest.mark.parametrize(

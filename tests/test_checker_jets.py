@@ -9,9 +9,9 @@ from math import comb, factorial
 import pytest
 from mpmath import mp
 
-from cap.checker.interval import Interval
-from cap.checker.jet import Centred, Jet, cos_sin_jet, lift, powers, substituted, tightened
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred, Jet, cos_sin_jet, lift, powers, substituted, tightened
+from cap.checker.kernel.rejection import Rejected
 
 BITS = 128
 

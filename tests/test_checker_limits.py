@@ -8,8 +8,8 @@ import pytest
 from checker.altered import changed, encode, rejected
 
 from cap.checker import forms
-from cap.checker.certificate import read, read_hints, read_parameters
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.certificate import read, read_hints, read_parameters
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 
 STORED = Path(__file__).parents[1] / "certificates"

@@ -8,16 +8,16 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.interval import Interval
-from cap.checker.jet import Jet, substituted
-from cap.checker.normal_form import (
+from cap.checker.flow.normal_form import (
     Complex,
     elliptic_frame,
     in_complex_coordinate,
     logarithm,
     twists,
 )
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Jet, substituted
+from cap.checker.kernel.rejection import Rejected
 
 BITS = 256
 

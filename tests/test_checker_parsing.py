@@ -9,9 +9,9 @@ import pytest
 from checker.altered import encode
 from checker.forge import forge
 
-from cap.checker.certificate import read
-from cap.checker.reading import MAX_BYTES, bounded, enclosure, number, parsed
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.reading import MAX_BYTES, bounded, enclosure, number, parsed
+from cap.checker.kernel.rejection import Rejected
 
 
 @pytest.fixture(scope="module")

@@ -9,11 +9,11 @@ import pytest
 from checker.altered import changed, decimal, encode, leaves, rejected, verify
 from checker.forge_hybrid import PERIODIC, valid
 
-from cap.checker.certificate import read
-from cap.checker.interval import Interval
-from cap.checker.periodic import Periodic, norm, real
-from cap.checker.reading import Enclosure
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems.periodic import Periodic, norm, real
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 

@@ -189,7 +189,9 @@ def test_stability_on_every_rectangle(continuation, monkeypatch):
     proof, fixed_point = continuation
     for det, fine in (("-0.5", True), ("-0.6", False)):
         value = proof.number(Fraction(det)).with_bits(64)
-        monkeypatch.setattr("cap.checker.persistence.determinant", lambda _, value=value: value)
+        monkeypatch.setattr(
+            "cap.checker.theorems.persistence.determinant", lambda _, value=value: value
+        )
         if fine:
             proof.continuation(fixed_point)
         else:

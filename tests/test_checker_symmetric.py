@@ -9,7 +9,7 @@ from checker.altered import changed, encode, rejected, verify
 from checker.forge_impact import PAPER, WALLS, forge_pitchfork, forge_symmetric
 from checker.tampered import accepted, fits_the_schema, malformed, survivors
 
-from cap.checker.fixed_point import Proof
+from cap.checker.flow.fixed_point import Proof
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
 

@@ -8,11 +8,11 @@ import pytest
 from mpmath import mp, mpf
 from support import rounds, seeded
 
-from cap.checker.interval import Interval
-from cap.checker.jet import Jet
-from cap.checker.rejection import Rejected
-from cap.checker.series import cos_sinc, reciprocal, square_root
-from cap.checker.taylor_model import ORDER, TaylorModel
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Jet
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.one_one.series import cos_sinc, reciprocal, square_root
+from cap.checker.one_one.taylor_model import ORDER, TaylorModel
 
 BITS = 100
 

@@ -6,11 +6,11 @@ from fractions import Fraction
 
 import pytest
 
-from cap.approx import candidates
-from cap.approx.candidates import Request
-from cap.approx.cycles import Search, cycles, near
 from cap.errors import BadInput
-from cap.itinerary import itinerary
+from cap.floats import candidates
+from cap.floats.candidates import Request
+from cap.floats.cycles import Search, cycles, near
+from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER, Parameters
 
 TABLE = {  # of the paper, at f = 2/5: F and x, v, trace, determinant
@@ -206,7 +206,7 @@ def test_nothing_is_found_where_nothing_is():
 )
 def test_searches_end(p, monkeypatch):
     """Where a period has thousands of events: soon, with one line and with progress before."""
-    monkeypatch.setattr("cap.approx.cycles.MOST_FOLLOWED", 20_000)
+    monkeypatch.setattr("cap.floats.cycles.MOST_FOLLOWED", 20_000)
     told = []
     with pytest.raises(BadInput, match="too many of them in a period") as caught:
         candidates.cyclic(Request("periodic", p, progress=told.append))
@@ -217,6 +217,6 @@ def test_searches_end(p, monkeypatch):
 
 def test_a_search_that_ends_early_keeps_what_it_has_found(monkeypatch):
     """Not all orbits, but some, and their mirror images."""
-    monkeypatch.setattr("cap.approx.cycles.MOST_FOLLOWED", 3000)
+    monkeypatch.setattr("cap.floats.cycles.MOST_FOLLOWED", 3000)
     some = cycles(at("3"))
     assert 0 < len(some) < len(found("3"))

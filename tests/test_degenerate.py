@@ -14,7 +14,7 @@ from support import certified
 
 from cap import prove
 from cap.errors import NotProved
-from cap.fixed_point import Start
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER, exact
 from proofs import elliptic, saddle
 from proofs.fixed_point import Setting

@@ -19,11 +19,11 @@ from support import (
     width,
 )
 
-from cap import interval
-from cap.elementary import asin, sinc, sqrt
-from cap.interval import Ball
-from cap.jet import Jet
-from cap.taylor_model import Domain
+from cap.sets import interval
+from cap.sets.elementary import asin, sinc, sqrt
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet
+from cap.sets.taylor_model import Domain
 
 BITS = 200
 ORDER = 6

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from cap import entry
+from cap.command import entry
 
 ROOT = Path(__file__).parent.parent
 SADDLE = str(ROOT / "certificates/saddle.json")
@@ -39,7 +39,7 @@ def module(tmp_path, monkeypatch):
 
 def started(env, **pipes):
     """Start a process that runs the module through `entry`."""
-    code = "from cap import entry; entry.leave(entry.run('slow_command:main', ['a']))"
+    code = "from cap.command import entry; entry.leave(entry.run('slow_command:main', ['a']))"
     given = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | pipes
     return subprocess.Popen([sys.executable, "-c", code], env=env, **given)
 
@@ -99,7 +99,7 @@ def test_handlers_are_given_back():
     """After the command, and after one that fails."""
     before = [signal.getsignal(number) for number, _ in SIGNALS]
     with pytest.raises(SystemExit):
-        entry.run("cap.verifier:main", [])
+        entry.run("cap.command.verifier:main", [])
     with pytest.raises(ModuleNotFoundError):
         entry.run("cap.no_such_module:main", [])
     assert [signal.getsignal(number) for number, _ in SIGNALS] == before

@@ -6,13 +6,13 @@ import pytest
 from flows import BITS, OILY, moment
 from support import between, decimal_fraction, holds, rounds, seeded
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import BALLS, Expected, NoCertainEvent, flies, hit_time, rest_time, slow_numbers
-from cap.flow import of_constants, oscillator
-from cap.interval import Ball
-from cap.model import Constants
+from cap.flow.event import BALLS, Expected, NoCertainEvent, flies, hit_time, rest_time, slow_numbers
+from cap.flow.model import Constants
+from cap.flow.strobe import of_constants, oscillator
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 BOTH = pytest.mark.parametrize("p", [PAPER, OILY], ids=["dry", "viscous"])
 

@@ -7,13 +7,13 @@ import pytest
 from flows import BITS, certified, moment, starting
 from support import between, holds
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import BALLS, TAYLOR_MODELS, Expected
-from cap.flow import follow, oscillator
-from cap.interval import Ball
-from cap.itinerary import itinerary
+from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
+from cap.flow.itinerary import itinerary
+from cap.flow.strobe import follow, oscillator
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 KINDS = pytest.mark.parametrize("kind", [BALLS, TAYLOR_MODELS], ids=["balls", "Taylor models"])
 

@@ -16,12 +16,14 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from cap import explore, explorer, export, verify
-from cap.approx import cycles, fate, inventory, swarm
-from cap.approx.work import Work
-from cap.commands import COMMANDS
-from cap.entry import INTERRUPTED
+from cap import verify
+from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput, NotProved
+from cap.explore import __main__ as explore
+from cap.explore import explorer, export
+from cap.explore.commands import COMMANDS
+from cap.floats import cycles, fate, inventory, swarm
+from cap.floats.work import Work
 from cap.parameters import PAPER
 from proofs import theorems
 
@@ -385,7 +387,7 @@ def test_what_is_not_proved_is_told(monkeypatch, capsys):
 
 def test_an_unknown_suffix_is_no_surprise_after_hours(monkeypatch):
     """It is refused before anything is computed."""
-    monkeypatch.setattr("cap.approx.alignment.sali", lambda *_, **__: pytest.fail("computed"))
+    monkeypatch.setattr("cap.floats.alignment.sali", lambda *_, **__: pytest.fail("computed"))
     assert run("sali", "--out", "sali.jpeg") == 2
 
 

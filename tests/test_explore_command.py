@@ -11,12 +11,12 @@ from threading import Thread
 
 import pytest
 
-from cap import explore
-from cap.approx import compiled
-from cap.approx.compiled import kept
-from cap.approx.work import Work
-from cap.entry import INTERRUPTED
+from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
+from cap.explore import __main__ as explore
+from cap.floats import compiled
+from cap.floats.compiled import kept
+from cap.floats.work import Work
 from cap.paper import command
 from cap.paper.registry import figure
 

@@ -7,7 +7,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.approx import (
+from cap.errors import BadInput
+from cap.floats import (
     alignment,
     attractor,
     chatter,
@@ -18,13 +19,12 @@ from cap.approx import (
     portrait,
     rotation,
 )
-from cap.approx.grid import grid, island, whole
-from cap.approx.manifold import crossings, manifolds
-from cap.approx.reversal import retrace
-from cap.approx.swarm import follow, stretch
-from cap.approx.trajectory import trajectory
-from cap.approx.work import Work
-from cap.errors import BadInput
+from cap.floats.grid import grid, island, whole
+from cap.floats.manifold import crossings, manifolds
+from cap.floats.reversal import retrace
+from cap.floats.swarm import follow, stretch
+from cap.floats.trajectory import trajectory
+from cap.floats.work import Work
 from cap.parameters import PAPER
 
 ELLIPTIC = 0.1002798898441954, 0.5419433067664584

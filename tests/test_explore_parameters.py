@@ -7,13 +7,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.approx import swarm
-from cap.approx.continuation import continuation
-from cap.approx.gallery import gallery
-from cap.approx.inventory import inventory
-from cap.approx.plane import plane
-from cap.approx.study import value_of, varied
 from cap.errors import BadInput
+from cap.floats import swarm
+from cap.floats.continuation import continuation
+from cap.floats.gallery import gallery
+from cap.floats.inventory import inventory
+from cap.floats.plane import plane
+from cap.floats.study import value_of, varied
 from cap.parameters import PAPER
 
 PITCHFORK = 2 / math.pi * math.sqrt(1 - (4 / (math.pi**2 - 4)) ** 2)

@@ -7,8 +7,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.approx import attractor, lyapunov
-from cap.approx.study import with_error
+from cap.floats import attractor, lyapunov
+from cap.floats.study import with_error
 from cap.parameters import PAPER
 
 

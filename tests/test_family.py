@@ -8,15 +8,15 @@ from pathlib import Path
 import pytest
 from support import holds, rounds, seeded
 
-from cap import interval
-from cap.approx.cycles import near
 from cap.errors import NotProved
-from cap.event import TAYLOR_MODELS, Expected
-from cap.family import Problem, agree
-from cap.fixed_point import Start, refined
-from cap.flow import oscillator
-from cap.model import Constants
+from cap.floats.cycles import near
+from cap.flow.event import TAYLOR_MODELS, Expected
+from cap.flow.model import Constants
+from cap.flow.strobe import oscillator
+from cap.maps.family import Problem, agree
+from cap.maps.fixed_point import Start, refined
 from cap.parameters import PAPER
+from cap.sets import interval
 
 STORED = Path(__file__).parent.parent / "certificates/persistence.json"
 START = 0.1002798898, 0.5419433068

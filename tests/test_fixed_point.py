@@ -12,14 +12,15 @@ from conftest import ORBITS, STARTS
 from mpmath import mpf
 from support import holds, number, rational, rounds, seeded, width
 
-from cap import fixed_point, interval
-from cap.approx.cycles import near
 from cap.errors import NotProved
-from cap.event import BALLS
-from cap.fixed_point import Start, existence, find_windows, neighbourhood, prove
-from cap.flow import oscillator, strobe
-from cap.interval import Ball
+from cap.floats.cycles import near
+from cap.flow.event import BALLS
+from cap.flow.strobe import oscillator, strobe
+from cap.maps import fixed_point
+from cap.maps.fixed_point import Start, existence, find_windows, neighbourhood, prove
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 ERROR = Fraction(1, 10**55)
 NAMES = pytest.mark.parametrize("name", STARTS)

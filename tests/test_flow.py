@@ -10,14 +10,14 @@ import reference
 from attempts import box, hits
 from support import between, holds, inside, number, rational, rounds, seeded, value_at, width
 
-from cap import interval, matrix
 from cap.errors import NotProved
-from cap.event import BALLS, TAYLOR_MODELS, flies
-from cap.fixed_point import find_windows
-from cap.flow import oscillator, strobe
-from cap.interval import Ball
-from cap.jet_transport import strobe_jet
+from cap.flow.event import BALLS, TAYLOR_MODELS, flies
+from cap.flow.jet_transport import strobe_jet
+from cap.flow.strobe import oscillator, strobe
+from cap.maps.fixed_point import find_windows
 from cap.parameters import PAPER, Parameters
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
 
 BITS, ERROR = 110, Fraction(1, 10**30)
 SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7, 3), Fraction(-1))

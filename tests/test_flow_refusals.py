@@ -10,13 +10,13 @@ from attempts import BITS, HAIR, P_STAR, TIMES, attempt, box, hits, refused
 from mpmath import mp, mpf
 from support import between, number, rational
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import BALLS, TAYLOR_MODELS, NoCertainEvent, flies
-from cap.flow import oscillator, strobe
-from cap.interval import Ball
+from cap.flow.event import BALLS, TAYLOR_MODELS, NoCertainEvent, flies
+from cap.flow.strobe import oscillator, strobe
 from cap.parameters import PAPER, Parameters
-from cap.taylor_model import Domain
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.taylor_model import Domain
 
 KINDS = pytest.mark.parametrize("kind", [BALLS, TAYLOR_MODELS], ids=["balls", "Taylor models"])
 SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7, 3), Fraction(-1))

@@ -10,9 +10,9 @@ from attempts import BITS, HAIR, TIMES, attempt, refused
 from mpmath import mp, mpf
 from support import number, rational
 
-from cap import interval
-from cap.event import BALLS, TAYLOR_MODELS
+from cap.flow.event import BALLS, TAYLOR_MODELS
 from cap.parameters import PAPER, Parameters
+from cap.sets import interval
 
 SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7, 3), Fraction(-1))
 FREE = replace(PAPER, f=Fraction(0))

@@ -14,10 +14,10 @@ from oracle_flow import System, orbit
 from random_orbits import KINDS, case, parameters
 from support import holds, rational, rounds, seeded
 
-from cap import interval
 from cap.errors import NotProved
-from cap.flow import State, oscillator
-from cap.propagation import after_periods, propagate
+from cap.flow.propagation import after_periods, propagate
+from cap.flow.strobe import State, oscillator
+from cap.sets import interval
 
 DIGITS = 60  # of the simulator
 MOST = 300  # of its events, for the sake of time

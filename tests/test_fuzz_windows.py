@@ -12,14 +12,14 @@ from random_orbits import KINDS, case
 from support import rational, rounds, seeded
 from test_fuzz_propagation import DIGITS, check_events, check_state, simulated
 
-from cap import interval
-from cap.course import WORDS
 from cap.errors import NotProved
-from cap.event import BALLS, TAYLOR_MODELS, Expected
-from cap.flow import State, follow, oscillator
-from cap.interval import Ball
-from cap.propagation import Happened, Image
-from cap.taylor_model import Domain
+from cap.flow.course import WORDS
+from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
+from cap.flow.propagation import Happened, Image
+from cap.flow.strobe import State, follow, oscillator
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.taylor_model import Domain
 
 WIDTHS = [Fraction(1, 10**n) for n in (9, 7, 5, 3, 1, 0)]  # in units of 1/ω
 

@@ -4,12 +4,12 @@ import pytest
 from flows import exactly, point_orbit
 
 from cap.errors import NotProved
-from cap.flow import oscillator
-from cap.interval import Ball, workprec
-from cap.jet import Jet, Space
-from cap.jet_transport import strobe_jet
-from cap.normal_form import twists
-from cap.taylor_model import Domain
+from cap.flow.jet_transport import strobe_jet
+from cap.flow.strobe import oscillator
+from cap.maps.normal_form import twists
+from cap.sets.interval import Ball, workprec
+from cap.sets.jet import Jet, Space
+from cap.sets.taylor_model import Domain
 
 
 @pytest.mark.parametrize("other", [Space(2, 1), Space(1, 3)])

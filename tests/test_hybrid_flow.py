@@ -19,15 +19,15 @@ from flows import (
 from mpmath import workdps
 from support import between, holds, inside, rational, rounds, seeded, width
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import BALLS, TAYLOR_MODELS, Expected
-from cap.fixed_point import windows_for
-from cap.flow import State, follow, of_constants, oscillator, strobe
-from cap.interval import Ball
-from cap.itinerary import itinerary
-from cap.model import Constants
+from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
+from cap.flow.itinerary import itinerary
+from cap.flow.model import Constants
+from cap.flow.strobe import State, follow, of_constants, oscillator, strobe
+from cap.maps.fixed_point import windows_for
 from cap.parameters import PAPER, Parameters
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 NAMES = pytest.mark.parametrize("name", MIXED)
 KINDS = pytest.mark.parametrize("kind", [BALLS, TAYLOR_MODELS], ids=["balls", "Taylor models"])

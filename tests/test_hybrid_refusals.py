@@ -6,13 +6,13 @@ from fractions import Fraction
 import pytest
 from flows import BITS, MIXED, exactly, moment, point_orbit, starting
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import BALLS, Expected
-from cap.flow import follow, of_constants
-from cap.interval import Ball
-from cap.model import Constants
+from cap.flow.event import BALLS, Expected
+from cap.flow.model import Constants
+from cap.flow.strobe import follow, of_constants
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 NAMES = pytest.mark.parametrize("name", MIXED)
 WORDS = (

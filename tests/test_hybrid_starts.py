@@ -7,12 +7,12 @@ import pytest
 from flows import BITS, OILY, SOFT, certified, moment, starting
 from support import holds
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import BALLS, TAYLOR_MODELS, Expected
-from cap.flow import State, follow, oscillator
-from cap.interval import Ball
+from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
+from cap.flow.strobe import State, follow, oscillator
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 KINDS = pytest.mark.parametrize("kind", [BALLS, TAYLOR_MODELS], ids=["balls", "Taylor models"])
 WORDS = (

@@ -9,11 +9,11 @@ from mpmath import mp, mpf, workdps
 from reference import System, Turns
 from support import holds, number, rounds, seeded
 
-from cap import interval, matrix
-from cap.impact import asymmetric, symmetric
-from cap.interval import Ball
-from cap.itinerary import itinerary
+from cap.flow.itinerary import itinerary
+from cap.one_one.closed_form import asymmetric, symmetric
 from cap.parameters import Parameters
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
 
 BITS = 260
 EXACT = 1e-40
@@ -138,7 +138,8 @@ def test_scaling(F, omega, l):
 
 
 def test_the_float_itinerary():
-    """At the parameters of the prover: the events, periodicity and trace, by `cap.itinerary`."""
+    """At the parameters of the prover: the events, periodicity and trace, by
+    `cap.flow.itinerary`."""
     with interval.workprec(BITS), workdps(40):
         for delta, orbit in pairs(10, 4):
             for this in (orbit, asymmetric(ball(-delta), orbit.rho)):
@@ -160,7 +161,7 @@ def test_the_float_itinerary():
 
 
 def equations(orbit):
-    """Return the defects of the three equations of `cap.impact`."""
+    """Return the defects of the three equations of `cap.one_one.closed_form`."""
     pi, delta = interval.pi(), orbit.delta + Ball(0)
     sin, cos = delta.sin_cos()
     return (
@@ -256,7 +257,8 @@ def test_where_there_is_no_orbit():
 
 
 def test_one_pair_for_each_friction():
-    """As δ grows S grows and α falls to 0, at any ρ: the claims of `cap.impact` on G."""
+    """As δ grows S grows and α falls to 0, at any ρ: the claims of `cap.one_one.closed_form` on
+    G."""
     with interval.workprec(BITS):
         for rho in ("1/100", "1/2", 1, 2, "2.9", "2.93"):
             before = asymmetric(Ball(0), ball(rho))

@@ -9,7 +9,7 @@ from mpmath import mp, workdps
 from oracle_flow import State, System, orbit
 from support import holds, rational
 
-from cap.event import BALLS, TAYLOR_MODELS
+from cap.flow.event import BALLS, TAYLOR_MODELS
 from cap.parameters import PAPER
 
 HALF = replace(PAPER, e=Fraction(1, 2))

@@ -6,9 +6,9 @@ import pytest
 from flint import ctx
 from support import between, decimal_fraction, holds, inside, random_box, rounds, seeded, width
 
-from cap import interval
 from cap.errors import NotProved
-from cap.interval import Ball
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 NAN = Ball("nan")
 INFINITE = Ball("inf")

@@ -10,7 +10,7 @@ from flows import MIXED, OILY, SOFT
 from support import rounds, seeded
 
 from cap.errors import BadInput
-from cap.itinerary import MOST_EVENTS, itinerary, oscillator, root
+from cap.flow.itinerary import MOST_EVENTS, itinerary, oscillator, root
 from cap.parameters import PAPER, Parameters
 
 NAMES = pytest.mark.parametrize("name", MIXED)

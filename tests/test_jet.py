@@ -8,9 +8,9 @@ import pytest
 from mpmath import mp, mpf
 from support import decimal_fraction, holds, inside, random_box, rounds, seeded
 
-from cap import interval
-from cap.interval import Ball
-from cap.jet import Jet, Space
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet, Space
 
 SHAPES = [(1, 0), (1, 1), (1, 6), (2, 0), (2, 1), (2, 2), (2, 3), (2, 5), (3, 1), (3, 3), (3, 6)]
 BITS, TOLERANCE = 200, Fraction(1, 10**45)

@@ -5,12 +5,12 @@ from fractions import Fraction
 import pytest
 from support import decimal_fraction, holds, rounds, seeded, width
 
-from cap import interval, matrix
 from cap.errors import NotProved
-from cap.event import TAYLOR_MODELS
-from cap.interval import Ball
-from cap.krawczyk import Preconditioner, contract, operator
-from cap.taylor_model import Domain
+from cap.flow.event import TAYLOR_MODELS
+from cap.maps.krawczyk import Preconditioner, contract, operator
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
+from cap.sets.taylor_model import Domain
 
 Half = Fraction(1, 2)
 

@@ -7,13 +7,13 @@ import pytest
 from flows import MIXED, starting
 from support import decimal_fraction, rounds, seeded
 
-from cap import interval
 from cap.errors import NotProved
-from cap.event import next_slow, slow_numbers
-from cap.flow import State, oscillator
-from cap.interval import Ball
+from cap.flow.event import next_slow, slow_numbers
+from cap.flow.propagation import propagate
+from cap.flow.strobe import State, oscillator
 from cap.parameters import PAPER, Parameters
-from cap.propagation import propagate
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 ROOMY = Parameters(Fraction(1), Fraction(1), Fraction(1, 10), Fraction(-100), Fraction(100))
 LATE = [0, 1, 3 * 10**5, 18 * 10**9, 10**17 + 1, -(10**17) - 1, 10**25 + 7]

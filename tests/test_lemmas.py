@@ -7,12 +7,12 @@ import pytest
 from conftest import STARTS
 from support import between, decimal_fraction, holds, rounds, seeded
 
-from cap import interval
 from cap.errors import NotProved
-from cap.flow import oscillator
-from cap.interval import Ball
-from cap.jet import Jet
+from cap.flow.strobe import oscillator
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet
 from proofs import elliptic, fixed_point, non_sticking, saddle
 from proofs.fixed_point import Setting
 

@@ -8,11 +8,11 @@ from itertools import pairwise
 import pytest
 from support import rounds, seeded, width
 
-from cap import interval
-from cap import itinerary as floats
-from cap.flow import oscillator
-from cap.jet import Jet
+from cap.flow import itinerary as floats
+from cap.flow.strobe import oscillator
 from cap.parameters import PAPER, Parameters
+from cap.sets import interval
+from cap.sets.jet import Jet
 
 SHIFTED = Parameters(Fraction(2), Fraction(3), Fraction(4, 5), Fraction(-7, 3), Fraction(-1))
 SLOW = Parameters(Fraction(1, 2), Fraction(2, 7), Fraction(1, 3), Fraction(3), Fraction(5))

@@ -6,10 +6,11 @@ from pathlib import Path
 import pytest
 from support import proving
 
-from cap import explore, verify
+from cap import verify
 from cap.checker.statement import words
 from cap.checker.theorem import check
-from cap.console import printable, quoted
+from cap.command.console import printable, quoted
+from cap.explore import __main__ as explore
 
 STORED = Path(__file__).parent.parent / "certificates"
 FORGED = "and unstable, hence false)\nVERIFIED: F = 1"

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from support import proving
 
-from cap import naming
-from cap.certificate import stored
+from cap.certificate import naming
+from cap.certificate.writer import stored
 from cap.checker.forms import THEOREMS as CLOSED_FORMS
 from cap.checker.theorem import check
 from cap.errors import BadInput

@@ -6,10 +6,11 @@ from fractions import Fraction
 import pytest
 from support import holds, rounds, seeded, width
 
-from cap import interval, normal_form
 from cap.errors import NotProved
-from cap.interval import Ball
-from cap.jet import Jet, Space
+from cap.maps import normal_form
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet, Space
 
 BITS = 300
 ANGLES = [(3, 4, 5), (4, -3, 5), (-5, 12, 13), (-12, -5, 13), (60, 11, 61), (-11, -60, 61)]

@@ -9,11 +9,12 @@ import reference
 from mpmath import mp, mpc, mpf
 from support import holds, number, width
 
-from cap import interval, normal_form
-from cap.fixed_point import prove
-from cap.flow import oscillator
-from cap.jet_transport import strobe_jet
+from cap.flow.jet_transport import strobe_jet
+from cap.flow.strobe import oscillator
+from cap.maps import normal_form
+from cap.maps.fixed_point import prove
 from cap.parameters import PAPER
+from cap.sets import interval
 
 BITS = 300
 

@@ -9,11 +9,11 @@ from conftest import STARTS
 from mpmath import mp, workdps
 from support import rational
 
-from cap import interval
 from cap.errors import NotProved
-from cap.impact import symmetric
-from cap.interval import Ball
+from cap.one_one.closed_form import symmetric
 from cap.parameters import Parameters
+from cap.sets import interval
+from cap.sets.interval import Ball
 from proofs import one_one
 from proofs.fixed_point import Setting
 

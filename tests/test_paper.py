@@ -8,8 +8,8 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from cap.approx.work import Work
 from cap.errors import BadInput, NotProved
+from cap.floats.work import Work
 from cap.paper import (
     bifurcation,
     certified,

@@ -6,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.approx import cycles, swarm
-from cap.approx.work import Work
+from cap.floats import cycles, swarm
+from cap.floats.work import Work
 from cap.paper import escape, forcing
 from cap.paper.figure import Run, at
 from cap.parameters import PAPER

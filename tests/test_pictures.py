@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 
-from cap.approx import alignment, attractor, fate, plane
-from cap.approx.continuation import continuation
-from cap.approx.work import Work
-from cap.commands import COMMANDS
+from cap.explore.commands import COMMANDS
+from cap.floats import alignment, attractor, fate, plane
+from cap.floats.continuation import continuation
+from cap.floats.work import Work
 from cap.paper.figure import Run
 from cap.paper.sketches import decomposition, draw_decomposition
 from cap.parameters import PAPER

@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from cap import progress
-from cap.progress import Progress
+from cap.command import progress
+from cap.command.progress import Progress
 
 
 class Screen:

@@ -11,11 +11,11 @@ from mpmath import workdps
 from oracle_flow import orbit
 from support import decimal_fraction, holds, inside, rational, seeded, width
 
-from cap import interval, matrix
-from cap.flow import State, oscillator
-from cap.itinerary import itinerary
+from cap.flow.itinerary import itinerary
+from cap.flow.propagation import after_periods, at_time_zero, propagate
+from cap.flow.strobe import State, oscillator
 from cap.parameters import PAPER, Parameters
-from cap.propagation import after_periods, at_time_zero, propagate
+from cap.sets import interval, matrix
 
 P_STAR = Fraction("0.1002798898"), Fraction("0.5419433068")
 HAIR = Fraction(1, 10**9)

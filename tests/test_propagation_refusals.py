@@ -6,13 +6,14 @@ from fractions import Fraction
 import pytest
 from flows import starting
 
-from cap import interval, propagation
 from cap.errors import BadInput, NotProved
-from cap.flow import State, oscillator
-from cap.interval import Ball
-from cap.itinerary import itinerary
+from cap.flow import propagation
+from cap.flow.itinerary import itinerary
+from cap.flow.propagation import after_periods, at_time_zero, propagate
+from cap.flow.strobe import State, oscillator
 from cap.parameters import PAPER
-from cap.propagation import after_periods, at_time_zero, propagate
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 P_STAR = Fraction("0.1002798898"), Fraction("0.5419433068")
 HAIR = Fraction(1, 10**9)

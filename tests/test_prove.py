@@ -12,11 +12,11 @@ import jsonschema
 import pytest
 from support import proving
 
-from cap.approx import candidates
-from cap.approx.periodic import Guess
-from cap.certificate import dumps
-from cap.checker.rejection import Rejected
+from cap.certificate.writer import dumps
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
+from cap.floats import candidates
+from cap.floats.periodic import Guess
 from proofs import theorems
 
 ROOT = Path(__file__).parent.parent

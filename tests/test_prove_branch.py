@@ -12,13 +12,13 @@ from mpmath import mp, workdps
 from reference import System
 from support import number, rational, seeded
 
-from cap import bisection, interval, matrix
-from cap.approx.cycles import near
+from cap.cells.subdivision import Workers
 from cap.errors import BadInput
-from cap.fixed_point import Start
-from cap.impact import asymmetric
+from cap.floats.cycles import near
+from cap.maps.fixed_point import Start
+from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters
-from cap.subdivision import Workers
+from cap.sets import bisection, interval, matrix
 from proofs import branch, elliptic, pitchfork
 from proofs.fixed_point import Setting
 

@@ -8,9 +8,9 @@ from fractions import Fraction
 import pytest
 from closed_forms import setting
 
-from cap import interval
+from cap.cells.subdivision import UNDECIDED, Cell
 from cap.parameters import Parameters
-from cap.subdivision import UNDECIDED, Cell
+from cap.sets import interval
 from proofs import branch, theorems
 from proofs.fixed_point import Setting, Start
 

@@ -10,12 +10,12 @@ from closed_forms import check_cells, proved, setting
 from conftest import STARTS
 from support import proving
 
-from cap import interval
+from cap.cells.subdivision import Cell
 from cap.errors import BadInput, NotProved
-from cap.fixed_point import Start
-from cap.impact import asymmetric
+from cap.maps.fixed_point import Start
+from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters
-from cap.subdivision import Cell
+from cap.sets import interval
 from proofs import branch, branch_curve, pitchfork
 from proofs.branch_curve import Part
 from proofs.fixed_point import Setting

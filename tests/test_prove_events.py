@@ -10,9 +10,9 @@ from mpmath import matrix, mp, mpf, workdps
 from oracle_flow import System, orbit
 from support import number, proving, rational, seeded
 
+from cap.certificate.report import theorem as told
 from cap.checker.theorem import check
 from cap.parameters import Parameters
-from cap.report import theorem as told
 from proofs import persistence
 
 STORED = Path(__file__).parent.parent / "certificates"

@@ -7,7 +7,7 @@ from support import proving
 
 from cap import prove
 from cap.errors import NotProved
-from cap.fixed_point import Start
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from proofs import persistence
 from proofs.fixed_point import Setting

@@ -10,10 +10,10 @@ from mpmath import mp, workdps
 from support import seeded
 from test_prove_events import among
 
-from cap import interval
-from cap.approx.cycles import near
-from cap.impact import asymmetric
+from cap.floats.cycles import near
+from cap.one_one.closed_form import asymmetric
 from cap.parameters import PAPER
+from cap.sets import interval
 from proofs import pitchfork, symmetric
 from proofs.fixed_point import Setting
 

@@ -8,8 +8,8 @@ import pytest
 from closed_forms import claims_of, setting, within
 from mpmath import mp, mpf, workdps
 
+from cap.cells.subdivision import Workers, cells_between, subdivide
 from cap.errors import BadInput
-from cap.subdivision import Workers, cells_between, subdivide
 from proofs import branch
 
 RHO = 2  # with F = ω = 1

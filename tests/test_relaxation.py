@@ -17,10 +17,11 @@ from support import (
     width,
 )
 
-from cap import interval, relaxation
-from cap.interval import Ball
-from cap.jet import Jet
-from cap.taylor_model import Domain
+from cap.flow import relaxation
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet
+from cap.sets.taylor_model import Domain
 
 RATES = [
     Fraction(0),

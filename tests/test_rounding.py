@@ -5,11 +5,11 @@ from fractions import Fraction
 import pytest
 from support import between, decimal_fraction, random_box, rounds, seeded
 
-from cap import interval
-from cap.certificate import Rounding, Units, bound, window
+from cap.certificate.writer import Rounding, Units, bound, window
 from cap.errors import NotProved
-from cap.interval import Ball
 from cap.parameters import Parameters
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 BAD = [Ball("nan"), Ball("inf"), Ball(0, "inf")]
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from support import holds, rounds, seeded
 
-from cap import interval
 from cap.errors import NotProved
-from cap.interval import Ball
-from cap.stability import SINKS, multipliers, stability
+from cap.maps.stability import SINKS, multipliers, stability
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 
 def expected(values, det):

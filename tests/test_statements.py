@@ -15,17 +15,17 @@ from checker.forge_hybrid import forge_capture, valid
 from checker.forge_impact import PAPER, forge_symmetric
 from test_checker_capture import CASES
 
-from cap import report
-from cap.approx import swarm
-from cap.approx.candidates import Request
+from cap.certificate import report
 from cap.checker import terms
-from cap.checker.certificate import read
-from cap.checker.fixed_point import in_order
-from cap.checker.reading import enclosure
-from cap.checker.rejection import Rejected
+from cap.checker.flow.fixed_point import in_order
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.reading import enclosure
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.statement import words
 from cap.checker.theorem import check
-from cap.commands import COMMANDS
+from cap.explore.commands import COMMANDS
+from cap.floats import swarm
+from cap.floats.candidates import Request
 from cap.paper.registry import LABELS, figure
 from cap.parameters import Parameters
 from proofs.census import census

@@ -13,9 +13,9 @@ from multiprocessing import get_context
 import pytest
 from support import rounds, seeded
 
-from cap import interval
+from cap.cells.subdivision import UNDECIDED, Cell, Workers, cells_between, subdivide
 from cap.errors import BadInput
-from cap.subdivision import UNDECIDED, Cell, Workers, cells_between, subdivide
+from cap.sets import interval
 
 HERE = Workers()
 SMALLEST = Fraction(1, 1000)

@@ -10,8 +10,8 @@ import pytest
 from mpmath import mp
 from support import rounds, seeded
 
-from cap.approx.swarm import follow, itinerary
 from cap.errors import BadInput
+from cap.floats.swarm import follow, itinerary
 from cap.parameters import PAPER, Parameters
 
 SLOW = replace(PAPER, f=Fraction(7, 10))

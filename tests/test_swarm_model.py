@@ -1,4 +1,4 @@
-"""The compiled flow and the mechanics of `cap.model` are the same, to rounding."""
+"""The compiled flow and the mechanics of `cap.flow.model` are the same, to rounding."""
 
 import math
 from fractions import Fraction
@@ -6,12 +6,12 @@ from fractions import Fraction
 import pytest
 from support import rounds, seeded
 
-from cap import interval
-from cap.approx import swarm
 from cap.errors import NotProved
-from cap.itinerary import itinerary
+from cap.floats import swarm
+from cap.flow.itinerary import itinerary
+from cap.flow.propagation import after_periods
 from cap.parameters import PAPER, Parameters
-from cap.propagation import after_periods
+from cap.sets import interval
 
 SETS = {
     "paper": PAPER,

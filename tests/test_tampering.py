@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from test_tampering import changed, enclosures, get, leaves, text
 
-from cap.checker.certificate import TYPES
-from cap.checker.itinerary import WORDS
-from cap.checker.rejection import Rejected
+from cap.checker.flow.itinerary import WORDS
+from cap.checker.kernel.certificate import TYPES
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")

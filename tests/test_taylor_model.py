@@ -18,10 +18,10 @@ from support import (
     width,
 )
 
-from cap import interval
-from cap.interval import Ball
-from cap.jet import Jet
-from cap.taylor_model import Domain, TaylorModel
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.jet import Jet
+from cap.sets.taylor_model import Domain, TaylorModel
 
 BITS = 120
 DIGITS = 60

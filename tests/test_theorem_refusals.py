@@ -11,7 +11,7 @@ from oracle import compared, oracle
 from support import certified
 
 from cap.errors import NotProved, TooFewDigits
-from cap.fixed_point import Start
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from proofs import elliptic, saddle
 from proofs.fixed_point import Setting

@@ -12,9 +12,9 @@ from mpmath import mp, mpf
 from oracle import compared, exact_decimal, oracle
 from support import certified, number, rational, rounds, seeded
 
-from cap.certificate import dumps
+from cap.certificate.writer import dumps
 from cap.errors import NotProved
-from cap.fixed_point import Start
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
 from proofs import elliptic, saddle
 from proofs.fixed_point import Setting

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cap import explorer
+from cap.explore import explorer
 
 DOCS = Path(__file__).parent.parent / "docs"
 SCRIPT = (DOCS / "tutorial.py").read_text(encoding="utf-8")

@@ -8,16 +8,18 @@ import pytest
 from support import holds, inside, rounds, seeded, value_at, width
 from test_normal_form import ANGLES, composed, shears, twist_map
 
-from cap import bisection, certificate, interval, matrix, normal_form
-from cap.approx.cycles import near
+from cap.certificate import writer as certificate
 from cap.errors import NotProved
-from cap.fixed_point import Start
-from cap.impact import asymmetric, symmetric
-from cap.impact_map import period_jet
-from cap.interval import Ball
+from cap.floats.cycles import near
+from cap.maps import normal_form
+from cap.maps.fixed_point import Start
+from cap.maps.twist import Complex, regular_twist
+from cap.one_one.closed_form import asymmetric, symmetric
+from cap.one_one.transport import period_jet
 from cap.parameters import Parameters
-from cap.taylor_model import Domain
-from cap.twist import Complex, regular_twist
+from cap.sets import bisection, interval, matrix
+from cap.sets.interval import Ball
+from cap.sets.taylor_model import Domain
 from proofs import elliptic
 from proofs.fixed_point import Setting
 
@@ -95,7 +97,7 @@ def test_jets_of_lower_order_are_truncations():
 
 
 def test_against_the_normal_form_on_jets_of_impacts():
-    """(1 + trace) τ_1, with the right sign, is that of `cap.normal_form`."""
+    """(1 + trace) τ_1, with the right sign, is that of `cap.maps.normal_form`."""
     with interval.workprec(BITS):
         for orbit in elliptic_orbits(40, 4):
             jets = period_jet(orbit, 3)

@@ -9,14 +9,14 @@ from mpmath import workdps
 from oracle_flow import orbit
 from support import holds, width
 
-from cap import interval
 from cap.errors import BadInput, NotProved
-from cap.event import BALLS, TAYLOR_MODELS
-from cap.flow import State, follow, oscillator
-from cap.interval import Ball
+from cap.flow.event import BALLS, TAYLOR_MODELS
+from cap.flow.propagation import propagate
+from cap.flow.strobe import State, follow, oscillator
 from cap.parameters import PAPER
-from cap.propagation import propagate
-from cap.taylor_model import Domain
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.taylor_model import Domain
 
 KINDS = pytest.mark.parametrize("kind", [BALLS, TAYLOR_MODELS], ids=["balls", "Taylor models"])
 THIRDS = replace(PAPER, l=Fraction(-2, 3), r=Fraction(1, 3))

@@ -1,8 +1,14 @@
-"""``python -m cap.audit``."""
+"""Audit the paper, claim by claim: ``python -m cap.audit``.  See `cap.audit.command`."""
 
-import sys
+from collections.abc import Sequence
 
-from cap.audit.command import main
+from cap.command import entry
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Run the command line; return its exit status."""
+    return entry.run("cap.audit.command:main", words)
+
 
 if __name__ == "__main__":
-    sys.exit(main())
+    entry.leave(main())

@@ -15,7 +15,8 @@ from cap.audit.report.page import page
 from cap.audit.report.text import data, plain
 from cap.audit.report.view import Report, report
 from cap.audit.verdict import Outcome, Verdict
-from cap.console import Parser, closing_quietly, say
+from cap.command.console import Parser, printable, say
+from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.files import replacing
 
@@ -26,7 +27,6 @@ FORMATS: dict[str, Callable[[Report], str]] = {
     "json": data,
     "latex": latex,
 }
-INTERRUPTED = 130
 
 
 def parser() -> argparse.ArgumentParser:
@@ -65,14 +65,9 @@ def parser() -> argparse.ArgumentParser:
     return p
 
 
-def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command line; return its exit status."""
-    options = parser().parse_args(sys.argv[1:] if argv is None else argv)
-    return closing_quietly(lambda: _main(options))
-
-
-def _main(options: argparse.Namespace) -> int:
-    """Do what is asked; bad input and interrupts become a line and an exit status."""
+def main(words: Sequence[str]) -> int:
+    """Run the command line; bad input and interrupts become a line and an exit status."""
+    options = parser().parse_args(words)
     try:
         if options.paper is not None:
             return _paper(options)
@@ -81,7 +76,7 @@ def _main(options: argparse.Namespace) -> int:
         return _audit(options)
     except BadInput as error:
         _progress("")
-        say(f"error: {error}", sys.stderr)
+        say(f"error: {printable(str(error))}", sys.stderr)
         return 2
     except KeyboardInterrupt:
         _progress("")

@@ -1,4 +1,4 @@
-"""The lemma of `cap.capture` in intervals of doubles: hits that accumulate, and then rest."""
+"""The lemma of `cap.flow.capture` in intervals of doubles: hits that accumulate, and then rest."""
 
 import math
 from typing import NamedTuple

@@ -1,7 +1,7 @@
 """Sets of states at a time, carried from period to period without being wrapped each time.
 
-As in `cap.propagation` a set is m + B ε + Q r: m a point, B ε the image of the initial box by a
-point matrix, |ε| <= 1, and Q r the errors, in a frame Q, nearly a rotation, that is turned along
+As in `cap.flow.propagation` a set is m + B ε + Q r: m a point, B ε the image of the initial box by
+a point matrix, |ε| <= 1, and Q r the errors, in a frame Q, nearly a rotation, that is turned along
 with the set (Lohner 1987).  If a map φ has φ(m) in c and derivatives in A + Δ, A a point matrix,
 
     φ(m + B ε + Q r)  is in  c + A B ε + A Q r + Δ (B ε + Q r).

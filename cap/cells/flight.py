@@ -7,7 +7,8 @@ s sin t and s cos t, so
 
     u' = cos t - α - μu,      gap' = -u
 
-whatever its sign.  As in `cap.model`, from (t0, u0) with d = t - t0 and D, h, k of `cap.relaxation`
+whatever its sign.  As in `cap.flow.model`, from (t0, u0) with d = t - t0 and D, h, k of
+`cap.flow.relaxation`
 
     u = V(t) + (u0 - V(t0)) D - α h,      V = (sin t + μ cos t)/(1 + μ²),
     gap = gap0 - (X(t) - X(t0) + (u0 - V(t0)) h - α k),      X = (μ sin t - cos t)/(1 + μ²).

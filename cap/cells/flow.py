@@ -2,8 +2,8 @@
 
 A cell is the set of the states (x, v) of a box between the walls.  What is written of it holds for
 each of its states, by the arithmetic of `cap.sets.doubles`: hits, turns, sticking and release,
-captures, losses, as in `cap.flow`.  Where it is undecided which of several things happens next, for
-all states of the cell, each of them is followed, and what is written is the union.
+captures, losses, as in `cap.flow.strobe`.  Where it is undecided which of several things happens
+next, for all states of the cell, each of them is followed, and what is written is the union.
 
     from cap.cells.flow import flow
     images = flow(PAPER, [[0.1, 0.101, 0.5, 0.501]], 1)

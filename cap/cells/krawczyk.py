@@ -1,6 +1,6 @@
 """Compiled: fixed points of Φ, one per box, at parameters that may differ from box to box.
 
-Krawczyk's operator, as in `cap.krawczyk`: for a box Z = m + [-r, r] and any matrix C,
+Krawczyk's operator, as in `cap.maps.krawczyk`: for a box Z = m + [-r, r] and any matrix C,
 
     K(Z) - m = -C (Φ(m) - m) + (1 - C (Φ'(Z) - 1)) [-r, r].
 

@@ -1,7 +1,7 @@
 """A mass near a wall, moving or at rest, of which no more is known than how far and how fast.
 
 Let y >= 0 be the distance from a wall, w = y', and b the force towards the wall, as in
-`cap.capture`.
+`cap.flow.capture`.
 
 *Lemma.*  Let b_1 <= b <= b_2 on a time interval, b_1 > -f, e² (b_2 - f) <= b_1 + f, and let y <= δ,
 |w| <= u at a time of it.  Put c = max(b_2 - f, 0),

@@ -4,12 +4,12 @@ import math
 from fractions import Fraction
 from typing import Any
 
-from cap import interval
 from cap.cells.flight import Instant, NearSystem, System
-from cap.interval import Ball
 from cap.parameters import Parameters
+from cap.sets import interval
 from cap.sets.compiled import kernel
 from cap.sets.doubles import Interval, between, enclosing
+from cap.sets.interval import Ball
 from cap.sets.records import Record
 
 BITS = 200

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from cap.checker.reading import (
+from cap.checker.kernel.reading import (
     bounded,
     enclosure,
     exactly,
@@ -16,7 +16,7 @@ from cap.checker.reading import (
     part,
     text,
 )
-from cap.checker.rejection import need
+from cap.checker.kernel.rejection import need
 
 THEOREMS = ("symmetric", "pitchfork", "branch")
 FOR_ALL_F = ("pitchfork", "branch")

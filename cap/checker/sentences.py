@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from cap.checker.certificate import Certificate
+from cap.checker.kernel.certificate import Certificate
 from cap.checker.terms import ONE_ONE
 
 

@@ -10,9 +10,9 @@ from math import ceil, floor
 from typing import Any
 
 from cap.checker import forms, sentences, terms
-from cap.checker.certificate import WITHOUT_LOSSES, Certificate
-from cap.checker.reading import Enclosure
-from cap.checker.rejection import need
+from cap.checker.kernel.certificate import WITHOUT_LOSSES, Certificate
+from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.rejection import need
 
 _AS_THEY_ARE = (
     *("Box", "RemainderRadius", "RemainderDegree", "Basin", "Range"),

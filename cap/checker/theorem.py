@@ -20,19 +20,24 @@ from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise
 
-from cap.checker.branch import Branch
-from cap.checker.captured import Capture
-from cap.checker.certificate import Certificate, read
-from cap.checker.fixed_point import FixedPoint, Point, Proof, contains, ends
-from cap.checker.interval import Interval
-from cap.checker.itinerary import Passage, PeriodMap
-from cap.checker.jet import Centred
-from cap.checker.normal_form import EllipticFrame, elliptic_frame, in_complex_coordinate, twists
-from cap.checker.periodic import Periodic
-from cap.checker.persistence import Persistence
-from cap.checker.pitchfork import Pitchfork
-from cap.checker.rejection import need
-from cap.checker.symmetric import SymmetricOrbits
+from cap.checker.flow.fixed_point import FixedPoint, Point, Proof, contains, ends
+from cap.checker.flow.itinerary import Passage, PeriodMap
+from cap.checker.flow.normal_form import (
+    EllipticFrame,
+    elliptic_frame,
+    in_complex_coordinate,
+    twists,
+)
+from cap.checker.kernel.certificate import Certificate, read
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred
+from cap.checker.kernel.rejection import need
+from cap.checker.theorems.branch import Branch
+from cap.checker.theorems.capture import Capture
+from cap.checker.theorems.periodic import Periodic
+from cap.checker.theorems.persistence import Persistence
+from cap.checker.theorems.pitchfork import Pitchfork
+from cap.checker.theorems.symmetric import SymmetricOrbits
 
 RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
 

@@ -7,11 +7,11 @@ import numpy as np
 from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
-from cap.approx import entropy, swarm
-from cap.approx.entropy import Entropy
-from cap.approx.fate import Fate, fate
-from cap.approx.grid import Box, around, grid, island
 from cap.errors import BadInput
+from cap.floats import entropy, swarm
+from cap.floats.entropy import Entropy
+from cap.floats.fate import Fate, fate
+from cap.floats.grid import Box, around, grid, island
 from cap.paper.comparison import Comparison, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER

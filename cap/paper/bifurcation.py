@@ -9,13 +9,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from cap import interval
-from cap.approx import swarm
-from cap.approx.grid import island
-from cap.approx.study import Floats, State
-from cap.certificate import Pair
+from cap.certificate.writer import Pair
 from cap.errors import BadInput
-from cap.fixed_point import Start
+from cap.floats import swarm
+from cap.floats.grid import island
+from cap.floats.study import Floats, State
+from cap.maps.fixed_point import Start
 from cap.paper import certified, closed_form
 from cap.paper.closed_form import (
     asymmetry,
@@ -29,6 +28,7 @@ from cap.paper.comparison import Comparison, claim, number, proved
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
+from cap.sets import interval
 from proofs.branch_curve import Curve
 from proofs.fixed_point import Setting
 from proofs.one_one import Scale

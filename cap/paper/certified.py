@@ -4,8 +4,8 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from cap.approx import candidates
-from cap.approx.candidates import Request
+from cap.floats import candidates
+from cap.floats.candidates import Request
 from cap.paper.figure import at
 from cap.parameters import PAPER, Parameters
 from proofs import theorems

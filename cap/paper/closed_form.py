@@ -1,6 +1,6 @@
 """The (1,1) orbits in closed form, as floats: midpoints of balls.  Their velocity never vanishes.
 
-δ is the asymmetry, α = f/F, ρ = Rω²/F; speeds in units of F/ω: see `cap.impact`.
+δ is the asymmetry, α = f/F, ρ = Rω²/F; speeds in units of F/ω: see `cap.one_one.closed_form`.
 """
 
 import math
@@ -12,13 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cap import interval
-from cap.approx.study import Floats
 from cap.errors import NotProved
-from cap.impact import Orbit, asymmetric, symmetric
-from cap.impact_map import period_jet
-from cap.interval import Ball
-from cap.twist import regular_twist
+from cap.floats.study import Floats
+from cap.maps.twist import regular_twist
+from cap.one_one.closed_form import Orbit, asymmetric, symmetric
+from cap.one_one.transport import period_jet
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 BITS = 80
 

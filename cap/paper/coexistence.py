@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.approx import swarm
-from cap.approx.inventory import PROVED, Entry, inventory
-from cap.approx.study import State
-from cap.approx.trajectory import trajectory
+from cap.floats import swarm
+from cap.floats.inventory import PROVED, Entry, inventory
+from cap.floats.study import State
+from cap.floats.trajectory import trajectory
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, count, proved
 from cap.paper.figure import Figure, Result, Run, at

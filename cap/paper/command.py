@@ -6,10 +6,10 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from cap import export
-from cap.console import quoted, say
-from cap.entry import INTERRUPTED
+from cap.command.console import quoted, say
+from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput, NotProved
+from cap.explore import export
 from cap.files import replacing
 from cap.paper.figure import Compared, Run, Whole
 from cap.paper.registry import figure, labelled

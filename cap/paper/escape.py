@@ -9,13 +9,13 @@ from fractions import Fraction
 
 import numpy as np
 
-from cap import interval, matrix
-from cap.approx.study import Floats, State
-from cap.interval import Ball
-from cap.matrix import Matrix
+from cap.floats.study import Floats, State
+from cap.flow.propagation import Happened, after_periods
 from cap.paper.certified import theorem
 from cap.parameters import PAPER
-from cap.propagation import Happened, after_periods
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
+from cap.sets.matrix import Matrix
 
 DIGITS = 100
 BITS = 512

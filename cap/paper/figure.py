@@ -11,8 +11,8 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.figure import FigureBase
 from numpy.typing import ArrayLike, NDArray
 
-from cap.approx.study import Study
-from cap.approx.work import Work
+from cap.floats.study import Study
+from cap.floats.work import Work
 from cap.paper.comparison import Comparison, markdown
 from cap.parameters import PAPER, Parameters
 

@@ -9,11 +9,11 @@ import numpy as np
 from matplotlib.figure import FigureBase
 from matplotlib.ticker import MaxNLocator
 
-from cap.approx import cycles
-from cap.approx.continuation import continuation
-from cap.approx.cycles import Cycle, Search
-from cap.approx.inventory import KINDS
 from cap.errors import BadInput
+from cap.floats import cycles
+from cap.floats.continuation import continuation
+from cap.floats.cycles import Cycle, Search
+from cap.floats.inventory import KINDS
 from cap.paper.comparison import Comparison, claim, count, number
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER, Parameters

@@ -7,13 +7,13 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.approx import swarm
-from cap.approx.grid import island
-from cap.approx.lyapunov import Lyapunov, exponents
-from cap.approx.study import Floats, State
-from cap.approx.swarm import Swarm
-from cap.approx.trajectory import trajectory
 from cap.errors import BadInput
+from cap.floats import swarm
+from cap.floats.grid import island
+from cap.floats.lyapunov import Lyapunov, exponents
+from cap.floats.study import Floats, State
+from cap.floats.swarm import Swarm
+from cap.floats.trajectory import trajectory
 from cap.paper.comparison import Comparison, claim, number
 from cap.paper.escape import Escape, escape
 from cap.paper.figure import Figure, Result, Run

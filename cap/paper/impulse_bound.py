@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.approx import periodic, swarm
-from cap.approx.grid import grid, island, whole
-from cap.approx.study import Floats, State
-from cap.approx.trajectory import trajectory
 from cap.errors import BadInput
+from cap.floats import periodic, swarm
+from cap.floats.grid import grid, island, whole
+from cap.floats.study import Floats, State
+from cap.floats.trajectory import trajectory
 from cap.paper.closed_form import asymmetry, pair_member, root, symmetric_member, turn
 from cap.paper.comparison import Comparison, claim, number
 from cap.paper.figure import Figure, Result, Run, at

@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from cap.approx.chains import Chain, chains
-from cap.approx.portrait import Portrait, portrait
-from cap.approx.rotation import SHAKY, Rotation, rotation
 from cap.errors import BadInput
+from cap.floats.chains import Chain, chains
+from cap.floats.portrait import Portrait, portrait
+from cap.floats.rotation import SHAKY, Rotation, rotation
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, percent, proved
 from cap.paper.figure import Figure, Result, Run

@@ -8,18 +8,18 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap import interval
-from cap.approx import swarm
-from cap.approx.study import Floats
-from cap.approx.trajectory import Trajectory, trajectory
-from cap.jet import Jet, Space
+from cap.floats import swarm
+from cap.floats.study import Floats
+from cap.floats.trajectory import Trajectory, trajectory
+from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, count, enclosure, number, proved
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures import times
 from cap.pictures.style import parameters
-from cap.twist import regular_twist
+from cap.sets import interval
+from cap.sets.jet import Jet, Space
 from proofs.census import census
 
 STATE = 0.1002798898441954, 0.5419433067664584  # the paper's

@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.approx import cycles, swarm
-from cap.approx.attractor import strongest
-from cap.approx.cycles import Cycle
-from cap.approx.study import State
-from cap.approx.trajectory import Trajectory, trajectory
+from cap.floats import cycles, swarm
+from cap.floats.attractor import strongest
+from cap.floats.cycles import Cycle
+from cap.floats.study import State
+from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.coexistence import mirrored
 from cap.paper.comparison import Comparison, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run, at

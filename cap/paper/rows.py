@@ -8,8 +8,8 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from cap.approx.study import Floats
-from cap.approx.trajectory import Trajectory
+from cap.floats.study import Floats
+from cap.floats.trajectory import Trajectory
 from cap.pictures import times
 from cap.pictures.style import BLUE, SKY, UNITS
 

@@ -7,11 +7,11 @@ import numpy as np
 from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
-from cap.approx import alignment, periodic, swarm
-from cap.approx.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
-from cap.approx.grid import around, grid, island
-from cap.approx.study import Floats, State
 from cap.errors import BadInput
+from cap.floats import alignment, periodic, swarm
+from cap.floats.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
+from cap.floats.grid import around, grid, island
+from cap.floats.study import Floats, State
 from cap.paper.comparison import Comparison, among, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER

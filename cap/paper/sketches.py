@@ -9,14 +9,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 from matplotlib.patches import FancyArrowPatch, Rectangle
 
-from cap.approx import periodic
-from cap.approx.attractor import Attractor, attractors
-from cap.approx.fate import Fate, fate
-from cap.approx.grid import island
-from cap.approx.portrait import Portrait, portrait
-from cap.approx.study import Floats, State
-from cap.approx.trajectory import Trajectory, trajectory
 from cap.errors import BadInput
+from cap.floats import periodic
+from cap.floats.attractor import Attractor, attractors
+from cap.floats.fate import Fate, fate
+from cap.floats.grid import island
+from cap.floats.portrait import Portrait, portrait
+from cap.floats.study import Floats, State
+from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.comparison import Comparison, claim, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER

@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from cap.approx import swarm
-from cap.approx.chatter import Chatter, chatter
-from cap.approx.study import State
-from cap.approx.trajectory import Trajectory, trajectory
+from cap.floats import swarm
+from cap.floats.chatter import Chatter, chatter
+from cap.floats.study import State
+from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, count, number
 from cap.paper.figure import Figure, Result, Run, at

@@ -9,9 +9,9 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from cap.approx.continuation import Branch, Continuation
-from cap.approx.inventory import KINDS, PROVED, Inventory
-from cap.approx.plane import OUTSIDE, UNDONE, Plane
+from cap.floats.continuation import Branch, Continuation
+from cap.floats.inventory import KINDS, PROVED, Inventory
+from cap.floats.plane import OUTSIDE, UNDONE, Plane
 from cap.pictures.style import (
     BLACK,
     BLUE,

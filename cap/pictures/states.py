@@ -13,12 +13,12 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from cap.approx.alignment import THRESHOLD, Alignment
-from cap.approx.attractor import NONE, Attractors
-from cap.approx.fate import FATES, LOST, Fate
-from cap.approx.manifold import Manifolds
-from cap.approx.portrait import Portrait
-from cap.approx.study import Floats, Study
+from cap.floats.alignment import THRESHOLD, Alignment
+from cap.floats.attractor import NONE, Attractors
+from cap.floats.fate import FATES, LOST, Fate
+from cap.floats.manifold import Manifolds
+from cap.floats.portrait import Portrait
+from cap.floats.study import Floats, Study
 from cap.pictures.style import (
     BLACK,
     BLUE,

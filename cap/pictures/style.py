@@ -13,7 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure, FigureBase
 from matplotlib.patches import Patch
 
-from cap.approx.study import Study, short
+from cap.floats.study import Study, short
 from cap.parameters import PAPER, Parameters
 
 # Okabe and Ito's palette

@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from cap.approx.chatter import Chatter
-from cap.approx.gallery import Gallery
-from cap.approx.study import Floats
-from cap.approx.trajectory import Trajectory
+from cap.floats.chatter import Chatter
+from cap.floats.gallery import Gallery
+from cap.floats.study import Floats
+from cap.floats.trajectory import Trajectory
 from cap.pictures.style import (
     BLUE,
     GREEN,

@@ -1,6 +1,6 @@
 """How a velocity relaxes under viscosity, over intervals of doubles and over doubles.
 
-With D = exp(-μd), h = (1 - D)/μ and k = (d - h)/μ (`cap.relaxation`), and z = μd,
+With D = exp(-μd), h = (1 - D)/μ and k = (d - h)/μ (`cap.flow.relaxation`), and z = μd,
 
     k = d² (1/2! - z/3! + z²/4! - ...),      h = d - μk,      D = 1 - μh,
 

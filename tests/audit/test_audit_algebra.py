@@ -7,10 +7,10 @@ import pytest
 import sympy as sp
 from support import holds
 
-from cap import interval
 from cap.audit.means.algebra import differs, enclosure, formula, identity, same, shown, symbols
 from cap.audit.verdict import Outcome
 from cap.errors import NotProved
+from cap.sets import interval
 
 x, y = symbols("x y")
 EQUAL = [

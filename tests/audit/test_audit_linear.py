@@ -5,15 +5,15 @@ import math
 import pytest
 import sympy as sp
 
-from cap import interval
 from cap.audit.claims.saltation import hit
 from cap.audit.means import block
 from cap.audit.means.block import Block
 from cap.audit.means.collision import collision, standard_form
 from cap.audit.means.linear import Event, derivative
 from cap.errors import NotProved
-from cap.fixed_point import Start
-from cap.interval import Ball
+from cap.maps.fixed_point import Start
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 STEP = 1e-6
 

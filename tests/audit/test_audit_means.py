@@ -5,18 +5,18 @@ from fractions import Fraction
 import pytest
 from support import holds
 
-from cap import interval
-from cap.approx import swarm
 from cap.audit.means import stored
 from cap.audit.means.balls import above, below, between, inner, number, pair, roots
 from cap.audit.means.orbits import States, at, before_a_stop, hits_only, until
 from cap.audit.means.paper_equation import Equation
 from cap.audit.means.quadrature import over_the_line
 from cap.audit.verdict import Outcome
-from cap.checker.reading import Enclosure
+from cap.checker.kernel.reading import Enclosure
 from cap.errors import NotProved
-from cap.interval import Ball
+from cap.floats import swarm
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 THIRDS = Enclosure(Fraction(1, 3), Fraction(2, 3), ("1/3", "2/3"))
 

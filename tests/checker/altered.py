@@ -9,7 +9,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 
 SCHEMA = Path(__file__).parents[2] / "certificates/schema/certificate.schema.json"

@@ -12,9 +12,9 @@ from fractions import Fraction
 from mpmath import mp, mpf
 
 from cap.checker.citations import CITES
-from cap.checker.interval import Interval
-from cap.checker.jet import Jet
-from cap.checker.normal_form import elliptic_frame, in_complex_coordinate, twists
+from cap.checker.flow.normal_form import elliptic_frame, in_complex_coordinate, twists
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Jet
 
 ORBITS = {
     "elliptic": ("0.10027988984419", "0.54194333067646"),

@@ -12,12 +12,12 @@ from math import gcd
 
 from mpmath import mp, mpf
 
-from cap import interval
 from cap.checker.citations import CITES
-from cap.impact import asymmetric
-from cap.impact_map import period_jet
-from cap.taylor_model import Domain
-from cap.twist import regular_twist
+from cap.maps.twist import regular_twist
+from cap.one_one.closed_form import asymmetric
+from cap.one_one.transport import period_jet
+from cap.sets import interval
+from cap.sets.taylor_model import Domain
 from checker.forge import _decimal, _mp
 
 PAPER = {"F": "1", "omega": "1", "f": "2/5", "l": "-1", "r": "1"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.interval import Interval
+from cap.checker.kernel.interval import Interval
 
 BITS = (8, 53, 64, 200, 300)
 

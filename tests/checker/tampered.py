@@ -9,7 +9,7 @@ from fractions import Fraction
 import jsonschema
 import pytest
 
-from cap.checker.rejection import Rejected
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 from checker.altered import SCHEMA, changed, encode, leaves
 

@@ -7,8 +7,8 @@ import pytest
 from flint import arb, ctx
 from support import rounds, seeded
 
-from cap import interval as balls
 from cap.sets import circular
+from cap.sets import interval as balls
 from cap.sets.circular import (
     ERROR,
     LIMIT,

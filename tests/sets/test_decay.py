@@ -7,7 +7,7 @@ import pytest
 from flint import ctx
 from support import rounds, seeded
 
-from cap import relaxation
+from cap.flow import relaxation
 from cap.sets.decay import relax, relax_double
 from cap.sets.doubles import Interval, is_finite
 from sets.draw import point

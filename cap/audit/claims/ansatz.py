@@ -6,7 +6,6 @@ The algebra is right; but who turns and then moves right does not arrive at the 
 from fractions import Fraction
 from typing import Any
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, identity, same, symbols
 from cap.audit.means.balls import between, precisely
@@ -15,7 +14,8 @@ from cap.audit.means.need import need
 from cap.audit.means.paper_equation import Equation, psi
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
-from cap.interval import Ball
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 HALF = Equation(Fraction(1, 2), Fraction(2))  # f = 1/2 at the paper's F, ω, R
 

@@ -3,7 +3,6 @@
 from dataclasses import replace
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import enclosure, formula, same, symbols
 from cap.audit.means.balls import between, inner, number, pair, precisely
@@ -11,6 +10,7 @@ from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Strength, Verdict, confirmed, corrected, imprecise, refuted
+from cap.sets import interval
 
 RESONANT = Fraction(1, 5)
 
@@ -184,7 +184,7 @@ def twist_almost_everywhere() -> Verdict:
         "in (δ, ρ) on a connected set, on which (1 + trace) τ₁ is analytic and not identically 0. "
         "At R = 2, F = ω = 1 it is certified for all f in "
         f"{inner(claims['f_range'])} but {len(exceptions)} intervals of total length below 10⁻⁶",
-        "Stored certificate, and the closed form of cap.impact.",
+        "Stored certificate, and the closed form of cap.one_one.closed_form.",
         certificate="branch.json",
         proof="kam.md#the-twist-vanishes-almost-nowhere",
     )

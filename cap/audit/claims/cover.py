@@ -4,13 +4,13 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, formula, identity, same, symbols
 from cap.audit.means.balls import between
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
+from cap.sets import interval
 
 
 def wave(q: Fraction) -> Fraction:

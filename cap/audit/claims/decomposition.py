@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.claims.saltation import LATER
 from cap.audit.means import block
@@ -19,8 +18,9 @@ from cap.audit.verdict import (
     still_open,
     vacuous,
 )
+from cap.flow.propagation import after_periods
 from cap.parameters import PAPER
-from cap.propagation import after_periods
+from cap.sets import interval
 
 HEIGHT = Fraction(8, 10**9)  # of the block around the saddle, half
 ARC = Fraction("-0.39"), Fraction("1.437170054123255357625761233795"), Fraction(2, 10**17)

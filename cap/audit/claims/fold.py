@@ -3,7 +3,6 @@
 from fractions import Fraction
 from typing import Any
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, identity, same, symbols
 from cap.audit.means.balls import between, pair, precisely
@@ -12,8 +11,9 @@ from cap.audit.means.need import need
 from cap.audit.means.paper_equation import psi
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, refuted, vacuous
-from cap.impact import symmetric
-from cap.interval import Ball
+from cap.one_one.closed_form import symmetric
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 NEAR = Fraction(63, 100)  # f near 2F/π
 
@@ -196,7 +196,7 @@ def saddle_center_of_orbits() -> Verdict:
     return corrected(
         f"at f = 2F/π, in {pair(claimed)} at F = 1: two symmetric orbits that hit each wall once a "
         f"period and never stop. At (1, 1, 2, 63/100) their traces are {words[0]} and {words[1]}",
-        "Closed form in balls (cap.impact), and the stored certificate.",
+        "Closed form in balls (cap.one_one.closed_form), and the stored certificate.",
         certificate="symmetric.json",
         proof="periodic.md#the-saddle-center-of-the-symmetric-orbits",
     )

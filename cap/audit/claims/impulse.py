@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import formula, identity, symbols
 from cap.audit.means.balls import between, pair, precisely
@@ -12,6 +11,7 @@ from cap.audit.means.orbits import States, at
 from cap.audit.means.paper_equation import Equation
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, refuted
+from cap.sets import interval
 
 ABOVE = Equation(Fraction(13, 20), Fraction(2))  # f = 0.65 > 2/π at the paper's F, ω, R
 

@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import enclosure, identity, same, symbols
 from cap.audit.means.balls import pair
@@ -10,6 +9,7 @@ from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, vacuous
+from cap.sets import interval
 
 
 @claim("eq:Ffield", Kind.DEFINITION, stated="{v} × [F cos ωt - f, F cos ωt + f] at v = 0")

@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit import labels
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, enclosure, identity, same, symbols
@@ -12,6 +11,7 @@ from cap.audit.means.need import need
 from cap.audit.means.orbits import at
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
+from cap.sets import interval
 from proofs.census import census
 
 

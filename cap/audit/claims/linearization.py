@@ -3,7 +3,6 @@
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.claims.saltation import hit
 from cap.audit.means.algebra import enclosure, formula, identity, same, symbols
@@ -12,8 +11,9 @@ from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.linear import Event, derivative
 from cap.audit.means.need import need
 from cap.audit.verdict import Verdict, confirmed, corrected, refuted, vacuous
-from cap.impact import symmetric
-from cap.interval import Ball
+from cap.one_one.closed_form import symmetric
+from cap.sets import interval
+from cap.sets.interval import Ball
 from proofs.census import Member, census
 
 FRICTION, GAP = Fraction(2, 5), Fraction(2)  # f and R of Figure 3, with ω = 1
@@ -258,6 +258,6 @@ def closed_forms_for_kam() -> Verdict:
     return refuted(
         "P* of Section 10, to which Section 5 is applied, never turns and is not symmetric: it is "
         f"one of the asymmetric pair with one hit of each wall, trace {between(orbit.trace, 6)}. "
-        "That family has a closed form too, in one parameter (cap.impact)",
+        "That family has a closed form too, in one parameter (cap.one_one.closed_form)",
         "proofs.census at (1, 1, 2, 2/5), in balls.",
     )

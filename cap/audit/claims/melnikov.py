@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, identity, symbols
 from cap.audit.means.balls import between, precisely
@@ -17,7 +16,8 @@ from cap.audit.verdict import (
     uncheckable,
     vacuous,
 )
-from cap.interval import Ball, ComplexBall
+from cap.sets import interval
+from cap.sets.interval import Ball, ComplexBall
 
 FREQUENCIES = Fraction(1, 2), Fraction(1), Fraction(3)
 

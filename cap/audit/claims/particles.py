@@ -4,7 +4,6 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, identity, reals, same, symbols
 from cap.audit.means.balls import precisely
@@ -12,6 +11,7 @@ from cap.audit.means.collision import collision, standard_form
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted, vacuous
+from cap.sets import interval
 
 EMPTY = "particles.md#no-trajectory-is-sign-preserving-for-ever"
 

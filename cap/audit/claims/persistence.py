@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.claims.saltation import hit
 from cap.audit.means.algebra import differs, formula, identity, reals, same, symbols
@@ -12,8 +11,9 @@ from cap.audit.means.need import need
 from cap.audit.means.orbits import at
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
-from cap.interval import Ball
-from cap.propagation import at_time_zero, propagate
+from cap.flow.propagation import at_time_zero, propagate
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 
 @claim("ssec:persist-model", Kind.STEP, stated="well-posed by the same argument as Theorem 2.5")

@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import enclosure, formula, identity, same, symbols
 from cap.audit.means.balls import between, number, precisely
@@ -11,8 +10,9 @@ from cap.audit.means.need import need
 from cap.audit.means.paper_equation import Equation, psi
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
-from cap.checker.reading import Enclosure
-from cap.interval import Ball
+from cap.checker.kernel.reading import Enclosure
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 PAPER_RHO = Fraction(2)
 MONOTONE = (
@@ -266,8 +266,8 @@ def universality() -> Verdict:
         "the two symmetric orbits with one hit of each wall meet at f/F = 2/π, for every gap for "
         f"which they do not stop, Rω²/F > c, c in {gap}: the universal value is right. f_sc is "
         "where roots that are no orbits meet",
-        "In closed form (cap.impact): sin ωt₁ = πf/(2F), cos ωt₁ = ±S, S = 0 at f = 2F/π, where "
-        "the least speed is positive for these gaps; certified at R = 2.",
+        "In closed form (cap.one_one.closed_form): sin ωt₁ = πf/(2F), cos ωt₁ = ±S, S = 0 at "
+        "f = 2F/π, where the least speed is positive for these gaps; certified at R = 2.",
         certificate="symmetric.json",
         proof="periodic.md#the-saddle-center-of-the-symmetric-orbits",
     )

@@ -2,7 +2,6 @@
 
 from typing import Any
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, formula, identity, reals, same, symbols
 from cap.audit.means.balls import between
@@ -12,7 +11,8 @@ from cap.audit.means.need import need
 from cap.audit.means.orbits import Followed, States, at, hits_only
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, refuted
-from cap.interval import Ball
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 LATER = States("-0.39", "0.53", "0.001")  # hits only in the first period, a stop in the second
 

@@ -1,6 +1,5 @@
 """Section 2.2: what happens where the velocity vanishes (Lemma 2.3), and at a wall (Lemma 2.4)."""
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, enclosure, identity, same, symbols
 from cap.audit.means.balls import between
@@ -8,6 +7,7 @@ from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.orbits import States
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
+from cap.sets import interval
 
 
 @claim("vzero-a", Kind.THEOREM, stated="x' is differentiable at t*")

@@ -1,11 +1,10 @@
 """Section 2.3: the proof of Theorem 2.5, step by step.
 
-What it misses is that a wall can hold the mass: bounces accumulate (`cap.capture`).
+What it misses is that a wall can hold the mass: bounces accumulate (`cap.flow.capture`).
 """
 
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, identity, same, symbols
 from cap.audit.means.balls import above, between
@@ -14,8 +13,9 @@ from cap.audit.means.need import need
 from cap.audit.means.orbits import before_a_stop, until
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
-from cap.interval import Ball
 from cap.parameters import PAPER
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 CAPTURE = "capture.json"
 SMALL = Fraction(1, 100), Fraction(1, 10**4), Fraction(1, 10**6)

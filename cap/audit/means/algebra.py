@@ -10,11 +10,11 @@ from functools import reduce
 from operator import add, mul
 from typing import Any
 
-from cap import interval
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.verdict import Verdict, confirmed, corrected
 from cap.errors import NotProved
-from cap.interval import Ball
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 BITS = 120
 _UNARY: dict[str, Callable[[Ball], Ball]] = {

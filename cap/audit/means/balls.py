@@ -5,11 +5,11 @@ from contextlib import contextmanager
 from decimal import Decimal
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.verdict import Verdict, confirmed, corrected
-from cap.checker.reading import Enclosure
+from cap.checker.kernel.reading import Enclosure
 from cap.errors import NotProved
-from cap.interval import Ball
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 BITS = 120
 DEEPEST = 60

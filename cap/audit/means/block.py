@@ -24,13 +24,13 @@ interior point of Ω_NS.
 from dataclasses import dataclass
 from fractions import Fraction
 
-from cap import interval, matrix
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.interval import Ball, Box
-from cap.matrix import Matrix
+from cap.flow.propagation import Image, after_periods
 from cap.parameters import PAPER
-from cap.propagation import Image, after_periods
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball, Box
+from cap.sets.matrix import Matrix
 
 BITS = 160
 CONE = Fraction(1, 10)

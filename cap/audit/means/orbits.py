@@ -3,13 +3,13 @@
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from cap import interval
 from cap.audit.means.balls import between
 from cap.audit.means.need import need
-from cap.interval import Ball, Box
-from cap.matrix import Matrix
+from cap.flow.propagation import Image, after_periods, at_time_zero, propagate
 from cap.parameters import PAPER, Parameters
-from cap.propagation import Image, after_periods, at_time_zero, propagate
+from cap.sets import interval
+from cap.sets.interval import Ball, Box
+from cap.sets.matrix import Matrix
 
 BITS = 100
 

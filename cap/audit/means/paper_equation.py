@@ -4,11 +4,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from cap import interval
 from cap.audit.means.algebra import symbols
 from cap.audit.means.balls import roots
 from cap.audit.means.lazy import sympy as sp
-from cap.interval import Ball
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 
 @dataclass(frozen=True)

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
-from cap import interval
 from cap.audit.means.need import need
-from cap.interval import Ball, ComplexBall
+from cap.sets import interval
+from cap.sets.interval import Ball, ComplexBall
 
 REACH = 80  # of the part that is integrated; the rest is bounded
 

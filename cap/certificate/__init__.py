@@ -1,0 +1,1 @@
+"""What a certificate is: written, named, and put in words for people."""

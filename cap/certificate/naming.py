@@ -1,0 +1,79 @@
+"""Names of certificates: they tell the theorem, the parameters and the orbit, and nothing else.
+
+    elliptic.json                   the paper's parameters, the orbit that the search finds first
+    elliptic-f=9_20.json            other parameters: those that are not the paper's
+    periodic-F=3-period=2.json      and what else the theorem is about
+    elliptic-x=0.559163-v=1.06697.json    an orbit that was asked for: its state at t = 0
+
+So a name does not depend on what lies in the folder.  Certificates that differ in their digits, or
+the order of their twists, have the same name.
+"""
+
+from collections.abc import Mapping
+from fractions import Fraction
+from hashlib import sha256
+from pathlib import Path
+
+from cap.certificate.writer import stored
+from cap.checker.forms import FOR_ALL_F
+from cap.checker.forms import THEOREMS as CLOSED_FORMS
+from cap.checker.kernel.certificate import Certificate
+from cap.errors import BadInput
+from cap.parameters import PAPER, Parameters
+
+LONGEST = 120  # characters of a name
+NEAR = Fraction(1, 10**6)  # in the units R and R omega: orbits that are the same in floats
+
+State = tuple[float, float]
+
+
+def name(theorem: str, parameters: Parameters, about: Mapping[str, str]) -> str:
+    """Return the name of a file; ``about`` is what the theorem is about besides its parameters."""
+    paper = PAPER.strings()
+    changed = {key: q for key, q in _told(theorem, parameters).items() if q != paper[key]}
+    words = [theorem, *(f"{key}={value}" for key, value in {**changed, **about}.items())]
+    told = "-".join(words).replace("/", "_")
+    if len(told) > LONGEST:
+        told = f"{theorem}-{sha256(told.encode()).hexdigest()[:16]}"
+    return f"{told}.json"
+
+
+def of_state(state: State) -> dict[str, str]:
+    """Return what tells an orbit: its state at t = 0, to six digits."""
+    return {key: f"{z:.6g}" for key, z in zip("xv", state, strict=True)}
+
+
+def free(path: Path, theorem: str, parameters: Parameters, state: State) -> None:
+    """Raise `BadInput` unless nothing is at ``path``, or a certificate about the same.
+
+    So no other file is replaced.
+    """
+    if not path.exists():
+        return
+    old = stored(path)
+    if not (old and _is_about(old, theorem, parameters, state)):
+        advice = "move it away, or name the file with --out FILE.json"
+        raise BadInput(f"there is another file at {path}: {advice}")
+
+
+def _told(theorem: str, parameters: Parameters) -> dict[str, str]:
+    """Return the parameters that a certificate has."""
+    strings = parameters.strings()
+    return {key: strings[key] for key in strings if key != "f" or theorem not in FOR_ALL_F}
+
+
+def _is_about(old: Certificate, theorem: str, p: Parameters, state: State) -> bool:
+    """Return whether a certificate has this theorem and these parameters, and holds the state.
+
+    What starts from closed forms is about no one state.
+    """
+    same = all(getattr(old.parameters, key) == getattr(p, key) for key in _told(theorem, p))
+    if old.theorem != theorem or not same or theorem in CLOSED_FORMS:
+        return old.theorem == theorem and same
+    where = old.claims if "x" in old.claims else old.claims.get("box", {})
+    units = {"x": p.R, "v": p.R * p.omega}
+    return all(
+        where[key].lower - NEAR * units[key] <= z <= where[key].upper + NEAR * units[key]
+        for key, z in zip("xv", state, strict=True)
+        if key in where
+    )

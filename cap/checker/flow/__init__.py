@@ -1,0 +1,1 @@
+"""Mechanics, events and itineraries, transcribed for the checker."""

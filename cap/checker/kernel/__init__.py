@@ -1,0 +1,1 @@
+"""Intervals, elementary functions, jets and strict reading: what every referee reads."""

@@ -1,0 +1,172 @@
+"""The strict reading of JSON: bytes -> objects, lists and strings -> exact numbers, or a rejection.
+
+A shape is built of dictionaries, lists and readers at the leaves; a value must match it exactly:
+the same keys, the same lengths.  Numbers are exact rationals.  Nothing is evaluated whose size was
+not bounded before.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple, NoReturn
+
+from cap.checker.kernel.rejection import Rejected, need
+
+MAX_BYTES = 1 << 20
+MAX_CHARACTERS = 4000
+MAX_DEPTH = 16
+_INTEGER = "-?(?:0|[1-9][0-9]*)"
+_NUMBER = re.compile(f"{_INTEGER}(?:\\.[0-9]+|/[1-9][0-9]*)?")
+
+
+class Enclosure(NamedTuple):
+    """The closed interval [lower, upper], with the two strings that state it."""
+
+    lower: Fraction
+    upper: Fraction
+    text: tuple[str, str]
+
+    def __str__(self) -> str:
+        """Return the enclosure exactly as it is stated."""
+        return f"[{self.text[0]}, {self.text[1]}]"
+
+
+def matched(value: Any, shape: Any, where: str) -> Any:
+    """Return the value with its leaves read; it must have exactly the given shape."""
+    if isinstance(shape, dict):
+        need(isinstance(value, dict), f"{where} is not an object")
+        need(value.keys() == shape.keys(), f"{where} has missing or unknown fields")
+        return {key: matched(value[key], part, f"{where}.{key}") for key, part in shape.items()}
+    if isinstance(shape, list):
+        need(
+            isinstance(value, list) and len(value) == len(shape),
+            f"{where} is not a list of {len(shape)}",
+        )
+        return [
+            matched(v, part, f"{where}[{n}]")
+            for n, (v, part) in enumerate(zip(value, shape, strict=True))
+        ]
+    return shape(value, where)
+
+
+def anything(value: Any, _: str) -> Any:
+    """Return the value as it is."""
+    return value
+
+
+def text(value: Any, where: str) -> str:
+    """Return a string."""
+    if not isinstance(value, str):
+        raise Rejected(f"{where} is not a string")
+    return value
+
+
+def exactly(expected: str) -> Callable[[Any, str], str]:
+    """Return a reader that accepts this string alone."""
+
+    def reader(value: Any, where: str) -> str:
+        need(value == expected, f"{where} is not {expected}")
+        return expected
+
+    return reader
+
+
+def number(value: Any, where: str) -> Fraction:
+    """Return an exact number: an integer, a decimal without exponent, or a fraction."""
+    literal = text(value, where)
+    need(len(literal) <= MAX_CHARACTERS, f"{where} is longer than {MAX_CHARACTERS} characters")
+    need(_NUMBER.fullmatch(literal) is not None, f"{where} is not a number of the format")
+    whole, _, decimals = literal.partition(".")
+    if decimals:
+        return Fraction(int(whole + decimals), 10 ** len(decimals))
+    numerator, _, denominator = literal.partition("/")
+    return Fraction(int(numerator), int(denominator or "1"))
+
+
+def enclosure(value: Any, where: str) -> Enclosure:
+    """Return a pair of numbers with lower <= upper."""
+    lower, upper = matched(value, [number, number], where)
+    need(lower <= upper, f"{where} has lower > upper")
+    return Enclosure(lower, upper, (value[0], value[1]))
+
+
+def within(least: int, most: int) -> Callable[[Any, str], int]:
+    """Return a reader of integers between least and most."""
+    return lambda value, where: bounded(text(value, where), least, most, where)
+
+
+def one_of(words: Sequence[str]) -> Callable[[Any, str], str]:
+    """Return a reader that accepts these strings."""
+
+    def reader(value: Any, where: str) -> str:
+        need(value in words, f"{where} is none of: {', '.join(words)}")
+        return str(value)
+
+    return reader
+
+
+def length(value: Any, least: int, most: int, where: str) -> int:
+    """Return the length of a list, which must lie between least and most."""
+    listed = isinstance(value, list) and least <= len(value) <= most
+    need(listed, f"{where} is not a list of {least} to {most}")
+    return len(value)
+
+
+def part(value: Any, key: str, where: str) -> Any:
+    """Return what an object has at a key."""
+    need(isinstance(value, dict), f"{where} is not an object")
+    need(key in value, f"{where}.{key} is missing")
+    return value[key]
+
+
+def bounded(literal: str, least: int, most: int, name: str) -> int:
+    """Return an integer between least and most."""
+    need(re.fullmatch("0|[1-9][0-9]{0,5}", literal) is not None, f"{name} is not a small integer")
+    need(least <= int(literal) <= most, f"{name} is not between {least} and {most}")
+    return int(literal)
+
+
+def parsed(data: bytes) -> object:
+    """Return the JSON value, built of objects, lists and strings; anything else rejects."""
+    need(len(data) <= MAX_BYTES, "the file is larger than 1 MiB")
+    try:
+        value = json.loads(
+            data.decode("utf-8"),
+            object_pairs_hook=_object,
+            parse_float=_no_number,
+            parse_int=_no_number,
+            parse_constant=_no_number,
+        )
+        _refuse_literals(value)
+    except UnicodeDecodeError:
+        raise Rejected("the file is not UTF-8") from None
+    except json.JSONDecodeError:
+        raise Rejected("the file is not JSON") from None
+    except RecursionError:
+        raise Rejected("the JSON is nested too deeply") from None
+    return value
+
+
+def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    """Return the JSON object; a repeated key rejects."""
+    result = dict(pairs)
+    need(len(result) == len(pairs), "a JSON object repeats a key")
+    return result
+
+
+def _no_number(_: str) -> NoReturn:
+    """Reject a JSON number."""
+    raise Rejected("the file contains a JSON number; numbers must be strings")
+
+
+def _refuse_literals(value: object, depth: int = 0) -> None:
+    """Reject true, false and null, anywhere, and deep nesting."""
+    need(depth <= MAX_DEPTH, "the JSON is nested too deeply")
+    if isinstance(value, dict | list):
+        for part in value.values() if isinstance(value, dict) else value:
+            _refuse_literals(part, depth + 1)
+    else:
+        text(value, "a value (true, false or null)")

@@ -1,0 +1,297 @@
+"""The theorem about the branch: the pairs of (1,1) orbits for a whole range of f.
+
+By ``impact`` there is one pair for each delta in (0, pi/2) with S < 1, and f = F alpha strictly
+decreases with delta.  Cells cover [0, D].  On every cell, by Taylor models,
+
+1. trace' < 0; on the first cell, where trace is even in delta, trace'' < 0; so trace decreases;
+2. L' < 0 and u_2 > L: the least speed is L, and decreases.
+
+So what f, trace and least speed take on a cell is known from their values at its ends.  If delta_0
+is the greatest delta in view with L(delta_0) > 0, every f in [F alpha(delta_0), F alpha(0)) has
+exactly one pair, and it is genuine.  delta_0 is D, or the lower end of a bracket of the zero of L.
+
+3. A rotation number p/q is met where trace = 2 cos(2 pi p/q), so exactly once if
+   trace(delta_0) is below, and not at all for delta <= delta_0 if it is above.
+4. On the cells with a sign, N has it (``twist``), and |trace| < 2.  At a zero of N with trace
+   != -1, tau_1 = 0; between two cells of opposite sign there is one.
+5. Let f be in the range, trace > -2 there, and f not in an exception.  Then its delta lies in a
+   cell with a sign, since the f of all other cells with trace > -2 somewhere are in exceptions; and
+   no e^(ik Theta) is 1 for k = 1, ..., 4.  Hence tau_1 != 0 and [Moser].
+
+The mirror (x, v, t) -> (l + r - x, -v, t + T/2) preserves dx^dv and makes the maps Phi at the two
+orbits of a pair conjugate: they have the same trace and the same tau_1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise
+from math import gcd
+from typing import Any, NamedTuple
+
+from cap.checker.kernel.certificate import Certificate
+from cap.checker.kernel.elementary import arccos, cos_sin, pi
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.rejection import need
+from cap.checker.one_one import closed_form as impact
+from cap.checker.one_one.taylor_model import TaylorModel
+from cap.checker.one_one.twist import regularised_twist
+from cap.checker.theorems.symmetric import Scaled
+
+_MOST = 8  # the largest denominator of the rotation numbers
+_CELL_DIGITS = 6
+_TWIST_DIGITS = 1
+RATIOS = sorted(
+    Fraction(p, q) for q in range(2, _MOST + 1) for p in range(1, q // 2 + 1) if gcd(p, q) == 1
+)
+LOW_ORDER = [q for q in RATIOS if q.denominator <= 4 and q < Fraction(1, 2)]
+Ends = tuple[Fraction, Fraction]
+
+
+class Values(NamedTuple):
+    """f, trace and L at one delta."""
+
+    f: Interval
+    trace: Interval
+    least_speed: Interval
+
+
+class Branch(Scaled):
+    """The pairs of (1,1) orbits, from their birth on."""
+
+    def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
+        super().__init__(certificate, step)
+        self.at, self.deepest = cache(self.evaluated), Fraction(0)
+
+    def prove(self) -> None:
+        """Prove the theorem."""
+        self.cover()
+        self.f_start()
+        self.deepest = self.end()
+        self.range()
+        self.resonances()
+        for n, cell in enumerate(self.claims["cells"]):
+            self.cell(n, cell)
+        self.step("on every cell f, trace and least speed decrease; the twist has the sign claimed")
+        self.twist_zeros()
+        self.exceptions()
+
+    @property
+    def last(self) -> Fraction:
+        """D, where the cells end."""
+        return Fraction(self.claims["cells"][-1]["delta"].upper)
+
+    def cover(self) -> None:
+        """Check that the cells cover [0, D] and are in order."""
+        cells = [cell["delta"] for cell in self.claims["cells"]]
+        need(cells[0].lower == 0, "the first cell does not begin with 0")
+        need(all(c.lower < c.upper for c in cells), "a cell is empty")
+        joined = all(c.upper == d.lower for c, d in pairwise(cells))
+        need(joined, "a cell does not begin where the last one ends")
+        need(self.number(self.last).is_before(self.pi() / 2), "delta is not below pi/2")
+        self.step(f"{len(cells)} cells cover the range of delta")
+
+    def evaluated(self, delta: Fraction) -> Values:
+        """Return f, trace and L at one delta."""
+        pair = impact.over_intervals(self.rho).at(self.number(delta))
+        L = impact.slowest(pair) * self.number(self.p.F / self.omega)
+        f = pair.alpha.constant * self.number(self.p.F)
+        return Values(f, pair.trace.constant, L)
+
+    def f_start(self) -> None:
+        """Compare the claim where the branch begins."""
+        c = impact.birth(self.rho)
+        need(c is not None, "R omega^2/F is not below (pi^2 - 4)/2: no pair is born")
+        self.confirm("f_start", self.at(Fraction(0)).f, self.p.F)
+        self.step("the pair is born at f_start")
+
+    def end(self) -> Fraction:
+        """Return the greatest delta in view with L > 0, and compare the claims of the end."""
+        bracket, claims = self.hints["end"], self.claims
+        if bracket is None:
+            need(self.at(self.last).least_speed.is_positive(), "the least speed may vanish")
+            self.step("the least speed is positive on all cells")
+            return self.last
+        low, high = bracket
+        need(0 < low < high and high == self.last, "the cells do not end with the bracket")
+        need(self.at(low).least_speed.is_positive(), "the least speed vanishes before the bracket")
+        slow = (-self.at(high).least_speed).is_positive()
+        need(slow, "the least speed does not vanish in the bracket")
+        for name, values, unit in (("f_end", 0, self.p.F), ("trace_end", 1, Fraction(1))):
+            ends = self.at(high)[values], self.at(low)[values]
+            self.spans(name, claims[name], ends, unit, self.certificate.digits)
+            self.narrow(name, claims[name], unit)
+        self.step("the least speed vanishes at f_end")
+        return Fraction(low)
+
+    def range(self) -> None:
+        """Check that the range lies between the end and the beginning."""
+        claim = self.claims["f_range"]
+        need(claim.lower < claim.upper, "f_range is empty")
+        below = self.number(claim.upper).is_before(self.at(Fraction(0)).f)
+        need(below, "f_range does not end below f_start")
+        inside = self.at(self.deepest).f.upper <= claim.lower
+        need(inside, "f_range begins where the least speed may not be positive")
+        self.step("every f in f_range has one genuine pair")
+
+    def spans(
+        self, name: str, claim: Enclosure, ends: tuple[Interval, Interval], unit: Any, digits: int
+    ) -> None:
+        """Check that a claim is [first, last], rounded outwards at so many digits."""
+        first, last = ends
+        contained = claim.lower <= first.lower and last.upper <= claim.upper
+        need(contained, f"{name} does not contain what is taken")
+        room = max(abs(claim.lower), abs(claim.upper), unit) / Fraction(10) ** digits
+        close = first.upper - claim.lower <= room and claim.upper - last.lower <= room
+        need(close, f"{name} is wider than what is taken")
+
+    def in_view(self, name: str, bracket: Enclosure) -> Ends:
+        """Return the ends of a bracket, which must lie where the orbits are genuine."""
+        inside = 0 < bracket.lower < bracket.upper <= self.deepest
+        need(inside, f"the bracket of {name} is not where the orbits are genuine")
+        return bracket.lower, bracket.upper
+
+    def resonances(self) -> None:
+        """Check that the rotation numbers claimed are all that are met, and where."""
+        claims = self.claims["resonances"]
+        met = [ratio for ratio in RATIOS if self.is_met(ratio)]
+        listed = [claim["ratio"] for claim in claims]
+        expected = [str(q) for q in met]
+        need(listed == expected, f"the rotation numbers are: {', '.join(expected)}")
+        for ratio, claim, bracket in zip(met, claims, self.hints["resonances"], strict=True):
+            name = f"resonances.{ratio}"
+            low, high = self.in_view(name, bracket)
+            level = self.level(ratio)
+            crossed = self.at(high).trace.is_before(level) and level.is_before(self.at(low).trace)
+            need(crossed, f"{name}: the trace does not cross its value in the bracket")
+            ends, digits = (self.at(high).f, self.at(low).f), self.certificate.digits
+            self.spans(name, claim["f"], ends, self.p.F, digits)
+            self.narrow(name, claim["f"], self.p.F)
+        self.step(f"the rotation numbers met, up to denominator {_MOST}: {', '.join(listed)}")
+
+    def level(self, ratio: Fraction) -> Interval:
+        """Return 2 cos(2 pi p/q)."""
+        return cos_sin(self.pi() * 2 * self.number(ratio))[0] * 2
+
+    def is_met(self, ratio: Fraction) -> bool:
+        """Return whether the trace falls below its value for a rotation number."""
+        level, trace = self.level(ratio), self.at(self.deepest).trace
+        decided = trace.is_before(level) or level.is_before(trace)
+        need(decided, f"whether the rotation number {ratio} is met is not decided")
+        return trace.is_before(level)
+
+    def cell(self, n: int, claim: dict[str, Any]) -> None:
+        """Prove that trace and least speed decrease on a cell, and the sign of N."""
+        low, high = claim["delta"].lower, claim["delta"].upper
+        x = TaylorModel.variable(low, high, self.hints["bits"])
+        pairs = impact.over_cells(self.rho)
+        pair = pairs.at(x, 1 if n else 2)
+        falling = -pair.trace.coefficients[1 if n else 2,].range()
+        need(falling.is_positive(), f"cells[{n}]: the trace may not decrease")
+        need((-steepness(pair)).is_positive(), f"cells[{n}]: the least speed may not decrease")
+        u_2 = pair.speeds[1].constant.range() * self.number(self.p.F / self.omega)
+        first = self.at(low).least_speed.is_before(u_2)
+        need(first, f"cells[{n}]: the least speed may be that at a hit")
+        for name, unit in (("f", self.p.F), ("trace", 1), ("least_speed", self.R * self.omega)):
+            ends = getattr(self.at(high), name), getattr(self.at(low), name)
+            self.spans(f"cells[{n}].{name}", claim[name], ends, unit, _CELL_DIGITS)
+        named = (claim["twist"] is None) == (claim["regular_twist"] is None)
+        need(named, f"cells[{n}]: of sign and value of the twist one is missing")
+        if claim["twist"] is not None:
+            N = regularised_twist(pairs, pair).range()
+            signed = (N if claim["twist"] == "+" else -N).is_positive()
+            need(signed, f"cells[{n}]: the twist may not have the sign claimed")
+            self.twist_value(f"cells[{n}].regular_twist", claim["regular_twist"], N)
+
+    def twist_value(self, name: str, claim: Enclosure, N: Interval) -> None:
+        """Compare the claim on N, per |z|^2: areas are in units F^2/omega^3."""
+        N = N * self.number(self.p.omega**3 / self.p.F**2)
+        ends = (Interval(end, end, N.bits) for end in (N.lo, N.hi))
+        self.spans(name, claim, (next(ends), next(ends)), Fraction(0), _TWIST_DIGITS)
+        need(claim.lower > 0 or claim.upper < 0, f"{name} contains 0")
+
+    def twist_zeros(self) -> None:
+        """Prove that the twist vanishes in each bracket, and that none is missing."""
+        claims, brackets = self.claims["twist_zeros"], self.hints["twist_zeros"]
+        for n, (claim, bracket) in enumerate(zip(claims, brackets, strict=True)):
+            low, high = self.in_view(f"twist_zeros[{n}]", bracket)
+            signs = [self.twist_at(low).is_positive(), self.twist_at(high).is_positive()]
+            need(signs[0] != signs[1], f"twist_zeros[{n}]: the twist does not change its sign")
+            traces = [self.at(delta).trace + 1 for delta in (low, high)]
+            apart = traces[1].is_positive() or (-traces[0]).is_positive()
+            need(apart, f"twist_zeros[{n}]: the trace may be -1")
+            ends = self.at(high).f, self.at(low).f
+            self.spans(f"twist_zeros[{n}]", claim, ends, self.p.F, _CELL_DIGITS)
+        need(all(a.upper <= b.lower for a, b in pairwise(brackets)), "twist_zeros are not in order")
+        signed = [cell for cell in self.claims["cells"] if cell["twist"] is not None]
+        for a, b in pairwise(signed):
+            gap = a["delta"].upper, b["delta"].lower
+            found = any(gap[0] <= z.lower and z.upper <= gap[1] for z in brackets)
+            need(a["twist"] == b["twist"] or found, "a zero of the twist is missing")
+        self.step(f"the twist vanishes in {len(brackets)} brackets")
+
+    def twist_at(self, delta: Fraction) -> Interval:
+        """Return N at one delta, where it must not vanish."""
+        pairs = impact.over_intervals(self.rho)
+        N = regularised_twist(pairs, pairs.at(self.number(delta)))
+        need(not N.contains_zero(), "the twist may vanish at the end of a bracket")
+        return N
+
+    def exceptions(self) -> None:
+        """Prove that the exceptions are the f of the range for which Moser's theorem may fail."""
+        claims, where = self.claims["exceptions"], self.where()
+        low, high = self.claims["f_range"][:2]
+        if "1/2" in where:
+            low = max(low, where["1/2"].lower)  # trace > -2 only above it
+        needed = united([within(f, low, high) for f in self.excluded(where)])
+        apart = all(c.upper < d.lower for c, d in pairwise(claims))
+        need(apart, "the exceptions are not disjoint and ascending")
+        need(len(claims) == len(needed), f"there are {len(needed)} exceptions")
+        room, cells = self.p.F / 10**_CELL_DIGITS, self.claims["cells"]
+        for n, (claim, (first, last)) in enumerate(zip(claims, needed, strict=True)):
+            need(claim.lower <= first and last <= claim.upper, f"exceptions[{n}] is too small")
+            narrow = first - max(claim.lower, low) <= room and min(claim.upper, high) - last <= room
+            on_cells = cells[-1]["f"].lower <= claim.lower and claim.upper <= cells[0]["f"].upper
+            need(narrow and on_cells, f"exceptions[{n}] is larger than needed")
+        self.step("all other f in f_range with trace > -2 satisfy Moser's hypotheses")
+
+    def where(self) -> dict[str, Enclosure]:
+        """Return the f of the rotation numbers."""
+        return {claim["ratio"]: claim["f"] for claim in self.claims["resonances"]}
+
+    def excluded(self, where: dict[str, Enclosure]) -> list[Enclosure]:
+        """Return the f of unsigned cells with trace > -2 somewhere, and of low resonances."""
+        unsigned = [
+            cell["f"]
+            for cell in self.claims["cells"]
+            if cell["twist"] is None and cell["trace"].upper > -2
+        ]
+        return unsigned + [where[str(q)] for q in LOW_ORDER if str(q) in where]
+
+
+def within(claim: Enclosure, low: Fraction, high: Fraction) -> Ends:
+    """Return the part of an interval in [low, high]; it is empty if its ends are in wrong order."""
+    return max(claim.lower, low), min(claim.upper, high)
+
+
+def united(intervals: list[Ends]) -> list[Ends]:
+    """Return the components of the union of closed intervals, in ascending order."""
+    result = list[Ends]()
+    for low, high in sorted(interval for interval in intervals if interval[0] <= interval[1]):
+        if result and low <= result[-1][1]:
+            low, high = result[-1][0], max(high, result.pop()[1])  # noqa: PLW2901
+        result.append((low, high))
+    return result
+
+
+def steepness(pair: impact.Pair[TaylorModel]) -> Interval:
+    """Return an enclosure of L' on a cell."""
+    alpha, S = (jet.constant.range() for jet in (pair.alpha, pair.S))
+    angle = arccos(alpha) + arccos(S) - pi(S.bits) / 2
+    d_alpha, d_S = (jet.coefficients[1,].range() for jet in (pair.alpha, pair.S))
+    d_speed = (pair.W - pair.S * pair.sin).coefficients[1,].range()
+    two = S.integer(2)
+    return d_speed + d_alpha * angle - two / pi(S.bits) * pair.cos.constant.range() * d_S

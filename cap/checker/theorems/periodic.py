@@ -1,0 +1,176 @@
+"""Periodic orbits with any events: type, multipliers, and a basin for those that attract.
+
+*Determinant.*  ``itinerary.determinant``; it is exactly 1 if e = 1, mu = 0 and all events are hits,
+and exactly 0 if there is a stick or a capture.
+
+*Multipliers* are the zeros of z^2 - trace z + det.  If trace^2 > 4 det they are real, and (trace +-
+sqrt(trace^2 - 4 det))/2, with the sign of the trace, is the larger one in modulus; the other is det
+divided by it.  If trace^2 < 4 det they are trace/2 +- i sqrt(det - trace^2/4).
+
+*Type.*  Both multipliers lie inside the unit circle if and only if det < 1 and |trace| < 1 + det;
+for trace > 1 + det one is real and > 1, for trace < -1 - det one is real and < -1, and the other
+one lies inside the unit circle, for 0 <= det <= 1.
+
+*Basin.*  Let E be the ellipse |W (z - P*)| <= 1.  From z - P* = W^-1 y, |y| <= 1: the components of
+z - P* are at most the norms of the rows of W^-1.  So E lies in the rectangle B of these half-widths
+around P*.  B is convex, so for z in B
+
+    W (Phi^n(z) - P*) = N W (z - P*),      N = the mean of N(.) = W (Phi^n)'(.) W^-1 from P* to z,
+
+and |W (Phi^n(z) - P*)| <= kappa |W (z - P*)| on E if the norm of each such N is at most kappa.  The
+entries of N(.) are the derivatives of the rows of W Phi^n in the directions of the columns of W^-1.
+With G an enclosure over B of the gradient of one of them,
+
+    N(P* + s (z - P*)) in N(P*) + s G (z - P*),    mean in N(m) + G (P* - m) + G (z - P*)/2.
+
+*The norm.*  A matrix ((a, b), (c, d)) is the sum of a similarity and a reflected one, of the norms
+|(a + d, c - b)|/2 and |(a - d, b + c)|/2; its norm is their sum.  The norm of the rest, N minus the
+matrix of its midpoints, is at most the root of the sum of squares.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from cap.checker.flow.fixed_point import KRAWCZYK_ORDER, FixedPoint, Point, ends, in_order
+from cap.checker.flow.itinerary import Passage, PeriodMap, determinant, turning_factor
+from cap.checker.kernel.certificate import SINKS
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred, lift, slope_along
+from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.rejection import Rejected, need
+
+Matrix = list[list[Interval]]
+
+
+class Periodic(FixedPoint):
+    """An orbit of the period nT has the itinerary, the type and the basin claimed."""
+
+    @property
+    def phi(self) -> PeriodMap:
+        """The map over n periods."""
+        windows = [ends(w) for w in self.hints["events"]]
+        return PeriodMap(self.p, self.claims["itinerary"], windows, self.claims["period"])
+
+    def orbit(self, fixed_point: Point, orbit: Passage) -> None:
+        """Compare the claims about P* with what is computed."""
+        R, omega, one, M = self.R, self.omega, Fraction(1), orbit.mechanics
+        self.confirm("x", fixed_point[0], R)
+        self.confirm("v", fixed_point[1], R * omega)
+        units = [None if e.word.startswith("capture") else 1 / omega for e in orbit.events]
+        self.confirm("event_times", [e.moment.t.value for e in orbit.events], units)
+        in_order(self.claims["itinerary"], self.claims["event_times"])
+        self.confirm("hit_speeds", [h.hit_speed for h in orbit.hits], R * omega)
+        turns = [e for e in orbit.events if e.word.startswith("turn")]
+        self.confirm("turning_factors", [turning_factor(M, e) for e in turns], one)
+        jacobian = [[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)]
+        self.confirm("jacobian", jacobian, [[one, 1 / omega], [omega, one]])
+        self.step("the claims about the orbit of P* contain what is computed")
+        self.spectrum(orbit, jacobian)
+
+    def spectrum(self, orbit: Passage, jacobian: Matrix) -> None:
+        """Compare trace, determinant and multipliers."""
+        (a, b), (c, d) = jacobian
+        trace, det, claim = a + d, determinant(orbit), self.claims["determinant"]
+        exact = self.exact_determinant()
+        if exact is not None:
+            need(claim[:2] == (exact, exact), f"the determinant is exactly {exact}")
+            det = self.number(exact)
+        det = det.intersection(a * d - b * c)
+        self.confirm("trace", trace, Fraction(1))
+        self.confirm("determinant", det, Fraction(1))
+        if isinstance(self.claims["multipliers"][0], Enclosure):
+            larger = [trace, self.number(Fraction(0))] if exact == 0 else real(trace, det)
+            self.confirm("multipliers", larger, Fraction(1))
+        else:
+            half = trace / 2
+            im = (det - half.square()).sqrt()
+            need(im.is_positive(), "the multipliers may be real")
+            for n, (m, y) in enumerate(zip(self.claims["multipliers"], (im, -im), strict=True)):
+                self.compare(f"multipliers[{n}].re", m["re"], half, Fraction(1))
+                self.compare(f"multipliers[{n}].im", m["im"], y, Fraction(1))
+        self.step("so do trace, determinant and multipliers")
+
+    def exact_determinant(self) -> Fraction | None:
+        """Return the determinant if it is known to be exactly 0 or 1."""
+        kinds = {word.split()[0] for word in self.claims["itinerary"]}
+        if kinds & {"stick", "capture"}:
+            return Fraction(0)
+        conservative = self.p.e == 1 and self.p.mu == 0 and kinds == {"hit"}
+        return Fraction(1) if conservative else None
+
+    def conclude(self, fixed_point: Point, orbit: Passage) -> None:  # noqa: ARG002
+        """Prove the type and, if the orbit attracts, the basin."""
+        self.kind()
+        if self.claims["type"] in SINKS:
+            self.basin(fixed_point)
+
+    def kind(self) -> None:
+        """Check that trace and determinant claimed have the type claimed."""
+        trace, det, claim = self.claims["trace"], self.claims["determinant"], self.claims["type"]
+        far = max(-trace.lower, trace.upper)
+        near = max(trace.lower, -trace.upper, Fraction(0))
+        attracts = det.lower > 0 and det.upper < 1 and far < 1 + det.lower
+        holds = {
+            "elliptic": det[:2] == (1, 1) and far < 2,
+            "superstable": det[:2] == (0, 0) and far < 1,
+            "sink focus": attracts and far**2 < 4 * det.lower,
+            "sink node": attracts and near**2 > 4 * det.upper,
+            "saddle": trace.lower > 1 + det.upper,
+            "flip saddle": trace.upper < -1 - det.upper,
+        }
+        need(holds[claim], f"the type is not certainly: {claim}")
+        self.step(f"the type is: {claim}")
+
+    def basin(self, fixed_point: Point) -> None:
+        """Prove that the ellipse lies in the box and is contracted."""
+        (a, b), (c, d) = W = self.claims["basin"]["matrix"]
+        kappa, det = self.claims["basin"]["contraction"], a * d - b * c
+        need(det != 0, "the matrix of the basin is singular")
+        need(kappa < 1, "the contraction is not below 1")
+        inverse = [[d / det, -b / det], [-c / det, a / det]]
+        rectangle = list[Interval]()
+        for z, row, name in zip(fixed_point, inverse, ("x", "v"), strict=True):
+            reach = self.number(row[0] ** 2 + row[1] ** 2).sqrt().hi
+            rectangle.append(z + Interval(-reach, reach, z.bits))
+            box = self.claims["box"][name]
+            need(rectangle[-1].lies_in(*ends(box)), "the basin does not certainly lie in the box")
+        image = self.near(rectangle, fixed_point, KRAWCZYK_ORDER)
+        N: Matrix = []
+        for row in W:
+            p, q = (self.number(w) for w in row)
+            component = lift(lambda x, v, p=p, q=q: x * p + v * q, image.x, image.v)
+            columns = [[self.number(w[j]) for w in inverse] for j in (0, 1)]
+            derivatives = [lift(lambda u, w=w: slope_along(u, *w), component) for w in columns]
+            N.append([mean(u, fixed_point) for u in derivatives])
+        need(norm(N).upper <= kappa, "the basin may not be contracted as claimed")
+        self.step("the basin lies in the box and is mapped into itself, contracted as claimed")
+
+
+def mean(u: Centred, start: Point) -> Interval:
+    """Return an enclosure of the means of a quantity on the segments from a point to the box."""
+    total = u.centre.coefficients.get((0, 0), start[0].integer(0))
+    for n, (offset, z) in enumerate(zip(u.offsets, start, strict=True)):
+        here = z - z.midpoint()
+        total = total + u.slope(n) * here + u.slope(n) * ((offset - here) / 2)
+    return total
+
+
+def real(trace: Interval, det: Interval) -> list[Interval]:
+    """Return the real zeros of z^2 - trace z + det, of positive product, the larger one first."""
+    if trace.contains_zero():
+        raise Rejected("the multipliers may be complex")
+    root = (trace.square() - det * 4).sqrt()
+    larger = (trace + (root if trace.is_positive() else -root)) / 2
+    return [larger, det / larger]
+
+
+def norm(N: Matrix) -> Interval:
+    """Return an interval of which the upper end bounds the norm of every matrix in N."""
+    (a, b), (c, d) = ([z.midpoint() for z in row] for row in N)
+    similar = ((a + d).square() + (c - b).square()).sqrt()
+    reflected = ((a - d).square() + (b + c).square()).sqrt()
+    rest = a.integer(0)
+    for z in (*N[0], *N[1]):
+        rest = rest + (z - z.midpoint()).square()
+    return (similar + reflected) / 2 + rest.sqrt()

@@ -1,0 +1,190 @@
+"""The options of `cap.prove`: each is read, and tried, before anything is searched or proved."""
+
+import argparse
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from errno import ENOENT
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+from cap.certificate import naming
+from cap.checker.forms import FOR_ALL_F
+from cap.command.console import Parser, quoted
+from cap.command.option import integer
+from cap.errors import BadInput
+from cap.files import tried
+from cap.floats.candidates import Candidate, Request
+from cap.parameters import PAPER, Parameters, exact
+from proofs.theorems import THEOREMS
+
+Range = tuple[Fraction | None, Fraction | None]
+
+
+def parser() -> Parser:
+    """Return the command line's parser."""
+    p = Parser(
+        prog="python -m cap.prove",
+        description="Prove a theorem on x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where "
+        "v becomes -e v at the walls, and write a certificate that `python -m cap.verify FILE` "
+        "checks.  Orbits are searched for in floats, from many seeds or from the state given.",
+        epilog="Numbers are integers, decimals or p/q, all exact: 0.4 means 2/5.  Examples: "
+        "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
+        "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "
+        "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
+        "python -m cap.prove capture;  python -m cap.prove branch --from 2/5",
+    )
+    p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(THEOREMS))
+    p.add_argument("--list", action="store_true", help="say what can be proved")
+    for name, value in PAPER.strings().items():
+        p.add_argument(f"--{name}", metavar="Q", help=f"default {value}")
+    p.add_argument(
+        "--orbit",
+        nargs=2,
+        metavar=("X", "V"),
+        help="prove the orbit to which Newton's method leads from this state at t = 0 (capture: of "
+        "this state)",
+    )
+    p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
+    p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
+    p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
+    p.add_argument("--from", dest="lowest", metavar="Q", help="branch: for f from here")
+    p.add_argument("--to", dest="highest", metavar="Q", help="branch: for f up to here")
+    p.add_argument("--jobs", default="1", metavar="N", help="branch: processes (default 1)")
+    p.add_argument(
+        "--journal",
+        type=Path,
+        metavar="FILE",
+        help="branch: a file of what is done, from which an interrupted proof goes on",
+    )
+    p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
+    p.add_argument(
+        "--order",
+        metavar="N",
+        choices=["3", "5", "7", "9"],
+        help="odd order of the normal form (default 3, or 5 with a resonance of order 5 to 8 near)",
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        default=Path("certificates"),
+        metavar="PATH",
+        help="a file ending in .json, which is replaced; or a directory (default: certificates): "
+        "there the name tells the theorem, the parameters that are not the paper's, and the orbit "
+        "if one is asked for, and no other file is replaced",
+    )
+    return p
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is asked for: a request that makes sense, and files that can be written."""
+
+    request: Request
+    digits: int
+    order: int | None
+    f_range: Range
+    jobs: int
+    journal: Path | None
+    out: Path
+
+    @classmethod
+    def of(cls, options: argparse.Namespace, progress: Callable[[str], None]) -> "Asked":
+        """Read the options; raise `BadInput` with what is wrong."""
+        if options.theorem not in THEOREMS:
+            raise BadInput(f"say what to prove: one of {', '.join(THEOREMS)}")
+        asked = cls(
+            _request(options, progress),
+            integer(options.digits, "digits", (6, 1000), 4),
+            int(options.order) if options.order else None,
+            _range(options),
+            integer(options.jobs, "jobs", (1, 1024), 4),
+            options.journal,
+            options.out,
+        )
+        asked._fits()
+        _try(asked.out, directory=not asked.into_a_file)
+        if asked.journal:
+            _try(asked.journal)
+            if not asked.journal.parent.is_dir():
+                raise BadInput(f"cannot write {quoted(asked.journal)}: {os.strerror(ENOENT)}")
+        return asked
+
+    @property
+    def into_a_file(self) -> bool:
+        """Whether ``out`` is the file itself."""
+        return self.out.suffix == ".json"
+
+    def path(self, candidate: Candidate) -> Path:
+        """Return where the certificate goes; raise `BadInput` if another file is there."""
+        if self.into_a_file:
+            return self.out
+        request, state = self.request, (candidate.start.x, candidate.start.v)
+        ends = zip(("from", "to"), self.f_range, strict=True)
+        about = {key: str(f) for key, f in ends if f is not None}
+        if request.periods > 1:
+            about["period"] = str(request.periods)
+        if request.orbit or request.every:
+            about |= naming.of_state(state)
+        path = self.out / naming.name(request.kind, request.parameters, about)
+        _try(path)
+        naming.free(path, request.kind, request.parameters, state)
+        return path
+
+    def _fits(self) -> None:
+        """Raise `BadInput` for options of other theorems, or that exclude each other."""
+        theorem, of_branch = self.request.kind, (self.jobs > 1, self.journal, any(self.f_range))
+        if self.request.every and (self.request.orbit or self.into_a_file):
+            raise BadInput("--all goes neither with --orbit nor with one file as --out")
+        if theorem != "branch" and any(of_branch):
+            raise BadInput("--jobs, --journal, --from and --to are for the theorem branch")
+        if self.order and theorem != "elliptic":
+            raise BadInput("--order is for the theorem elliptic")
+        if theorem != "periodic" and self.request.periods > 1:
+            raise BadInput("--period is for the theorem periodic")
+
+
+def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Request:
+    """Return what the search is asked for."""
+    given = {name: getattr(options, name) for name in PAPER.strings()}
+    if options.epsilon is not None:
+        if options.e is not None:
+            raise BadInput("--epsilon Q means --e 1-Q: give one of them")
+        given["e"] = str(1 - exact(options.epsilon))
+    if options.theorem in FOR_ALL_F:
+        if options.f is not None:
+            raise BadInput(
+                f"the theorem {options.theorem} holds for more than one f: leave out --f"
+            )
+        F = PAPER.F if options.F is None else exact(options.F)
+        given["f"] = str(F / 2)  # any f will do
+    paper = PAPER.strings()
+    words = (paper[name] if word is None else word for name, word in given.items())
+    orbit = tuple(float(exact(word)) for word in options.orbit or ())
+    return Request(
+        options.theorem,
+        Parameters(*map(exact, words)),
+        (orbit[0], orbit[1]) if orbit else None,
+        every=options.all,
+        periods=integer(options.period, "period", (1, 16), 4),
+        progress=progress,
+    )
+
+
+def _range(options: argparse.Namespace) -> Range:
+    """Return the range of f that is asked for."""
+    words = options.lowest, options.highest
+    low, high = (None if word is None else exact(word) for word in words)
+    ends = [f for f in (Fraction(0), low, high) if f is not None]
+    if any(a >= b for a, b in pairwise(ends)):
+        raise BadInput("the range must be 0 < from < to")
+    return low, high
+
+
+def _try(path: Path, *, directory: bool = False) -> None:
+    """Raise `BadInput` if a file, or one in a directory, certainly cannot be written."""
+    try:
+        tried(path / "certificate.json" if directory else path)
+    except OSError as error:
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None

@@ -1,0 +1,97 @@
+"""The command ``python -m cap.verify [--explain] [--latex] FILE...``: verdicts on certificates.
+
+For each file one line, ``VERIFIED: <the theorem> ("FILE")`` or ``REJECTED: "FILE": <the reason>``,
+with the name in quotation marks and what is not printable in it escaped.
+Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line.  A
+certificate that is rejected may state a true theorem; one that is verified is a proof, as far as
+``cap.checker``, Python and the machine are right.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import stat
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from cap.checker.kernel.certificate import MAX_BYTES
+from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.statement import macros, words
+from cap.checker.theorem import check
+from cap.command.console import Parser, printable, quoted, say
+
+
+def main(words: Sequence[str]) -> int:
+    """Verify the files named one after the other; return 1 if any is rejected, else 0."""
+    options = _parser().parse_args(words)
+    verdicts = [_verify(name, options) for name in options.files]
+    return 0 if all(verdicts) else 1
+
+
+def _parser() -> Parser:
+    """Return the command line."""
+    parser = Parser(
+        prog="python -m cap.verify",
+        description="Verify certificates: each theorem is proved again, in other arithmetic and by "
+        "other code than those that made the certificate.",
+        epilog="Example: python -m cap.verify --explain certificates/elliptic.json",
+    )
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a certificate")
+    parser.add_argument("--explain", action="store_true", help="print every step of the proof")
+    parser.add_argument(
+        "--latex",
+        action="store_true",
+        help="print the numbers as LaTeX macros; the verdicts go to stderr",
+    )
+    parser.add_argument(
+        "--latex-digits",
+        type=_digits,
+        default=12,
+        metavar="N",
+        help="significant digits (default 12)",
+    )
+    return parser
+
+
+def _digits(text: str) -> int:
+    """Return a number of digits."""
+    if not (text.isascii() and text.isdigit() and len(text) <= 4 and 2 <= int(text) <= 1000):
+        raise argparse.ArgumentTypeError("an integer from 2 to 1000 is needed")
+    return int(text)
+
+
+def _verify(name: str, options: argparse.Namespace) -> bool:
+    """Verify one file, print the verdict, and return whether it is verified."""
+    steps, definitions = list[str](), list[str]()
+    try:
+        certificate = check(_bytes(Path(name)), steps.append)
+        if options.latex:
+            definitions += macros(certificate, Path(name).stem, options.latex_digits)
+        verdict, verified = f"VERIFIED: {words(certificate)} ({quoted(name)})", True
+    except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)
+        verdict, verified = f"REJECTED: {quoted(name)}: {_why(reason)}", False
+    out = sys.stderr if options.latex else sys.stdout
+    for step in steps if options.explain else ():
+        say(f"  {step}", out)
+    say(verdict, out)
+    for line in definitions:
+        say(line, sys.stdout)
+    return verified
+
+
+def _bytes(path: Path) -> bytes:
+    """Return the content of a regular file, at most one byte more than a certificate may have."""
+    with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+        need(stat.S_ISREG(os.fstat(file.fileno()).st_mode), "not a regular file")
+        return file.read(MAX_BYTES + 1)
+
+
+def _why(reason: Exception) -> str:
+    """Return a reason in one short line."""
+    if isinstance(reason, Rejected):
+        return printable(str(reason))[:300]
+    if isinstance(reason, OSError):
+        return f"cannot be read ({reason.strerror})"
+    return f"{type(reason).__name__} while checking"

@@ -1,0 +1,178 @@
+"""The command ``python -m cap.explore``: floats, from which nothing is proved.
+
+What can be explored: see `cap.explore.commands`.  After an interrupt what had been done is written.
+"""
+
+import argparse
+import logging
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from cap.command import entry
+from cap.command.console import Parser, printable, protected, quoted, say
+from cap.command.entry import INTERRUPTED
+from cap.command.option import Option, integer
+from cap.command.progress import Progress
+from cap.errors import BadInput
+from cap.explore.commands import COMMANDS, Command
+from cap.parameters import PAPER, Parameters, exact
+
+MOST_PIXELS = 300_000_000
+FIRST = ("--paper", "--out", "--help")  # options before a command
+
+
+def parser() -> Parser:
+    """Return the command line's parser."""
+    p = Parser(
+        prog="python -m cap.explore",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes "
+        "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",
+        epilog="Examples:\n" + "\n".join(f"  {c.line(name)}" for name, c in COMMANDS.items()),
+    )
+    p.add_argument(
+        "--paper",
+        action="append",
+        metavar="LABEL",
+        help="a figure of the paper (fig:sali, or all), and its numbers",
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        action="append",
+        default=[],
+        dest="first_out",
+        metavar="PATH",
+        help="a file, may be repeated; of --paper all: a directory",
+    )
+    commands = p.add_subparsers(dest="command", metavar="WHAT", title="what to explore")
+    for name, command in COMMANDS.items():
+        _add(commands.add_parser(name, **_described(name, command)), command)
+    return p
+
+
+def _described(name: str, command: Command) -> dict[str, Any]:
+    return {
+        "help": command.summary,
+        "formatter_class": argparse.RawDescriptionHelpFormatter,
+        "description": f"{command.summary[0].upper()}{command.summary[1:]}.\n\n{command.more}",
+        "epilog": f"Example:\n  {command.line(name)}",
+    }
+
+
+def _add(p: argparse.ArgumentParser, command: Command) -> None:
+    """Add the options of one command."""
+    own = p.add_argument_group("of this picture")
+    for option in command.options:
+        if option.flag:
+            own.add_argument(f"--{option.name}", action="store_true", help=option.help)
+        else:
+            own.add_argument(
+                f"--{option.name}", nargs=option.nargs, metavar=option.metavar, help=option.help
+            )
+    given = p.add_argument_group("parameters (integers, decimals or p/q, exact)")
+    for name, value in PAPER.strings().items():
+        given.add_argument(f"--{name}", default=value, metavar="Q", help=f"default {value}")
+    output = p.add_argument_group("output")
+    output.add_argument(
+        "--out",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="write FILE.png, .pdf or .svg (the picture), .csv or .npz (its data); may be repeated",
+    )
+    output.add_argument("--size", nargs=2, metavar=("W", "H"), help="of the picture, in inches")
+    output.add_argument("--dpi", default="200", metavar="N", help="pixels per inch (default 200)")
+    cores = str(os.cpu_count() or 1)
+    output.add_argument("--jobs", default=cores, metavar="N", help="cores to use (default: all)")
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command line; return its exit status."""
+    progress = Progress()
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells where it keeps its fonts
+    try:
+        _in_order(words)
+        options = parser().parse_args([protected(word) for word in words])
+        if options.paper and options.command:
+            raise BadInput(f"give --paper or {options.command}: not both")
+        if options.paper:
+            return _paper(options.paper, options.first_out, progress)
+        if options.command is None:
+            raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
+        return _run(options, COMMANDS[options.command], progress)
+    except BadInput as error:
+        progress.clear()
+        say(f"error: {printable(str(error))}", sys.stderr)
+        return 2
+    finally:
+        progress.clear()
+
+
+def _in_order(words: Sequence[str]) -> None:
+    """Raise `BadInput` if an option of a command comes before the command."""
+    first = words[0].partition("=")[0] if words else ""
+    if first.startswith("--") and not any(own.startswith(first) for own in FIRST):
+        raise BadInput(f"say what to explore before its options: {first[:40]} comes after it")
+
+
+def _paper(labels: Sequence[str], out: Sequence[Path], progress: Progress) -> int:
+    """Compute a figure of the paper, or all, and compare its numbers."""
+    if len(set(labels)) > 1:
+        raise BadInput("one figure at a time, --paper LABEL; or --paper all")
+    with entry.loading():  # numpy is slow to load: not for --help
+        from cap.paper import command  # noqa: PLC0415
+    return command.run(labels[0], out, progress.tell)
+
+
+def _run(options: argparse.Namespace, command: Command, progress: Progress) -> int:
+    """Compute, say the numbers, write the files."""
+    with entry.loading():  # numpy is slow to load: not for --help
+        from cap.explore import export  # noqa: PLC0415
+        from cap.floats.work import Work  # noqa: PLC0415
+    out = [*options.first_out, *options.out]
+    p = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
+    values = {o.keyword: _value(o, getattr(options, o.keyword)) for o in command.options}
+    given = {name: value for name, value in values.items() if value is not None}
+    size, dpi = _size(options, command)
+    for path in out:
+        export.kind(path)
+    work = Work(integer(options.jobs, "jobs", (1, 256)), progress.tell)
+    with entry.loading():
+        function = command.function()
+    study = function(p, work=work, **given)
+    progress.clear()
+    print("\n".join(study.lines()))
+    failed = 0
+    for path in out:
+        try:
+            export.write(study, path, lambda: command.picture(study, size, dpi))
+        except BadInput as error:  # the other files are written all the same
+            failed = 2
+            say(f"error: {printable(str(error))}", sys.stderr)
+        else:
+            print(f"{quoted(path)}: written")
+    if not study.complete:
+        say("interrupted; what was done is kept", sys.stderr)
+        return INTERRUPTED
+    return failed or command.status(study)
+
+
+def _value(option: Option, text: Any) -> Any:
+    """Return the value of an option of one command, or None if it was not given."""
+    return text or None if option.flag else None if text is None else option.read(text)
+
+
+def _size(options: argparse.Namespace, command: Command) -> tuple[tuple[float, float], int]:
+    """Return the size of the picture in inches, and its pixels per inch."""
+    width, height = (float(exact(word)) for word in options.size or map(str, command.size))
+    if not (1 <= width <= 100 and 1 <= height <= 100):
+        raise BadInput(f"--size must be from 1 to 100 inches: {width:.6g} x {height:.6g}")
+    dpi = integer(options.dpi, "dpi", (20, 2000))
+    if width * height * dpi**2 > MOST_PIXELS:
+        raise BadInput(f"the picture is too large: {width:g} x {height:g} inches at {dpi} dpi")
+    return (width, height), dpi

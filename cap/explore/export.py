@@ -1,0 +1,78 @@
+"""Files of what was explored: pictures, and tables of their data.  Written whole or not at all."""
+
+import csv
+import io
+import os
+from collections.abc import Callable
+from errno import ENOENT
+from pathlib import Path
+from typing import IO, TYPE_CHECKING
+
+import numpy as np
+
+from cap.command.console import quoted
+from cap.errors import BadInput
+from cap.files import replacing, tried
+from cap.floats.study import Study
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+IMAGES = ("png", "pdf", "svg")
+DATA = ("csv", "npz")
+ROWS = 100_000  # of a table in text, at a time
+
+
+def kind(path: Path) -> str:
+    """Return what is to be written to ``path``, by its suffix; `BadInput` if nobody can."""
+    suffix = path.suffix[1:].lower()
+    if suffix not in IMAGES + DATA:
+        known = ", ".join("." + name for name in IMAGES + DATA)
+        raise BadInput(f"cannot tell what to write to {quoted(path)}: end it in one of {known}")
+    try:
+        if not path.parent.is_dir():
+            raise FileNotFoundError(ENOENT, f"{os.strerror(ENOENT)}: {quoted(path.parent)}")
+        tried(path)
+    except OSError as error:
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    return suffix
+
+
+def write(study: Study, path: Path, draw: Callable[[], "Figure"]) -> None:
+    """Write a study to ``path``; ``draw`` is called if that is an image."""
+    suffix = kind(path)
+    try:
+        with replacing(path) as file:
+            if suffix == "npz":
+                arrays = study.arrays()
+                np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
+            elif suffix == "csv":
+                _table(study, file)
+            else:
+                _image(draw(), suffix, file)
+    except OSError as error:
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+
+
+def _table(study: Study, file: IO[bytes]) -> None:
+    """Write the columns, after the parameters as a comment; numbers are read back exactly."""
+    columns = study.columns()
+    arrays = np.broadcast_arrays(*(np.asarray(column) for column in columns.values()))
+    text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
+    parameters = ", ".join(f"{k} = {q}" for k, q in study.parameters.strings().items())
+    text.write(f"# {parameters}{'' if study.complete else '; interrupted'}\n")
+    writer = csv.writer(text)
+    writer.writerow(columns)
+    for k in range(0, arrays[0].size, ROWS):
+        rows = (array.flat[k : k + ROWS].tolist() for array in arrays)
+        writer.writerows(zip(*rows, strict=True))
+    text.detach()
+
+
+def _image(figure: "Figure", suffix: str, file: IO[bytes]) -> None:
+    """Write a figure, the same bytes every time."""
+    import matplotlib as mpl  # noqa: PLC0415 (only who draws waits for it)
+
+    stamp = {"png": {"Software": None}, "pdf": {"CreationDate": None}, "svg": {"Date": None}}
+    with mpl.rc_context({"svg.hashsalt": "cap", "pdf.fonttype": 42}):
+        figure.savefig(file, format=suffix, metadata=stamp[suffix])

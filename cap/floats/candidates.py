@@ -1,0 +1,254 @@
+"""What a person asks the prover to prove, turned into float orbits from which proofs start.
+
+Nothing here is proved.  Each function returns what it found, in words, and the candidates.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import NamedTuple
+
+from cap.errors import BadInput
+from cap.floats import periodic
+from cap.floats.cycles import Cycle, cycles, near
+from cap.floats.periodic import MOST_HITS, Guess
+from cap.flow.itinerary import itinerary
+from cap.maps.fixed_point import Start
+from cap.parameters import Parameters
+
+TYPES = ("sink focus", "sink node", "superstable", "elliptic", "saddle", "flip saddle")
+SMALLEST = Fraction(1, 64)  # of the first step, when an orbit is continued
+PATIENCE = 10  # periods after which an orbit that has not been captured is given up
+
+
+@dataclass(frozen=True)
+class Request:
+    """The theorem (a ``kind`` of orbits), the parameters, and what was said about the orbit.
+
+    ``progress`` is told, in a few words, how far a long search is.
+    """
+
+    kind: str
+    parameters: Parameters
+    orbit: tuple[float, float] | None = None
+    every: bool = False
+    periods: int = 1
+    progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
+
+
+class Candidate(NamedTuple):
+    """A guess, how it is shown, and the order to which Φ is expanded at it if nobody says."""
+
+    start: Start
+    shown: str
+    order: int = 3
+
+
+class Found(NamedTuple):
+    """Lines that say what was found, and what is to be proved."""
+
+    lines: list[str]
+    candidates: list[Candidate]
+
+
+Search = Callable[[Request], Found]
+
+
+def non_sticking(request: Request) -> Found:
+    """Find elliptic orbits or saddles that never turn."""
+    request.parameters.elastic_strings()
+    if request.orbit:
+        guess = periodic.near(request.parameters, *request.orbit)
+        if guess.kind != request.kind:
+            raise BadInput(
+                f"the orbit that {_state(request.orbit)} leads to is no {request.kind} orbit: its "
+                f"trace is {guess.trace:.6g}"
+            )
+        return Found([_newton(request), f"  {_shown(guess)}"], [_candidate(guess)])
+    found: list[Guess] = []
+    for hits in range(2, MOST_HITS + 1, 2):
+        guesses = periodic.orbits(request.parameters, hits)
+        found += [guess for guess in guesses if guess.kind == request.kind]
+        if found and not request.every:
+            break
+    if not found:
+        raise BadInput(
+            f"no {request.kind} non-sticking T-periodic orbit with at most {MOST_HITS} hits was "
+            "found (a guess can be given with --orbit X V)"
+        )
+    number = f"at most {MOST_HITS}" if request.every else f"{len(found[0].hit_times)}"
+    heading = (
+        f"Found {_counted(len(found), f'{request.kind} orbit')} with {number} hits per period; "
+        f"proving {_which(request, len(found), '(smallest x)')}:"
+    )
+    lines = [heading, *(f"  {k}  {_shown(guess)}" for k, guess in enumerate(found, 1))]
+    return Found(lines, [_candidate(guess) for guess in (found if request.every else found[:1])])
+
+
+def cyclic(request: Request) -> Found:
+    """Find nT-periodic orbits with any itinerary."""
+    p, n = request.parameters, request.periods
+    if request.orbit:
+        cycle = near(p, *request.orbit, n)
+        return Found([_newton(request), f"  {_described(p, cycle)}"], [_of_cycle(p, cycle)])
+
+    def searching(starts: int, orbits: int) -> None:
+        request.progress(f"searching: {starts} starts, orbits found: {orbits}")
+
+    found = sorted(cycles(p, n, searching), key=lambda c: _rank(c.kind(conserves=p.conserves)))
+    if not found:
+        raise BadInput(
+            f"no periodic orbit of period {n} T was found (a guess can be given with --orbit X V)"
+        )
+    period = "T" if n == 1 else f"{n}T"
+    heading = (
+        f"Found {_counted(len(found), 'orbit')} of period {period}; proving "
+        f"{_which(request, len(found), '(sinks first)')}:"
+    )
+    lines = [heading, *(f"  {k}  {_described(p, cycle)}" for k, cycle in enumerate(found, 1))]
+    chosen = found if request.every else found[:1]
+    return Found(lines, [_of_cycle(p, cycle) for cycle in chosen])
+
+
+def continued(request: Request) -> Found:
+    """Follow an elliptic orbit from e = 1, μ = 0 to the parameters, in small steps."""
+    p = request.parameters
+    if p.conserves:
+        raise BadInput("with epsilon = mu = 0 nothing is lost: the theorem is `elliptic`")
+    elastic = replace(p, e=Fraction(1), mu=Fraction(0))
+    before = non_sticking(replace(request, kind="elliptic", parameters=elastic))
+    candidates = []
+    for start, shown, _ in before.candidates:
+        cycle = _continued(p, start)
+        candidates.append(_of_cycle(p, cycle)._replace(shown=f"continued from {shown}"))
+    lines = [line.replace("proving", "continuing") for line in before.lines]
+    return Found(lines, candidates)
+
+
+def _continued(p: Parameters, start: Start, steps: int = 10) -> Cycle:
+    """Follow the orbit of ``start``, at e = 1 and μ = 0, to the parameters.
+
+    Raises `BadInput` with the parameters reached, if even small steps lead nowhere or elsewhere.
+    """
+    z, words = (start.x, start.v), tuple(word for word, _ in start.events)
+    part, step = Fraction(0), Fraction(1, steps)
+    while True:
+        then = min(part + step, Fraction(1))
+        partial = replace(p, e=1 - (1 - p.e) * then, mu=p.mu * then)
+        following = _near(partial, z)
+        if following and following.path.words == words:
+            if then == 1:
+                return following
+            part, z = then, (following.x, following.v)
+        elif step * steps > SMALLEST:
+            step /= 2
+        else:
+            why = "changes its itinerary" if following else "is lost by Newton's method"
+            raise BadInput(
+                f"the elliptic orbit cannot be continued from epsilon = mu = 0 to epsilon = "
+                f"{float(1 - p.e):.6g}, mu = {float(p.mu):.6g}: beyond epsilon = "
+                f"{float((1 - p.e) * part):.6g}, mu = {float(p.mu * part):.6g} it {why}"
+            )
+
+
+def _near(p: Parameters, z: tuple[float, float]) -> Cycle | None:
+    try:
+        return near(p, *z)
+    except BadInput:
+        return None
+
+
+def capturing(request: Request) -> Found:
+    """Find the events of a state up to its capture; without a state, the right wall itself."""
+    p = request.parameters
+    if not request.orbit:
+        lines = ["All states near the right wall at t = 0, where the forcing presses to it most."]
+        start = Start(float(p.r), 0.0, (("capture r", 0.0),))
+        return Found(lines, [Candidate(start, "at the right wall")])
+    end = PATIENCE * 2 * math.pi / float(p.omega)
+    path = itinerary(p, *request.orbit, end)
+    events = [(event.word, event.time) for event in path.events]
+    ends = [k for k, (word, _) in enumerate(events, 1) if word.startswith("capture")]
+    if not ends:
+        raise BadInput(
+            f"the orbit of {_state(request.orbit)} is not captured within {PATIENCE} periods"
+        )
+    before = events[: ends[0]]
+    lines = [f"The orbit of {_state(request.orbit)}: " + ", ".join(word for word, _ in before)]
+    return Found(lines, [Candidate(Start(*request.orbit, tuple(before)), "captured")])
+
+
+def closed_form(request: Request) -> Found:
+    """Find nothing: these theorems start from formulas."""
+    request.parameters.elastic_strings()
+    if request.orbit or request.every:
+        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    if not request.parameters.f:
+        raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
+    start = Start(0.0, 0.0, ())
+    return Found(["In closed form: no search is needed."], [Candidate(start, "closed form")])
+
+
+def _newton(request: Request) -> str:
+    return f"Newton's method leads from {_state(request.orbit)} to:"
+
+
+def _state(z: tuple[float, float] | None) -> str:
+    return f"({z[0]:.10g}, {z[1]:.10g})" if z else ""
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'s' if number > 1 else ''}"
+
+
+def _which(request: Request, number: int, order: str) -> str:
+    return "all" if request.every else f"the first {order}" if number > 1 else "it"
+
+
+def _rank(kind: str) -> int:
+    return TYPES.index(kind) if kind in TYPES else len(TYPES)
+
+
+def _candidate(guess: Guess) -> Candidate:
+    start = Start.non_sticking(guess.x, guess.v, guess.hit_times)
+    return Candidate(start, _shown(guess), _order(guess))
+
+
+def _shown(guess: Guess) -> str:
+    return (
+        f"x = {guess.x:.6g}, v = {guess.v:.6g}, {len(guess.hit_times)} hits, "
+        f"trace {guess.trace:.6g}, least speed {guess.least_speed:.6g}"
+    )
+
+
+def _of_cycle(p: Parameters, cycle: Cycle) -> Candidate:
+    start = Start(cycle.x, cycle.v, cycle.events, cycle.periods)
+    return Candidate(start, _described(p, cycle))
+
+
+def _described(p: Parameters, cycle: Cycle) -> str:
+    """Return an orbit in words: its events as counts."""
+    words = [word.split()[0] for word, _ in cycle.events]
+    counts = ", ".join(
+        _counted(words.count(kind), kind)
+        for kind in ("hit", "turn", "stick", "capture")
+        if kind in words
+    )
+    return (
+        f"x = {cycle.x:.6g}, v = {cycle.v:.6g}, {cycle.kind(conserves=p.conserves)}, trace "
+        f"{cycle.trace:.6g}, det {cycle.determinant:.4g}; {counts or 'no event'}"
+    )
+
+
+def _order(guess: Guess) -> int:
+    """Return 5 if the rotation number is within 1/100 of a p/q with 5 <= q <= 8, else 3.
+
+    Near such a resonance the first twist says little at a small distance from the fixed point
+    already, so the second one is claimed as well.
+    """
+    if guess.kind != "elliptic":
+        return 3
+    rotation = math.acos(guess.trace / 2) / (2 * math.pi)
+    distances = (abs(rotation - p / q) for q in range(5, 9) for p in range(1, q))
+    return 5 if min(distances) < 1 / 100 else 3

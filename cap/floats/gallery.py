@@ -1,0 +1,104 @@
+"""A gallery of regimes: the attractor of most seeds at several forcings."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cap.errors import BadInput
+from cap.floats import swarm
+from cap.floats.attractor import Attractor, strongest
+from cap.floats.study import Floats, Study, described, varied
+from cap.floats.trajectory import Trajectory, trajectory
+from cap.floats.work import Work
+from cap.parameters import Parameters
+
+FORCINGS = (1.5, 3.0, 4.5, 6.0, 12.0, 50.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Gallery(Study):
+    """Orbits on attractors at the values (L,) of a parameter.
+
+    ``trace`` and ``determinant`` (L,) are those of the monodromy over one period of the orbit, nan
+    if it has none.
+    """
+
+    parameter: str
+    values: Floats
+    attractors: tuple[Attractor, ...]
+    orbits: tuple[Trajectory, ...]
+    trace: Floats
+    determinant: Floats
+
+    def columns(self) -> dict[str, NDArray[np.generic]]:
+        """Return one row for each value."""
+        found = self.attractors
+        return {
+            self.parameter: self.values,
+            "period": np.array([each.period for each in found]),
+            "x": np.array([orbit.strobe[0, 0] for orbit in self.orbits]),
+            "v": np.array([orbit.strobe[0, 1] for orbit in self.orbits]),
+            "hits_r": np.array([each.hits[0] for each in found]),
+            "hits_l": np.array([each.hits[1] for each in found]),
+            "turns": np.array([each.turns for each in found]),
+            "trace": self.trace,
+            "determinant": self.determinant,
+        }
+
+    def lines(self) -> list[str]:
+        """Return the attractors."""
+        head = f"regimes at {described(self.parameters)}, but for {self.parameter}"
+        rows = zip(self.values, self.attractors, self.trace, self.determinant, strict=True)
+        return [
+            head,
+            *(
+                f"  {self.parameter} = {value:<6.6g} {each.line()}; trace {trace:.5g}, "
+                f"det {det:.5g}"
+                for value, each, trace, det in rows
+            ),
+        ]
+
+
+def gallery(
+    p: Parameters,
+    *,
+    parameter: str = "F",
+    values: tuple[float | Fraction, ...] = FORCINGS,
+    periods: float = 4,
+    work: Work | None = None,
+) -> Gallery:
+    """Return the orbit of the attractor of most seeds, over some periods, at each value."""
+    work = work or Work()
+    systems = [varied(p, parameter, value) for value in values]
+    found = work.map(_regime, [(system, periods) for system in systems], "gallery", processes=True)
+    kept = [(float(value), *each) for value, each in zip(values, found, strict=False) if each]
+    if not kept and not work.interrupted:
+        raise BadInput("no orbit could be followed at any of the values: the mass is too fast")
+    return Gallery(
+        parameters=p,
+        complete=not work.interrupted,
+        parameter=parameter,
+        values=np.array([each[0] for each in kept]),
+        attractors=tuple(each[1] for each in kept),
+        orbits=tuple(each[2] for each in kept),
+        trace=np.array([each[3] for each in kept]),
+        determinant=np.array([each[4] for each in kept]),
+    )
+
+
+def _regime(
+    task: tuple[Parameters, float],
+) -> tuple[Attractor, Trajectory, float, float] | None:
+    p, periods = task
+    found = strongest(p)
+    if found is None:
+        return None
+    state = float(found.states[0, 0]), float(found.states[0, 1])
+    orbit = trajectory(p, orbit=state, exactly=True, periods=periods)
+    if not found.period:
+        return found, orbit, np.nan, np.nan
+    monodromy = swarm.follow(p, [state], found.period, derivative=True).monodromy
+    (a, b), (c, d) = monodromy[0] if monodromy is not None else np.full((2, 2), np.nan)
+    return found, orbit, float(a + d), float(a * d - b * c)

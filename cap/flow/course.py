@@ -1,0 +1,300 @@
+"""The certified course of the orbits from a box: what has been proved of them, event by event.
+
+This is the machine behind `cap.flow.strobe.follow`; see there for the words of events.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Generic, NamedTuple, cast
+
+from cap.errors import BadInput, NotProved
+from cap.flow import capture
+from cap.flow.event import (
+    E,
+    Enclosure,
+    Event,
+    Expected,
+    NoCertainEvent,
+    flies,
+    hit_time,
+    next_slow,
+    rest_time,
+    slow_numbers,
+)
+from cap.flow.model import Flight, Moment, Oscillator
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.sets.matrix import Matrix
+
+WORDS = {
+    *("hit r", "hit l", "turn right", "turn left", "stick", "capture r", "capture l"),
+    *("release right", "release left"),
+}
+SIDES = {"r": 1, "l": -1, "right": 1, "left": -1}
+
+
+class State(NamedTuple, Generic[E]):
+    """A box of states (x, v) at a moment.
+
+    ``wall`` is 1 or -1 if the mass is exactly at r or l, else 0: then x is taken to be that wall,
+    which it must meet.  A velocity that is exactly 0 is ``Ball(0)``; any other must have a sign.
+    """
+
+    at: Moment[Ball]
+    x: E
+    v: E
+    wall: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Orbit(Generic[E]):
+    """Enclosures over a box of initial states of all that happens until the end.
+
+    ``s`` is the sign of the first flight, 0 if the mass rests; ``events`` in order of time; ``end``
+    is the state at the end; ``monodromy`` encloses its derivative at every state of the box, along
+    the box: if x is at a wall, or v exactly 0, then this does not vary, and its column is 0.  (Nor
+    need there be a derivative across the box: for v = 0, launched at once, those by v from either
+    side differ by the factor of a turning.)  For orbits that neither turn nor rest, without
+    viscosity, ``least_speed`` encloses the least |v|.
+    """
+
+    s: int
+    events: tuple[Event[E], ...]
+    end: tuple[E, E]
+    monodromy: Matrix[E]
+    least_speed: Ball
+
+    @property
+    def hits(self) -> tuple[Event[E], ...]:
+        """The wall hits among the events."""
+        return tuple(event for event in self.events if event.word.startswith("hit"))
+
+
+def placed(osc: Oscillator[Any], start: State[E], bound: Callable[[E], Ball]) -> State[E]:
+    """Prove that the box is between the walls, or at one; return it, with that wall as its x.
+
+    Between the walls it may touch one if it moves away from it.
+    """
+    x, v = bound(start.x), bound(start.v)
+    if start.wall not in (-1, 0, 1):
+        raise BadInput(f"the wall must be 1, -1 or 0: {start.wall!r}")
+    if start.wall:
+        if not (x.is_finite() and x.overlaps(osc.wall(start.wall))):
+            raise NotProved("start", "the box is not at its wall", {"x": x})
+        return start._replace(x=cast(E, osc.wall(start.wall)))
+    if not (osc.l < x < osc.r or (v > 0 and osc.l <= x < osc.r) or (v < 0 and osc.l < x <= osc.r)):
+        raise NotProved("start", "the box is not between the walls", {"x": x})
+    return start
+
+
+class Course(Generic[E]):
+    """What has been proved of the orbits so far: they fly (``flight``), or rest at ``place``."""
+
+    def __init__(self, osc: Oscillator[Any], start: State[E], kind: Enclosure[E]) -> None:
+        self.osc, self.kind, self.bound = osc, kind, kind.bound
+        self.flight: Flight[E] | None = None
+        start = placed(osc, start, self.bound)
+        self.place, self.wall, self.pending = start.x, start.wall, start.at.t
+        self.released: int | None = None
+        self.now, self.before = start.at.t, cast(E, start.at.t)
+        velocity = self.bound(start.v)
+        self.monodromy = cast(
+            "Matrix[E]", ((int(not start.wall), 0), (0, int(not velocity.is_zero())))
+        )
+        self.events: list[Event[E]] = []
+        self.least = abs(velocity)
+        self.s = _begin(self, start)
+
+    def meet(self, expected: Expected, number: int) -> None:
+        """Prove that the next event is the one expected, and pass it."""
+        if expected.word not in WORDS:
+            raise NotProved(f"event {number}", f"there is no such event: {expected.word!r}")
+        verb, _, side = expected.word.partition(" ")
+        if verb == "release":
+            self._release(SIDES[side], expected, number)
+        elif verb == "capture":
+            self._capture(SIDES[side], expected, number)
+        elif self.flight is None:
+            raise NotProved(f"event {number}", f"the mass rests: no {expected.word} is possible")
+        elif verb == "hit":
+            self._hit(self.flight, SIDES[side], expected, number)
+        else:
+            self._stop(self.flight, SIDES.get(side, 0), expected, number)
+
+    def _fly(self, flight: Flight[E], until: E) -> None:
+        """Prove that the flight lasts until its next event; the monodromy then includes it."""
+        then = self.bound(until)
+        slowest = flies(self.osc, flight, (self.now, then), self.bound, self.released)
+        if slowest is not None:
+            self.least = interval.least(self.least, slowest)
+        self.monodromy = self.osc.drift(self.monodromy, until - self.before)
+        self.now, self.before, self.released = then, until, None
+
+    def _hit(self, flight: Flight[E], side: int, expected: Expected, number: int) -> None:
+        if flight.s != side:
+            raise NotProved(f"event {number}", f"the mass moves away: no {expected.word}")
+        moment = hit_time(self.osc, flight, expected, self.kind, number)
+        velocity = self.osc.velocity(flight, moment)
+        speed = side * self.bound(velocity)
+        if not speed > 0:
+            raise NotProved(f"event {number}", "the hit may not be transverse", {"speed": speed})
+        self._fly(flight, moment.t)
+        after = speed if self.osc.elastic else self.bound(self.osc.e * speed)
+        self.least = interval.least(self.least, after)
+        salt = self.osc.saltation(flight.s, velocity, moment.cos)
+        self.monodromy = self.osc.hit(self.monodromy, salt)
+        self.flight = self.osc.reflect(flight, moment, velocity)
+        self.events.append(Event(expected.word, moment.t, velocity, moment.cos))
+
+    def _stop(self, flight: Flight[E], side: int, expected: Expected, number: int) -> None:
+        """Pass a turning to a side, or the onset of sticking (side 0)."""
+        osc, s = self.osc, flight.s
+        moment = rest_time(osc, flight, expected, self.kind, number)
+        self._fly(flight, moment.t)
+        x = osc.position(flight, moment)
+        gap = s * (osc.wall(s) - self.bound(x))
+        if not gap > 0:
+            reason = "the mass may reach the wall before its velocity vanishes"
+            raise NotProved(f"event {number}", reason, {"distance": gap})
+        force = self.bound(osc.forcing(moment))
+        self._decide(side, force, expected, number)
+        (a, b), (c, d) = self.monodromy
+        zero = cast(E, Ball(0))
+        if side:
+            factor = osc.turning_factor(s, moment.cos)
+            self.monodromy = (a, b), (factor * c, factor * d)
+            self.flight = osc.launch(side, moment, x, zero)
+        else:
+            self.monodromy = (a, b), (zero, zero)
+            self._rest(x, self.now)
+        self.least = Ball(0)
+        self.events.append(Event(expected.word, moment.t, zero, moment.cos))
+
+    def _decide(self, side: int, force: Ball, expected: Expected, number: int) -> None:
+        """Prove what the forcing makes of a mass whose velocity vanishes."""
+        f = self.osc.f
+        decided = side * force > f if side else abs(force) < f
+        if not decided:
+            reason = f"whether the mass turns or sticks is undecided: no certain {expected.word}"
+            raise NotProved(f"event {number}", reason, {"F cos wt": force, "f": f})
+
+    def _rest(self, x: E, since: Ball, wall: int = 0) -> None:
+        self.flight, self.place, self.pending, self.wall = None, x, since, wall
+
+    def _capture(self, side: int, expected: Expected, number: int) -> None:
+        """Pass the capture at a wall by the lemma of `cap.flow.capture`; the mass has just hit
+        it."""
+        osc, last = self.osc, self.events[-1] if self.events else None
+        wall = "r" if side > 0 else "l"
+        if self.flight is None or last is None or last.word != f"hit {wall}":
+            raise NotProved(f"event {number}", f"a capture must follow a hit {wall}")
+        speed = osc.e * abs(self.bound(last.velocity))
+        entry = capture.Entry(self.now, Ball(0), speed, leaving=True)
+        try:
+            found = capture.accumulation(osc, side, entry, expected.window)
+        except capture.TooEarly as miss:
+            later = interval.hull(self.now, miss.until)
+            raise NoCertainEvent(number, expected, later) from miss
+        self._captured(side, found, expected)
+
+    def _captured(self, side: int, found: capture.Accumulation, expected: Expected) -> None:
+        zero = cast(E, Ball(0))
+        self.monodromy = (zero, zero), (zero, zero)
+        self.now, self.before, self.least = found.time, cast(E, found.time), Ball(0)
+        self._rest(cast(E, self.osc.wall(side)), found.time, side)
+        cos = cast(E, self.osc.moment(found.time).cos)
+        self.events.append(Event(expected.word, cast(E, found.time), zero, cos))
+
+    def _release(self, side: int, expected: Expected, number: int) -> None:
+        if self.flight is not None:
+            raise NotProved(f"event {number}", f"the mass moves: no {expected.word}")
+        if self.wall == side:
+            raise NotProved(f"event {number}", f"the wall is in the way: no {expected.word}")
+        k = self._release_number(side, number)
+        moment = cast("Moment[E]", self.osc.slow(side, k))
+        self.flight = self.osc.launch(side, moment, self.place, cast(E, Ball(0)))
+        self.now, self.before, self.released = self.bound(moment.t), moment.t, k
+        self.events.append(Event(expected.word, moment.t, cast(E, Ball(0)), moment.cos))
+
+    def _release_number(self, side: int, number: int) -> int:
+        """Prove when the rest ends, and that it does to this side; return the slow moment's number.
+
+        In the interior it ends when |F cos ωt| reaches f; at the time since when the mass rests,
+        |F cos ωt| < f, and sin ωt says where it is reached.  At a wall it ends when the forcing
+        away from the wall reaches f.
+        """
+        osc, since = self.osc, self.pending
+        sin = osc.moment(since).sin
+        if not self.wall and not side * sin < 0:
+            raise NotProved(f"event {number}", "the side of the release is another, or undecided")
+        return next_slow(osc, side, since)
+
+    def finish(self, end: Moment[Ball]) -> Orbit[E]:
+        """Prove that nothing more happens until the end; return all enclosures."""
+        osc, flight = self.osc, self.flight
+        if flight is None:
+            self._rests_until(end)
+            state = self.place, cast(E, Ball(0))
+        else:
+            moment = cast("Moment[E]", end)
+            state = osc.position(flight, moment), osc.velocity(flight, moment)
+            x, v = state
+            speed = flight.s * self.bound(v)
+            if not speed > 0:
+                raise NotProved("end", "the velocity may vanish before the end", {"v": speed})
+            self.least = interval.least(self.least, speed)
+            self._fly(flight, moment.t)
+            if not osc.l < self.bound(x) < osc.r:
+                reason = "the orbit may reach a wall once more before the end"
+                raise NotProved("end", reason, {"x": self.bound(x)})
+        (a, b), (c, d) = self.monodromy
+        monodromy = (_scalar(a), _scalar(b)), (_scalar(c), _scalar(d))
+        return Orbit(self.s, tuple(self.events), state, monodromy, self.least)
+
+    def _rests_until(self, end: Moment[Ball]) -> None:
+        """Prove that the rest has begun and not ended: no slow moment to a free side is between."""
+        osc, since = self.osc, self.pending
+        if not since < end.t:
+            sets = {"rest": since, "end": end.t}
+            raise NotProved("end", "the mass may come to rest only after the end", sets)
+        for side in (1, -1):
+            for k in slow_numbers(osc, side, since, end.t):
+                t = osc.slow(side, k).t
+                if side != self.wall and not (t < since or t > end.t):
+                    raise NotProved("end", "the mass may be released before the end", {"at": t})
+
+
+def _scalar(entry: E) -> E:
+    """Return the entry, a ball if it still is the integer that it was at the start."""
+    return cast(E, Ball(entry)) if isinstance(entry, int) else entry
+
+
+def _begin(course: Course[E], start: State[E]) -> int:
+    """Prove how the orbits begin; return the sign of the first flight, or 0 for a rest."""
+    v = course.bound(start.v)
+    if v > 0 or v < 0:
+        s = 1 if v > 0 else -1
+        if start.wall == s:
+            raise NotProved("start", "the mass moves into the wall: begin with the velocity after")
+        course.flight = course.osc.launch(s, start.at, start.x, start.v)
+        return s
+    if not v.is_zero():
+        raise NotProved("start", "the velocity may vanish at the start", {"v": v})
+    return _begin_at_rest(course, start)
+
+
+def _begin_at_rest(course: Course[E], start: State[E]) -> int:
+    """The same for a velocity that is exactly zero: the forcing decides.
+
+    A wall holds the mass, with the help of friction, while the force away from it is at most f.
+    """
+    osc, force = course.osc, course.osc.forcing(start.at)
+    for side in (1, -1):
+        if side * force > osc.f and side != start.wall:
+            course.flight = osc.launch(side, start.at, start.x, cast(E, Ball(0)))
+            return side
+    if not (start.wall * force > -osc.f if start.wall else abs(force) < osc.f):
+        raise NotProved("start", "whether the mass moves at once is undecided", {"F cos wt": force})
+    (a, b), _ = course.monodromy
+    course.monodromy = (a, b), cast("tuple[E, E]", (0, 0))
+    return 0

@@ -1,0 +1,1 @@
+"""The orbits with one hit of each wall whose velocity never vanishes, in closed form."""
