@@ -85,8 +85,8 @@ def test_what_a_command_keeps_has_the_status_of_the_signal(module):
 def test_signals_that_are_ignored_stay_ignored(module):
     """As ``nohup`` asks for."""
     env = module(late="print('ready', flush=True); time.sleep(1); print('done'); return 0")
-    code = "import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN); from cap import entry; "
-    code += "entry.leave(entry.run('slow_command:main', []))"
+    code = "import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN); "
+    code += "from cap.command import entry; entry.leave(entry.run('slow_command:main', []))"
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     process = subprocess.Popen([sys.executable, "-c", code], env=env, **pipes)
     assert process.stdout.readline() == b"ready\n"
