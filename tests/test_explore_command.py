@@ -40,7 +40,10 @@ def test_files_named_first(tmp_path):
         (["--size=4", "orbit"], "--size comes after it"),
         (["--out", "a.bmp", "orbit"], "cannot tell what to write"),
         (["orbit", "--out", "x" * 300 + ".csv"], "File name too long"),
-        (["inventory", "--certificates", "/dev/null/x"], "cannot write to /dev/null/x: Not a dir"),
+        (
+            ["inventory", "--certificates", "/dev/null/x"],
+            'cannot write to "/dev/null/x": Not a dir',
+        ),
     ],
     ids=lambda words: " ".join(words)[:40] if isinstance(words, list) else "",
 )

@@ -52,10 +52,10 @@ def test_absurd_sizes(size):
 @pytest.mark.parametrize("name", ["F", "omega", "R"])
 @pytest.mark.parametrize("power", [400, -400])
 def test_absurd_parameters(name, power):
-    """That no float holds: it cannot steer, so nothing is proved."""
+    """That no float holds, or walls that nobody can tell apart: nothing is proved."""
     p = replace(PAPER, l=Fraction(0), f=Fraction(0))
-    p = replace(p, **{"r" if name == "R" else name: Fraction(10) ** power})
-    with pytest.raises(NotProved):
+    with pytest.raises((NotProved, BadInput)):  # noqa: PT012
+        p = replace(p, **{"r" if name == "R" else name: Fraction(10) ** power})
         after_periods(p, interval.ball(p.R / 2), Ball(1), 1)
 
 

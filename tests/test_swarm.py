@@ -73,6 +73,8 @@ def compare(p, state, periods, t0=0.0, digits=35):
     np.testing.assert_allclose(swarm.states[0], expected, rtol=0, atol=error)
     if not swarm.grazing[0]:
         mine = told(itinerary(p, state, periods, t0))
+        if mine and mine[0].time == t0 and mine[0].word.startswith("release"):
+            mine = mine[1:]  # the oracle says nothing of what rests only for that moment
         assert [event.word for event in mine] == [event.word for event in events]
         for event, true in zip(mine, events, strict=True):
             assert abs(event.time - float(true.time)) < error / slope(p, event)
