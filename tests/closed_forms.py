@@ -4,8 +4,7 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
-from support import seeded
-from test_prove_events import among
+from support import among, seeded
 
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric

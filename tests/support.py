@@ -92,3 +92,9 @@ def value_at(model, point):
 def certified(theorem, setting, part=Fraction(9, 10)):
     """Return the certificate of a theorem for a part of the largest box found."""
     return theorem.prove(setting)(part)
+
+
+def among(pair, value, error=Fraction(1, 10**33)):
+    """Return whether an enclosure, of two decimals, contains a number known up to ``error``."""
+    low, high = map(Fraction, pair)
+    return low - error <= rational(value) <= high + error

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import pkgutil
 from importlib import import_module
+from types import ModuleType
 
 import cap.checker
 
@@ -18,6 +19,8 @@ def home(name):
     found = []
     for module in map(import_module, MODULES):
         part = vars(module).get(name)
+        if isinstance(part, ModuleType):
+            continue
         if part is not None and getattr(part, "__module__", module.__name__) == module.__name__:
             found.append(module)
     if len(found) != 1:

@@ -1,0 +1,79 @@
+"""Certificates kept as files: what they claim is accepted, rejected, or not a certificate at all.
+
+The names tell the attack.  Each rejected one is rejected for its own reason, listed here, so that
+a change of the format does not leave files which are rejected for another.
+"""
+
+from pathlib import Path
+
+import pytest
+
+from cap import verify
+
+HERE = Path(__file__).parents[1] / "certificates"
+REASONS = {
+    "box_of_two_fixed_points": "before a window begins",
+    "box_past_the_wall": "between the walls",
+    "box_too_large": "before a window begins",
+    "box_without_the_fixed_point": "centre is not in the box",
+    "capture_after_its_release": "time of event 2 is not after",
+    "capture_before_the_start": "time of the first event may be negative",
+    "capture_by_a_force_below_friction": "forcing claimed is not above f",
+    "capture_with_events_out_of_order": "time of event 2 is not after",
+    "friction_a_double": "interior of its box",
+    "hypothesis_dropped": "cites",
+    "more_digits_than_certain": "wider than its digits allow",
+    "multipliers_swapped": "multipliers",
+    "other_friction": "when a window ends",
+    "remainder_too_small": "remainder",
+    "saddle_called_elliptic": "cites",
+    "trace_of_the_paper_orbit": "trace does not contain",
+    "twist_of_the_paper": "twist does not contain",
+    "twist_with_the_other_sign": "twist does not contain",
+    "window_without_hit": "when a window ends",
+    "windows_in_wrong_order": "velocity may vanish",
+}
+
+
+def files(kind):
+    """Return the files of a folder, for `parametrize`."""
+    return [pytest.param(path, id=path.stem) for path in sorted((HERE / kind).glob("*.json"))]
+
+
+def run(capsys, path):
+    """Return the exit status and the one line printed."""
+    status = verify.main([str(path)])
+    out, err = capsys.readouterr()
+    assert err == ""
+    assert out.count("\n") == 1
+    return status, out
+
+
+@pytest.mark.parametrize("path", files("accept"))
+def test_accepted(capsys, path):
+    """True, though not as the prover writes it."""
+    status, out = run(capsys, path)
+    assert status == 0
+    assert out.startswith("VERIFIED: x'' = ")
+
+
+@pytest.mark.parametrize("path", files("reject"))
+def test_rejected(capsys, path):
+    """A false claim, or hints that prove nothing."""
+    status, out = run(capsys, path)
+    assert status == 1
+    assert out.startswith(f'REJECTED: "{path}"'[:200])
+    assert REASONS[path.stem] in out
+
+
+@pytest.mark.parametrize("path", files("malformed"))
+def test_malformed(capsys, path):
+    """Not a certificate."""
+    status, out = run(capsys, path)
+    assert status == 1
+    assert out.startswith("REJECTED: ")
+
+
+def test_every_reason_has_its_file():
+    """The table and the folder agree."""
+    assert {path.stem for path in (HERE / "reject").glob("*.json")} == set(REASONS)

@@ -1,0 +1,150 @@
+"""Every formula over sets, with few bits, contains what it gives at points with many bits.
+
+So no rounding is left out, no end exchanged, no interval replaced by its midpoint.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from support import rounds, seeded
+
+from checker.parts import (
+    Interval,
+    Jet,
+    Losses,
+    Mechanics,
+    Parameters,
+    Pitchfork,
+    Rejected,
+    Symmetric,
+    SymmetricOrbits,
+    birth,
+    cosine_of_phase,
+    elliptic_frame,
+    friction,
+    half_turn,
+    home,
+    in_complex_coordinate,
+    over_intervals,
+    real,
+    regularised_twist,
+)
+
+F = Fraction
+MANY = 200
+
+
+def closed_form(alpha, rho):
+    """Give all that is computed of both symmetric orbits."""
+    for sign in (1, -1):
+        orbit = Symmetric.of(alpha, rho, sign)
+        yield from (orbit.c, orbit.hit_speed, orbit.t_1, orbit.k, *orbit.start, orbit.slowest)
+
+
+def values_of_c(rho, c):
+    """Give where pairs are born, and what only depends on c."""
+    yield from (birth(rho), half_turn(rho), friction(c), cosine_of_phase(c / 2))
+    proof = Pitchfork.__new__(Pitchfork)
+    proof.hints = {"bits": c.bits}
+    yield proof.cubic(c)
+
+
+def paper_equation(theta, c):
+    """Give Psi, and its Newton operator at a point."""
+    proof = SymmetricOrbits.__new__(SymmetricOrbits)
+    proof.hints = {"bits": c.bits}
+    proof.p = Parameters(F(1), F(1), F(2, 5), F(0), F(2))
+    proof.R, proof.omega = F(2), F(1)
+    yield proof.psi(theta)
+
+
+def pairs(rho, delta):
+    """Give all that is computed of a pair, with two derivatives, and its twist."""
+    family = over_intervals(rho)
+    pair = family.at(delta, 2)
+    for jet in (*pair[:7], *pair.speeds, pair.trace, *(z for hit in pair.hits for z in hit)):
+        yield from jet.coefficients.values()
+    yield home("slowest").slowest(pair)
+    yield regularised_twist(family, family.at(delta))
+
+
+def frame(a, b, c):
+    """Give the angle, the coordinate and the twists of a map of determinant 1."""
+    d = (b * c + 1) / a
+    x = Jet(3, {(1, 0): a, (0, 1): b, (2, 0): c, (1, 1): a})
+    v = Jet(3, {(1, 0): c, (0, 1): d, (0, 2): b, (1, 2): a})
+    found = elliptic_frame([[a, b], [c, d]])
+    yield from (found.angle, found.p, *found.q, *found.eigenvalue)
+    coordinate = in_complex_coordinate(x, v, found)
+    for z in coordinate.coefficients.values():
+        yield from z
+
+
+def flight(x, v, t, e, mu):
+    """Give the state, the speed and its least value on flights, and what hits and turns lose."""
+    for losses in (None, Losses(ends(e), ends(mu))):
+        for s in (1, -1):
+            M = Mechanics(SYSTEM, [x, v * s], [x.midpoint(), v.midpoint() * s], 2, 1, losses)
+            start = M.launch()
+            when = M.moment(M.constant(t))
+            place, speed = M.place(start, when), M.speed(start, when)
+            for q in (place, speed, when.cos, when.sin):
+                yield from (q.value, q.slope(0), q.slope(1))
+            yield M.least_speed(start, when)
+            yield M.P.value
+            later = M.flight(-s, when, place, speed, M.minima[-s])
+            for q in (later.A, later.X, later.C):
+                yield from (q.value, q.slope(1))
+            yield from (m for minimum in M.minima[s] for m in (q.value for q in minimum))
+
+
+SYSTEM = Parameters(F(2), F(3, 2), F(2, 5), F(-9), F(9), F(9, 10), F(1, 7))
+
+
+def ends(x):
+    """Return the ends of an interval."""
+    return x.lower, x.upper
+
+
+def matrices(a, b, c, d):
+    """Give an upper bound of the norm, and the real zeros of z^2 - (a + d) z + det."""
+    trace, det = a + d + 3, a * d
+    yield from real(trace, det)
+    yield from real(-trace, det)
+
+
+FORMULAS = {
+    closed_form: (["1/10", "1/2"], ["3/2", "3"]),
+    values_of_c: (["1", "2"], ["1/2", "9/10"]),
+    paper_equation: (["1/10", "3"], ["1/2", "9/10"]),
+    pairs: (["19/10", "2"], ["1/10", "4/10"]),
+    frame: (["1/2", "1"], ["-1", "-1/2"], ["1/3", "1/2"]),
+    flight: (["-1", "1"], ["4", "5"], ["1/2", "3/2"], ["1/2", "9/10"], ["1/10", "1/5"]),
+    matrices: (["1/2", "1"], ["1/2", "1"], ["1/2", "1"], ["1/2", "1"]),
+}
+
+
+@pytest.mark.parametrize("formula", FORMULAS)
+@pytest.mark.parametrize("bits", [24, 40])
+def test_over_sets(formula, bits):
+    """The arguments vary in random intervals, also in points."""
+    random, done = seeded(bits), 0
+    for _ in range(rounds(40)):
+        exact, sets = [], []
+        for ends in FORMULAS[formula]:
+            low, high = map(F, ends)
+            q = low + (high - low) * F(random.randint(0, 1000), 1000)
+            wide = F(random.choice([0, 0, 1, 10, 100]), 10**4)
+            exact.append(Interval.enclosing(q, q, MANY))
+            parts = [wide * random.choice([0, 1, 2]) for _ in range(2)]
+            sets.append(Interval.enclosing(q - parts[0], q + parts[1], bits))
+        try:
+            found = list(formula(*sets))
+        except Rejected:
+            continue
+        done += 1
+        for n, (value, truth) in enumerate(zip(found, formula(*exact), strict=True)):
+            assert value.lower <= truth.lower <= truth.upper <= value.upper, n
+    assert done > 5

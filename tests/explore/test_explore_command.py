@@ -1,0 +1,163 @@
+"""The explorer's command line: the order of words, files, figures of the paper, compiled code."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from threading import Thread
+
+import pytest
+
+from cap.command.entry import INTERRUPTED
+from cap.errors import BadInput
+from cap.explore import __main__ as explore
+from cap.floats import compiled
+from cap.floats.compiled import kept
+from cap.floats.work import Work
+from cap.paper import command
+from cap.paper.registry import figure
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_files_named_first(tmp_path):
+    """``--out FILE`` before the command is as good as after it, and both are written."""
+    first, second = tmp_path / "first.csv", tmp_path / "second.csv"
+    assert explore.main(["--out", str(first), "orbit", "--out", str(second)]) == 0
+    assert first.read_bytes() == second.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (["--paper", "fig:cover", "orbit"], "give --paper or orbit: not both"),
+        (["--paper", "fig:cover", "--paper", "fig:sali"], "one figure at a time"),
+        (["--paper", "all", "--out", "a", "--out", "b"], "one directory"),
+        (["--f", "3/10", "orbit"], "--f comes after it"),
+        (["--size=4", "orbit"], "--size comes after it"),
+        (["--out", "a.bmp", "orbit"], "cannot tell what to write"),
+        (["orbit", "--out", "x" * 300 + ".csv"], "File name too long"),
+        (
+            ["inventory", "--certificates", "/dev/null/x"],
+            'cannot write to "/dev/null/x": Not a dir',
+        ),
+    ],
+    ids=lambda words: " ".join(words)[:40] if isinstance(words, list) else "",
+)
+def test_words_that_make_no_sense(words, complaint, tmp_path, monkeypatch, capsys):
+    """Nothing is left out in silence: one line, status 2, nothing written."""
+    monkeypatch.chdir(tmp_path)
+    assert explore.main(words) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("error: ")
+    assert complaint in err
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_figure_in_several_files(tmp_path, capsys):
+    """``--out`` may be repeated for a figure of the paper, too."""
+    files = [tmp_path / name for name in ("a.csv", "a.md")]
+    how = [path for file in files for path in ("--out", str(file))]
+    assert explore.main(["--paper", "fig:cover", *how]) == 0
+    assert all(file.stat().st_size > 100 for file in files)
+
+
+def test_an_interrupt_while_a_picture_is_written(tmp_path, monkeypatch, capsys):
+    """The tables of the figures before are there: they are written after each."""
+
+    def interrupted(_data, _figure):
+        raise KeyboardInterrupt
+
+    def stopping(label):
+        one = figure(label)
+        return one if label == "fig:cover" else replace(one, draw=interrupted)
+
+    monkeypatch.setattr(command, "labelled", lambda _: ["fig:cover", "fig:multi-particle"])
+    monkeypatch.setattr(command, "figure", stopping)
+    status = command.run("all", [tmp_path], lambda _words, _part: None, quick=True)
+    assert status == INTERRUPTED
+    assert "## fig:cover" in (tmp_path / "comparison.md").read_text()
+    assert {path.name for path in tmp_path.iterdir()} == {"cover.png", "cover.pdf", "comparison.md"}
+
+
+def killed(_task):
+    """End the process, as a system does that has no memory left."""
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def test_a_process_that_is_killed():
+    """A line that says so, no traceback."""
+    with pytest.raises(BadInput, match="a process was killed"):
+        Work(2).map(killed, [1, 2, 3], "test", processes=True)
+
+
+def add(numbers):
+    """Add one to numbers."""
+    for k in range(len(numbers)):
+        numbers[k] += 1
+
+
+def test_nothing_can_be_kept(monkeypatch):
+    """Where no folder can be written, functions are compiled all the same, each time anew."""
+
+    def refusing(function, *, cache=False, **_):
+        if cache:
+            raise RuntimeError("no locator available")
+        return function
+
+    monkeypatch.setattr(compiled, "njit", refusing)
+    numbers = [1, 2]
+    kept(add)(numbers)
+    assert numbers == [2, 3]
+
+
+def test_a_disk_that_is_full(monkeypatch):
+    """What cannot be kept when it is compiled is used."""
+    calls = []
+
+    def failing(numbers):
+        calls.append(numbers)
+        if len(calls) == 1:
+            raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(compiled, "njit", lambda _function, **_: failing)
+    kept(add)([1])
+    assert calls == [[1], [1]]
+
+
+def test_a_word_while_one_waits(monkeypatch, capsys):
+    """One line if the first call takes long, of however many threads; none later."""
+
+    def slow(numbers):
+        time.sleep(0.3)
+        add(numbers)
+
+    monkeypatch.setattr(compiled, "njit", lambda _function, **_: slow)
+    monkeypatch.setattr(compiled, "PATIENCE", 0.1)
+    function, numbers = kept(add), [[0], [0], [0]]
+    threads = [Thread(target=function, args=(each,)) for each in numbers]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    function(numbers[0])
+    assert numbers == [[2], [1], [1]]
+    assert capsys.readouterr().err == f"{compiled.WORDS}\n"
+
+
+def test_a_home_that_does_not_exist(tmp_path):
+    """A picture is drawn, and nothing is said about caches."""
+    path = tmp_path / "orbit.png"
+    env = {**os.environ, "HOME": "/proc/none", "PYTHONPATH": str(ROOT), "TMPDIR": str(tmp_path)}
+    for name in ("XDG_CACHE_HOME", "XDG_CONFIG_HOME", "MPLCONFIGDIR"):
+        env.pop(name, None)
+    words = [sys.executable, "-m", "cap.explore", "orbit", "--out", str(path)]
+    done = subprocess.run(words, env=env, capture_output=True, check=False)
+    assert done.returncode == 0
+    assert path.stat().st_size > 3000
+    assert done.stderr in (b"", f"{compiled.WORDS}\n".encode())
