@@ -12,7 +12,17 @@ from cap.checker.theorem import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
-from proofs import branch, capture, elliptic, periodic, persistence, pitchfork, saddle, symmetric
+from proofs import (
+    branch,
+    capture,
+    elliptic,
+    periodic,
+    persistence,
+    pitchfork,
+    saddle,
+    segment,
+    symmetric,
+)
 from proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
@@ -65,6 +75,11 @@ THEOREMS = {
     "branch": Theorem(
         "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
         branch.prove,
+        candidates.closed_form,
+    ),
+    "segment": Theorem(
+        "the T-periodic orbits that touch no wall: a segment, with an open set that it attracts",
+        segment.prove,
         candidates.closed_form,
     ),
 }

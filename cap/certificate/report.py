@@ -72,6 +72,7 @@ def theorem(certificate: dict[str, Any]) -> str:
 def _statement(kind: str, claims: dict[str, Any]) -> Iterator[str]:
     """Give the lines that state a theorem."""
     closed_form = {"symmetric": _symmetric, "pitchfork": _pitchfork, "branch": _branch}
+    closed_form["segment"] = _segment
     if kind in closed_form:
         return closed_form[kind](claims)
     box = " x ".join(f"[{lower}, {upper}]" for lower, upper in claims["box"].values())
@@ -213,6 +214,26 @@ def _branch(claims: dict[str, Any]) -> Iterator[str]:
     yield "  " + (", ".join(f"[{a}, {b}]" for a, b in claims["exceptions"]) or "no interval")
     yield "both orbits are elliptic, without resonance of order <= 4, and their twist does not"
     yield "vanish: hence (Moser) each is stable and surrounded by invariant curves."
+
+
+def _segment(claims: dict[str, Any]) -> Iterator[str]:
+    yield "The T-periodic orbits that touch no wall are those with v as below at t = 0 and x anywhere"
+    yield "between left and right: they turn twice in a period, never stick, and are no isolated"
+    yield "fixed points of Phi.\n"
+    names = {
+        "left": "left",
+        "right": "right",
+        "v": "v at t = 0",
+        "stroke": "stroke",
+        "turning_times": "turn",
+        "multipliers": "multiplier",
+        "basin_area": "area of the open set below",
+    }
+    yield from aligned(rows(names, claims))
+    a, b = claims["basin"]["drift"]
+    yield f"\nLet D(u) = {a} u + {b} u^2.  All orbits from (x, v + u) at t = 0 with"
+    yield f"|u| < {claims['basin']['speed']}, left < x and x + D(u) < right if u >= 0, left < x - D(-u)"
+    yield "and x < right if u < 0, touch no wall and tend to one of these."
 
 
 def _walls(claims: dict[str, Any]) -> str:

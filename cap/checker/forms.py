@@ -1,4 +1,4 @@
-"""The form of the certificates on (1,1) orbits; what does not exist is the string "none"."""
+"""The form of the certificates that start from formulas; what does not exist is the string "none"."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ from cap.checker.kernel.reading import (
 )
 from cap.checker.kernel.rejection import need
 
-THEOREMS = ("symmetric", "pitchfork", "branch")
+THEOREMS = ("symmetric", "pitchfork", "branch", "segment")
+WITH_LOSSES = ("segment",)
 FOR_ALL_F = ("pitchfork", "branch")
 MAX_CELLS = 512
 MAX_BITS = 4096
@@ -32,6 +33,11 @@ _STATE = {
     "hit_times": [enclosure] * 2,
     "hit_speed": enclosure,
     "least_speed": enclosure,
+}
+_SEGMENT = dict.fromkeys(("left", "right", "v", "stroke", "basin_area"), enclosure) | {
+    "turning_times": [enclosure] * 2,
+    "multipliers": [enclosure] * 2,
+    "basin": {"speed": number, "drift": [number] * 2},
 }
 
 
@@ -57,6 +63,8 @@ def claims(theorem: str, value: object, hints: dict[str, Any]) -> dict[str, Any]
     """Return the shape of the claims of one of these theorems."""
     if theorem == "symmetric":
         return symmetric_shape(value)
+    if theorem == "segment":
+        return _SEGMENT
     if theorem == "pitchfork":
         slopes = ("half_trace_slope", "cubic", "linear_slope", "curvature", "trace_curvature")
         return {"f": enclosure} | _STATE | dict.fromkeys(slopes, enclosure)

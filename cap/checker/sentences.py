@@ -1,4 +1,4 @@
-"""The theorems on (1,1) orbits, in words."""
+"""The theorems that start from formulas, in words."""
 
 from __future__ import annotations
 
@@ -7,11 +7,17 @@ from typing import Any
 
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.terms import ONE_ONE
+from cap.checker.theorems import segment
 
 
 def words(c: Certificate) -> str:
     """Return the theorem in one line."""
-    sentences = {"symmetric": symmetric, "pitchfork": pitchfork, "branch": branch}
+    sentences = {
+        "symmetric": symmetric,
+        "pitchfork": pitchfork,
+        "branch": branch,
+        "segment": segment.words,
+    }
     numbers = c.parameters._asdict() | c.claims
     return "".join(sentences[c.theorem](c.claims)).format_map(numbers)
 

@@ -37,6 +37,7 @@ from cap.checker.theorems.capture import Capture
 from cap.checker.theorems.periodic import Periodic
 from cap.checker.theorems.persistence import Persistence
 from cap.checker.theorems.pitchfork import Pitchfork
+from cap.checker.theorems.segment import Segment
 from cap.checker.theorems.symmetric import SymmetricOrbits
 
 RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
@@ -210,4 +211,5 @@ THEOREMS: dict[str, Callable[[Certificate, Callable[[str], None]], Proof]] = {
     "symmetric": SymmetricOrbits,
     "pitchfork": Pitchfork,
     "branch": Branch,
+    "segment": Segment,
 }

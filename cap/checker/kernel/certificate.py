@@ -80,7 +80,8 @@ def read_parameters(theorem: str, value: object) -> Parameters:
 
     Two theorems are about all f: theirs is set to 0, and is not used.
     """
-    names = _NAMES[:5] if theorem in (*WITHOUT_LOSSES, *forms.THEOREMS) else _NAMES
+    elastic = theorem in (*WITHOUT_LOSSES, *forms.THEOREMS) and theorem not in forms.WITH_LOSSES
+    names = _NAMES[:5] if elastic else _NAMES
     shape = {name: number for name in names if name != "f" or theorem not in forms.FOR_ALL_F}
     p = Parameters(**{"f": Fraction(0)} | matched(value, shape, "parameters"))
     need(p.omega > 0, "omega is not positive")
