@@ -13,6 +13,7 @@ from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
 from proofs import (
+    attractor,
     branch,
     capture,
     elliptic,
@@ -81,6 +82,11 @@ THEOREMS = {
         "the T-periodic orbits that touch no wall: a segment, with an open set that it attracts",
         segment.prove,
         candidates.closed_form,
+    ),
+    "attractor": Theorem(
+        "after sticks an interval is mapped into itself: a unimodal map, its entropy, its basin",
+        attractor.prove,
+        candidates.releasing,
     ),
 }
 

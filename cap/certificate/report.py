@@ -72,7 +72,7 @@ def theorem(certificate: dict[str, Any]) -> str:
 def _statement(kind: str, claims: dict[str, Any]) -> Iterator[str]:
     """Give the lines that state a theorem."""
     closed_form = {"symmetric": _symmetric, "pitchfork": _pitchfork, "branch": _branch}
-    closed_form["segment"] = _segment
+    closed_form |= {"segment": _segment, "attractor": _attractor}
     if kind in closed_form:
         return closed_form[kind](claims)
     box = " x ".join(f"[{lower}, {upper}]" for lower, upper in claims["box"].values())
@@ -234,6 +234,27 @@ def _segment(claims: dict[str, Any]) -> Iterator[str]:
     yield f"\nLet D(u) = {a} u + {b} u^2.  All orbits from (x, v + u) at t = 0 with"
     yield f"|u| < {claims['basin']['speed']}, left < x and x + D(u) < right if u >= 0, left < x - D(-u)"
     yield "and x < right if u < 0, touch no wall and tend to one of these."
+
+
+def _attractor(claims: dict[str, Any]) -> Iterator[str]:
+    lower, upper = claims["interval"]
+    yield "Let G take the place of a release to the right to that of the next release, mirrored if to"
+    yield f"the left.  G takes I = [{lower}, {upper}] into its interior.  All releases from I have"
+    yield f"exactly these events up to the next one, {claims['half_periods']} half-periods later:"
+    yield f"  {', '.join(claims['itinerary'])}"
+    yield f"G has one critical point in I, a {claims['turn']}.\n"
+    names = {
+        "critical_point": "critical point",
+        "critical_value": "its value",
+        "entropy": "topological entropy of G on I",
+        "entropy_per_period": "the same per period T",
+    }
+    yield from aligned(rows(names, claims))
+    yield "\nIts first images lie on the branches (R where G decreases, L where it increases)"
+    yield textwrap.fill(claims["kneading"], _WIDTH)
+    box = " x ".join(f"[{low}, {high}]" for low, high in claims["basin"].values())
+    yield f"All orbits from {box} at t = 0 come to be released in I."
+    yield "Not claimed: that no periodic orbit attracts, an invariant density, a Lyapunov exponent."
 
 
 def _walls(claims: dict[str, Any]) -> str:

@@ -129,6 +129,33 @@ _MOSER_ON_A_BRANCH = _cite(
         "cells, twist_zeros, exceptions",
     ),
 )
+_MILNOR_THURSTON = _cite(
+    "Milnor-Thurston",
+    "Milnor and Thurston, On iterated maps of the interval, Springer LNM 1342, 1988",
+    (
+        "unimodal",
+        "G is continuous on the interval, maps it into itself, and has one critical point there, on "
+        "both sides of which it is strictly monotone",
+        "interval, itinerary, critical_point",
+    ),
+    (
+        "order",
+        "the kneading sequence of G is decided up to where it differs from those of the tent maps "
+        "with the slopes exp(lower) and exp(upper), lower and upper the ends of entropy",
+        "kneading, entropy",
+    ),
+)
+_MISIUREWICZ = _cite(
+    "Misiurewicz",
+    "Misiurewicz, Horseshoes for mappings of the interval, Bull. Acad. Polon. Sci. 27, 1979",
+    ("positive", "the entropy of the continuous map G of the interval is positive", "entropy"),
+)
+_LI_YORKE = _cite(
+    "Li-Yorke",
+    "Li and Yorke, Period three implies chaos, Amer. Math. Monthly 82, 1975; Block and Coppel, "
+    "Dynamics in One Dimension, 1992, Chapters II and VI",
+    ("positive", "the entropy of the continuous map G of the interval is positive", "entropy"),
+)
 CITES: dict[str, list[dict[str, object]]] = {
     "elliptic": [_KRAWCZYK, _MOSER],
     "saddle": [_KRAWCZYK, _HADAMARD_PERRON],
@@ -139,4 +166,5 @@ CITES: dict[str, list[dict[str, object]]] = {
     "pitchfork": [],
     "branch": [_MOSER_ON_A_BRANCH],
     "segment": [],
+    "attractor": [_MILNOR_THURSTON, _MISIUREWICZ, _LI_YORKE],
 }

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
+from cap.checker.flow.itinerary import WORDS
 from cap.checker.kernel.reading import (
     bounded,
     enclosure,
@@ -15,17 +17,22 @@ from cap.checker.kernel.reading import (
     one_of,
     part,
     text,
+    within,
 )
 from cap.checker.kernel.rejection import need
 
-THEOREMS = ("symmetric", "pitchfork", "branch", "segment")
-WITH_LOSSES = ("segment",)
+THEOREMS = ("symmetric", "pitchfork", "branch", "segment", "attractor")
+WITH_LOSSES = ("segment", "attractor")
 FOR_ALL_F = ("pitchfork", "branch")
 MAX_CELLS = 512
 MAX_BITS = 4096
 MAX_WORK = 1 << 27  # bits^2 times cells and zeros of the twist
 MAX_RESONANCES = 16
 MAX_ZEROS = 64
+MAX_RELEASE_CELLS = 512
+MAX_SYMBOLS = 8192
+MAX_RELEASE_EVENTS = 32
+MAX_RELEASE_WORK = 3 << 21  # events times (bits times symbols, and bits of cells times 25 cells)
 
 _STATE = {
     "x": enclosure,
@@ -54,7 +61,11 @@ def hints(theorem: str, value: object) -> dict[str, Any]:
         for name, most in (("resonances", MAX_RESONANCES), ("twist_zeros", MAX_ZEROS)):
             count = length(part(value, name, "hints"), 0, most, f"hints.{name}")
             shape[name] = [enclosure] * count
+    if theorem == "attractor":
+        shape |= attractor_hints(value)
     result: dict[str, Any] = matched(value, shape, "hints")
+    if theorem == "attractor":
+        result["cell_bits"] = bounded(result["cell_bits"], 64, MAX_BITS, "cell_bits")
     result["bits"] = bounded(result["bits"], 64, MAX_BITS, "bits")
     return result
 
@@ -65,6 +76,8 @@ def claims(theorem: str, value: object, hints: dict[str, Any]) -> dict[str, Any]
         return symmetric_shape(value)
     if theorem == "segment":
         return _SEGMENT
+    if theorem == "attractor":
+        return attractor_shape(value, hints)
     if theorem == "pitchfork":
         slopes = ("half_trace_slope", "cubic", "linear_slope", "curvature", "trace_curvature")
         return {"f": enclosure} | _STATE | dict.fromkeys(slopes, enclosure)
@@ -112,3 +125,40 @@ def branch_shape(value: object, hints: dict[str, Any]) -> dict[str, Any]:
         "exceptions": [enclosure] * exceptions,
         "cells": [cell | values] * cells,
     }
+
+
+def attractor_hints(value: object) -> dict[str, Any]:
+    """Return the shape of the hints of an attractor, beside the precision."""
+    windows = part(value, "basin_events", "hints")
+    events = length(windows, 2, MAX_RELEASE_EVENTS, "hints.basin_events")
+    cells = length(part(value, "cells", "hints"), 1, MAX_RELEASE_CELLS, "hints.cells")
+    return {
+        "cell_bits": text,
+        "critical": enclosure,
+        "cells": [{"to": number, "events": [enclosure] * events}] * cells,
+        "basin_events": [enclosure] * events,
+    }
+
+
+def attractor_shape(value: object, hints: dict[str, Any]) -> dict[str, Any]:
+    """Return the shape of the claims of an attractor."""
+    events, symbols = len(hints["basin_events"]), text(part(value, "kneading", "claims"), "kneading")
+    steps = hints["bits"] * len(symbols) + 25 * hints["cell_bits"] * len(hints["cells"])
+    work = events * steps
+    need(work <= MAX_RELEASE_WORK, f"bits, symbols and cells are too much: {work}")
+    names = ("interval", "critical_point", "critical_value", "entropy", "entropy_per_period")
+    return dict.fromkeys(names, enclosure) | {
+        "itinerary": [one_of(WORDS)] * events,
+        "half_periods": within(1, 32),
+        "turn": one_of(("minimum", "maximum")),
+        "kneading": branches,
+        "basin": {"x": enclosure, "v": enclosure},
+    }
+
+
+def branches(value: Any, where: str) -> str:
+    """Return a sequence of the letters R and L."""
+    letters = text(value, where)
+    fits = re.fullmatch("[RL]+", letters) is not None and len(letters) <= MAX_SYMBOLS
+    need(fits, f"{where} is not a sequence of at most {MAX_SYMBOLS} letters R and L")
+    return letters

@@ -7,7 +7,7 @@ from typing import Any
 
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.terms import ONE_ONE
-from cap.checker.theorems import segment
+from cap.checker.theorems import attractor, segment
 
 
 def words(c: Certificate) -> str:
@@ -17,6 +17,7 @@ def words(c: Certificate) -> str:
         "pitchfork": pitchfork,
         "branch": branch,
         "segment": segment.words,
+        "attractor": attractor.words,
     }
     numbers = c.parameters._asdict() | c.claims
     return "".join(sentences[c.theorem](c.claims)).format_map(numbers)

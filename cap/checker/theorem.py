@@ -32,6 +32,7 @@ from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
+from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.branch import Branch
 from cap.checker.theorems.capture import Capture
 from cap.checker.theorems.periodic import Periodic
@@ -212,4 +213,5 @@ THEOREMS: dict[str, Callable[[Certificate, Callable[[str], None]], Proof]] = {
     "pitchfork": Pitchfork,
     "branch": Branch,
     "segment": Segment,
+    "attractor": Attractor,
 }

@@ -121,7 +121,7 @@ class Mechanics:
         box, m = [*box, *sets], [*m, *(q.midpoint() for q in sets)]
         self.offsets = [z - c for z, c in zip(box, m, strict=True)]
         variables = [self._variable(n, *q) for n, q in enumerate(zip(box, m, strict=True))]
-        self.x, self.v = variables[:2]
+        self.x, self.v = (*variables, self.constant(self.number(Fraction(0))))[:2]
         exact = [self.constant(self.number(q)) for q in (p.e, p.mu)]
         self.e, self.mu = variables[2:] or exact
         self.is_viscous = p.mu > 0 or losses is not None
