@@ -6,60 +6,51 @@ and its release map G (`cap.release.passage`): a mass that has stuck at x and is
 right sticks next where it is released at G(x), a release to the left being mirrored by (x, v, t) ->
 (l + r - x, -v, t + T/2).  If the lemmas below succeed, then
 
- (i)   G maps an explicit interval I into its interior.  All releases from I have the same events
-       up to the next release, which is n half-periods later.
- (ii)  G is unimodal on I: it has one critical point c, inside; G' has one sign to the left of c, the
-       other one to the right.
+ (i)   G maps an explicit interval I into its interior.  All releases from I have the same events up
+       to the next release, which is n half-periods later.
+ (ii)  G is unimodal on I: it has one critical point c, inside; G' has one sign to the left of c,
+       the other one to the right.
  (iii) The first symbols of the kneading sequence, the branches of G(c), G²(c), ..., are as claimed.
  (iv)  The topological entropy h of G on I lies in `entropy`, that of the flow per period T on the
        orbits released in A = ∩ Gᵏ(I), which is 2h/n, in `entropy_per_period`.
- (v)   All orbits from an explicit box of states at t = 0 come to be released in I.  So an open set of
-       states of positive area tends to the orbits released in A.
+ (v)   All orbits from an explicit box of states at t = 0 come to be released in I.  So an open set
+       of states of positive area tends to the orbits released in A.
 
 If h > 0: some iterate of G has a horseshoe (Misiurewicz), G has periodic points of infinitely many
 periods, and an uncountable scrambled set (Li and Yorke).  Not claimed: that no periodic orbit of G
 attracts, an invariant density, or a Lyapunov exponent.
 
 Proof of (iv).  Entropy is a monotone function of the kneading sequence (Milnor and Thurston), and
-log s for the tent map of slope s: `cap.release.kneading` compares.  G on I takes n half-periods, so it
-is the n-th power of the map over half a period with the mirror image.
+log s for the tent map of slope s: `cap.release.kneading` compares.  G on I takes n half-periods, so
+it is the n-th power of the map over half a period with the mirror image.
 """
 
 from collections.abc import Iterator
-from dataclasses import astuple
 from fractions import Fraction
 from itertools import islice
 from math import ceil, log2
 from typing import Any, NamedTuple
 
 from cap.certificate import writer as certificate
-from cap.checker.flow.mechanics import Parameters as Checked
-from cap.checker.kernel.certificate import Certificate
-from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems.attractor import Attractor
 from cap.errors import NotProved, TooFewDigits
-from cap.flow.course import State
-from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
-from cap.flow.model import Moment, Oscillator
+from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
-from cap.maps.fixed_point import windows_for
+from cap.maps.fixed_point import Itinerary
 from cap.parameters import Parameters
 from cap.release import kneading
-from cap.release.cell import Cell, slack
-from cap.release.passage import arrival, foreseen_from, image, words
+from cap.release.cell import Cell
+from cap.release.passage import image, words
 from cap.release.trap import Trap, trap
 from cap.release.unimodal import Critical, cover, critical, kneading_sequence, nearby, turning
-from cap.sets import bisection, interval
+from cap.sets import interval
 from cap.sets.interval import Ball
-from cap.sets.taylor_model import Domain
 from proofs.citation import cited
-from proofs.fixed_point import Proof, Setting, assembled, bits, inside
+from proofs.fixed_point import Proof, Setting, assembled, bits
+from proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 
 COARSE = 80  # bits, for the cells and the basin
 MOST_SYMBOLS = 6000
-MOST_CELLS = 500
 FIRST, STEP = 24, 8  # numbers of symbols after which the slopes are computed
-ORDER = 3  # of the Taylor models over the box
 ROUNDS = 8  # of precision, each half as much more
 
 MILNOR_THURSTON = cited(
@@ -67,8 +58,8 @@ MILNOR_THURSTON = cited(
     "Milnor and Thurston, On iterated maps of the interval, Springer LNM 1342, 1988",
     (
         "unimodal",
-        "G is continuous on the interval, maps it into itself, and has one critical point there, on "
-        "both sides of which it is strictly monotone",
+        "G is continuous on the interval, maps it into itself, and has one critical point there, "
+        "on both sides of which it is strictly monotone",
         "interval, itinerary, critical_point",
     ),
     (
@@ -92,53 +83,59 @@ LI_YORKE = cited(
 
 
 def prove(setting: Setting) -> Proof:
-    """Prove the theorem up to the size of its cells and of the box; return the rest of the proof."""
-    proved = Prepared(setting)
+    """Prove the theorem; there is no size left to choose."""
+    content = Proved(setting).certified()
     cites = MILNOR_THURSTON, MISIUREWICZ, LI_YORKE
     strings = setting.parameters.strings()
-    return lambda part: assembled("attractor", setting, strings, proved.parts(part), *cites)
+    proved = assembled("attractor", setting, strings, content, *cites)
+    return lambda _part: proved
 
 
-class Prepared:
-    """Lemmas 1 to 4, proved; what is left is the size of the cells and Lemma 5."""
+class Proved:
+    """The lemmas, proved, with hints that the checker can follow."""
 
     def __init__(self, setting: Setting) -> None:
-        self.setting, self.p = setting, setting.parameters
-        self.trap = trap(self.p, setting.start.x)
+        self.setting, p = setting, setting.parameters
+        self.trap = trap(p, setting.start.x)
         with interval.workprec(COARSE):
-            self.osc = oscillator(self.p)
-            self.cells = cover(self.osc, self.p, self.trap.lower, self.trap.upper)
+            osc = oscillator(p)
+            self.cells = cover(osc, p, self.trap.lower, self.trap.upper)
             self.turn = lemma_1_unimodal(self.cells)
-            self.pieces = followable(setting, self.osc, self.cells)
-        halves = self.cells[0].half_periods
+            halves = self.cells[0].half_periods
+            checker = checker_of(setting, self.trap, halves)
+            self.pieces = followable(checker, osc, self.cells)
+            self.basin = lemma_5_basin(setting, osc, self.trap, checker)
         self.numbers, self.found = lemma_3_entropy(setting, self.trap, self.turn, halves)
-        with interval.workprec(COARSE):
-            self.box = Box(self.p, self.osc, self.trap)
 
-    def parts(self, part: Fraction) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return claims and hints, for cells cut into 1/part pieces, and a part of the box."""
+    def certified(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return claims and hints."""
         lower, upper = self.trap.lower, self.trap.upper
-        with interval.workprec(COARSE):
-            box, windows = self.box.claimed(part)
         claims = {
             "interval": [interval.exact_decimal(end) for end in (lower, upper)],
             "itinerary": [event.word for event in self.trap.events],
             "half_periods": str(self.cells[0].half_periods),
             "turn": "minimum" if self.turn > 0 else "maximum",
             **self.numbers,
-            "basin": box,
+            "basin": {name: list(sides) for name, sides in self.basin.sides.items()},
         }
         hints = {
             "bits": str(self.found.bits),
             "cell_bits": str(cell_bits(self.setting)),
-            "critical": [str(end) for end in (self.found.critical.lower, self.found.critical.upper)],
+            "critical": [
+                str(end) for end in (self.found.critical.lower, self.found.critical.upper)
+            ],
             "cells": [
-                {"to": str(piece.upper), "events": [certificate.window(e.window) for e in piece.windows()]}
+                {"to": str(piece.upper), "events": windows_of(piece.windows())}
                 for piece in self.pieces
             ],
-            "basin_events": [certificate.window(e.window) for e in windows],
+            "basin_events": windows_of(self.basin.windows),
         }
         return claims, hints
+
+
+def windows_of(events: Itinerary) -> list[certificate.Pair]:
+    """Return time windows for the certificate."""
+    return [certificate.window(event.window) for event in events]
 
 
 class Kneading(NamedTuple):
@@ -150,51 +147,14 @@ class Kneading(NamedTuple):
 
 
 def lemma_1_unimodal(cells: list[Cell]) -> int:
-    """*Statement.* G has one itinerary and is unimodal on I; return 1 for a minimum, -1 for a maximum.
+    """*Statement.* G has one itinerary and is unimodal on I.
 
-    *Computed.* G', and near the critical point G'', over the cells, as Taylor models.
+    *Computed.* G', and near the critical point G'', over the cells, as Taylor models.  Returns 1
+    for a minimum, -1 for a maximum.
     """
     if len({(each.half_periods, words(each.times)) for each in cells}) > 1:
         raise NotProved("Lemma 1", "the releases have several itineraries")
     return turning(cells)
-
-
-def followable(setting: Setting, osc: Oscillator[Any], cells: list[Cell]) -> list[Cell]:
-    """Return cells, cut into pieces that the checker, in its looser arithmetic, can follow.
-
-    Nothing is proved here: it finds hints.
-    """
-    p = setting.parameters
-    itinerary = [event.word for event in cells[0].times]
-    claims = {"itinerary": itinerary, "half_periods": cells[0].half_periods}
-    hints = {"cell_bits": cell_bits(setting)}
-    known = Certificate("attractor", Checked(*astuple(p)), setting.digits, claims, hints)
-    checker = Attractor(known, lambda _: None)
-
-    def follows(piece: Cell) -> bool:
-        windows = [interval.ends(e.window) for e in piece.windows()]
-        try:
-            found = checker.cell(piece.lower, piece.upper, windows)
-        except Rejected:
-            return False
-        return bool(found.slope or found.curve and piece.curve is not None)
-
-    done: list[Cell] = []
-    waiting = cells[::-1]
-    while waiting:
-        piece = waiting.pop()
-        if follows(piece):
-            done.append(piece)
-        elif len(done) + len(waiting) > MOST_CELLS:
-            raise NotProved("checker", "the cells are too many for the independent checker")
-        else:
-            waiting += piece.pieces(osc, 2)[::-1]
-    return done
-
-
-def cell_bits(setting: Setting) -> int:
-    """Return the precision at which the checker looks at cells."""
-    return Setting(setting.parameters, setting.start, 6, guard=0).checker_bits
 
 
 def lemma_3_entropy(
@@ -202,8 +162,8 @@ def lemma_3_entropy(
 ) -> tuple[dict[str, Any], Kneading]:
     """*Statement.* The critical point, its value, its kneading sequence, the entropy.
 
-    *Computed.* G' has opposite signs at the ends of a short interval; G(c), G²(c), ... in mean value
-    form, with more bits until there are symbols enough to compare with tent maps.
+    *Computed.* G' has opposite signs at the ends of a short interval; G(c), G²(c), ... in mean
+    value form, with more bits until there are symbols enough to compare with tent maps.
     """
     precision = setting.checker_bits
     for _ in range(ROUNDS):
@@ -274,48 +234,3 @@ def claims_of(
         "entropy": entropy,
         "entropy_per_period": pair(each) if ends[1] else ["0", "0"],
     }
-
-
-class Box:
-    """A box of states at t = 0 from which the mass comes to be released in I (Lemma 5)."""
-
-    def __init__(self, p: Parameters, osc: Oscillator[Any], trap: Trap) -> None:
-        self.osc, self.trap = osc, trap
-        start = osc.slow(1, 0)
-        middle = interval.ball((trap.lower + trap.upper) / 2)
-        flight = osc.launch(1, start, middle, Ball(0))
-        end = Moment(osc.T, Ball(0), Ball(1))
-        state = osc.position(flight, end), osc.velocity(flight, end)
-        self.centre = tuple(Fraction(float(z.mid())) for z in state)
-        self.events = foreseen_from(p, (float(self.centre[0]), float(self.centre[1])))
-        unit = osc.r - osc.l
-        self.units = tuple(interval.midpoint(u) for u in (unit, unit * osc.omega))
-        self.size = bisection.largest(self.lemma_5, Fraction(1, 8), 6)
-        if self.size is None:
-            raise NotProved("Lemma 5", "no box of states was found whose releases lie in I")
-
-    def lemma_5(self, size: Fraction) -> tuple[Expected, ...]:
-        """*Statement.* All orbits from the box of this size come to be released in I.
-
-        *Computed.* Their events, and where the last release is, as Taylor models.
-        """
-        halves = [interval.ball(size * unit) for unit in self.units]
-        models = Domain(halves, ORDER).variables([interval.ball(z) for z in self.centre])
-        state = State(Moment(Ball(0), Ball(0), Ball(1)), *models)
-
-        def attempt(events: Any) -> Any:
-            return arrival(self.osc, state, events, TAYLOR_MODELS)
-
-        found = attempt(windows_for(attempt, self.events, TAYLOR_MODELS.bound))
-        where = TAYLOR_MODELS.bound(found.value)
-        lower, upper = (interval.ball(end) for end in (self.trap.lower, self.trap.upper))
-        if not lower < where < upper:
-            raise NotProved("Lemma 5", "the releases may not lie in I", {"release": where})
-        return slack(found.times(TAYLOR_MODELS.bound))
-
-    def claimed(self, part: Fraction) -> tuple[dict[str, Any], tuple[Expected, ...]]:
-        """Return a part of the box, and windows for its events."""
-        size = self.size * part
-        parts = zip("xv", self.centre, self.units, strict=True)
-        box = {name: inside(z, size * unit) for name, z, unit in parts}
-        return box, self.lemma_5(size)

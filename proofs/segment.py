@@ -5,9 +5,9 @@
 that touch no wall (so it does not matter what the walls do).
 
  (i)   Their velocity is one function v*, v*(t + T/2) = -v*(t).  It turns, without sticking, if and
-       only if c = F cos ωt0 > f, where ωt0 = -arcsin(f h/((1 + D) A)) - arctan(μ/ω), D = exp(-μT/2),
-       h = (1 - D)/μ, A = F/sqrt(ω² + μ²); then it turns right at t0 and left at t0 + T/2.  For μ = 0
-       this is sin ωt0 = -πf/(2F), f/F < 2/sqrt(4 + π²), and the stroke is 2c/ω².
+       only if c = F cos ωt0 > f, where ωt0 = -arcsin(f h/((1 + D) A)) - arctan(μ/ω), D =
+       exp(-μT/2), h = (1 - D)/μ, A = F/sqrt(ω² + μ²); then it turns right at t0 and left at t0 +
+       T/2.  For μ = 0 this is sin ωt0 = -πf/(2F), f/F < 2/sqrt(4 + π²), and the stroke is 2c/ω².
  (ii)  If it turns and its stroke is less than R, there is one orbit for each x(0) in an open
        interval (left, right): a segment of fixed points of Φ, (x, v*(0)), which are not isolated.
        The multipliers are 1 and exp(-μT) ((c - f)/(c + f))².
@@ -17,9 +17,9 @@ that touch no wall (so it does not matter what the walls do).
 
 Proof.  Two solutions of v' = F cos ωt - μv - f sgn v come no farther apart, and v* passes through
 zero, so there is one periodic one, and the flight from t0 in closed form is half of it: (i), (ii).
-Where v* and v = v* + u have opposite signs |u|' <= -2f.  As |v*|' <= F - f after its turns, and
->= -(F + f) - μ|v*| before them, each passage of v through zero beside v* multiplies |u| by at most
-κ = (F - f)/(F + f); sum the series.  The module cap.checker.theorems.segment has all details.
+Where v* and v = v* + u have opposite signs |u|' <= -2f.  As |v*|' <= F - f after its turns, and >=
+-(F + f) - μ|v*| before them, each passage of v through zero beside v* multiplies |u| by at most κ =
+(F - f)/(F + f); sum the series.  The module cap.checker.theorems.segment has all details.
 
 If c <= f the orbits that touch no wall stick: this theorem does not speak of them.
 """

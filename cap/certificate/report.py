@@ -217,9 +217,9 @@ def _branch(claims: dict[str, Any]) -> Iterator[str]:
 
 
 def _segment(claims: dict[str, Any]) -> Iterator[str]:
-    yield "The T-periodic orbits that touch no wall are those with v as below at t = 0 and x anywhere"
-    yield "between left and right: they turn twice in a period, never stick, and are no isolated"
-    yield "fixed points of Phi.\n"
+    yield "The T-periodic orbits that touch no wall are those with v as below at t = 0 and x"
+    yield "anywhere between left and right: they turn twice in a period, never stick, and are"
+    yield "no isolated fixed points of Phi.\n"
     names = {
         "left": "left",
         "right": "right",
@@ -232,15 +232,16 @@ def _segment(claims: dict[str, Any]) -> Iterator[str]:
     yield from aligned(rows(names, claims))
     a, b = claims["basin"]["drift"]
     yield f"\nLet D(u) = {a} u + {b} u^2.  All orbits from (x, v + u) at t = 0 with"
-    yield f"|u| < {claims['basin']['speed']}, left < x and x + D(u) < right if u >= 0, left < x - D(-u)"
-    yield "and x < right if u < 0, touch no wall and tend to one of these."
+    yield f"|u| < {claims['basin']['speed']}, left < x and x + D(u) < right if u >= 0,"
+    yield "left < x - D(-u) and x < right if u < 0, touch no wall and tend to one of these."
 
 
 def _attractor(claims: dict[str, Any]) -> Iterator[str]:
     lower, upper = claims["interval"]
-    yield "Let G take the place of a release to the right to that of the next release, mirrored if to"
-    yield f"the left.  G takes I = [{lower}, {upper}] into its interior.  All releases from I have"
-    yield f"exactly these events up to the next one, {claims['half_periods']} half-periods later:"
+    yield "Let G take the place of a release to the right to that of the next release, mirrored"
+    yield f"if to the left.  G takes I = [{lower}, {upper}] into its interior."
+    yield "All releases from I have exactly"
+    yield f" these events up to the next one, {claims['half_periods']} half-periods later:"
     yield f"  {', '.join(claims['itinerary'])}"
     yield f"G has one critical point in I, a {claims['turn']}.\n"
     names = {

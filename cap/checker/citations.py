@@ -134,8 +134,8 @@ _MILNOR_THURSTON = _cite(
     "Milnor and Thurston, On iterated maps of the interval, Springer LNM 1342, 1988",
     (
         "unimodal",
-        "G is continuous on the interval, maps it into itself, and has one critical point there, on "
-        "both sides of which it is strictly monotone",
+        "G is continuous on the interval, maps it into itself, and has one critical point there, "
+        "on both sides of which it is strictly monotone",
         "interval, itinerary, critical_point",
     ),
     (

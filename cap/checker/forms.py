@@ -1,4 +1,4 @@
-"""The form of the certificates that start from formulas; what does not exist is the string "none"."""
+"""The form of the certificates on no one orbit; what does not exist is the string "none"."""
 
 from __future__ import annotations
 
@@ -142,7 +142,10 @@ def attractor_hints(value: object) -> dict[str, Any]:
 
 def attractor_shape(value: object, hints: dict[str, Any]) -> dict[str, Any]:
     """Return the shape of the claims of an attractor."""
-    events, symbols = len(hints["basin_events"]), text(part(value, "kneading", "claims"), "kneading")
+    events, symbols = (
+        len(hints["basin_events"]),
+        text(part(value, "kneading", "claims"), "kneading"),
+    )
     steps = hints["bits"] * len(symbols) + 25 * hints["cell_bits"] * len(hints["cells"])
     work = events * steps
     need(work <= MAX_RELEASE_WORK, f"bits, symbols and cells are too much: {work}")

@@ -1,1 +1,1 @@
-"""From one release to the next: after a stick the state is one number, and Φ a map of an interval."""
+"""After a stick the state is one number: the map from one release to the next."""

@@ -56,7 +56,12 @@ def _wider(time: Ball) -> Ball:
 
 
 def cell(
-    osc: Oscillator[Any], lower: Fraction, upper: Fraction, expected: Itinerary, *, curved: bool = False
+    osc: Oscillator[Any],
+    lower: Fraction,
+    upper: Fraction,
+    expected: Itinerary,
+    *,
+    curved: bool = False,
 ) -> Cell:
     """Prove that all releases from [lower, upper] have the ``expected`` events; enclose G and G'.
 

@@ -27,8 +27,8 @@ def tent(s: Ball) -> Iterator[str]:
 def doubling() -> Iterator[str]:
     """Yield the sequence at the limit of period doubling, the largest of those of entropy zero.
 
-    Its first 2ⁿ - 1 symbols K give the first 2ⁿ⁺¹ - 1: K, then L if R is in K an odd number of times
-    and R if not, then K.
+    Its first 2ⁿ - 1 symbols K give the first 2ⁿ⁺¹ - 1: K, then L if R is in K an odd number of
+    times and R if not, then K.
     """
     known = "R"
     for n in count():
@@ -68,9 +68,7 @@ def slopes(symbols: str, bits: int) -> tuple[Fraction, Fraction]:
     return _last(symbols, lower, undecided, 1, unit), _last(symbols, upper, undecided, -1, unit)
 
 
-def _last(
-    symbols: str, good: Fraction, bad: Fraction, sign: int, unit: Fraction
-) -> Fraction:
+def _last(symbols: str, good: Fraction, bad: Fraction, sign: int, unit: Fraction) -> Fraction:
     """Return nearly the last slope from ``good`` towards ``bad`` with this comparison."""
     while abs(good - bad) > unit:
         middle = (good + bad) / 2

@@ -1,9 +1,9 @@
 """The release map G, certified: from one release to the next, over sets of places.
 
 A mass that has stuck between the walls leaves to the right at a time `Oscillator.slow` (1, k), or
-to the left half a period earlier or later.  The symmetry (x, v, t) -> (l + r - x, -v, t + T/2) takes
-the one to the other: so let x be the place of a release to the right, and G(x) the place of the
-next release, mirrored if that is to the left.  G takes a whole number of half-periods.
+to the left half a period earlier or later.  The symmetry (x, v, t) -> (l + r - x, -v, t + T/2)
+takes the one to the other: so let x be the place of a release to the right, and G(x) the place of
+the next release, mirrored if that is to the left.  G takes a whole number of half-periods.
 """
 
 from collections.abc import Callable
@@ -120,9 +120,7 @@ def words(events: Itinerary) -> tuple[str, ...]:
     return tuple(event.word for event in events)
 
 
-def windows(
-    osc: Oscillator[Any], x: E, expected: Itinerary, kind: Enclosure[E]
-) -> Itinerary:
+def windows(osc: Oscillator[Any], x: E, expected: Itinerary, kind: Enclosure[E]) -> Itinerary:
     """Return time windows, near the ``expected`` ones, for which `passage` succeeds; it steers."""
 
     start = resting(osc, x)

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 from cap.errors import BadInput
 from cap.flow.event import Expected
@@ -49,7 +50,7 @@ def critical_points(p: Parameters) -> list[float]:
     seen = {words for start in (2, 5, 8) for words in _ends(p, _place(p, start / 10))}
     found: list[float] = []
     grid = [value(p, _place(p, (k + 0.5) / PLACES)) for k in range(PLACES)]
-    for a, b in zip(grid, grid[1:], strict=False):
+    for a, b in pairwise(grid):
         if a and b and a.words == b.words and a.words in seen and a.slope * b.slope < 0:
             found.append(_root(p, a, b))
     return found

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from cap.errors import BadInput, NotProved
@@ -42,7 +43,7 @@ def cover(osc: Oscillator[Any], p: Parameters, lower: Fraction, upper: Fraction)
     """
     cuts = [lower + (upper - lower) * k / PIECES for k in range(PIECES + 1)]
     found: list[Cell] = []
-    for a, b in zip(cuts, cuts[1:], strict=False):
+    for a, b in pairwise(cuts):
         found += _decided(osc, p, (a, b), (upper - lower) / FINEST)
     return found
 

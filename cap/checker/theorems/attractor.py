@@ -5,39 +5,41 @@ increases, to the left half a period before and after.  The flow commutes with (
 x, -v, t + T/2).  So let x be the place of a release to the right, and G(x) the place of the next
 release, mirrored if that is to the left; G takes a whole number n of half-periods.
 
-*Cells.*  An interval I = [a, b] is cut into cells.  On each, ``itinerary.follow`` proves the events of
-all its releases up to the next one, the same on all cells; G is the place of the last stick, an
-analytic function of x; jets in x alone, in mean value form, enclose G' and G''.  From left to right,
-first G' has one sign, then, on cells that follow each other, G'' has the other, then G' has that.  So G'
-is strictly monotone on the middle cells, changes sign there, and G has one critical point c in I: a
-minimum if G'' > 0, a maximum if G'' < 0.  G' has opposite signs at the ends of ``critical``, so c lies
-there.  G is monotone on both sides of c: if G(a), G(b) and G(c) lie inside I, so does G(I).
+*Cells.*  An interval I = [a, b] is cut into cells.  On each, ``itinerary.follow`` proves the events
+of all its releases up to the next one, the same on all cells; G is the place of the last stick, an
+analytic function of x; jets in x alone, in mean value form, enclose G' and G''.  From left to
+right, first G' has one sign, then, on cells that follow each other, G'' has the other, then G' has
+that.  So G' is strictly monotone on the middle cells, changes sign there, and G has one critical
+point c in I: a minimum if G'' > 0, a maximum if G'' < 0.  G' has opposite signs at the ends of
+``critical``, so c lies there.  G is monotone on both sides of c: if G(a), G(b) and G(c) lie inside
+I, so does G(I).
 
-*Kneading.*  Let R be the branch of G on which it decreases, L that on which it increases (so it is as
-for a map with a maximum, which G or x -> -G(-x) is).  The kneading sequence of G is the sequence of
-the branches on which G(c), G^2(c), ... lie; they are enclosed in mean value form, and each is
+*Kneading.*  Let R be the branch of G on which it decreases, L that on which it increases (so it is
+as for a map with a maximum, which G or x -> -G(-x) is).  The kneading sequence of G is the sequence
+of the branches on which G(c), G^2(c), ... lie; they are enclosed in mean value form, and each is
 certainly on one side of c.
 
 *Order.*  Two sequences are compared at their first difference: L < R if an even number of R comes
-before it, R < L if an odd one.  Let h be the topological entropy of G on I, T_s(y) = s min(y, 1 - y)
-on [0, 1], 1 < s <= 2.  Then h(T_s) = log s, and entropy is a monotone function of the kneading
-sequence [Milnor, Thurston]: if that of G is larger than that of T_s, h >= log s; if smaller, h <= log
-s.  (The theorem is about maps that take the ends of an interval to one end of it.  Let J be a larger
-interval, and continue G, with a maximum, say, linearly to J so that both ends of J go to the lower one,
-e.  As G(I) lies inside I, points outside of I, but for e, move into I sooner or later: for x below I,
-x < G(x) < the maximum of G on I, and points above I go below it or into it.  So no entropy is added.)
-If it is smaller than RLRRRLRL.., the limit of the sequences of period doubling, h = 0: all those of
-tent maps with s > 1 are larger.  The sequence of that limit begins with K, s, K if it begins with K,
-2^n - 1 symbols, where s is L if R is in K an odd number of times, else R.
+before it, R < L if an odd one.  Let h be the topological entropy of G on I, T_s(y) = s min(y, 1 -
+y) on [0, 1], 1 < s <= 2.  Then h(T_s) = log s, and entropy is a monotone function of the kneading
+sequence [Milnor, Thurston]: if that of G is larger than that of T_s, h >= log s; if smaller, h <=
+log s.  (The theorem is about maps that take the ends of an interval to one end of it.  Let J be a
+larger interval, and continue G, with a maximum, say, linearly to J so that both ends of J go to the
+lower one, e.  As G(I) lies inside I, points outside of I, but for e, move into I sooner or later:
+for x below I, x < G(x) < the maximum of G on I, and points above I go below it or into it.  So no
+entropy is added.) If it is smaller than RLRRRLRL.., the limit of the sequences of period doubling,
+h = 0: all those of tent maps with s > 1 are larger.  The sequence of that limit begins with K, s, K
+if it begins with K, 2^n - 1 symbols, where s is L if R is in K an odd number of times, else R.
 
-Slopes are exp of the ends of ``entropy``: for all slopes in their enclosures the comparison is certain.
+Slopes are exp of the ends of ``entropy``: for all slopes in their enclosures the comparison is
+certain.
 
 *The flow.*  Let S be the map over half a period with the mirror image, from one time of releases to
 the right to the next: S^2 is Phi from that time on, S^n on the releases from I is G.  Let A be the
 intersection of all G^k(I), K the union of S^j(A), j < n: the states through which the orbits pass
-that are released in A.  S^n maps each S^j(A) into itself, and S takes one onto the next, so the entropies
-of S^n on them do not increase from one to the next, and come back to h: all are h.  So that of S^2 on
-K is 2h/n.
+that are released in A.  S^n maps each S^j(A) into itself, and S takes one onto the next, so the
+entropies of S^n on them do not increase from one to the next, and come back to h: all are h.  So
+that of S^2 on K is 2h/n.
 
 *The basin.*  All orbits from a box at t = 0 have the events claimed, up to a release in I.
 """
@@ -102,9 +104,7 @@ class Attractor(Proof):
         need(taken == self.claims["half_periods"], "the release map takes another time")
         return place
 
-    def release(
-        self, M: Mechanics, start: Flight, windows: Sequence[Ends]
-    ) -> tuple[Centred, int]:
+    def release(self, M: Mechanics, start: Flight, windows: Sequence[Ends]) -> tuple[Centred, int]:
         """Prove the itinerary; return where the release at its end is, mirrored if to the left.
 
         And how many half-periods it comes after the release to the right in the first period.
@@ -125,7 +125,9 @@ class Attractor(Proof):
         """Return the hulls of the windows of the cells that meet an interval."""
         met = [c.windows for c in self.cells if c.lower <= x.upper and x.lower <= c.upper]
         need(bool(met), "an image of the critical point is not in I")
-        return [(min(w[0] for w in each), max(w[1] for w in each)) for each in zip(*met, strict=True)]
+        return [
+            (min(w[0] for w in each), max(w[1] for w in each)) for each in zip(*met, strict=True)
+        ]
 
     def coarse(self, lower: Fraction, upper: Fraction) -> Interval:
         """Return an interval of places at the precision for cells."""
@@ -190,10 +192,10 @@ class Attractor(Proof):
 
     def kneading(self, c: Interval, x: Interval) -> None:
         """Prove that the images of the critical point lie on the branches claimed."""
-        falling, rising = ("R", "L") if self.turn > 0 else ("L", "R")  # left of c, right of c
+        left = "R" if self.turn > 0 else "L"  # the branch to the left of c
         symbols = self.claims["kneading"]
         for n, symbol in enumerate(symbols, 1):
-            holds = x.is_before(c) if symbol == falling else c.is_before(x)
+            holds = x.is_before(c) if symbol == left else c.is_before(x)
             need(holds, f"symbol {n} of the kneading sequence may be another one")
             if n < len(symbols):
                 x = self.image(x, self.windows(x), 1).value
@@ -228,12 +230,15 @@ class Attractor(Proof):
             y = slope * y if left else slope * (-y + 1)
 
     def basin(self) -> None:
-        """Prove that all orbits from the box come to be released in I."""
+        """Prove that all orbits from the box claimed come to be released in I."""
         box = [ends(self.claims["basin"][z]) for z in ("x", "v")]
         need(all(low < high for low, high in box), "the box has no interior")
+        self.box(box, [ends(w) for w in self.hints["basin_events"]])
+
+    def box(self, box: Sequence[Ends], windows: Sequence[Ends]) -> None:
+        """Prove that all orbits from a box come to be released in I."""
         region = [self.coarse(*z) for z in box]
         M = Mechanics(self.p, region, [z.midpoint() for z in region], _ORDER, _HORIZON)
-        windows = [ends(w) for w in self.hints["basin_events"]]
         place = self.release(M, M.launch(), windows)[0].value
         inside = place.lies_in(*ends(self.claims["interval"]))
         need(inside, "the releases of orbits from the box may not lie in I")
@@ -245,7 +250,7 @@ def sign(x: Interval) -> int:
 
 
 def order(symbols: str, other: Iterator[str]) -> int:
-    """Return 1 if sequences that begin with the symbols are larger than the other one, -1 if less."""
+    """Return 1 if a sequence that begins with the symbols is larger than the other one, else -1."""
     even = True
     for mine, its in zip(symbols, other, strict=False):
         if mine != its:

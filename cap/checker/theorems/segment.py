@@ -1,8 +1,8 @@
 """The theorem about the segment: the T-periodic orbits that touch no wall, and a basin.
 
-*The velocity.*  Where no wall is touched v' = F cos wt - mu v - f sgn v does not contain x (at v = 0
-the mass rests while |F cos wt| <= f).  Let u = v_1 - v_2 for two solutions: friction decreases with
-v, so (u^2)' <= -2 mu u^2.  Hence |u| does not grow, and u keeps its sign.
+*The velocity.*  Where no wall is touched v' = F cos wt - mu v - f sgn v does not contain x (at v =
+0 the mass rests while |F cos wt| <= f).  Let u = v_1 - v_2 for two solutions: friction decreases
+with v, so (u^2)' <= -2 mu u^2.  Hence |u| does not grow, and u keeps its sign.
 
 *A solution.*  A flight to the right from v = 0 at t_0 has v = V(t) - V(t_0) e^(-mu d) - f h(d), d =
 t - t_0, h(d) = (1 - e^(-mu d))/mu, V(t) = A sin(wt + psi), A = F/sqrt(w^2 + mu^2), tan psi = mu/w.
@@ -10,21 +10,21 @@ It vanishes again half a period later if, with D = e^(-mu T/2) and h = h(T/2),
 
     V(t_0) = -f h/(1 + D),    that is    -w t_0 = y = arcsin(f h/((1 + D) A)) + psi,
 
-as V(t_0 + T/2) = -V(t_0).  (The other root has cos w t_0 <= 0.)  Let c = F cos y > f.  On the flight
-p = e^(mu t) v has p' = e^(mu t) (F cos wt - f), which is positive up to wt = theta = arccos(f/F),
-then negative up to 2 pi - theta, and wt_0 + pi < pi + theta < 2 pi - theta: p rises, falls to zero,
-and is positive in between.  At both ends the force F cos w t is c in size, above f: the mass turns.
-Mirrored in time by T/2 and in sign, this is a solution v* of period T, v*(t + T/2) = -v*(t), which
-turns right at t_0 and left at t_0 + T/2, w t_0 in (-theta, 0): v*(0) > 0.  For mu = 0: sin w t_0 =
--pi f/(2F), c > f means f/F < 2/sqrt(4 + pi^2), and the stroke is 2 c/w^2.
+as V(t_0 + T/2) = -V(t_0).  (The other root has cos w t_0 <= 0.)  Let c = F cos y > f.  On the
+flight p = e^(mu t) v has p' = e^(mu t) (F cos wt - f), which is positive up to wt = theta =
+arccos(f/F), then negative up to 2 pi - theta, and wt_0 + pi < pi + theta < 2 pi - theta: p rises,
+falls to zero, and is positive in between.  At both ends the force F cos w t is c in size, above f:
+the mass turns. Mirrored in time by T/2 and in sign, this is a solution v* of period T, v*(t + T/2)
+= -v*(t), which turns right at t_0 and left at t_0 + T/2, w t_0 in (-theta, 0): v*(0) > 0.  For mu =
+0: sin w t_0 = -pi f/(2F), c > f means f/F < 2/sqrt(4 + pi^2), and the stroke is 2 c/w^2.
 
 *There is no other.*  Let v be another solution of period T, u = v - v*.  |u| is periodic and does
 not grow, so it is constant, not zero, so mu = 0 and v, v* never have opposite signs for a while.
 But v* passes through 0 at its turns: just before or after one it lies between 0 and -u.
 
 *Orbits.*  So a T-periodic orbit that touches no wall has the velocity v*, and its place between the
-two turns varies by the stroke, the integral of v* over half a period.  Its x(0) may be anything with
-l < x(0) - below, x(0) + (stroke - below) < r, below the integral of v* from t_0 to 0: an open
+two turns varies by the stroke, the integral of v* over half a period.  Its x(0) may be anything
+with l < x(0) - below, x(0) + (stroke - below) < r, below the integral of v* from t_0 to 0: an open
 segment (left, right) if the stroke is less than R; e does not matter.  At these states Phi has the
 derivative ((1, *), (0, m)), m = e^(-mu T) q^2, q = (c - f)/(c + f) at each turn.
 
@@ -39,22 +39,23 @@ signs: say it begins at s, u > 0 > v*.  There |v*|' = -F cos wt - f - mu |v*|, h
  (ii)  If v <= 0 at some time, let s + T/2 - d be the last one: u = |v*| <= (F + f) e^(mu d) h(d)
        there, and from there on as in (i), u(s + T/2) = e^(-mu d) u - 2f h(d) <= kappa u.
  (iii) If v > 0 all the time, u decreases by at least f T.
-So u(s + T/2) <= kappa^2 u(s), if f T >= (1 - kappa^2) u(s), that is u(s) <= T (F + f)^2/(4F).  And u
-<= max(kappa u(s), u(s) - 2 f d) at s + d, so its integral over the half-period is at most kappa u(s)
-T/2 + f u(s)^2/(F + f)^2.  From t = 0 to the turn left at t_1 = t_0 + T/2, |u| <= U; if u < 0 this is
-the rest of a braking half-period, and |u(t_1)| <= kappa U as in (ii), or because |u| decreases by at
-least 2 f t_1, if U <= (F + f) t_1.  Braking and other half-periods alternate; adding up, in both
-cases
+So u(s + T/2) <= kappa^2 u(s), if f T >= (1 - kappa^2) u(s), that is u(s) <= T (F + f)^2/(4F).  And
+u <= max(kappa u(s), u(s) - 2 f d) at s + d, so its integral over the half-period is at most kappa
+u(s) T/2 + f u(s)^2/(F + f)^2.  From t = 0 to the turn left at t_1 = t_0 + T/2, |u| <= U; if u < 0
+this is the rest of a braking half-period, and |u(t_1)| <= kappa U as in (ii), or because |u|
+decreases by at least 2 f t_1, if U <= (F + f) t_1.  Braking and other half-periods alternate;
+adding up, in both cases
 
     integral of |u| from 0 on  <=  D(U) = a_1 U + a_2 U^2,
 
     a_1 = t_1 + T (F - f)/(4f),      a_2 = f/((F + f)^2 (1 - kappa^4)),
 
-as (kappa + kappa^2)/(1 - kappa^2) = (F - f)/(2f).  So if U < d, and left < x(0), x(0) + D(U) < right
-for u >= 0 (left < x(0) - D(U), x(0) < right for u <= 0), then x differs from the orbit of the segment
-with the same x(0) by less than what would bring that to a wall: none is touched.  The difference is
-monotone, so it converges, and v - v* tends to 0: the orbit tends to one of the segment.  These
-states are an open set of the area 2 (L d - a_1 d^2/2 - a_2 d^3/3), L = right - left, if D(d) <= L.
+as (kappa + kappa^2)/(1 - kappa^2) = (F - f)/(2f).  So if U < d, and left < x(0), x(0) + D(U) <
+right for u >= 0 (left < x(0) - D(U), x(0) < right for u <= 0), then x differs from the orbit of the
+segment with the same x(0) by less than what would bring that to a wall: none is touched.  The
+difference is monotone, so it converges, and v - v* tends to 0: the orbit tends to one of the
+segment.  These states are an open set of the area 2 (L d - a_1 d^2/2 - a_2 d^3/3), L = right -
+left, if D(d) <= L.
 """
 
 from __future__ import annotations
@@ -141,7 +142,7 @@ class Segment(Proof):
         factor = (force - f) / (force + f)
         decay = phi(0, -(mu * self.pi() * 2 / self.number(self.p.omega)))
         self.compare("multipliers[1]", product, decay * factor.square(), Fraction(1))
-        need(0 < product.lower and product.upper < 1, "the second multiplier is not in (0, 1)")
+        need(product.lower > 0 and product.upper < 1, "the second multiplier is not in (0, 1)")
         self.step("the multipliers are 1 and one in (0, 1)")
 
     def basin(self, stroke: Interval) -> None:
@@ -151,7 +152,7 @@ class Segment(Proof):
         t_1, pi = claims["turning_times"][0], self.pi()
         left, right = claims["left"], claims["right"]
         kappa = (F - f) / (F + f)
-        need(0 < d, "the basin has no interior")
+        need(d > 0, "the basin has no interior")
         need(d <= pi.lower * (F + f) ** 2 / (2 * omega * F), "the basin is too fast for a period")
         need(d <= t_1.lower * (F + f), "the basin is too fast for the first turn")
         slope = t_1.upper + pi.upper * (F - f) / (2 * omega * f)
