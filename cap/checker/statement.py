@@ -16,7 +16,7 @@ from cap.checker.kernel.rejection import need
 
 _AS_THEY_ARE = (
     *("Box", "RemainderRadius", "RemainderDegree", "Basin", "Range"),
-    *("FRange", "Exceptions", "Cells"),
+    *("FRange", "Exceptions", "Cells", "Interval"),
 )
 _DIGITS = ("Zero", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
 
