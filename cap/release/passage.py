@@ -76,7 +76,8 @@ def arrival(
 
 def next_release(course: Course[E]) -> tuple[int, int]:
     """Return the side and the number of the slow moment of the release that came last."""
-    verb, _, side = course.events[-1].word.partition(" ")
+    last = course.events[-1].word if course.events else ""
+    verb, _, side = last.partition(" ")
     if verb != "release" or course.released is None:
         raise NotProved("release map", "the events do not end with a release")
     return (1 if side == "right" else -1), course.released

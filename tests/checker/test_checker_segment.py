@@ -51,9 +51,10 @@ def test_against_quadrature(segment):
         start, force, v, below, stroke = velocity(parameters)
         l, r, f = (mpf(Fraction(parameters[k]).numerator) / Fraction(parameters[k]).denominator
                    for k in "lrf")  # fmt: skip
-        T, mu = 2 * mp.pi, mpf(Fraction(parameters["mu"]).numerator) / Fraction(
-            parameters["mu"]
-        ).denominator
+        T, mu = (
+            2 * mp.pi,
+            mpf(Fraction(parameters["mu"]).numerator) / Fraction(parameters["mu"]).denominator,
+        )
         values = {
             "left": l + below,
             "right": r - stroke + below,

@@ -17,7 +17,9 @@ from proofs.fixed_point import Setting
 SYSTEMS = {
     "paper": PAPER,
     "with losses": replace(PAPER, e=Fraction(1, 2), mu=Fraction(1, 5)),
-    "other units": replace(PAPER, F=Fraction(3), omega=Fraction(2), f=Fraction(3, 2), r=Fraction(2)),
+    "other units": replace(
+        PAPER, F=Fraction(3), omega=Fraction(2), f=Fraction(3, 2), r=Fraction(2)
+    ),
 }
 
 
