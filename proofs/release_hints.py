@@ -1,7 +1,7 @@
 """Cells and a box that the checker of theorem `attractor` can follow; Lemma 5 of that theorem.
 
-The checker's arithmetic is looser than Taylor models: it is asked, and sets are made smaller until it
-succeeds.  Nothing is proved by that.
+The checker's arithmetic is looser than Taylor models: it is asked, and sets are made smaller until
+it succeeds.  Nothing is proved by that.
 """
 
 from dataclasses import astuple

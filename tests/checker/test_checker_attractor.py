@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
-from itertools import islice
+from itertools import islice, pairwise
 from pathlib import Path
 
 import pytest
@@ -99,7 +99,7 @@ def test_kneading_grows_with_the_slope():
     proof = Attractor(read(encode(STORED)), lambda _: None)
     entropies = [Fraction(n, 100) for n in range(12, 69, 3)]
     sequences = ["".join(islice(proof.tent(h), 80)) for h in entropies]
-    for small, large in zip(sequences, sequences[1:], strict=False):
+    for small, large in pairwise(sequences):
         assert order(small, iter(large)) == -1
 
 
@@ -206,7 +206,8 @@ def test_the_cells(at, cells):
     backwards = changed(STORED, *path, 1, "to", hints[0]["to"])
     refuses(list, "not in order", at(backwards).covered())
     for n, cell in enumerate(cells):
-        other = cells[:n] + [cell._replace(slope=-cell.slope, curve=-cell.curve)] + cells[n + 1 :]
+        other = list(cells)
+        other[n] = cell._replace(slope=-cell.slope, curve=-cell.curve)
         proof = at()
         proof.cells = other
         refuses(proof.unimodal, "may turn elsewhere|may not be monotone")

@@ -304,6 +304,6 @@ _CHAOS = (
 )
 _NO_CHAOS = "; so G has no horseshoe, nor has an iterate of it"
 _BASIN = (
-    "; every orbit from {x} x {v} at t = 0, a box of the area {area}, comes to be released in I: it "
-    "tends to the orbits released in A"
+    "; every orbit from {x} x {v} at t = 0, a box of the area {area}, comes to be released in I: "
+    "it tends to the orbits released in A"
 )
