@@ -1,5 +1,6 @@
 """The release map for a picture: its graph with an orbit on it, or its orbits over a parameter."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,14 @@ from cap.release.trap import critical_points, trap
 TRANSIENT = 60  # iterates
 STARTS = 4  # orbits for each value of a parameter
 COBWEB = 60  # steps
+PIECES = 8
+NO_TRAP = np.full(3, np.nan)
+FIELDS: tuple[tuple[str, tuple[int, ...], type], ...] = (
+    ("value", (), float),
+    ("slope", (), float),
+    ("half_periods", (), int),
+    ("counts", (9,), int),
+)
 NEAR = 0.05  # of the parameter, to both sides, if no range is given
 
 
@@ -105,37 +114,67 @@ def release(  # noqa: PLR0913 (the options of the command)
     work: Work | None = None,
 ) -> ReleaseMap | ReleaseOrbits:
     """Return the graph of the release map, or its late iterates over a parameter."""
+    work = work or Work()
     if not p.f:
         raise BadInput("without friction no mass sticks: f > 0 is needed")
     if parameter is None:
         if range:
             raise BadInput("--range is that of a --parameter")
-        return graph(p, points or 4000, start, iterates)
+        return graph(p, points or 4000, start, iterates, work)
     values = np.linspace(*_limits(p, parameter, range), points or 400)
-    return over(p, parameter, values, iterates, work or Work())
+    return over(p, parameter, values, iterates, work)
 
 
-def graph(p: Parameters, points: int, start: tuple[float, ...] | None, iterates: int) -> ReleaseMap:
+def graph(
+    p: Parameters, points: int, start: tuple[float, ...] | None, iterates: int, work: Work
+) -> ReleaseMap:
     """Return the release map at places between the walls."""
     l, R = float(p.l), float(p.R)
     x = l + R * (np.arange(points) + 0.5) / points
-    found = images(p, x)
     first = start[0] if start else l + 0.3 * R
     if not l < first < l + R:
         raise BadInput(f"--start must lie between the walls: {first:.6g}")
-    interval, critical = _trap(p)
+    parts = work.map(lambda piece: images(p, piece), np.array_split(x, PIECES), "release map")
+    found = _joined(parts, points)
+    tasks: list[Callable[[], Floats]] = [
+        lambda: _orbit(p, first, COBWEB),
+        lambda: late(p, iterates)[0],
+        lambda: _trap(p),
+    ]
+    more = [] if work.interrupted else work.map(_called, tasks, "its orbits")
+    orbit, settled, trapped = more if len(more) == 3 else (np.array([first]), np.empty(0), NO_TRAP)
     return ReleaseMap(
         parameters=p,
+        complete=not work.interrupted,
         x=x,
         value=found.value,
         slope=found.slope,
         half_periods=found.half_periods,
         branch=_branches(found),
-        orbit=_orbit(p, first, COBWEB),
-        late=late(p, iterates)[0],
-        interval=interval,
-        critical=critical,
+        orbit=orbit,
+        late=settled,
+        interval=trapped[:2],
+        critical=float(trapped[2]),
     )
+
+
+def _called(task: Callable[[], Floats]) -> Floats:
+    return task()
+
+
+def _joined(parts: list[Images], points: int) -> Images:
+    """Return the images of all pieces that are done; of the rest there are none."""
+    done = [
+        np.concatenate([getattr(part, name) for part in parts] or [np.empty((0, *shape), kind)])
+        for name, shape, kind in FIELDS
+    ]
+    rest = points - len(done[0])
+    fill = (np.nan, np.nan, 0, 0)
+    padded = [
+        np.concatenate([each, np.full((rest, *each.shape[1:]), value, dtype=each.dtype)])
+        for each, value in zip(done, fill, strict=True)
+    ]
+    return Images(*padded)
 
 
 def _branches(found: Images) -> NDArray[np.int64]:
@@ -168,15 +207,15 @@ def late(p: Parameters, iterates: int) -> tuple[Floats, float]:
     return np.concatenate(seen), float(known.mean()) if len(known) else np.nan
 
 
-def _trap(p: Parameters) -> tuple[Floats, float]:
-    """Return an interval and its critical point, nan if none is found."""
+def _trap(p: Parameters) -> Floats:
+    """Return the ends of an interval and its critical point, nan if none is found."""
     for c in critical_points(p):
         try:
             found = trap(p, c)
         except BadInput:
             continue
-        return np.array([float(found.lower), float(found.upper)]), c
-    return np.array([np.nan, np.nan]), np.nan
+        return np.array([float(found.lower), float(found.upper), c])
+    return NO_TRAP
 
 
 def _limits(p: Parameters, name: str, given: tuple[float, ...] | None) -> tuple[float, float]:
