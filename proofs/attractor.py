@@ -169,7 +169,7 @@ def lemma_3_entropy(
     for _ in range(ROUNDS):
         with interval.workprec(precision):
             osc = oscillator(setting.parameters)
-            c = critical(osc, trap.critical, trap.events, turn)
+            c = critical(osc, trap.critical, trap.events, turn, bits(setting.digits + 4))
             value = lemma_2_into_itself(setting.parameters, osc, trap, c)
             known = kneading_sequence(osc, setting.parameters, c, trap.events)
             symbols, slopes = compared(known, bits(setting.digits + 3))

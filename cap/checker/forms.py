@@ -32,7 +32,7 @@ MAX_ZEROS = 64
 MAX_RELEASE_CELLS = 512
 MAX_SYMBOLS = 8192
 MAX_RELEASE_EVENTS = 32
-MAX_RELEASE_WORK = 1 << 21  # events times (bits times symbols, and bits of cells times 25 cells)
+MAX_RELEASE_WORK = 3 << 20  # events times (bits times symbols, and bits of cells times 25 cells)
 
 _STATE = {
     "x": enclosure,

@@ -100,12 +100,15 @@ def turning(cells: list[Cell]) -> int:
     return turn
 
 
-def critical(osc: Oscillator[Any], near: float, expected: Itinerary, turn: int) -> Critical:
-    """Return an enclosure of the critical point near a float, of about half the working precision.
+def critical(
+    osc: Oscillator[Any], near: float, expected: Itinerary, turn: int, places: int
+) -> Critical:
+    """Return an enclosure of the critical point near a float, to ``places`` bits or half of those
+    with which one works.
 
     Newton's method on G' = 0; then G' has opposite signs at both ends.
     """
-    half = interval.working_bits() // 2
+    half = max(places, interval.working_bits() // 2)
     m = Ball(near)
     for _ in range(half.bit_length() + 2):
         slope, curve = slopes_at(osc, m, expected)
