@@ -90,7 +90,7 @@ def lemma_3_type(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> d
     exact = next(([str(n)] * 2 for n in (0, 1) if det == n), None)  # else the checker rounds
     return {
         "trace": pair(trace),
-        "determinant": exact or pair(det + interval.symmetric(det) * interval.rounding()),
+        "determinant": exact or setting.rounding.loosely(det),
         "multipliers": [shown(multiplier) for multiplier in multipliers(trace, det)],
         "type": stability(trace, det),
     }
