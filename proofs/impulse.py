@@ -21,10 +21,9 @@ negative; nor is it on the last interval, from 0 to some u >= 0.  On the first, 
 
     -|v| <= ∫ (F |cos ωt| - f) dt <= (2h/π) F/ω - δτ,      over [t, t + τ]:    τ <= D + B |v|.
 
-So for longer τ the measure of Z is positive.  At a time of Z, if |F cos ωt| < f, or if the mass is
-at a wall and the force does not exceed f in the direction that leads away from it, the mass stays
-at rest for a while.  If the force exceeds f and can move the mass, v is not 0 just after; there are
-countably many such times in Z, and as many with |F cos ωt| = f.  So Z contains an interval.
+So for longer τ the measure of Z is positive.  At a time of Z the mass stays at rest for a while if
+|F cos ωt| < f, or if it is at a wall and the force presses it there.  If not, either |F cos ωt| =
+f, or v is not 0 just after: such times of Z are countably many.  So Z contains an interval.
 
 Proof of (iii).  For |ωt| <= π/2 let v = Rω/π + (F/ω) H(ωt), H(θ) = sin θ - 2θ/π, R = r - l.  Then
 v' = F cos ωt - 2F/π, and v leads from l to r, since H is odd.  H(±π/2) = 0: so after an elastic hit

@@ -20,8 +20,9 @@ with |v| at the time t, it is at least -|v|.  If the measure of Z is 0, they add
     -|v| <= (2h/pi) F/omega - d tau,      tau <= D + B |v|,      D = (2h/pi) F/(omega d),  B = 1/d.
 
 So within longer times v = 0 on a set of positive measure.  At a time of Z the mass stays at rest
-for a while if |F cos(omega t)| < f, or if a wall holds it; if neither, either |F cos(omega t)| = f,
-or v is not 0 just after: such times of Z are countably many.  So Z contains an interval.
+for a while if |F cos(omega t)| < f, or if it is at a wall and the force presses it there; if not,
+either |F cos(omega t)| = f, or v is not 0 just after: such times of Z are countably many.  So Z
+contains an interval.
 
 *Sharp.*  Let f = 2F/pi, e = 1, mu = 0.  For |omega t| <= pi/2 let v = R omega/pi + (F/omega)
 H(omega t): then v' = F cos(omega t) - f, and v leads from l to r in this time, since H is odd.  At
