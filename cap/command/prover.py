@@ -4,21 +4,18 @@ What can be proved: see `proofs.theorems`.
 """
 
 import sys
-from collections.abc import Iterator, Sequence
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import replace
 
-from cap.cells.subdivision import Workers
 from cap.certificate import report
 from cap.certificate import writer as certificate
-from cap.command import entry
 from cap.command.console import printable, protected, quoted, say
 from cap.command.progress import Progress
 from cap.command.prover_options import Asked, parser
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
 from cap.maps.fixed_point import Start
+from cap.runner import Runner
 from proofs import theorems
 from proofs.fixed_point import Setting
 from proofs.theorems import THEOREMS
@@ -49,29 +46,15 @@ def _run(asked: Asked, progress: Progress) -> int:
         asked.path(candidate)
     progress.clear()
     print("\n".join([*found.lines, "\n"]), end="", flush=True)
-    with _workers(asked, progress) as workers:
-        ask = Setting(
-            asked.request.parameters,
-            Start(0.0, 0.0, ()),
-            asked.digits,
-            progress=progress.tell,
-            f_range=asked.f_range,
-            workers=workers,
-        )
-        return max([_proved(asked, ask, each) for each in found.candidates])
-
-
-@contextmanager
-def _workers(asked: Asked, progress: Progress) -> Iterator[Workers]:
-    """Give what examines the cells of a theorem on a range of parameters."""
-    if asked.jobs == 1:
-        yield Workers(None, asked.journal, progress.tell)
-        return
-    try:
-        with ProcessPoolExecutor(asked.jobs, initializer=entry.as_worker) as executor:
-            yield Workers(executor, asked.journal, progress.tell)
-    except BrokenExecutor:
-        raise BadInput("a process of --jobs was killed (what a journal has is kept)") from None
+    ask = Setting(
+        asked.request.parameters,
+        Start(0.0, 0.0, ()),
+        asked.digits,
+        progress=progress.tell,
+        f_range=asked.f_range,
+        runner=Runner(asked.jobs, progress.tell, journal=asked.journal, whole=True),
+    )
+    return max([_proved(asked, ask, each) for each in found.candidates])
 
 
 def _proved(asked: Asked, ask: Setting, candidate: Candidate) -> int:
