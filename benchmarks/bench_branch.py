@@ -12,7 +12,7 @@ import pytest
 
 from cap.cells.subdivision import UNDECIDED, Cell, Workers, cells_between, subdivide
 from cap.parameters import PAPER
-from proofs import branch
+from cap.proofs import branch
 
 RHO = PAPER.R * PAPER.omega**2 / PAPER.F
 CELLS = {

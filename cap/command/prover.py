@@ -1,6 +1,6 @@
 """The command `cap.prove`: search, prove, write the certificate, print the theorem.
 
-What can be proved: see `proofs.theorems`.
+What can be proved: see `cap.proofs.theorems`.
 """
 
 import sys
@@ -19,9 +19,9 @@ from cap.command.prover_options import Asked, parser
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
 from cap.maps.fixed_point import Start
-from proofs import theorems
-from proofs.fixed_point import Setting
-from proofs.theorems import THEOREMS
+from cap.proofs import theorems
+from cap.proofs.fixed_point import Setting
+from cap.proofs.theorems import THEOREMS
 
 
 def main(words: Sequence[str]) -> int:

@@ -17,7 +17,7 @@ from cap.errors import BadInput
 from cap.files import tried
 from cap.floats.candidates import Candidate, Request
 from cap.parameters import PAPER, Parameters, exact
-from proofs.theorems import THEOREMS
+from cap.proofs.theorems import THEOREMS
 
 Range = tuple[Fraction | None, Fraction | None]
 

@@ -10,7 +10,7 @@ from mpmath import mp, mpf, workdps
 
 from cap.cells.subdivision import Workers, cells_between, subdivide
 from cap.errors import BadInput
-from proofs import branch
+from cap.proofs import branch
 
 RHO = 2  # with F = ω = 1
 

@@ -25,7 +25,7 @@ from cap.explore.commands import COMMANDS
 from cap.floats import cycles, fate, inventory, swarm
 from cap.floats.work import Work
 from cap.parameters import PAPER
-from proofs import theorems
+from cap.proofs import theorems
 
 TINY = {
     "orbit": ["--F", "3", "--orbit", "0.4", "-0.67", "--periods", "2"],
