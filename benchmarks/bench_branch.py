@@ -12,8 +12,8 @@ import pytest
 
 from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.parameters import PAPER
+from cap.proofs import branch
 from cap.runner import Runner
-from proofs import branch
 
 RHO = PAPER.R * PAPER.omega**2 / PAPER.F
 CELLS = {

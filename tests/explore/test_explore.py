@@ -25,8 +25,8 @@ from cap.explore.commands import COMMANDS
 from cap.floats import cycles, fate, inventory, swarm
 from cap.floats.pieces import in_pieces
 from cap.parameters import PAPER
+from cap.proofs import theorems
 from cap.runner import Runner
-from proofs import theorems
 
 TINY = {
     "orbit": ["--F", "3", "--orbit", "0.4", "-0.67", "--periods", "2"],

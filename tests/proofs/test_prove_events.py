@@ -13,7 +13,7 @@ from support import among, number, proving, rational, seeded
 from cap.certificate.report import theorem as told
 from cap.checker.theorem import check
 from cap.parameters import Parameters
-from proofs import persistence
+from cap.proofs import persistence
 
 STORED = Path(__file__).parents[2] / "certificates"
 
