@@ -7,7 +7,8 @@
     Lemma 2      P* is alone in a box, all orbits from which have these events
                  what the theorem says of sets in the box: a remainder, a basin
 
-`proof_of` goes this way; a theorem adds its conclusion.  The claims on the orbit: `proofs.orbit`.
+`proof_of` goes this way; a theorem adds its conclusion.  `cap.proofs.orbit` has the claims on the
+orbit.
 """
 
 from collections.abc import Callable
@@ -16,7 +17,6 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from cap.cells.subdivision import Workers
 from cap.certificate.writer import FORMAT, Pair, Rounding, Units, window
 from cap.errors import NotProved
 from cap.flow.model import Oscillator
@@ -24,6 +24,7 @@ from cap.flow.strobe import oscillator
 from cap.maps import fixed_point
 from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.parameters import Parameters
+from cap.runner import Runner
 from cap.sets import interval
 
 
@@ -33,7 +34,7 @@ class Setting:
 
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
-    Of a theorem on a range of f, ``f_range`` limits it; ``workers`` examine its cells.
+    Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
     """
 
     parameters: Parameters
@@ -43,7 +44,7 @@ class Setting:
     guard: int = 15
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
     f_range: tuple[Fraction | None, Fraction | None] = (None, None)
-    workers: Workers = field(default_factory=Workers, compare=False)
+    runner: Runner = field(default_factory=Runner, compare=False)
 
     @property
     def units(self) -> Units:

@@ -35,9 +35,9 @@ from fractions import Fraction
 from typing import Any
 
 from cap.errors import NotProved, TooFewDigits
+from cap.proofs.fixed_point import Proof, Setting, assembled, bits
 from cap.sets import interval
 from cap.sets.interval import Ball
-from proofs.fixed_point import Proof, Setting, assembled, bits
 
 
 def prove(setting: Setting) -> Proof:

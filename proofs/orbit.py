@@ -12,10 +12,10 @@ from cap.errors import BadInput
 from cap.flow.model import Oscillator
 from cap.flow.strobe import Orbit
 from cap.parameters import Parameters
+from cap.proofs.citation import krawczyk
+from cap.proofs.fixed_point import Around, Form, Located, Setting
 from cap.sets import matrix
 from cap.sets.interval import Ball
-from proofs.citation import krawczyk
-from proofs.fixed_point import Around, Form, Located, Setting
 
 TURNS = {"turn right": -1, "turn left": 1}  # and the sign of the velocity before
 KRAWCZYK = krawczyk(

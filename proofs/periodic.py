@@ -15,7 +15,8 @@ turnings, sticks, captures, releases.  If the lemmas below succeed, then
  (iv)  if P* is a sink, an explicit ellipse around it is mapped into itself, and the orbits from
        there converge to that of P*.
 
-Lemmas 1 and 2 (`proofs.fixed_point`) give (i), Lemma 3 gives (ii) and (iii), Lemma 4 gives (iv).
+Lemmas 1 and 2 (`cap.proofs.fixed_point`) give (i), Lemma 3 gives (ii) and (iii), Lemma 4
+gives (iv).
 """
 
 from collections.abc import Callable
@@ -28,10 +29,10 @@ from cap.maps import basin
 from cap.maps.basin import Basin
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
+from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.orbit import EVENTS, KRAWCZYK, turning_factors
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
-from proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
-from proofs.orbit import EVENTS, KRAWCZYK, turning_factors
 
 
 def prove(setting: Setting) -> Proof:

@@ -11,7 +11,7 @@ below succeed, then
  (ii)  P* is hyperbolic, its two multipliers real, one outside and one inside the unit circle;
  (iii) hence P* has analytic stable and unstable curves (Hadamard-Perron), and is unstable.
 
-Lemmas 1 and 2 (`proofs.fixed_point`) give (i), Lemma 3 gives (ii).
+Lemmas 1 and 2 (`cap.proofs.fixed_point`) give (i), Lemma 3 gives (ii).
 """
 
 from collections.abc import Callable
@@ -20,11 +20,11 @@ from cap.certificate.writer import Pair
 from cap.errors import NotProved
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import real_multipliers
+from cap.proofs.citation import cited
+from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.orbit import HITS, KRAWCZYK_OF_HITS, need_hits
 from cap.sets import matrix
 from cap.sets.interval import Ball
-from proofs.citation import cited
-from proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
-from proofs.orbit import HITS, KRAWCZYK_OF_HITS, need_hits
 
 HADAMARD_PERRON = cited(
     "Hadamard-Perron",

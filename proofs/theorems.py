@@ -12,7 +12,7 @@ from cap.checker.theorem import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
-from proofs import (
+from cap.proofs import (
     branch,
     capture,
     elliptic,
@@ -23,7 +23,7 @@ from proofs import (
     saddle,
     symmetric,
 )
-from proofs.fixed_point import Proof, Setting
+from cap.proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed

@@ -11,12 +11,12 @@ from cap.errors import NotProved
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import Neighbourhood
 from cap.parameters import PAPER
+from cap.proofs import elliptic, fixed_point, saddle
+from cap.proofs.fixed_point import Around, Located, Setting
+from cap.proofs.orbit import of_hits
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
-from proofs import elliptic, fixed_point, saddle
-from proofs.fixed_point import Around, Located, Setting
-from proofs.orbit import of_hits
 
 SETTING = Setting(PAPER, STARTS["elliptic"], 10)
 

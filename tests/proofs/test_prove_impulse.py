@@ -13,8 +13,8 @@ from cap.errors import NotProved
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER, Parameters
-from proofs import impulse
-from proofs.fixed_point import Setting
+from cap.proofs import impulse
+from cap.proofs.fixed_point import Setting
 
 SYSTEMS = [
     Parameters(*map(Fraction, words.split()))
