@@ -12,6 +12,7 @@ import numpy as np
 
 from cap.command.console import quoted
 from cap.errors import BadInput
+from cap.explore.arrays import arrays
 from cap.files import replacing, tried
 from cap.floats.study import Study
 
@@ -44,8 +45,7 @@ def write(study: Study, path: Path, draw: Callable[[], "Figure"]) -> None:
     try:
         with replacing(path) as file:
             if suffix == "npz":
-                arrays = study.arrays()
-                np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
+                np.savez_compressed(file, **arrays(study))  # type: ignore[arg-type]
             elif suffix == "csv":
                 _table(study, file)
             else:

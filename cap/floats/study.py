@@ -3,7 +3,7 @@
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
@@ -33,36 +33,6 @@ class Study(ABC):
     @abstractmethod
     def lines(self) -> list[str]:
         """Return its numbers in words."""
-
-    def arrays(self) -> dict[str, NDArray[np.generic]]:
-        """Return all fields under their names, the exact parameters as strings."""
-        found: dict[str, NDArray[np.generic]] = {}
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if field.name == "parameters":
-                found |= {name: np.array(text) for name, text in value.strings().items()}
-            elif value is not None:
-                found |= _named(field.name, value)
-        return found
-
-
-def _named(name: str, value: object) -> dict[str, NDArray[np.generic]]:
-    """Return an array, number or text as an array; a tuple of studies or records one by one."""
-    if isinstance(value, tuple) and value and hasattr(value[0], "__dataclass_fields__"):
-        found: dict[str, NDArray[np.generic]] = {}
-        for k, each in enumerate(value):
-            inner = each.arrays() if isinstance(each, Study) else _fields(each)
-            found |= {f"{name}.{k}.{key}": array for key, array in inner.items()}
-        return found
-    array = np.asarray(value)
-    return {} if array.dtype == object else {name: array}
-
-
-def _fields(record: object) -> dict[str, NDArray[np.generic]]:
-    found: dict[str, NDArray[np.generic]] = {}
-    for field in fields(record):  # type: ignore[arg-type]
-        found |= _named(field.name, getattr(record, field.name))
-    return found
 
 
 def varied(p: Parameters, name: str, value: float | Fraction) -> Parameters:
