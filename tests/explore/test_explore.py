@@ -296,7 +296,7 @@ def test_help_teaches(capsys):
 def test_help_needs_no_library():
     """Neither numba nor matplotlib nor numpy are loaded for it."""
     program = (
-        "import sys, json; from cap import explore\n"
+        "import sys, json; from cap.explore import explorer as explore\n"
         "try: explore.main(['sali', '--help'])\n"
         "except SystemExit: print(json.dumps([m for m in ('numba', 'matplotlib', 'numpy', "
         "'flint') if m in sys.modules]))"
@@ -310,7 +310,7 @@ def test_help_needs_no_library():
 def test_data_need_no_matplotlib(tmp_path):
     """It is loaded where something is drawn."""
     program = (
-        "import sys; from cap import explore\n"
+        "import sys; from cap.explore import explorer as explore\n"
         f"explore.main(['orbit', '--out', {str(tmp_path / 'a.csv')!r}])\n"
         "print('matplotlib' in sys.modules)"
     )
@@ -323,7 +323,9 @@ def test_data_need_no_matplotlib(tmp_path):
 def test_inventory_hands_over_to_the_prover(capsys):
     """The two orbits at F = 17/20 are proved, the checker accepts them."""
     assert run("inventory", "--F", "17/20", "--prove") == 0
-    assert capsys.readouterr().out.rstrip().endswith("proved")
+    *_, orbit, family = capsys.readouterr().out.splitlines()
+    assert orbit.endswith("proved")
+    assert "a family of orbits that touch no wall, not counted" in family
 
 
 def test_certificates_of_an_inventory(tmp_path, capsys):
