@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Command:
-    """A computation ``module:function`` in `cap.floats` and its picture in `cap.pictures`."""
+    """A computation ``module:function``, in `cap.floats` if no package is named, and its picture.
+
+    The picture is in `cap.pictures`.
+    """
 
     summary: str
     run: str
@@ -57,7 +60,8 @@ class Command:
 
 def _found(package: str, name: str) -> Callable[..., Any]:
     module, function = name.split(":")
-    found: Callable[..., Any] = getattr(import_module(f"{package}.{module}"), function)
+    path = module if "." in module else f"{package}.{module}"
+    found: Callable[..., Any] = getattr(import_module(path), function)
     return found
 
 
@@ -228,7 +232,7 @@ COMMANDS = {
     ),
     "inventory": Command(
         "the periodic orbits found from thousands of seeds, by type, over a parameter",
-        "inventory:inventory",
+        "cap.explore.inventory:inventory",
         "diagrams:inventory",
         "--parameter F --values 0.85 1 1.5 2 3 --prove --out inventory.pdf",
         "There may be more: nothing is proved by a search.  With --prove each orbit goes to the\n"

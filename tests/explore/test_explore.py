@@ -20,10 +20,10 @@ from cap import verify
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput, NotProved
 from cap.explore import __main__ as explore
-from cap.explore import explorer, export
+from cap.explore import explorer, export, inventory
 from cap.explore.arrays import load
 from cap.explore.commands import COMMANDS
-from cap.floats import cycles, fate, inventory, swarm
+from cap.floats import cycles, fate, swarm
 from cap.floats.pieces import in_pieces
 from cap.parameters import PAPER
 from cap.runner import Runner

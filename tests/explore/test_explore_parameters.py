@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from cap.errors import BadInput
+from cap.explore.inventory import inventory
 from cap.floats import swarm
 from cap.floats.continuation import continuation
 from cap.floats.gallery import gallery
-from cap.floats.inventory import inventory
 from cap.floats.plane import plane
 from cap.floats.study import value_of, varied
 from cap.parameters import PAPER

@@ -214,7 +214,7 @@ def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any
 
     Returns the certificate, too, or None.
     """
-    from proofs import theorems  # noqa: PLC0415 (they import the searches of this package)
+    from proofs import theorems  # noqa: PLC0415 (only who proves waits for them)
     from proofs.fixed_point import Setting  # noqa: PLC0415
 
     p, entry, start = task
