@@ -41,21 +41,21 @@ class Command:
         return _found("cap.floats", self.run)
 
     def picture(
-        self, study: Any, size: tuple[float, float] | None = None, dpi: float = 200
+        self, findings: Any, size: tuple[float, float] | None = None, dpi: float = 200
     ) -> "Figure":
-        """Return the picture of a study, of a size in inches."""
+        """Return the picture of findings, of a size in inches."""
         from cap.pictures import style  # noqa: PLC0415 (matplotlib, only where it draws)
 
         figure = style.blank(size or self.size, dpi)
         with style.style():
-            _found("cap.pictures", self.draw)(study, figure)
+            _found("cap.pictures", self.draw)(findings, figure)
             figure.draw_without_rendering()
         return figure
 
     @staticmethod
-    def status(study: Any) -> int:
+    def status(findings: Any) -> int:
         """Return the exit status: 1 if something was not proved."""
-        return int(getattr(study, "failed", 0) > 0)
+        return int(getattr(findings, "failed", 0) > 0)
 
 
 def _found(package: str, name: str) -> Callable[..., Any]:

@@ -17,8 +17,10 @@ from cap.files import tried
 from cap.floats.candidates import TYPES
 from cap.floats.cycles import Cycle
 from cap.floats.family import Family
+from cap.floats.findings import Findings, Floats
 from cap.floats.search import search
-from cap.floats.study import Floats, Study, described, short, value_of, varied
+from cap.floats.variation import value_of, varied
+from cap.floats.words import described, short
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
 from cap.runner import Runner
@@ -58,7 +60,7 @@ class FamilyAt:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Inventory(Study):
+class Inventory(Findings):
     """The isolated orbits of least period n T found at the values (K,) of a parameter.
 
     ``families``: at each of the values, those of orbits that touch no wall.

@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from cap.floats import swarm
-from cap.floats.study import State
+from cap.floats.findings import State
 from cap.floats.swarm import Event
 from cap.flow.itinerary import oscillator
 from cap.flow.model import Oscillator

@@ -4,8 +4,8 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats import cycles, periodic, search, swarm
+from cap.floats.findings import State
 from cap.floats.grid import Box, around, whole
-from cap.floats.study import State
 from cap.parameters import Parameters
 
 

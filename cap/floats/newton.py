@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.floats.cycles import CLOSE, LONGEST, SAME
+from cap.floats.findings import Floats
 from cap.floats.grid import whole
-from cap.floats.study import Floats
 from cap.flow.itinerary import MOST_EVENTS
 from cap.parameters import Parameters
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.figure import FigureBase
 from numpy.typing import ArrayLike
 
-from cap.floats.study import Study
+from cap.floats.findings import Findings
 from cap.paper.comparison import Comparison, markdown
 from cap.parameters import PAPER, Parameters
 from cap.runner import Runner
@@ -33,7 +33,7 @@ class Run:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Compared(Study):
+class Compared(Findings):
     """The numbers of one figure, and the data of its picture."""
 
     label: str

@@ -13,7 +13,7 @@ from cap.floats import swarm
 from cap.floats.continuation import continuation
 from cap.floats.gallery import gallery
 from cap.floats.plane import plane
-from cap.floats.study import value_of, varied
+from cap.floats.variation import value_of, varied
 from cap.parameters import PAPER
 
 PITCHFORK = 2 / math.pi * math.sqrt(1 - (4 / (math.pi**2 - 4)) ** 2)

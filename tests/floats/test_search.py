@@ -153,10 +153,10 @@ def test_families_with_losses_and_other_units():
 def test_families_are_told_and_not_counted(capsys):
     """In the lines of the inventory and among the candidates; none in its counts."""
     (family,) = families(PAPER)
-    study = Inventory(
+    findings = Inventory(
         parameters=PAPER, parameter="F", periods=1, values=[1.0], orbits=(), families=()
     )
-    assert "family" not in "\n".join(study.lines())
+    assert "family" not in "\n".join(findings.lines())
     listed = inventory(PAPER)
     assert len(listed.families) == 1
     assert any("family" in line and "not counted" in line for line in listed.lines())

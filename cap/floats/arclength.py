@@ -1,4 +1,4 @@
-"""Walks along curves of periodic orbits by pseudo-arclength, and the changes on the way."""
+"""Pseudo-arclength continuation of curves of periodic orbits, and the changes on the way."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -7,7 +7,7 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.curve import Family, Station, halve
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.flow.itinerary import oscillator
 from cap.parameters import Parameters
 from cap.runner import Runner
@@ -31,8 +31,8 @@ class Change:
     around: tuple[Station, ...] = ()
 
 
-class Walker:
-    """Walks along curves of a family."""
+class CurveFollower:
+    """Follows curves of a family by pseudo-arclength."""
 
     def __init__(
         self, family: Family, limits: tuple[float, float], points: int, runner: Runner
@@ -44,12 +44,12 @@ class Walker:
         curve, changes = [seed], []
         for side in (1, -1):
             begin = replace(seed, tangent=side * seed.tangent, branching=side * seed.branching)
-            way, found = self._walk(begin, side)
+            way, found = self._followed(begin, side)
             curve = curve + way if side > 0 else [*way[::-1], *curve]
             changes += found
         return curve, changes
 
-    def _walk(self, station: Station, side: int) -> tuple[list[Station], list[Change]]:
+    def _followed(self, station: Station, side: int) -> tuple[list[Station], list[Change]]:
         begin, step = station, FIRST
         way: list[Station] = []
         changes: list[Change] = []
@@ -190,8 +190,8 @@ class Walker:
         return found
 
 
-class DoubledWalker(Walker):
-    """Walks along a branch that begins at a flip, but not on to the orbits of half its period."""
+class DoubledFollower(CurveFollower):
+    """Follows a branch that begins at a flip, but not on to the orbits of half its period."""
 
     def _next(self, station: Station, step: float) -> Station | None:
         found = super()._next(station, step)
