@@ -133,7 +133,7 @@ COMMANDS = {
     "sali": _alignment("sali", "The smaller alignment index, min |w1 + w2|, |w1 - w2|."),
     "gali": _alignment("gali", "The generalised alignment index of two vectors, |w1 ^ w2|."),
     "basin": Command(
-        "who turns, sticks or is captured, and when first",
+        "which states turn, stick or are captured, and when they first do",
         "fate:fate",
         "states:fate",
         "--box -1 1 -2 2 --points 1000 --periods 100 --out basin.png",

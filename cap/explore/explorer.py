@@ -1,6 +1,6 @@
 """The command ``python -m cap.explore``: floats, from which nothing is proved.
 
-What can be explored: see `cap.explore.commands`.  After an interrupt what had been done is written.
+What can be explored: see `cap.explore.commands`.  After an interrupt what was done is written.
 """
 
 import argparse

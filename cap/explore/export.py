@@ -25,7 +25,7 @@ ROWS = 100_000  # of a table in text, at a time
 
 
 def kind(path: Path) -> str:
-    """Return what is to be written to ``path``, by its suffix; `BadInput` if nobody can."""
+    """Return what is to be written to ``path``, by its suffix; `BadInput` if it cannot be."""
     suffix = path.suffix[1:].lower()
     if suffix not in IMAGES + DATA:
         known = ", ".join("." + name for name in IMAGES + DATA)

@@ -34,7 +34,7 @@ KINDS = (*TYPES, "degenerate")
 class Entry:
     """An orbit of period n T at the ``value`` of the parameter, with the number of its events.
 
-    ``verdict``: proved (and accepted by the checker), not proved, or empty if nobody asked.
+    ``verdict``: proved (and accepted by the checker), not proved, or empty if no proof was asked for.
     """
 
     value: float

@@ -101,14 +101,14 @@ class CurveFollower:
         return found if bend > 0.95 or (not same and step < 1e-4) or step < 1e-5 else None
 
     def _end(self, station: Station) -> list[Change]:
-        """Return why a branch ends: nothing to say at the end of the range."""
+        """Return why a branch ends; nothing if that is at the end of the range."""
         value = station.y[2]
         if min(abs(value - limit) for limit in self.limits) < 1e-4 * max(1.0, abs(value)):
             return []
         return [Change(_reason(station), station)]
 
     def _beyond_the_wall(self, station: Station) -> Station | None:
-        """Return the station after a hit has passed t = 0: there the velocity is the other one."""
+        """Return the station after a hit has passed t = 0: there v is that on the other side of the hit."""
         p, (x, v) = self.family.at(station.y)
         side = 1 if p.r - x < x - p.l else -1
         wall = float(p.r if side > 0 else p.l)

@@ -108,7 +108,7 @@ def attractors(
     periods: int = 200,
     runner: Runner | None = None,
 ) -> Attractors:
-    """Follow the seeds of a box, or of the whole plane, and sort out where they are at the end."""
+    """Follow the seeds of a box, or of the whole plane, and tell their attractors apart."""
     runner = runner or Runner()
     cells = grid(p, box or whole(p), points)
     seen = max(periods, 2 * LONGEST)
@@ -186,7 +186,7 @@ _NAMES = ("states", "counts", "exponent", "period", "turned")
 
 @dataclass(frozen=True)
 class _Mark:
-    """By what an end is recognised: a state of a cycle, or the cells that it visits."""
+    """What tells one attractor from another: a state of a cycle, or the cells that are visited."""
 
     name: str
     period: int = 0

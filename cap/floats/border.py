@@ -20,7 +20,7 @@ GRAZING, STICKING = "grazing", "sticking border"
 
 @dataclass(frozen=True)
 class Margins:
-    """The itinerary, up to its beginning, and the margins; inf where there is nothing to lose."""
+    """The itinerary, up to its beginning, and the margins; inf where nothing can change."""
 
     words: tuple[str, ...]
     hit_speed: float

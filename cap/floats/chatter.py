@@ -1,4 +1,4 @@
-"""Capture: bounces at a wall that accumulate, in number infinite, in time finite."""
+"""Capture: infinitely many hits of a wall in a finite time."""
 
 import math
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Compiled functions that say a word if one waits for them."""
+"""Compiled functions, and a line on standard error while the first call is compiled."""
 
 import multiprocessing
 import sys
@@ -10,7 +10,7 @@ from cap.command.console import say
 from cap.sets.kept import kept
 
 PATIENCE = 3.0  # seconds: what is kept is loaded in less
-WORDS = "compiling what follows orbits, for the first time: about ten seconds"
+WORDS = "compiling the engine of the float mode, the first time only: about ten seconds"
 
 
 def announced(function: Callable[..., None]) -> Callable[..., None]:
@@ -19,7 +19,7 @@ def announced(function: Callable[..., None]) -> Callable[..., None]:
 
 
 class _Announced:
-    """A compiled function, of one signature, whose first call says a word if it takes long."""
+    """A compiled function, of one signature, whose first call prints a line if it takes long."""
 
     def __init__(self, compiled: Callable[..., None]) -> None:
         self._compiled, self._ready, self._lock = compiled, False, Lock()

@@ -198,7 +198,7 @@ def _start(p: Parameters, orbit: State | None, period: int) -> State:
 
 
 def _range(p: Parameters, name: str) -> tuple[float, float]:
-    """Return how far a parameter is followed if nobody says."""
+    """Return the range in which a parameter is followed by default."""
     if name not in VARIABLE:
         raise BadInput(f"no such parameter: {name!r} (one of {', '.join(VARIABLE)})")
     value = value_of(p, name)

@@ -1,4 +1,4 @@
-"""What becomes of each state of a rectangle: who turns, sticks, is captured, and when first."""
+"""Which states of a rectangle turn, stick or are captured, and when they first do."""
 
 from dataclasses import dataclass
 

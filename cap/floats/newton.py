@@ -34,7 +34,7 @@ def fixed_points(p: Parameters, periods: int, tell: Tell = lambda _part: None) -
 
     The seeds fill the rectangle of `cap.floats.grid.whole`; there are fewer if they have many
     events.  ``tell`` hears which part is done.  Raises `BadInput` if the orbits have so many events
-    that none can be followed by what steers the prover.
+    that `cap.flow.itinerary` cannot follow them.
     """
     unit = np.array([float(p.R), float(p.R * p.omega)])
     left, right, low, high = whole(p)

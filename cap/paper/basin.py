@@ -1,4 +1,4 @@
-"""fig:basin: who turns or sticks around the elliptic orbit, and the basin entropies."""
+"""fig:basin: which states around the elliptic orbit turn or stick, and the basin entropies."""
 
 import math
 from dataclasses import dataclass

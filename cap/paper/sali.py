@@ -61,7 +61,7 @@ def frames(angle: Floats) -> Floats:
 
 
 def _monodromies(states: Floats, periods: int) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-    """Return Φ' along orbits (N, K, 2, 2) by differences and exactly; who turns."""
+    """Return Φ' along orbits (N, K, 2, 2) by differences and exactly, and which orbits turn."""
     found = swarm.follow(PAPER, states, periods, every=True, derivative=True)
     if found.monodromy is None:  # it was asked for
         raise TypeError

@@ -122,7 +122,7 @@ def index_map(axes: Axes, findings: Alignment) -> AxesImage:
 
 
 def fate(findings: Fate, figure: FigureBase) -> None:
-    """Draw who turns, sticks or is captured, and when first."""
+    """Draw which states turn, stick or are captured, and when they first do."""
     axes = figure.subplots(1, 2, sharey=True)
     fates(axes[0], findings)
     T = 2 * np.pi / float(findings.parameters.omega)
