@@ -12,12 +12,12 @@ import pytest
 
 from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.parameters import PAPER
+from cap.proofs import branch
 from cap.runner import Runner
-from proofs import branch
 
 RHO = PAPER.R * PAPER.omega**2 / PAPER.F
 CELLS = {
-    "near the birth": Cell(Fraction(1, 1000), Fraction(5, 4000)),
+    "near the birth": Cell(Fraction(1, 1000), Fraction(11, 10000)),
     "in the middle": Cell(Fraction(1, 4), Fraction(27, 100)),
     "near the end": Cell(Fraction(45, 100), Fraction(46, 100)),
 }

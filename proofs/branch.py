@@ -49,15 +49,15 @@ from cap.errors import BadInput, NotProved
 from cap.maps.twist import regular_twist
 from cap.one_one.closed_form import asymmetric
 from cap.one_one.transport import period_jet
+from cap.proofs.branch_curve import Bracket, Curve, Part, decimals
+from cap.proofs.citation import MOSER, cited
+from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.one_one import Scale, lemma_1_closed_form
+from cap.proofs.pitchfork import lemma_2_parabolic, parameters
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
-from proofs.branch_curve import Bracket, Curve, Part, decimals
-from proofs.citation import MOSER, cited
-from proofs.fixed_point import Proof, Setting, assembled
-from proofs.one_one import Scale, lemma_1_closed_form
-from proofs.pitchfork import lemma_2_parabolic, parameters
 
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow

@@ -12,8 +12,17 @@ from cap.checker.theorem import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
-from proofs import branch, capture, elliptic, periodic, persistence, pitchfork, saddle, symmetric
-from proofs.fixed_point import Proof, Setting
+from cap.proofs import (
+    branch,
+    capture,
+    elliptic,
+    periodic,
+    persistence,
+    pitchfork,
+    saddle,
+    symmetric,
+)
+from cap.proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed

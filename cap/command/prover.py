@@ -1,11 +1,10 @@
 """The command `cap.prove`: search, prove, write the certificate, print the theorem.
 
-What can be proved: see `proofs.theorems`.
+What can be proved: see `cap.proofs.theorems`.
 """
 
 import sys
 from collections.abc import Sequence
-from dataclasses import replace
 
 from cap.certificate import report
 from cap.certificate import writer as certificate
@@ -14,11 +13,9 @@ from cap.command.progress import Progress
 from cap.command.prover_options import Asked, parser
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
-from cap.maps.fixed_point import Start
+from cap.proofs import theorems
+from cap.proofs.theorems import THEOREMS
 from cap.runner import Runner
-from proofs import theorems
-from proofs.fixed_point import Setting
-from proofs.theorems import THEOREMS
 
 
 def main(words: Sequence[str]) -> int:
@@ -30,7 +27,7 @@ def main(words: Sequence[str]) -> int:
         return 0
     progress = Progress()
     try:
-        return _run(Asked.of(options, progress.tell), progress)
+        return _run(Asked.of(options, progress.tell).writable(), progress)
     except BadInput as error:
         progress.clear()
         say(f"error: {printable(str(error))}", sys.stderr)
@@ -46,21 +43,14 @@ def _run(asked: Asked, progress: Progress) -> int:
         asked.path(candidate)
     progress.clear()
     print("\n".join([*found.lines, "\n"]), end="", flush=True)
-    ask = Setting(
-        asked.request.parameters,
-        Start(0.0, 0.0, ()),
-        asked.digits,
-        progress=progress.tell,
-        f_range=asked.f_range,
-        runner=Runner(asked.jobs, progress.tell, journal=asked.journal, whole=True),
-    )
-    return max([_proved(asked, ask, each) for each in found.candidates])
+    runner = asked.runner(progress.tell)
+    return max([_proved(asked, runner, each) for each in found.candidates])
 
 
-def _proved(asked: Asked, ask: Setting, candidate: Candidate) -> int:
+def _proved(asked: Asked, runner: Runner, candidate: Candidate) -> int:
     """Prove the theorem of one orbit, write its certificate and print it; return the status."""
     path, theorem = asked.path(candidate), asked.request.kind
-    setting = replace(ask, start=candidate.start, order=asked.order or candidate.order)
+    setting = asked.setting(candidate, runner)
     try:
         proved = theorems.accepted(THEOREMS[theorem], setting)
     except NotProved as failure:

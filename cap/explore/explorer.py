@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from cap.command import entry
-from cap.command.console import Parser, printable, protected, quoted, say
+from cap.command.console import Parser, printable, program, protected, quoted, say
 from cap.command.entry import INTERRUPTED
 from cap.command.option import Option, integer
 from cap.command.progress import Progress
@@ -22,13 +22,13 @@ from cap.parameters import PAPER, Parameters, exact
 from cap.runner import Runner
 
 MOST_PIXELS = 300_000_000
-FIRST = ("--paper", "--out", "--help")  # options before a command
+FIRST = ("--paper", "--out", "--help", "--version")  # options before a command
 
 
 def parser() -> Parser:
     """Return the command line's parser."""
     p = Parser(
-        prog="python -m cap.explore",
+        prog=program("cap.explore"),
         formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes "
         "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",

@@ -34,7 +34,7 @@ KINDS = (*TYPES, "degenerate")
 class Entry:
     """An orbit of period n T at the ``value`` of the parameter, with the number of its events.
 
-    ``verdict``: proved (and accepted by the checker), not proved, or empty if no proof was asked for.
+    ``verdict``: proved (and accepted by the checker), not proved, or empty: no proof asked for.
     """
 
     value: float
@@ -216,8 +216,8 @@ def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any
 
     Returns the certificate, too, or None.
     """
-    from proofs import theorems  # noqa: PLC0415 (only who proves waits for them)
-    from proofs.fixed_point import Setting  # noqa: PLC0415
+    from cap.proofs import theorems  # noqa: PLC0415 (only who proves waits for them)
+    from cap.proofs.fixed_point import Setting  # noqa: PLC0415
 
     p, entry, start = task
     try:

@@ -108,7 +108,7 @@ class CurveFollower:
         return [Change(_reason(station), station)]
 
     def _beyond_the_wall(self, station: Station) -> Station | None:
-        """Return the station after a hit has passed t = 0: there v is that on the other side of the hit."""
+        """Return the station after a hit has passed t = 0, where v jumps."""
         p, (x, v) = self.family.at(station.y)
         side = 1 if p.r - x < x - p.l else -1
         wall = float(p.r if side > 0 else p.l)

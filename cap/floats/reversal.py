@@ -1,7 +1,8 @@
 """The stroboscopic map backwards, for elastic walls and dry friction.
 
 With y(τ) = x(-τ), y'' = F cos ωτ + f sgn y': friction becomes a push, and a flight can end but at a
-wall or in a turn.  Many states lead to one stick; of the orbits that end in it, this is one that did not stick.
+wall or in a turn.  Many orbits end in one stick: that of the push is the one which did
+not stick.
 """
 
 import math

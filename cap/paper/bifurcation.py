@@ -28,11 +28,11 @@ from cap.paper.comparison import Comparison, claim, number, proved
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
+from cap.proofs.branch_curve import Curve
+from cap.proofs.fixed_point import Setting
+from cap.proofs.one_one import Scale
+from cap.proofs.pitchfork import lemma_2_parabolic
 from cap.sets import interval
-from proofs.branch_curve import Curve
-from proofs.fixed_point import Setting
-from proofs.one_one import Scale
-from proofs.pitchfork import lemma_2_parabolic
 
 RHO = float(PAPER.R * PAPER.omega**2 / PAPER.F)
 FOLD = 0.467  # the paper's

@@ -19,7 +19,7 @@ from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER, Parameters
 from cap.pictures.diagrams import TYPE_COLOURS
 from cap.pictures.style import BLACK, ORANGE, RED, parameters
-from proofs.census import census
+from cap.proofs.census import census
 
 FORCES = ("0.65", "0.85", "1", "1.5", "2", "2.5", "3", "3.5", "4.5")
 QUICK = ("0.65", "0.85", "1.5")

@@ -202,12 +202,12 @@ def _power(centre: State, periods: int) -> Comparison:
     )  # fmt: skip
 
 
-def _later(findings: Alignment) -> Comparison:
+def _later(fine: Alignment) -> Comparison:
     """Say what is left later, on a finer grid."""
-    total, known = findings.index.size, findings.index[np.isfinite(findings.index)]
+    total, known = fine.index.size, fine.index[np.isfinite(fine.index)]
     chaotic, regular = int((known <= ALIGNED).sum()), int((known > ALIGNED).sum())
     return claim(
-        f"{len(findings.x)} x {len(findings.v)} states, {findings.periods} periods: chaotic, in Omega_NS",
+        f"{len(fine.x)} x {len(fine.v)} states, {fine.periods} periods: chaotic, in Omega_NS",
         f"{percent(62, 484)} (62 of 484, N = 15)", f"{percent(chaotic, total)} (SALI <= 1e-8)",
         abs(chaotic / total - 62 / 484) < 0.005,
         "most orbits that are chaotic after 15 periods turn and stick later: transients, in "

@@ -7,6 +7,8 @@ from typing import Any, TypeVar, cast
 from numba import njit
 from numba.core.caching import FunctionCache
 
+from cap.files import at_home
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 
@@ -19,9 +21,10 @@ def kept(function: F, **options: Any) -> F:
     of that be in its closure.
     """
     compiled: Any = njit(function, nogil=True, **options)
-    with suppress(RuntimeError):  # numba finds no directory
-        cache = _Cache(function)  # type: ignore[no-untyped-call]
-        compiled._cache = cache  # noqa: SLF001 (what njit(cache=True) sets)
+    if at_home():
+        with suppress(RuntimeError):  # numba finds no directory
+            cache = _Cache(function)  # type: ignore[no-untyped-call]
+            compiled._cache = cache  # noqa: SLF001 (what njit(cache=True) sets)
     return cast(F, compiled)
 
 

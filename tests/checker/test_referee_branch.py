@@ -10,8 +10,8 @@ from mpmath import mp, mpf, workdps
 
 from cap.cells.subdivision import cells_between, subdivide
 from cap.errors import BadInput
+from cap.proofs import branch
 from cap.runner import Runner
-from proofs import branch
 
 RHO = 2  # with F = ω = 1
 

@@ -26,8 +26,8 @@ from cap.explore.commands import COMMANDS
 from cap.floats import cycles, fate, swarm
 from cap.floats.pieces import in_pieces
 from cap.parameters import PAPER
+from cap.proofs import theorems
 from cap.runner import Runner
-from proofs import theorems
 
 TINY = {
     "orbit": ["--F", "3", "--orbit", "0.4", "-0.67", "--periods", "2"],
@@ -296,7 +296,7 @@ def test_help_teaches(capsys):
 def test_help_needs_no_library():
     """Neither numba nor matplotlib nor numpy are loaded for it."""
     program = (
-        "import sys, json; from cap.explore import explorer as explore\n"
+        "import sys, json; from cap.explore import __main__ as explore\n"
         "try: explore.main(['sali', '--help'])\n"
         "except SystemExit: print(json.dumps([m for m in ('numba', 'matplotlib', 'numpy', "
         "'flint') if m in sys.modules]))"
@@ -310,7 +310,7 @@ def test_help_needs_no_library():
 def test_data_need_no_matplotlib(tmp_path):
     """It is loaded where something is drawn."""
     program = (
-        "import sys; from cap.explore import explorer as explore\n"
+        "import sys; from cap.explore import __main__ as explore\n"
         f"explore.main(['orbit', '--out', {str(tmp_path / 'a.csv')!r}])\n"
         "print('matplotlib' in sys.modules)"
     )

@@ -15,8 +15,8 @@ from cap.floats.family import families
 from cap.floats.search import search
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
-from proofs import theorems
-from proofs.fixed_point import Setting
+from cap.proofs import theorems
+from cap.proofs.fixed_point import Setting
 
 KNOWN = {  # changes of the paper's parameters, and how many isolated T-periodic orbits are known
     ("f", "1/4"): 4,

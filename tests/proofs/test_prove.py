@@ -17,7 +17,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 from cap.floats import candidates
 from cap.floats.periodic import Guess
-from proofs import theorems
+from cap.proofs import theorems
 
 ROOT = Path(__file__).parents[2]
 

@@ -17,10 +17,10 @@ from cap.floats.cycles import near
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters
+from cap.proofs import branch, elliptic, pitchfork
+from cap.proofs.fixed_point import Setting
 from cap.runner import Runner
 from cap.sets import bisection, interval, matrix
-from proofs import branch, elliptic, pitchfork
-from proofs.fixed_point import Setting
 
 
 @pytest.fixture(scope="module", autouse=True)
