@@ -7,18 +7,9 @@ tasks.  With a journal each result is written down when it comes, and read when 
 for again.
 """
 
-import multiprocessing
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    BrokenExecutor,
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    ThreadPoolExecutor,
-    wait,
-)
+from concurrent import futures
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, field
 from itertools import islice
@@ -74,7 +65,7 @@ class Runner:
 
     jobs: int = 1
     tell: Tell = field(default=lambda _words, _part: None)
-    executor: Executor | None = None
+    executor: futures.Executor | None = None
     journal: Path | None = None
     whole: bool = False
     interrupted: bool = False
@@ -92,7 +83,7 @@ class Runner:
         with self.keeping(), self._memo(plan) as memo, self._pool(plan) as pool:
             try:
                 yield from _Run(self, pool, memo, plan).results(function, tasks)
-            except BrokenExecutor:
+            except futures.BrokenExecutor:
                 raise BadInput(
                     "a process was killed: ask for less, or for fewer --jobs (what a journal has "
                     "is kept)"
@@ -132,7 +123,7 @@ class Runner:
             return nullcontext(self.executor)
         if self.jobs == 1 or (plan.total is not None and plan.total < 2):
             return nullcontext()
-        return ThreadPoolExecutor(self.jobs) if plan.threads else _processes(self.jobs)
+        return futures.ThreadPoolExecutor(self.jobs) if plan.threads else _processes(self.jobs)
 
 
 @dataclass(frozen=True)
@@ -146,10 +137,12 @@ class _Second(Generic[A, B]):
 
 
 @contextmanager
-def _processes(jobs: int) -> Iterator[Executor]:
+def _processes(jobs: int) -> Iterator[futures.Executor]:
     """Give fresh processes; after an error they end at once, though a task may take minutes."""
+    import multiprocessing  # noqa: PLC0415 (slow to load)
+
     others = multiprocessing.active_children()
-    pool = ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn"), as_worker)
+    pool = futures.ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn"), as_worker)
     try:
         yield pool
     except BaseException:
@@ -164,9 +157,11 @@ def _processes(jobs: int) -> Iterator[Executor]:
 class _Run(Generic[A, B]):
     """One run: the tasks that wait, those in work, and what is done."""
 
-    def __init__(self, runner: Runner, pool: Executor | None, memo: Memo, plan: Plan[A, B]) -> None:
+    def __init__(
+        self, runner: Runner, pool: futures.Executor | None, memo: Memo, plan: Plan[A, B]
+    ) -> None:
         self.runner, self.pool, self.memo, self.plan = runner, pool, memo, plan
-        self.working: dict[Future[B], A] = {}
+        self.working: dict[futures.Future[B], A] = {}
         self.extra: deque[A] = deque()
         self.done = 0.0
 
@@ -178,7 +173,7 @@ class _Run(Generic[A, B]):
                 yield from self._begin(function, waiting)
                 if not self.working:
                     return
-                finished, _ = wait(self.working, return_when=FIRST_COMPLETED)
+                finished, _ = futures.wait(self.working, return_when=futures.FIRST_COMPLETED)
                 for future in finished:
                     yield self._finish(self.working.pop(future), future.result())
         finally:

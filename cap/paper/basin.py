@@ -1,4 +1,4 @@
-"""fig:basin: who turns or sticks around the elliptic orbit, and the basin entropies."""
+"""fig:basin: which states around the elliptic orbit turn or stick, and the basin entropies."""
 
 import math
 from dataclasses import dataclass
@@ -165,13 +165,12 @@ def _isolated(paper: Fate, run: Run) -> Comparison:
 def draw(data: Basins, figure: FigureBase) -> None:
     """Draw both partitions."""
     axes = figure.subplots(1, 2, sharey=True)
-    for each, study in zip(axes, (data.paper, data.better), strict=True):
-        fates(each, study)
-        each.set_xlabel(
-            f"{each.get_xlabel()}\n{len(study.x)} x {len(study.v)} states, {study.periods} periods"
-        )
-        each.set_xlim(study.x[0], study.x[-1])
-        each.set_ylim(study.v[0], study.v[-1])
+    for each, basin in zip(axes, (data.paper, data.better), strict=True):
+        fates(each, basin)
+        grid = f"{len(basin.x)} x {len(basin.v)} states, {basin.periods} periods"
+        each.set_xlabel(f"{each.get_xlabel()}\n{grid}")
+        each.set_xlim(basin.x[0], basin.x[-1])
+        each.set_ylim(basin.v[0], basin.v[-1])
     axes[1].set_ylabel("")
     figure.suptitle(f"Who turns or sticks around $P_*$\n{parameters(PAPER)}", fontsize=10)
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
+from cap.explore.inventory import PROVED, Entry, inventory
 from cap.floats import swarm
-from cap.floats.inventory import PROVED, Entry, inventory
-from cap.floats.study import State
+from cap.floats.findings import State
 from cap.floats.trajectory import trajectory
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, count, proved

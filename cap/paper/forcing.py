@@ -10,9 +10,9 @@ from matplotlib.figure import FigureBase
 from matplotlib.ticker import MaxNLocator
 
 from cap.errors import BadInput
+from cap.explore.inventory import KINDS
 from cap.floats.continuation import continuation
 from cap.floats.cycles import Cycle, StroboscopicMap
-from cap.floats.inventory import KINDS
 from cap.floats.search import search
 from cap.paper.comparison import Comparison, claim, count, number
 from cap.paper.figure import Figure, Result, Run, at
@@ -205,9 +205,9 @@ def doublings(sinks: list[tuple[str, Cycle]], run: Run) -> list[float]:
     def follow(sink: tuple[str, Cycle]) -> list[float]:
         F, cycle = sink
         ends = float(F) - NEIGHBOURS, float(F) + NEIGHBOURS
-        study = continuation(at(F=F), orbit=(cycle.x, cycle.v), parameter="F", range=ends,
-                             points=run.size(200, 20), branches=2)  # fmt: skip
-        return [each.value for each in study.special if each.label == "flip" and each.period == 1]
+        curves = continuation(at(F=F), orbit=(cycle.x, cycle.v), parameter="F", range=ends,
+                              points=run.size(200, 20), branches=2)  # fmt: skip
+        return [each.value for each in curves.special if each.label == "flip" and each.period == 1]
 
     found = sorted(value for values in run.runner.map(follow, sinks, "flips") for value in values)
     return [b for a, b in pairwise([-math.inf, *found]) if b - a > SAME_F]

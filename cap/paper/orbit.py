@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import FigureBase
 
 from cap.floats import swarm
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem

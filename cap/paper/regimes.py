@@ -11,8 +11,8 @@ from matplotlib.figure import FigureBase
 from cap.floats import cycles, swarm
 from cap.floats.attractor import strongest
 from cap.floats.cycles import Cycle
+from cap.floats.findings import State
 from cap.floats.search import search
-from cap.floats.study import State
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.coexistence import mirrored
 from cap.paper.comparison import Comparison, claim, count, number, percent

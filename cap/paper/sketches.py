@@ -13,9 +13,9 @@ from cap.errors import BadInput
 from cap.floats import periodic
 from cap.floats.attractor import Attractor, attractors
 from cap.floats.fate import Fate, fate
+from cap.floats.findings import Floats, State
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.portrait import Portrait, portrait
-from cap.floats.study import Floats, State
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.comparison import Comparison, claim, number, percent
 from cap.paper.figure import Figure, Result, Run
