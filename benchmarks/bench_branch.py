@@ -16,7 +16,7 @@ from cap.proofs import branch
 
 RHO = PAPER.R * PAPER.omega**2 / PAPER.F
 CELLS = {
-    "near the birth": Cell(Fraction(1, 1000), Fraction(5, 4000)),
+    "near the birth": Cell(Fraction(1, 1000), Fraction(11, 10000)),
     "in the middle": Cell(Fraction(1, 4), Fraction(27, 100)),
     "near the end": Cell(Fraction(45, 100), Fraction(46, 100)),
 }

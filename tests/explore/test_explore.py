@@ -294,7 +294,7 @@ def test_help_teaches(capsys):
 def test_help_needs_no_library():
     """Neither numba nor matplotlib nor numpy are loaded for it."""
     program = (
-        "import sys, json; from cap import explore\n"
+        "import sys, json; from cap.explore import __main__ as explore\n"
         "try: explore.main(['sali', '--help'])\n"
         "except SystemExit: print(json.dumps([m for m in ('numba', 'matplotlib', 'numpy', "
         "'flint') if m in sys.modules]))"
@@ -308,7 +308,7 @@ def test_help_needs_no_library():
 def test_data_need_no_matplotlib(tmp_path):
     """It is loaded where something is drawn."""
     program = (
-        "import sys; from cap import explore\n"
+        "import sys; from cap.explore import __main__ as explore\n"
         f"explore.main(['orbit', '--out', {str(tmp_path / 'a.csv')!r}])\n"
         "print('matplotlib' in sys.modules)"
     )
