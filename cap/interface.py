@@ -8,21 +8,18 @@ import json
 import math
 from collections.abc import Callable
 from concurrent.futures import Executor
-from contextlib import nullcontext
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from cap.cells.subdivision import Workers
 from cap.certificate import report, writer
 from cap.checker.kernel import reading
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.statement import macros, words
 from cap.checker.theorem import check
 from cap.command.console import quoted
-from cap.command.prover import examining
 from cap.command.prover_options import Asked, parser
 from cap.command.verifier import content, why
 from cap.errors import BadInput, NotProved
@@ -177,9 +174,12 @@ def prove_theorem(
     asked = Asked.of(_namespace(theorem, options), progress)
     stated = theorems.THEOREMS[theorem]
     first = stated.search(asked.request).candidates[0]
-    given = nullcontext(Workers(executor, asked.journal, progress))
-    with given if executor else examining(asked, progress) as workers:
-        proved = theorems.accepted(stated, asked.setting(first, workers))
+
+    def tell(words: str, _part: float | None) -> None:
+        progress(words)
+
+    runner = asked.runner(tell, executor)
+    proved = theorems.accepted(stated, asked.setting(first, runner))
     return _verified(writer.dumps(proved).encode())
 
 

@@ -148,8 +148,8 @@ def lemma_3_monotone(setting: Setting, last: Fraction, parabolic: Bracket | None
     beyond = cells_between([elliptic, *_steps(elliptic, last)]) if parabolic else []
     p = setting.parameters
     step = partial(examine_monotone, p.R * p.omega**2 / p.F)
-    workers = replace(setting.workers, journal=None)
-    found = dict(subdivide(step, [first, *others, *beyond], SMALLEST, workers, ""))
+    runner = replace(setting.runner, journal=None)
+    found = dict(subdivide(step, [first, *others, *beyond], SMALLEST, runner, ""))
     for cell, verdict in found.items():
         if verdict == UNDECIDED:
             words = "trace and least speed may not be monotone in the asymmetry"
@@ -171,7 +171,7 @@ def lemma_4_twist(setting: Setting, steps: Steps) -> list[Part]:
     p = setting.parameters
     rho = p.R * p.omega**2 / p.F
     step = partial(examine_twist, rho)
-    found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, journal_key(rho))
+    found = subdivide(step, steps.elliptic, SMALLEST, setting.runner, journal_key(rho))
     signs = [Part(cell, _enclosure(verdict)) for cell, verdict in found]
     others = [Part(cell, None) for cell in (steps.first, *steps.beyond)]
     return sorted(_merged(signs) + others)

@@ -4,14 +4,10 @@ What can be proved: see `cap.proofs.theorems`.
 """
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
-from contextlib import contextmanager
+from collections.abc import Sequence
 
-from cap.cells.subdivision import Workers
 from cap.certificate import report
 from cap.certificate import writer as certificate
-from cap.command import entry
 from cap.command.console import printable, protected, quoted, say
 from cap.command.progress import Progress
 from cap.command.prover_options import Asked, parser
@@ -19,6 +15,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
 from cap.proofs import theorems
 from cap.proofs.theorems import THEOREMS
+from cap.runner import Runner
 
 
 def main(words: Sequence[str]) -> int:
@@ -46,27 +43,14 @@ def _run(asked: Asked, progress: Progress) -> int:
         asked.path(candidate)
     progress.clear()
     print("\n".join([*found.lines, "\n"]), end="", flush=True)
-    with examining(asked, progress.tell) as workers:
-        return max([_proved(asked, workers, each) for each in found.candidates])
+    runner = asked.runner(progress.tell)
+    return max([_proved(asked, runner, each) for each in found.candidates])
 
 
-@contextmanager
-def examining(asked: Asked, tell: Callable[[str], None]) -> Iterator[Workers]:
-    """Give what examines the cells of a theorem on a range of parameters."""
-    if asked.jobs == 1:
-        yield Workers(None, asked.journal, tell)
-        return
-    try:
-        with ProcessPoolExecutor(asked.jobs, initializer=entry.as_worker) as executor:
-            yield Workers(executor, asked.journal, tell)
-    except BrokenExecutor:
-        raise BadInput("a process of --jobs was killed (what a journal has is kept)") from None
-
-
-def _proved(asked: Asked, workers: Workers, candidate: Candidate) -> int:
+def _proved(asked: Asked, runner: Runner, candidate: Candidate) -> int:
     """Prove the theorem of one orbit, write its certificate and print it; return the status."""
     path, theorem = asked.path(candidate), asked.request.kind
-    setting = asked.setting(candidate, workers)
+    setting = asked.setting(candidate, runner)
     try:
         proved = theorems.accepted(THEOREMS[theorem], setting)
     except NotProved as failure:

@@ -3,13 +3,13 @@
 import argparse
 import os
 from collections.abc import Callable
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from errno import ENOENT
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
 
-from cap.cells.subdivision import Workers
 from cap.certificate import naming
 from cap.checker.forms import FOR_ALL_F
 from cap.command.console import Parser, program, quoted
@@ -20,6 +20,7 @@ from cap.floats.candidates import Candidate, Request
 from cap.parameters import PAPER, Parameters, exact
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS
+from cap.runner import Runner, Tell
 
 ORDERS = ("3", "5", "7", "9")
 Range = tuple[Fraction | None, Fraction | None]
@@ -118,16 +119,20 @@ class Asked:
         _try(self.out, directory=not self.into_a_file)
         return self
 
-    def setting(self, candidate: Candidate, workers: Workers) -> Setting:
+    def runner(self, tell: Tell, executor: Executor | None = None) -> Runner:
+        """Return what examines the cells of a theorem on a range of parameters."""
+        return Runner(self.jobs, tell, executor, self.journal, whole=True)
+
+    def setting(self, candidate: Candidate, runner: Runner) -> Setting:
         """Return what the proof of the theorem about a candidate starts from."""
         return Setting(
             self.request.parameters,
             candidate.start,
             self.digits,
             order=self.order or candidate.order,
-            progress=workers.progress,
+            progress=lambda words: runner.tell(words, None),
             f_range=self.f_range,
-            workers=workers,
+            runner=runner,
         )
 
     @property

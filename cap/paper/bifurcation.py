@@ -12,7 +12,7 @@ from matplotlib.figure import FigureBase
 from cap.certificate.writer import Pair
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.grid import island
+from cap.floats.fixed_point import elliptic_point
 from cap.floats.study import Floats, State
 from cap.maps.fixed_point import Start
 from cap.paper import certified, closed_form
@@ -91,7 +91,7 @@ def landmarks() -> Landmarks:
 
 def sweep(values: Floats) -> list[Step]:
     """Follow the orbit by Newton's method on Φ - 1, from each fixed point to the next f."""
-    z = island(PAPER)
+    z = elliptic_point(PAPER)
     if z is None:
         raise BadInput("the elliptic orbit was not found")
     found = []

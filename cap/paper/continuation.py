@@ -82,7 +82,7 @@ def mapped(side: int, run: Run) -> Map:
             for values, to in ((curve.trace, trace), (curve.least_speed, least)):
                 to[2, i] = np.interp(f, curve.alpha[::-1], values[::-1], np.nan, np.nan)
 
-    run.work.map(row, range(side), "map")
+    run.runner.map(row, range(side), "map")
     return Map(f, R, least, trace)
 
 
