@@ -85,9 +85,9 @@ Definition orbit_tests (o : shape) (s : around I.type) : list (test * bool) :=
     (the_bracket_of_d, bracket_ok);
     (the_order_of_hits, is_pos (e_t1 s) && is_pos (e_t2 s - e_t1 s) && is_pos (e_t2 s - pi / #2) &&
        is_pos (#2 * pi - e_t2 s) && is_pos (e_t1 s + #2 * pi - e_t2 s) && is_pos (pi - e_t1 s));
-    (least_speed_claim, is_pos (num p (fst (least_ n_))) &&
-       forallb (fun u => is_nonneg (U * u - num p (fst (least_ n_)))) speeds &&
-       existsb (fun u => is_nonneg (num p (snd (least_ n_)) - U * u)) speeds);
+    (least_speed_claim, is_pos (num p (fst (least_speed_ n_))) &&
+       forallb (fun u => is_nonneg (U * u - num p (fst (least_speed_ n_)))) speeds &&
+       existsb (fun u => is_nonneg (num p (snd (least_speed_ n_)) - U * u)) speeds);
     (hit_1_claim, inside p (I.inv p w) (hit_1_ n_) (e_t1 s));
     (hit_2_claim, inside p (I.inv p w) (hit_2_ n_) (e_t2 s));
     (speed_1_claim, inside p U (speed_1_ n_) u1);

@@ -111,9 +111,9 @@ Proof.
   - unfold forth_speed. rewrite (r_speed _ _ _ _ _ _ _ orbit). exact in_u1.
 Qed.
 
-Lemma least_ok : 0 < value (fst (least_ n)) / U /\
-  (forall u, In u (low_speeds f t1 t2 u1 u2) -> value (fst (least_ n)) / U <= u) /\
-  (exists u, In u (low_speeds f t1 t2 u1 u2) /\ u <= value (snd (least_ n)) / U).
+Lemma least_ok : 0 < value (fst (least_speed_ n)) / U /\
+  (forall u, In u (low_speeds f t1 t2 u1 u2) -> value (fst (least_speed_ n)) / U <= u) /\
+  (exists u, In u (low_speeds f t1 t2 u1 u2) /\ u <= value (snd (least_speed_ n)) / U).
 Proof.
   assert (HU := U_pos n parameters_ok). assert (InU := inn_U n p).
   assert (Low3 := in_low_back). assert (Low4 := in_low_forth).
@@ -121,17 +121,17 @@ Proof.
   cbn [speeds_of nth] in Low3, Low4. cbn [speeds_of forallb existsb] in Sl, Fa.
   rewrite !andb_true_iff in Sl. rewrite !orb_true_iff in Fa.
   destruct Sl as (Sl1 & Sl2 & Sl3 & Sl4 & _).
-  assert (IL := inn_num p (fst (least_ n))). assert (IH := inn_num p (snd (least_ n))).
+  assert (IL := inn_num p (fst (least_speed_ n))). assert (IH := inn_num p (snd (least_speed_ n))).
   apply is_pos_ok with (1 := IL) in Mv.
   assert (Above : forall u V, inn u V ->
-    is_nonneg (I.sub p (I.mul p (unit_U n p) V) (num p (fst (least_ n)))) = true ->
-    value (fst (least_ n)) / U <= u).
-  { intros u V Hu H. is_nonnegative H (U * u - value (fst (least_ n))).
+    is_nonneg (I.sub p (I.mul p (unit_U n p) V) (num p (fst (least_speed_ n)))) = true ->
+    value (fst (least_speed_ n)) / U <= u).
+  { intros u V Hu H. is_nonnegative H (U * u - value (fst (least_speed_ n))).
     apply Rmult_le_reg_r with U. exact HU. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
   assert (Below : forall u V, inn u V ->
-    is_nonneg (I.sub p (num p (snd (least_ n))) (I.mul p (unit_U n p) V)) = true ->
-    u <= value (snd (least_ n)) / U).
-  { intros u V Hu H. is_nonnegative H (value (snd (least_ n)) - U * u).
+    is_nonneg (I.sub p (num p (snd (least_speed_ n))) (I.mul p (unit_U n p) V)) = true ->
+    u <= value (snd (least_speed_ n)) / U).
+  { intros u V Hu H. is_nonnegative H (value (snd (least_speed_ n)) - U * u).
     apply Rmult_le_reg_r with U. exact HU. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
   unfold low_speeds. split. apply Rdiv_lt_0_compat; assumption. split.
   - intros u [<- | [<- | [<- | [<- | []]]]].

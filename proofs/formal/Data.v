@@ -34,7 +34,7 @@ Definition interval_of (x : range) : interval := {| lo := value (fst x); hi := v
 
 Record data := {
   F_ : number; w_ : number; f_ : number; l_ : number; r_ : number;
-  box_x_ : range; box_v_ : range; least_ : range;
+  box_x_ : range; box_v_ : range; least_speed_ : range;
   hit_1_ : range; hit_2_ : range; speed_1_ : range; speed_2_ : range;
   forcing_1_ : range; forcing_2_ : range;
   taylor_x_ : jet range; taylor_v_ : jet range;
@@ -54,7 +54,7 @@ Definition jet_map {K L} (g : K -> L) (j : jet K) : jet L :=
 
 Definition claims_of (n : data) : claims := {|
   box_x := interval_of (box_x_ n); box_v := interval_of (box_v_ n);
-  least_speed := interval_of (least_ n);
+  least_speed := interval_of (least_speed_ n);
   hit_1 := interval_of (hit_1_ n); hit_2 := interval_of (hit_2_ n);
   speed_1 := interval_of (speed_1_ n); speed_2 := interval_of (speed_2_ n);
   forcing_1 := interval_of (forcing_1_ n); forcing_2 := interval_of (forcing_2_ n);
