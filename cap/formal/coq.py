@@ -89,7 +89,7 @@ def _finds_libraries() -> bool:
 
 def _compiled(home: Path, tell: Callable[[str, float | None], None]) -> Path:
     """Compile what is not compiled yet, or has changed."""
-    planned = _run(["make", "-n", "library"], home, lambda _: None).text
+    planned = run(["make", "-n", "library"], home).text
     waiting, done = sum(map(_compiles, planned.splitlines())), 0
 
     def heard(line: str) -> None:
@@ -97,7 +97,7 @@ def _compiled(home: Path, tell: Callable[[str, float | None], None]) -> Path:
         done += _compiles(line)
         tell("library", min(done / max(waiting, 1), 1.0))
 
-    answer = _run(["make", "-j2", "library"], home, heard)
+    answer = run(["make", "-j2", "library"], home, heard)
     if answer.status:
         raise NotProved("library", "it does not compile", {"Coq": last_words(answer)})
     return home
@@ -125,10 +125,10 @@ def _scratch() -> Iterator[Path]:
 def _file(text: str, place: Path, *options: str) -> Answer:
     """Run Coq on a text."""
     (place / "Certified.v").write_text(text)
-    return _run([*_COMMAND, *options, "Certified.v"], place, lambda _: None)
+    return run([*_COMMAND, *options, "Certified.v"], place)
 
 
-def _run(words: Sequence[str], place: Path, heard: Callable[[str], None]) -> Answer:
+def run(words: Sequence[str], place: Path, heard: Callable[[str], None] = lambda _: None) -> Answer:
     """Run a program within the limits, and tell its lines as they come."""
     with subprocess.Popen(  # noqa: S603
         words,
@@ -156,5 +156,5 @@ def _limit() -> None:
     """Limit this process and its children."""
     for what, most in ((resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_CPU, SECONDS)):
         hard = resource.getrlimit(what)[1]
-        least = most if hard == resource.RLIM_INFINITY else min(most, hard)
-        resource.setrlimit(what, (least, least))
+        soft = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(what, (soft, hard))

@@ -1,0 +1,128 @@
+"""What is written for Coq, without Coq: the certificate's numbers, exactly, and hints that hold."""
+
+import re
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from mpmath import mp, workdps
+
+from cap.checker.kernel.certificate import read
+from cap.errors import NotProved
+from cap.formal import syntax
+from cap.formal.hints import hints
+from cap.formal.theorem import theorem, words
+from cap.sets import interval
+
+STORED = Path(__file__).parents[2] / "certificates"
+NUMBER = r"(Whole|Fraction|Decimal) (-?\d+|\(-\d+\))(?: (\d+))?"
+
+
+def certificate(name):
+    """Return a stored certificate."""
+    return read((STORED / f"{name}.json").read_bytes())
+
+
+@pytest.fixture(params=["elliptic", "elliptic-2"])
+def elliptic(request):
+    """Return a certificate of an elliptic orbit: the orbit, and its mirror image."""
+    return certificate(request.param)
+
+
+def value(kind, top, bottom):
+    """Return the value of a term of the type ``number``, as Data.v defines it."""
+    below = {"Whole": 1, "Fraction": int(bottom or 0), "Decimal": 10 ** int(bottom or 0)}[kind]
+    return Fraction(int(top.strip("()"))) / below
+
+
+def test_the_file_is_the_same_at_every_precision(elliptic):
+    """The text depends on the certificate alone."""
+    first = theorem(elliptic)
+    with interval.workprec(1000):
+        assert theorem(elliptic) == first
+
+
+def test_the_theorem_has_the_numbers_of_the_certificate_in_the_order_of_the_statement(elliptic):
+    """Every interval in the theorem is that of the data, and of the certificate."""
+    text = theorem(elliptic)
+    data = text[text.index("Definition numbers") : text.index("Definition where_to_look")]
+    proved = text[text.index("Theorem elliptic") :]
+    computed = [value(*found) for found in re.findall(NUMBER, data)][5:]
+    ends = [end for pair in re.findall(r"lo := (\S+); hi := (\S+) ", proved) for end in pair]
+    assert [Fraction(end.strip("()")) for end in ends] == computed
+    c = elliptic.claims
+    powers = ("2,0", "1,1", "0,2", "3,0", "2,1", "1,2", "0,3")
+    jets = [
+        [c[z], *row, *(c["taylor"][z][power] for power in powers)]
+        for z, row in zip("xv", c["jacobian"], strict=True)
+    ]
+    claims = [c["box"]["x"], c["box"]["v"], c["least_speed"], *c["hit_times"], *c["hit_speeds"]]
+    claims += [*c["hit_forcing"], *jets[0], *jets[1], c["trace"]]
+    claims += [c["rotation_angle"], c["rotation_number"], c["twist"]]
+    assert computed == [end for claim in claims for end in (claim.lower, claim.upper)]
+
+
+def test_the_fields_are_those_of_the_library(elliptic):
+    """The theorem has the fields that Statement.v declares, and the data the same, in its order."""
+    source = (STORED.parent / "proofs/formal/Statement.v").read_text()
+    record = re.search(r"Record claims := \{(.*?)\}", source, re.DOTALL)[1]
+    declared = re.findall(r"(\w+) : (?:jet )?interval", record)
+    data, proved = theorem(elliptic).split("Theorem elliptic")
+    numbers = data[: data.index("Definition where_to_look")]
+    assert re.findall(r"^  (\w+) :=", proved, re.MULTILINE) == declared
+    fields = [f"{name}_" for name in ["F", "w", "f", "l", "r", *declared]]
+    assert re.findall(r"^  (\w+) :=", numbers, re.MULTILINE) == fields
+
+
+def test_the_parameter_lies_between_neighbouring_decimals(elliptic):
+    """δ, from the hit times in 60 digits, is between the two decimals, one unit apart."""
+    c, p = elliptic.claims, elliptic.parameters
+    low, high = (Fraction(end) for end in hints(elliptic).delta)
+    assert high - low == Fraction(1, 10**50)
+    with workdps(70):
+        alpha, rho = mp.mpf(p.f.numerator) / p.f.denominator, mp.mpf(2)
+
+        def excess(d):
+            G = mp.pi**2 / 2 * mp.sinc(d) - 2 * mp.cos(d) - 2 * d * mp.sin(d)
+            return 2 / mp.pi * mp.cos(d) * mp.sqrt(1 - (rho / G) ** 2) - alpha
+
+        first, second = (mp.mpf(t.text[0]) for t in c["hit_times"])
+        delta = mp.findroot(excess, (second - first - mp.pi) / 2)
+        assert mp.mpf(low.numerator) / low.denominator < delta
+        assert delta < mp.mpf(high.numerator) / high.denominator
+
+
+def test_numbers_are_read_exactly():
+    """Integers, fractions and decimals, also below zero and with zeros in front."""
+    for text, term in (
+        ("-3", "Whole (-3)"),
+        ("2/5", "Fraction 2 5"),
+        ("-2/5", "Fraction (-2) 5"),
+        ("0.0025", "Decimal 25 4"),
+        ("-0.10", "Decimal (-10) 2"),
+        ("0.00", "Decimal 0 2"),
+    ):
+        assert syntax.number(text) == term
+        assert value(*re.fullmatch(NUMBER, term).groups()) == Fraction(text)
+    assert [syntax.real(text) for text in ("-3", "-2/5", "0.25")] == ["(-3)", "(-2 / 5)", "0.25"]
+
+
+def test_the_sentence_has_the_numbers_of_the_theorem(elliptic):
+    """What is said of a proof names the parameters, the twist, the box and Moser's hypothesis."""
+    said, c = words(elliptic), elliptic.claims
+    for part in ("f = 2/5", str(c["twist"]), str(c["box"]["x"]), "if Moser's twist theorem holds"):
+        assert part in said
+
+
+@pytest.mark.parametrize("name", ["saddle", "periodic-1", "branch"])
+def test_other_theorems_are_not_claimed(name):
+    """The library states the elliptic theorem alone."""
+    with pytest.raises(NotProved, match="elliptic theorem alone"):
+        theorem(certificate(name))
+
+
+def test_hits_of_no_asymmetric_orbit_are_refused(elliptic):
+    """Where the hit times belong to no orbit at this friction there is nothing to be computed."""
+    other = elliptic.parameters._replace(f=Fraction(41, 100))
+    with pytest.raises(NotProved, match="no asymmetric orbit"):
+        hints(elliptic._replace(parameters=other))
