@@ -1,7 +1,8 @@
 """Where Coq finds the orbit: hints, to which no sentence of the theorem refers.
 
-Units: time 1/ω.  The orbit is that of `cap.one_one.closed_form.asymmetric` at δ = (t2 - t1 - π)/2,
-where the friction α(δ) is f/F; Coq needs decimals on both sides of δ.  The hits of all states of
+Units: time 1/ω.  With δ = (t2 - t1 - π)/2 the orbit is one of `cap.one_one.closed_form`: symmetric,
+where δ = 0, or asymmetric, where the friction α(δ) is f/F; then Coq needs decimals on both sides of
+δ.  Of the two symmetric orbits one has t1 + t2 < 2π.  The hits of all states of
 the box lie in the windows of the certificate; so their δ lies in an interval, too.
 """
 
@@ -25,8 +26,9 @@ Pair = tuple[str, str]
 
 @dataclass(frozen=True)
 class Hints:
-    """Decimals on both sides of δ; the windows of the hits, and the range of δ, on the box."""
+    """Which orbit it is; decimals on both sides of δ; windows of the hits, and of δ, on the box."""
 
+    kind: str
     delta: Pair
     windows: tuple[Pair, Pair]
     box_delta: Pair
@@ -34,7 +36,7 @@ class Hints:
 
 
 def hints(certificate: Certificate) -> Hints:
-    """Return the hints; raise `NotProved` where there is no asymmetric orbit at these hits."""
+    """Return the hints; raise `NotProved` where there is no orbit of the closed form."""
     p, digits = certificate.parameters, certificate.digits
     places = digits + PLACES + max(0, -decade(p.omega**2 * (p.r - p.l) / p.F))
     bits = places * 10 // 3 + GUARD
@@ -42,13 +44,18 @@ def hints(certificate: Certificate) -> Hints:
         first, second = (p.omega * t.lower for t in certificate.claims["hit_times"])
         near = (ball(second - first) - pi()) / 2
         alpha, rho = ball(p.f / p.F), ball((p.r - p.l) * p.omega**2 / p.F)
-        delta = _delta(alpha, rho, near + around(Fraction(0), Fraction(10, 10**digits)), places)
+        near += around(Fraction(0), Fraction(10, 10**digits))
+        if near.contains(0):
+            kind = "Symmetric_plus" if ball(first + second) < 2 * pi() else "Symmetric_minus"
+            delta = Ball(0)
+        else:
+            kind, delta = "Asymmetric", _delta(alpha, rho, near, places)
         right, left = (
             [p.omega * end for end in (w.lower, w.upper)] for w in certificate.hints["hit_times"]
         )
         all_deltas = (hull(ball(left[0] - right[1]), ball(left[1] - right[0])) - pi()) / 2
         windows = (str(right[0]), str(right[1])), (str(left[0]), str(left[1]))
-        return Hints(outward(delta, places), windows, outward(all_deltas, BOX_PLACES), bits)
+        return Hints(kind, outward(delta, places), windows, outward(all_deltas, BOX_PLACES), bits)
 
 
 def _delta(alpha: Ball, rho: Ball, near: Ball, places: int) -> Ball:

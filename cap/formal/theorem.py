@@ -113,4 +113,5 @@ def _hints(found: Hints) -> list[tuple[str, Any]]:
     ranges = {"d_": found.delta, "window_1": found.windows[0], "window_2": found.windows[1]}
     ranges["d_box"] = found.box_delta
     sizes = {"pieces": PIECES, "depth": DEPTH, "bits": found.bits, "box_bits": BOX_BITS}
-    return [(name, pair_of_numbers(ends)) for name, ends in ranges.items()] + [*sizes.items()]
+    pairs = [(name, pair_of_numbers(ends)) for name, ends in ranges.items()]
+    return [("kind_", found.kind), *pairs, *sizes.items()]

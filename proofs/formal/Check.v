@@ -13,7 +13,7 @@ Inductive test :=
   parameters | the_bracket_of_d | the_order_of_hits | least_speed_claim | hit_1_claim | hit_2_claim
 | speed_1_claim | speed_2_claim | forcing_1_claim | forcing_2_claim | box_claim | taylor_x_claim
 | taylor_v_claim | trace_claim | trace_in_minus_2_2 | no_resonance | the_entry_c | angle_claim
-| rotation_claim | twist_claim | twist_not_0 | windows_of_hits | friction_monotone | cells_of_the_box.
+| rotation_claim | twist_claim | twist_not_0 | windows_of_hits | one_orbit_in_the_box | cells_of_the_box.
 
 Section Check.
 
@@ -58,14 +58,25 @@ Notation "# z" := (I.fromZ p z) (at level 5).
 
 Definition bracket : I.type := I.join (num p (fst (d_ h))) (num p (snd (d_ h))).
 
-Definition bracket_ok : bool :=
+Definition asymmetric_ok : bool :=
   let f := scaled_f p in let rho := scaled_rho p in let D := bracket in
   let d0 := num p (fst (d_ h)) in let d1 := num p (snd (d_ h)) in
   let k0 := eval_friction p rho d0 - f in let k1 := eval_friction p rho d1 - f in
   is_pos (d1 - d0) && (is_pos D || is_neg D) && is_pos (eval_G p D - rho) &&
   ((is_neg k0 && is_pos k1) || (is_pos k0 && is_neg k1)).
 
-Definition the_shape : shape := eval_asymmetric p (scaled_rho p) bracket (eval_G p bracket).
+Definition bracket_ok : bool :=
+  match kind_ h with
+  | Asymmetric => asymmetric_ok
+  | _ => is_pos (#1 - eval_C_sym p (scaled_f p))
+  end.
+
+Definition the_shape : shape :=
+  match kind_ h with
+  | Asymmetric => eval_asymmetric p (scaled_rho p) bracket (eval_G p bracket)
+  | Symmetric_plus => eval_symmetric p (scaled_rho p) (scaled_f p) 1
+  | Symmetric_minus => eval_symmetric p (scaled_rho p) (scaled_f p) (-1)
+  end.
 
 Definition speeds_of (f u1 u2 : I.type) (s : around I.type) : list I.type :=
   let pi := I.pi p in let a := eval_turn p f in let q := eval_sin_turn p f in
@@ -129,6 +140,15 @@ Definition monotone_ok (rho D : I.type) : bool :=
   (is_pos D || is_neg D) && is_pos (I.sub p (eval_G p D) rho) &&
   (if is_pos D then is_neg (eval_friction' p rho D) else is_pos (eval_friction' p rho D)).
 
+(** No other orbit has its d in D. *)
+
+Definition alone_ok (f rho D : I.type) : bool :=
+  match kind_ h with
+  | Asymmetric => monotone_ok rho D
+  | Symmetric_plus => eval_impossible p rho D f true
+  | Symmetric_minus => eval_impossible p rho D f false
+  end.
+
 (** The cell i, j of n x n cells, or else its four quarters, and so on. *)
 
 Fixpoint cover (depth : nat) (g : setting) (L U : I.type) (n i j : nat) : bool :=
@@ -142,11 +162,11 @@ Fixpoint cover (depth : nat) (g : setting) (L U : I.type) (n i j : nat) : bool :
 
 Definition box_tests : list (test * bool) :=
   let f := scaled_f p in let l := scaled_l p in let r := scaled_r p in
-  let g := eval_setting p f l r (window_1 h) (window_2 h) (d_box h) in
+  let g := eval_setting p f l r (window_1 h) (window_2 h) (d_box h) (kind_ h) in
   [ (windows_of_hits, windows_ok p g);
-    (friction_monotone,
+    (one_orbit_in_the_box,
       let k := Pos.to_nat (pieces h) in
-      all_below k (fun i => monotone_ok (scaled_rho p) (part p (d_box h) k i)));
+      all_below k (fun i => alone_ok f (scaled_rho p) (part p (d_box h) k i)));
     (cells_of_the_box, cover (depth h) g (lam p) (unit_U p) 1 0 0) ].
 
 End Box.

@@ -28,13 +28,7 @@ Proof.
   destruct split_checks as (To & Tm & Tb).
   assert (ok := parameters_ok n h o s To). apply (in_given_units n ok).
   assert (W := walls n ok). assert (Sm := f_small n ok).
-  destruct (d_exists n h o s To) as (d & d_not_0 & Big & Fr & Dd).
-  assert (Eq := asymmetric (f n) (l n) (r n) W d d_not_0 Big Fr).
-  assert (Fit := inn_asymmetric p (l n) (r n) d _ _ (inn_rho n p) Dd).
-  fold o in Fit. change (eval_asymmetric p (scaled_rho n p) (bracket h) (eval_G p (bracket h))) with o in Fit.
-  set (S := S_of (l n) (r n) d) in *. set (C := C_of (l n) (r n) d) in *.
-  set (V := W_of (l n) (r n) d) in *. set (phi := phi_of (l n) (r n) d) in *.
-  clearbody S C V phi.
+  destruct (orbit_exists n h o s To) as (d & S & C & V & phi & Eq & Fit). fold o in Fit.
   destruct (inn_state p (f n) (l n) (r n) d S C V phi _ _ _ o (inn_f n p) (inn_l n p) (inn_r n p) Eq Fit)
     as (St & U1 & U2).
   change (eval_state p (scaled_f n p) (scaled_l n p) (scaled_r n p) o) with s in St.
@@ -61,13 +55,10 @@ Proof.
     (sign_of (snd (jmap (iv p) s)))).
   destruct M. split; try assumption.
   intros a b Ha Hb. assert (K := box_known n h ok Tb a b Ha Hb).
-  split. exact (known_image (f n) (l n) (r n) W a b _ _ K).
-  intros Im. destruct (friction_known n h Tb) as [sg Fk].
-  apply (fixed_unique (f n) (l n) (r n) W
+  split. exact (known_image (f n) (l n) (r n) W a b _ _ _ _ K).
+  intros Im. apply (fixed_unique (f n) (l n) (r n) W
     (fun a b => within (box_x (the_claims n)) a /\ within (box_v (the_claims n)) b)
-    _ _ sg (fun d Hd => conj (proj1 (Fk d Hd)) (proj1 (proj2 (Fk d Hd))))
-    (fun d Hd => proj2 (proj2 (Fk d Hd)))
-    (fun a b H => box_known n h ok Tb a b (proj1 H) (proj2 H))); auto.
+    _ _ _ _ (one_in_the_box n h ok Tb) (fun a b H => box_known n h ok Tb a b (proj1 H) (proj2 H))); auto.
 Qed.
 
 End Checked.

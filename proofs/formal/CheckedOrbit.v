@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra Lia ZArith Bool List.
 From Coquelicot Require Import Coquelicot.
-From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Dip Orbit Elliptic Units Enclosure
+From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Elliptic Units Enclosure
   Data EvalOrbit EvalBox Check CheckedUnits.
 Open Scope R_scope.
 
@@ -31,12 +31,12 @@ Proof.
   apply is_pos_ok with (1 := inn_rho n p) in H5. split; try assumption; lra.
 Qed.
 
-(** ** The parameter d *)
+(** ** The orbit *)
 
-Lemma d_exists : exists d, d <> 0 /\ r - l < G d /\ friction l r d = f /\ inn d (bracket h).
+Lemma asymmetric_exists : asymmetric_ok n h = true ->
+  exists d, d <> 0 /\ r - l < G d /\ friction l r d = f /\ inn d (bracket h).
 Proof.
-  assert (W := walls n parameters_ok). take H. destruct H as [_ [H _]].
-  unfold bracket_ok in H. cbv zeta in H. rewrite !andb_true_iff, !orb_true_iff, !andb_true_iff in H.
+  assert (W := walls n parameters_ok). intros H. unfold asymmetric_ok in H. cbv zeta in H. rewrite !andb_true_iff, !orb_true_iff, !andb_true_iff in H.
   destruct H as [[[H0 H1] H2] H3].
   assert (N0 := inn_num p (fst (d_ h))). assert (N1 := inn_num p (snd (d_ h))).
   set (d0 := value (fst (d_ h))) in *. set (d1 := value (snd (d_ h))) in *.
@@ -57,6 +57,24 @@ Proof.
     - apply is_pos_ok with (1 := K0) in S0. apply is_neg_ok with (1 := K1) in S1.
       apply (parameter_exists f l r W d0 d1 Reg (-1)); lra. }
   destruct Ex as (d & Hd & E). destruct (Reg d Hd) as [A B]. exists d. auto.
+Qed.
+
+Lemma orbit_exists : exists d S C W phi, closed f l r d S C W phi /\ fits d S C W phi (the_shape n h).
+Proof.
+  assert (W := walls n parameters_ok). assert (Hr := inn_rho n p). assert (Hf := inn_f n p).
+  assert (F := f_small n parameters_ok). take H. destruct H as [_ [H _]].
+  unfold bracket_ok in H. unfold the_shape. destruct (kind_ h).
+  - destruct (asymmetric_exists H) as (d & N & Big & Fr & Dd).
+    exists d, (S_of l r d), (C_of l r d), (W_of l r d), (phi_of l r d). split.
+    exact (asymmetric f l r W d N Big Fr). exact (inn_asymmetric p l r d _ _ Hr Dd).
+  - assert (HC : inn (C_sym f) (eval_C_sym p (scaled_f n p))) by (unfold C_sym, eval_C_sym; inn_auto).
+    is_positive H (1 - C_sym f).
+    exists 0, (S_sym f 1), (C_sym f), (W_sym f l r 1), (phi_sym f 1). split.
+    apply symmetric; lra. exact (inn_symmetric p f l r _ _ 1 Hr Hf).
+  - assert (HC : inn (C_sym f) (eval_C_sym p (scaled_f n p))) by (unfold C_sym, eval_C_sym; inn_auto).
+    is_positive H (1 - C_sym f).
+    exists 0, (S_sym f (-1)), (C_sym f), (W_sym f l r (-1)), (phi_sym f (-1)). split.
+    apply symmetric; lra. exact (inn_symmetric p f l r _ _ (-1) Hr Hf).
 Qed.
 
 (** ** Hits and speeds *)

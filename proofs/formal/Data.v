@@ -40,12 +40,15 @@ Record data := {
   taylor_x_ : jet range; taylor_v_ : jet range;
   trace_ : range; angle_ : range; rotation_ : range; twist_ : range }.
 
-(** Hints: the parameter d of the orbit lies between two numbers; the hits of all states of the box
-    lie in two windows, and their parameter d between two numbers; this range of d is cut into so many
-    pieces, and the box into quarters as often as [depth]; bits of the intervals. *)
+(** Hints: the orbit is asymmetric, and its parameter d lies between two numbers, or it is symmetric
+    with S > 0 or S < 0; the hits of all states of the box lie in two windows, and their parameter d
+    between two numbers; this range of d is cut into so many pieces, and the box into quarters as
+    often as [depth]; bits of the intervals. *)
+
+Inductive kind := Asymmetric | Symmetric_plus | Symmetric_minus.
 
 Record hints := {
-  d_ : range; window_1 : range; window_2 : range; d_box : range;
+  kind_ : kind; d_ : range; window_1 : range; window_2 : range; d_box : range;
   pieces : positive; depth : nat; bits : positive; box_bits : positive }.
 
 Definition jet_map {K L} (g : K -> L) (j : jet K) : jet L :=

@@ -92,6 +92,22 @@ def test_the_parameter_lies_between_neighbouring_decimals(elliptic):
         assert delta < mp.mpf(high.numerator) / high.denominator
 
 
+def test_of_symmetric_orbits_the_sign_is_told(elliptic):
+    """Hits half a period apart are of a symmetric orbit: S > 0 if t1 + t2 < 2π, else S < 0."""
+    with workdps(40):
+        for first, kind in (("1.2", "Symmetric_plus"), ("2.2", "Symmetric_minus")):
+            second = Fraction(mp.nstr(mp.mpf(first) + mp.pi, 36))
+            times = [
+                t._replace(lower=end)
+                for t, end in zip(
+                    elliptic.claims["hit_times"], (Fraction(first), second), strict=True
+                )
+            ]
+            found = hints(elliptic._replace(claims=elliptic.claims | {"hit_times": times}))
+            assert found.kind == kind
+    assert hints(elliptic).kind == "Asymmetric"
+
+
 def test_numbers_are_read_exactly():
     """Integers, fractions and decimals, also below zero and with zeros in front."""
     for text, term in (
