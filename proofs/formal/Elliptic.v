@@ -50,6 +50,17 @@ Proof.
     apply Rmult_integral in P. destruct P as [P | P]; apply Rmult_integral in P; destruct P; lra.
 Qed.
 
+(** Two identities apart from the large terms to which they will be applied. *)
+
+Lemma twice_half : forall z, z = 2 * (z / 2).
+Proof. intros. field. Qed.
+
+Lemma sign_cancels : forall s y z, s * s = 1 -> z <> 0 -> y / (s * z) = s * y / z.
+Proof.
+  intros s y z E N. transitivity (s * s * y / (s * z)). rewrite E, Rmult_1_l. reflexivity.
+  field. split. exact N. intros Z. rewrite Z in E. lra.
+Qed.
+
 (** ** The numbers *)
 
 Section Elliptic.
@@ -200,8 +211,7 @@ Proof.
   { unfold wi. replace (sign * sqrt (1 - cs * cs) / c10 jv)
       with (sqrt (1 - cs * cs) / (sign * c10 jv)).
     apply Rdiv_lt_0_compat; assumption.
-    transitivity ((sign * sign) * sqrt (1 - cs * cs) / (sign * c10 jv)). rewrite Sq, Rmult_1_l. reflexivity.
-    field. split. exact Cne. intros Z. rewrite Z in Sg. lra. }
+    apply sign_cancels; assumption. }
   assert (N1 : cos Theta <> 1) by (rewrite Cos; lra).
   assert (N2 : sin Theta <> 0).
   { rewrite Sin. apply Rmult_integral_contrapositive_currified; lra. }
@@ -212,7 +222,7 @@ Proof.
   { rewrite moeckel_is. unfold tau1. rewrite Cos, Sin. reflexivity. }
   assert (NF := twist_exists X V x0 v0 jx jv Theta wr wi EX EV FX FV Fr' Sy Wi N1 N2 N3 N4).
   exists Theta, (tau1 jx jv Theta wr wi).
-  split. rewrite Cos. unfold cs. field. split. rewrite Abs. exact Bd.
+  split. rewrite Cos. apply twice_half. split. rewrite Abs. exact Bd.
   split. apply N. split. rewrite Abs. apply N. split. exact NR. split. exact NF.
   split. rewrite Tau. apply N. split. rewrite Tau. apply N.
   split. { intros tau NF'. eapply (twist_unique X V x0 v0 jx jv Theta wr wi); eassumption. }
