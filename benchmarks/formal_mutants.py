@@ -71,7 +71,7 @@ def mutants(certificate: Certificate, text: str) -> dict[str, str]:
     }
     for key, field in CLAIMS.items():
         lies[f"{field}: the last digit"] = theorem(_false(certificate, key))
-        numbers = re.search(rf"\n  {field} := .*?(-?\d[\d.]+)(?:\)|;)", text, re.DOTALL)
+        numbers = re.search(rf"\n +{field} := .*?(-?\d[\d.]+)(?:\)|;)", text, re.DOTALL)
         assert numbers is not None
         start, end = numbers.span(1)
         lies[f"{field}, in the theorem alone"] = text[:start] + _up(numbers[1], 1) + text[end:]

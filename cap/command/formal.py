@@ -23,7 +23,7 @@ _TESTS = re.compile(r"=\s*\[?(.*?)\]?\s*:\s*list test", re.DOTALL)
 def write(words: Sequence[str]) -> int:
     """Print the Coq file of a certificate."""
     parser = Parser(prog="python -m cap.formal", description="Write the Coq file of a certificate.")
-    parser.add_argument("file", metavar="CERTIFICATE", help="of an elliptic orbit")
+    parser.add_argument("file", metavar="CERTIFICATE", help="of an elliptic orbit or a saddle")
     try:
         print(theorem.theorem(_read(parser.parse_args(words).file)), end="")
     except (NotProved, Rejected, OSError) as reason:

@@ -47,7 +47,8 @@ def _parser() -> Parser:
     parser.add_argument(
         "--formal",
         action="store_true",
-        help="prove the theorem by Coq instead, with the library in proofs/formal (elliptic only)",
+        help="prove the theorem by Coq instead, with the library in proofs/formal: elliptic orbits "
+        "and saddles with one hit of each wall",
     )
     parser.add_argument(
         "--latex",

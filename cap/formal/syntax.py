@@ -36,9 +36,9 @@ def interval(ends: Sequence[str]) -> str:
     return f"{{| lo := {real(ends[0])}; hi := {real(ends[1])} |}}"
 
 
-def record(fields: Sequence[tuple[str, str]]) -> str:
+def record(fields: Sequence[tuple[str, str]], margin: str = "  ") -> str:
     """Return a record, a field in a line."""
-    return "{|\n" + ";\n".join(f"  {name} := {term}" for name, term in fields) + " |}"
+    return "{|\n" + ";\n".join(f"{margin}{name} := {term}" for name, term in fields) + " |}"
 
 
 def jet(entries: Sequence[Sequence[str]], term: Callable[[Sequence[str]], str]) -> str:

@@ -8,7 +8,7 @@ Open Scope R_scope.
 
 Section Box.
 
-Variables (n : data) (h : hints).
+Variables (n : orbit_data) (h : hints).
 Hypothesis ok : good n.
 Hypothesis tested : forallb snd (box_tests n h) = true.
 

@@ -2,13 +2,13 @@
 
 From Coq Require Import Reals Lra Lia ZArith Bool List.
 From Coquelicot Require Import Coquelicot.
-From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Elliptic Units Enclosure
+From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Numbers Units Enclosure
   Data EvalOrbit EvalBox Check CheckedUnits.
 Open Scope R_scope.
 
 Section Orbit.
 
-Variables (n : data) (h : hints).
+Variables (n : orbit_data) (h : hints).
 Variables (o : shape) (s : around I.type).
 Hypothesis tested : forallb snd (orbit_tests n h o s) = true.
 
@@ -162,7 +162,7 @@ Proof.
     + eexists. split. 2: apply (Below _ _ Low4 Fa). simpl. auto.
 Qed.
 
-Record orbit_claims : Prop := {
+Record orbit_claims_hold : Prop := {
   k_hit_1 : within (hit_1 (the_claims n)) t1;
   k_hit_2 : within (hit_2 (the_claims n)) t2;
   k_speed_1 : within (speed_1 (the_claims n)) u1;
@@ -172,7 +172,7 @@ Record orbit_claims : Prop := {
   k_x : within (box_x (the_claims n)) x0;
   k_v : within (box_v (the_claims n)) v0 }.
 
-Lemma claims_ok : orbit_claims.
+Lemma claims_ok : orbit_claims_hold.
 Proof.
   assert (Hl := lambda_pos n parameters_ok). assert (HU := U_pos n parameters_ok).
   assert (Hw := w_pos n parameters_ok). assert (Inw := inn_num p (w_ n)).

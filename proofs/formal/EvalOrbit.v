@@ -4,7 +4,7 @@
     evaluated; each evaluation contains the number. *)
 
 From Coq Require Import Reals Lra ZArith Bool List.
-From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Elliptic Moeckel Enclosure Data.
+From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Numbers Moeckel Enclosure Data.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -16,6 +16,7 @@ from cap.formal import coq
 ROOT = Path(__file__).parents[2]
 ELLIPTIC = str(ROOT / "certificates/elliptic.json")
 SADDLE = str(ROOT / "certificates/saddle.json")
+PERIODIC = str(ROOT / "certificates/periodic-1.json")
 AXIOMS = """Axioms:
 ClassicalDedekindReals.sig_not_dec : forall P : Prop, {~ ~ P} + {~ P}
 Classical_Prop.classic
@@ -52,9 +53,10 @@ def formally(capsys, *names):
 def test_a_theorem_is_printed_with_the_axioms_that_coq_prints(installed, capsys):
     """PROVED BY COQ, the theorem, the file, and the axioms word by word; exit status 0."""
     installed(ACCEPTS)
-    status, out, _ = formally(capsys, ELLIPTIC)
+    status, out, _ = formally(capsys, SADDLE, ELLIPTIC)
     assert status == 0
     assert out.startswith("PROVED BY COQ: x'' = F cos(omega t)")
+    assert f'("{SADDLE}")\n' in out
     assert f'("{ELLIPTIC}")\n' in out
     assert out.endswith(AXIOMS.removeprefix("Axioms:\n"))
 
@@ -94,10 +96,10 @@ def test_the_end_of_coqs_words_is_printed_if_no_test_fails(installed, capsys):
 
 
 def test_other_certificates_and_bad_files_are_not_proved(installed, capsys, tmp_path):
-    """A saddle, no certificate and no file: one line each, exit status 1."""
+    """A periodic orbit with losses, no certificate, no file: one line each, exit status 1."""
     installed(ACCEPTS)
     (tmp_path / "bad.json").write_text("{}")
-    status, out, _ = formally(capsys, SADDLE, str(tmp_path / "bad.json"), str(tmp_path / "none"))
+    status, out, _ = formally(capsys, PERIODIC, str(tmp_path / "bad.json"), str(tmp_path / "none"))
     assert status == 1
     assert [line.split(":")[0] for line in out.splitlines()] == ["NOT PROVED BY COQ"] * 3
 
@@ -168,6 +170,6 @@ def test_ctrl_c_ends_coq_too(installed, tmp_path):
 def test_the_coq_file_is_written_to_standard_output(capsys):
     """``python -m cap.formal`` prints the file; of another theorem one line says why not."""
     assert formal.write([ELLIPTIC]) == 0
-    assert "Theorem elliptic : elliptic_orbit 1 1 (2 / 5) (-1) 1" in capsys.readouterr().out
-    assert formal.write([SADDLE]) == 2
+    assert "Theorem proved : elliptic_orbit 1 1 (2 / 5) (-1) 1" in capsys.readouterr().out
+    assert formal.write([PERIODIC]) == 2
     assert capsys.readouterr().err.count("\n") == 1

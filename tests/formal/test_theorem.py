@@ -29,49 +29,64 @@ def elliptic(request):
     return certificate(request.param)
 
 
+@pytest.fixture(params=["elliptic", "elliptic-2", "saddle", "saddle-2"])
+def orbit(request):
+    """Return a certificate of which Coq may prove the theorem."""
+    return certificate(request.param)
+
+
+def claimed(c):
+    """Return the claims in the order of Statement.v."""
+    claims = [c["box"]["x"], c["box"]["v"], c["least_speed"], *c["hit_times"], *c["hit_speeds"]]
+    claims += [*c["hit_forcing"], c["trace"]]
+    if "multipliers" in c:
+        return [*claims, c["x"], c["v"], *c["jacobian"][0], *c["jacobian"][1], *c["multipliers"]]
+    powers = ("2,0", "1,1", "0,2", "3,0", "2,1", "1,2", "0,3")
+    for z, row in zip("xv", c["jacobian"], strict=True):
+        claims += [c[z], *row, *(c["taylor"][z][power] for power in powers)]
+    return [*claims, c["rotation_angle"], c["rotation_number"], c["twist"]]
+
+
 def value(kind, top, bottom):
     """Return the value of a term of the type ``number``, as Data.v defines it."""
     below = {"Whole": 1, "Fraction": int(bottom or 0), "Decimal": 10 ** int(bottom or 0)}[kind]
     return Fraction(int(top.strip("()"))) / below
 
 
-def test_the_file_is_the_same_at_every_precision(elliptic):
+def test_the_file_is_the_same_at_every_precision(orbit):
     """The text depends on the certificate alone."""
-    first = theorem(elliptic)
+    first = theorem(orbit)
     with interval.workprec(1000):
-        assert theorem(elliptic) == first
+        assert theorem(orbit) == first
 
 
-def test_the_theorem_has_the_numbers_of_the_certificate_in_the_order_of_the_statement(elliptic):
+def test_the_theorem_has_the_numbers_of_the_certificate_in_the_order_of_the_statement(orbit):
     """Every interval in the theorem is that of the data, and of the certificate."""
-    text = theorem(elliptic)
+    text = theorem(orbit)
     data = text[text.index("Definition numbers") : text.index("Definition where_to_look")]
-    proved = text[text.index("Theorem elliptic") :]
+    proved = text[text.index("Theorem proved") :]
     computed = [value(*found) for found in re.findall(NUMBER, data)][5:]
     ends = [end for pair in re.findall(r"lo := (\S+); hi := (\S+) ", proved) for end in pair]
     assert [Fraction(end.strip("()")) for end in ends] == computed
-    c = elliptic.claims
-    powers = ("2,0", "1,1", "0,2", "3,0", "2,1", "1,2", "0,3")
-    jets = [
-        [c[z], *row, *(c["taylor"][z][power] for power in powers)]
-        for z, row in zip("xv", c["jacobian"], strict=True)
-    ]
-    claims = [c["box"]["x"], c["box"]["v"], c["least_speed"], *c["hit_times"], *c["hit_speeds"]]
-    claims += [*c["hit_forcing"], *jets[0], *jets[1], c["trace"]]
-    claims += [c["rotation_angle"], c["rotation_number"], c["twist"]]
-    assert computed == [end for claim in claims for end in (claim.lower, claim.upper)]
+    assert computed == [e for claim in claimed(orbit.claims) for e in (claim.lower, claim.upper)]
 
 
-def test_the_fields_are_those_of_the_library(elliptic):
+def test_the_fields_are_those_of_the_library(orbit):
     """The theorem has the fields that Statement.v declares, and the data the same, in its order."""
     source = (STORED.parent / "proofs/formal/Statement.v").read_text()
-    record = re.search(r"Record claims := \{(.*?)\}", source, re.DOTALL)[1]
-    declared = re.findall(r"(\w+) : (?:jet )?interval", record)
-    data, proved = theorem(elliptic).split("Theorem elliptic")
+    shared, own = (
+        re.findall(
+            r"(\w+) :>? \w+",
+            re.search(rf"Record {kind}_claims := \{{(.*?)\}}", source, re.DOTALL)[1],
+        )
+        for kind in ("orbit", orbit.theorem)
+    )
+    declared = [own[0], *shared, *own[1:]]
+    data, proved = theorem(orbit).split("Theorem proved")
     numbers = data[: data.index("Definition where_to_look")]
-    assert re.findall(r"^  (\w+) :=", proved, re.MULTILINE) == declared
-    fields = [f"{name}_" for name in ["F", "w", "f", "l", "r", *declared]]
-    assert re.findall(r"^  (\w+) :=", numbers, re.MULTILINE) == fields
+    assert re.findall(r"^ +(\w+) :=", proved, re.MULTILINE) == declared
+    fields = [f"{name}_" for name in [own[0], "F", "w", "f", "l", "r", *shared, *own[1:]]]
+    assert re.findall(r"^ +(\w+) :=", numbers, re.MULTILINE) == fields
 
 
 def test_the_parameter_lies_between_neighbouring_decimals(elliptic):
@@ -130,11 +145,27 @@ def test_the_sentence_has_the_numbers_of_the_theorem(elliptic):
         assert part in said
 
 
-@pytest.mark.parametrize("name", ["saddle", "periodic-1", "branch"])
+def test_of_a_saddle_the_eigenvalues_are_said():
+    """Both eigenvalues, the box, and that it is hyperbolic; nothing of stability."""
+    saddle = certificate("saddle")
+    said = words(saddle)
+    for part in (*saddle.claims["multipliers"], saddle.claims["box"]["v"], "hyperbolic"):
+        assert str(part) in said
+    assert "stable" not in said
+
+
+@pytest.mark.parametrize("name", ["periodic-1", "branch", "symmetric"])
 def test_other_theorems_are_not_claimed(name):
-    """The library states the elliptic theorem alone."""
-    with pytest.raises(NotProved, match="elliptic theorem alone"):
+    """The library states the theorems on elliptic orbits and saddles alone."""
+    with pytest.raises(NotProved, match="elliptic orbits and saddles alone"):
         theorem(certificate(name))
+
+
+def test_more_than_two_hits_are_not_claimed(elliptic):
+    """The closed form is of orbits with one hit of each wall."""
+    times = elliptic.claims["hit_times"] * 2
+    with pytest.raises(NotProved, match="one hit of each wall"):
+        theorem(elliptic._replace(claims=elliptic.claims | {"hit_times": times}))
 
 
 def test_hits_of_no_asymmetric_orbit_are_refused(elliptic):
