@@ -26,6 +26,10 @@ from cap.command.console import Parser, printable, program, quoted, say
 def main(words: Sequence[str]) -> int:
     """Verify the files named one after the other; return 1 if any is rejected, else 0."""
     options = _parser().parse_args(words)
+    if options.formal:
+        from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
+
+        return formal.prove(options.files)
     verdicts = [_verify(name, options) for name in options.files]
     return 0 if all(verdicts) else 1
 
@@ -40,6 +44,12 @@ def _parser() -> Parser:
     )
     parser.add_argument("files", nargs="+", metavar="FILE", help="a certificate")
     parser.add_argument("--explain", action="store_true", help="print every step of the proof")
+    parser.add_argument(
+        "--formal",
+        action="store_true",
+        help="prove the theorem by Coq instead, with the library in proofs/formal: elliptic orbits "
+        "and saddles with one hit of each wall",
+    )
     parser.add_argument(
         "--latex",
         action="store_true",
