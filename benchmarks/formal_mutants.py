@@ -14,7 +14,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-import proofs
+from cap import proofs
 from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.kernel.reading import Enclosure
 from cap.formal import coq

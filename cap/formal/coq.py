@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
-import proofs
+from cap import proofs
 from cap.errors import NotProved
 
 MEMORY = 4 << 30  # bytes of a process; the prototype took a quarter of it
