@@ -164,7 +164,9 @@ class Oscillator(Generic[S]):
 
     def response_position(self, at: Moment[S]) -> S:
         """Return X(t)."""
-        return self.F_x * (self.lag * at.sin - at.cos if self.viscous else -at.cos)
+        if not self.viscous:
+            return -self.F_x * at.cos
+        return self.F_x * (self.lag * at.sin - at.cos)
 
     def launch(self, s: int, at: Moment[S], x: S, v: S) -> Flight[S]:
         """Return the flight of sign ``s`` through (x, v) at a moment."""
@@ -183,7 +185,7 @@ class Oscillator(Generic[S]):
         """Return x(t)."""
         d, drag = at.t - flight.t, self.drag(flight.s)
         if not self.viscous:
-            return flight.x + d * (flight.v - drag * d / 2) + self.response_position(at)
+            return flight.x + d * (flight.v - drag / 2 * d) + self.response_position(at)
         _, h, k = self.relax(self.mu, d)
         return flight.x + flight.v * h - drag * k + self.response_position(at)
 
