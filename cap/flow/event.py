@@ -57,8 +57,7 @@ class Enclosure(NamedTuple, Generic[E]):
     curve: Callable[[Oscillator[Any], Flight[E], Ball, Function, Function], E]
 
 
-@dataclass(frozen=True, slots=True)
-class Event(Generic[E]):
+class Event(NamedTuple, Generic[E]):
     """An event: its ``word``, time, the velocity just before it and cos ωt, enclosed.
 
     Of a capture ``time`` encloses when the hits accumulate, and cos ωt is over that time.
@@ -104,7 +103,7 @@ def _certified(
     Parametric interval Newton: let its ``slope`` have the ``sign`` on the whole window, and let m
     be a time in it, which may depend on the state.  If N = m - value(m)/slope(window) lies in the
     window, then for each state of the box the window holds exactly one zero, and it lies in N.
-    Repeated while the window shrinks markedly.
+    Repeated until the window hardly shrinks, or most of what it leaves is the value's own radius.
     """
     value, slope, sign = crossing
     window, time = expected.window, cast("E | None", None)
@@ -122,7 +121,7 @@ def _certified(
                 raise NoCertainEvent(number, Expected(expected.word, window), newton)
             return osc.moment(time)
         time = better
-        if 4 * newton.rad() > window.rad():
+        if 4 * newton.rad() > window.rad() or 2 * offset.rad() > abs(rate) * newton.rad():
             return osc.moment(time)
         window = newton
 
@@ -168,7 +167,7 @@ def slow_numbers(osc: Oscillator[Any], s: int, start: Ball, end: Ball) -> range:
     """
     origin = osc.slow_right if s > 0 else osc.slow_left
     first, last = (start - origin) / osc.T, (end - origin) / osc.T
-    if not (first.is_finite() and last.is_finite() and first.rad() < 1 and last.rad() < 1):
+    if not (first.rad() < interval.ONE and last.rad() < interval.ONE):
         raise NotProved("flight", "its time is too uncertain", {"start": start, "end": end})
     return interval.integers(first, last)
 

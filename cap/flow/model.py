@@ -68,8 +68,7 @@ class Constants(NamedTuple, Generic[S]):
         return cls(F, omega, f, l, r, e, mu)
 
 
-@dataclass(frozen=True, slots=True)
-class Flight(Generic[S]):
+class Flight(NamedTuple, Generic[S]):
     """A flight with velocity sign ``s`` (+1 or -1) that starts at the time ``t``.
 
     ``x`` and ``v`` are the state at its start less the forced response there.
@@ -148,7 +147,8 @@ class Oscillator(Generic[S]):
 
     def moment(self, t: S) -> Moment[S]:
         """Return the moment at the time ``t``."""
-        return Moment(t, *self.sin_cos(self.omega * t))
+        sin, cos = self.sin_cos(self.omega * t)
+        return Moment(t, sin, cos)
 
     def wall(self, s: int) -> S:
         """Return the wall towards which a flight of sign ``s`` moves: r if s > 0, else l."""

@@ -17,7 +17,7 @@ from itertools import pairwise
 from typing import Any
 
 from cap.errors import NotProved
-from cap.flow.course import Orbit, State, placed
+from cap.flow.orbit import Orbit, State, placed
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
 from cap.flow.itinerary import Happening, itinerary
 from cap.flow.model import Moment, Oscillator
@@ -47,7 +47,7 @@ class Image:
 
     The ``events`` in their order; the ``state`` (x, v) at the end; the ``monodromy``, its
     derivative at every initial state, along the box: by what does not vary in it, a velocity that
-    is exactly 0 or a place that is a wall, it is 0 (`cap.flow.course.Orbit`).  ``wall`` is 1 or -1
+    is exactly 0 or a place that is a wall, it is 0 (`cap.flow.orbit.Orbit`).  ``wall`` is 1 or -1
     if all rest at r or l at the end, else 0.
     """
 

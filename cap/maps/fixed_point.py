@@ -93,19 +93,17 @@ def passed(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
 
     After a capture the times are the same for all orbits: there is only the rounding to pass.
     """
+    rounding = interval.rounding()
     return tuple(
-        old if _is_capture(old) else Expected(event.word, _rounded(event.time))
+        old
+        if _is_capture(old)
+        else Expected(old.word, event.time + interval.symmetric(event.time) * rounding)
         for event, old in zip(orbit.events, expected, strict=True)
     )
 
 
 def _is_capture(event: Expected) -> bool:
     return event.word.startswith("capture")
-
-
-def _rounded(time: Ball) -> Ball:
-    """Return a ball larger than ``time`` by what rounding may add to it."""
-    return time + interval.symmetric(time) * interval.rounding()
 
 
 def prove(

@@ -25,6 +25,7 @@ workprec = ctx.workprec
 
 LARGEST = 2**20  # exponent of what becomes a fraction
 HUGE = arb((1, LARGEST))
+ZERO, ONE = arb(0), arb(1)
 _STATED = re.compile(r"-?\d+(\.\d+|/\d+)?", re.ASCII)
 
 

@@ -180,7 +180,7 @@ def test_a_shape_of_nothing(entry):
     with interval.workprec(160):
         _, point, _ = prepared(STRONG, (0.4064, -0.6708) if entry else (0.1992, -1.4002))
         (a, b), row = point.orbit.monodromy
-        orbit = replace(point.orbit, monodromy=((interval.Ball(entry) if entry else a, b), row))
+        orbit = point.orbit._replace(monodromy=((interval.Ball(entry) if entry else a, b), row))
         with pytest.raises(NotProved, match="no sink"):
             basin.shape(replace(point, orbit=orbit))
 

@@ -122,7 +122,7 @@ def test_existence_refuses_squares_without_the_fixed_point():
 
         def attempt(dx, dv, radius):
             centre = rational(x) + dx, rational(v) + dv
-            moved = hint._replace(centre=centre)
+            moved = replace(hint, centre=centre)
             expected = find_windows(osc, moved.box((radius, radius)), near, BALLS)
             return existence(osc, moved, (radius, radius), expected)
 
@@ -193,7 +193,7 @@ def test_a_neighbourhood_away_from_the_fixed_point_is_refused(paper):
     neighbourhood(paper, point, (r, r))
     for dx, dv in ((2 * r, 0), (0, 2 * r), (-2 * r, -2 * r)):
         centre = point.hint.centre[0] + dx, point.hint.centre[1] + dv
-        moved = replace(point, hint=point.hint._replace(centre=centre))
+        moved = replace(point, hint=replace(point.hint, centre=centre))
         with pytest.raises(NotProved) as caught:
             neighbourhood(paper, moved, (r, r))
         assert caught.value.step == "Krawczyk"
