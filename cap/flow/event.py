@@ -11,7 +11,7 @@ The same code runs over balls (fast, for small boxes) and Taylor models (tight, 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from cap.errors import NotProved

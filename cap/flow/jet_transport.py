@@ -6,7 +6,7 @@ from cap.flow.event import Event
 from cap.flow.model import Flight, Moment, Oscillator
 from cap.flow.strobe import Orbit
 from cap.sets.interval import Ball, Box
-from cap.sets.jet import Jet, Space
+from cap.sets.jet import Jet
 
 
 def strobe_jet(osc: Oscillator[Any], box: Box, orbit: Orbit[Ball], order: int) -> tuple[Jet, Jet]:
@@ -56,14 +56,14 @@ def _truncated(flight: Flight[Any], order: int) -> Flight[Any]:
     return Flight(flight.s, terms(flight.t), terms(flight.x), terms(flight.v))
 
 
-def _quotient(gap: Jet, velocity: Any) -> Jet:
+def _quotient(gap: Jet, velocity: Any) -> Any:
     """Return gap/velocity, whose terms need those of ``velocity`` only that are given."""
     if isinstance(velocity, Jet):
         return gap * velocity.reciprocal().extended(gap.space.order)
     return gap / velocity
 
 
-def _earlier(osc: Oscillator[Any], moment: Moment[Any], shift: Jet) -> Moment[Any]:
+def _earlier(osc: Oscillator[Any], moment: Moment[Any], shift: Any) -> Moment[Any]:
     """Return the moment at t - c, for a ``shift`` c whose square vanishes to the order here."""
     t, sin, cos = moment
     angle = osc.omega * shift

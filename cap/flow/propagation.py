@@ -17,10 +17,10 @@ from itertools import pairwise
 from typing import Any
 
 from cap.errors import NotProved
-from cap.flow.orbit import Orbit, State, placed
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
 from cap.flow.itinerary import Happening, itinerary
 from cap.flow.model import Moment, Oscillator
+from cap.flow.orbit import Orbit, State, placed
 from cap.flow.strobe import follow, oscillator
 from cap.maps.fixed_point import Itinerary, windows_for
 from cap.parameters import Parameters
