@@ -5,7 +5,7 @@ What can be proved: see `proofs.theorems`.
 
 import sys
 from collections.abc import Iterator, Sequence
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
+from concurrent import futures
 from contextlib import contextmanager
 from dataclasses import replace
 
@@ -68,9 +68,9 @@ def _workers(asked: Asked, progress: Progress) -> Iterator[Workers]:
         yield Workers(None, asked.journal, progress.tell)
         return
     try:
-        with ProcessPoolExecutor(asked.jobs, initializer=entry.as_worker) as executor:
+        with futures.ProcessPoolExecutor(asked.jobs, initializer=entry.as_worker) as executor:
             yield Workers(executor, asked.journal, progress.tell)
-    except BrokenExecutor:
+    except futures.BrokenExecutor:
         raise BadInput("a process of --jobs was killed (what a journal has is kept)") from None
 
 

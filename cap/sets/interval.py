@@ -13,10 +13,12 @@ from contextlib import AbstractContextManager
 from fractions import Fraction
 from math import floor, log10
 
+import flint
 from flint import acb, arb, ctx, fmpq
 
 from cap.errors import NotProved
 
+FLINT: str = flint.__version__
 Ball = arb
 ComplexBall = acb
 Box = tuple[arb, arb]
