@@ -49,7 +49,7 @@ class Hints:
     def second_pass(self):
         """The same, then the trace and rotation number over K."""
         (box, orbit, _), _ = self.existence()
-        tight = fixed_point.passed(orbit, self.expected)
+        tight = fixed_point.tightened(orbit, self.expected)
         return rotation(strobe(self.osc, box, tight, BALLS))
 
 

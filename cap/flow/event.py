@@ -47,9 +47,9 @@ class Enclosure(NamedTuple, Generic[E]):
     """What the certification asks of a scalar type whose values are functions on a box.
 
     ``bound(q)`` is a ball with all values of q; ``widened(q, b)`` adds the ball b to each of them;
-    ``curve(osc, flight, window, value, slope)`` is any function with values near the zeros of
-    ``value``, whose derivative by time is ``slope`` (it only steers).  What does not depend on the
-    state may also be a ball.
+    ``curve(osc, flight, window, value, slope)`` approximates the zeros of ``value``, whose
+    derivative by time is ``slope``; any function of the state will do, since Newton's step is
+    verified.  What does not depend on the state may also be a ball.
     """
 
     bound: Callable[[E], Ball]
@@ -133,11 +133,13 @@ def flies(
     bound: Callable[[E], Ball],
     released: int | None = None,
 ) -> Ball | None:
-    """Prove that s v > 0 between ``times``, given that it is at both ends, or just inside of them.
+    """Prove that s v > 0 between ``times``, given that this holds at both ends.
 
-    A flight that begins with a release does so at a slow moment, the one of number ``released``;
-    v vanishes there.  Returns an enclosure of the least of the speeds at the other slow moments
-    between the times, None if there is none; what is only possibly between counts as possible.
+    Where v vanishes at an end, it is enough that s v > 0 right after the start, or right before the
+    end.  A flight that begins with a release does so at a slow moment, the one of number
+    ``released``.  Returns an enclosure of the least of the speeds at the other slow moments between
+    the times, None if there is none; if it is uncertain whether one is between, both cases are
+    enclosed.
     """
     start, end = times
     if not start < end:
@@ -196,9 +198,10 @@ def _curve(
     value: Function,
     slope: Function,
 ) -> Any:
-    """Return nearly the Taylor polynomial of the zero of ``value``, by Newton's method; it steers.
+    """Return an approximation of the zero of ``value`` by a polynomial: Newton's method on jets.
 
-    The polynomials of Taylor models stand for them; a flight that is the same for all has none.
+    It is computed from the polynomials of the Taylor models, without their remainders.  Of a flight
+    that does not depend on the state the middle of the window will do.
     """
     models = [q for q in (flight.t, flight.x, flight.v) if isinstance(q, TaylorModel)]
     if not models:

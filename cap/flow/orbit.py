@@ -1,6 +1,6 @@
-"""The certified course of the orbits from a box: what has been proved of them, event by event.
+"""Certified orbits from a box of states: each event is proved, and that no other happens before it.
 
-This is the machine behind `cap.flow.strobe.follow`; see there for the words of events.
+`cap.flow.strobe.follow` applies this to an itinerary; its words are explained there.
 """
 
 from collections.abc import Callable
@@ -46,14 +46,14 @@ class State(NamedTuple, Generic[E]):
 
 
 class Orbit(NamedTuple, Generic[E]):
-    """Enclosures over a box of initial states of all that happens until the end.
+    """Enclosures of the orbits from a box of initial states until the end.
 
-    ``s`` is the sign of the first flight, 0 if the mass rests; ``events`` in order of time; ``end``
-    is the state at the end; ``monodromy`` encloses its derivative at every state of the box, along
-    the box: if x is at a wall, or v exactly 0, then this does not vary, and its column is 0.  (Nor
-    need there be a derivative across the box: for v = 0, launched at once, those by v from either
-    side differ by the factor of a turning.)  For orbits that neither turn nor rest, without
-    viscosity, ``least_speed`` encloses the least |v|.
+    ``s`` is the sign of the first flight, 0 if the mass rests.  ``events`` are in order of time.
+    ``end`` encloses the states at the end, and ``monodromy`` their derivative in the initial state,
+    at every state of the box.  A coordinate that is the same in the whole box, as x at a wall or v
+    = 0, has the column 0.  (In such a v the map need not be differentiable: the derivatives from
+    the two sides may differ, by the factor of a turning.)  ``least_speed`` encloses the least |v|
+    of orbits that neither turn nor rest, without viscosity.
     """
 
     s: int
@@ -86,7 +86,11 @@ def placed(osc: Oscillator[Any], start: State[E], bound: Callable[[E], Ball]) ->
 
 
 class PartialOrbit(Generic[E]):
-    """What has been proved of the orbits so far: they fly (``flight``), or rest at ``place``."""
+    """The orbits from a box up to the last event proved; then they fly, or rest at ``place``.
+
+    ``flight`` is None during a rest.  ``now`` encloses the time of the last event over the box;
+    ``before`` is the same as a function of the state.
+    """
 
     def __init__(self, osc: Oscillator[Any], start: State[E], kind: Enclosure[E]) -> None:
         self.osc, self.kind, self.bound = osc, kind, kind.bound
@@ -169,7 +173,7 @@ class PartialOrbit(Generic[E]):
         self.events.append(Event(expected.word, moment.t, zero, moment.cos))
 
     def _decide(self, side: int, force: Ball, expected: Expected, number: int) -> None:
-        """Prove what the forcing makes of a mass whose velocity vanishes."""
+        """Prove that a mass whose velocity vanishes turns to this side, or sticks (side 0)."""
         f = self.osc.f
         decided = side * force > f if side else abs(force) < f
         if not decided:
@@ -215,7 +219,7 @@ class PartialOrbit(Generic[E]):
         self.events.append(Event(expected.word, moment.t, cast(E, ZERO), moment.cos))
 
     def _release_number(self, side: int, number: int) -> int:
-        """Prove when the rest ends, and that it does to this side; return the slow moment's number.
+        """Prove that the rest ends to this side; return the number of the slow moment when it does.
 
         In the interior it ends when |F cos ωt| reaches f; at the time since when the mass rests,
         |F cos ωt| < f, and sin ωt says where it is reached.  At a wall it ends when the forcing

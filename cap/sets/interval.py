@@ -116,7 +116,7 @@ def ends(x: arb) -> tuple[Fraction, Fraction]:
 
 
 def midpoint(x: arb) -> Fraction:
-    """Return the exact middle of a finite ball; it only steers, nothing is proved with it."""
+    """Return the exact middle of a finite ball: a hint, nothing is proved with it."""
     lower, upper = ends(x)
     return (lower + upper) / 2
 

@@ -30,7 +30,7 @@ def prepared(p, state):
     cycle = near(p, *state)
     osc, units = oscillator(p), (Fraction(1), p.omega)
     point = fixed_point.prove(osc, Start(cycle.x, cycle.v, cycle.events), 30, units)
-    return osc, point, fixed_point.passed(point.orbit, Start(0, 0, cycle.events).expected())
+    return osc, point, fixed_point.tightened(point.orbit, Start(0, 0, cycle.events).expected())
 
 
 @pytest.fixture(scope="module", params=SINKS)

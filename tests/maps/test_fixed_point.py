@@ -244,9 +244,9 @@ def test_windows_after_a_capture_have_room():
         state = interval.ball(Fraction(cycle.x)), interval.ball(Fraction(cycle.v))
         windows = find_windows(osc, state, start.expected(), BALLS)
         orbit = strobe(osc, state, windows, BALLS)
-        passed = fixed_point.passed(orbit, windows)
-        strobe(osc, state, passed, BALLS)
-        for event, old, new in zip(orbit.events, windows, passed, strict=True):
+        tight = fixed_point.tightened(orbit, windows)
+        strobe(osc, state, tight, BALLS)
+        for event, old, new in zip(orbit.events, windows, tight, strict=True):
             assert interval.subset_interior(event.time, new.window)
             if event.word.startswith("capture"):
                 assert new == old
