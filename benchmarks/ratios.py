@@ -12,7 +12,7 @@ the work on speed of November, the peer the same:
     existence         159     114      87   1.32      210     155     112   1.38
     second pass       235     167     128   1.31      313     236     167   1.42
     in all            232     166      87   1.91      312     225     114   1.97
-    jet               405     256     262   0.98      470     291     319   0.91
+    jet               405     256     262   0.98      480     291     319   0.91
 
 Ours gives more for this: any itinerary, walls, parameters and scalars, the least speed, and jets
 that are three to five times narrower.  What is enclosed did not change by the work on speed but for

@@ -17,8 +17,8 @@ below succeed, then
        which is stable.
 
 At the paper's parameters this is Theorem CAP-elliptic, and Proposition CAP-KAM without condition.
-Lemmas 1 and 2 (`proofs.non_sticking`) give (i), Lemma 3 gives (ii), Lemma 4 gives (iii).  Lemma 5
-bounds, on an explicit disk, how far Φ is from its Taylor polynomial.
+Lemmas 1 and 2 (`cap.proofs.non_sticking`) give (i), Lemma 3 gives (ii), Lemma 4 gives (iii).
+Lemma 5 bounds, on an explicit disk, how far Φ is from its Taylor polynomial.
 """
 
 from fractions import Fraction
@@ -32,13 +32,13 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import strobe
 from cap.maps import normal_form
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
+from cap.proofs import non_sticking
+from cap.proofs.citation import MOSER, cited
+from cap.proofs.fixed_point import Proof, Setting
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
-from proofs import non_sticking
-from proofs.citation import MOSER, cited
-from proofs.fixed_point import Proof, Setting
 
 CITED = cited(
     *MOSER,

@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
-from cap.cells.subdivision import Workers
 from cap.certificate.writer import FORMAT, Rounding, Units
 from cap.errors import NotProved
 from cap.flow.model import Oscillator
 from cap.maps import fixed_point
 from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.parameters import Parameters
+from cap.runner import Runner
 from cap.sets import interval
 
 
@@ -24,7 +24,7 @@ class Setting:
 
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
-    Of a theorem on a range of f, ``f_range`` limits it; ``workers`` examine its cells.
+    Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
     """
 
     parameters: Parameters
@@ -34,7 +34,7 @@ class Setting:
     guard: int = 15
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
     f_range: tuple[Fraction | None, Fraction | None] = (None, None)
-    workers: Workers = field(default_factory=Workers, compare=False)
+    runner: Runner = field(default_factory=Runner, compare=False)
 
     @property
     def units(self) -> Units:

@@ -11,9 +11,8 @@ from cap.certificate import writer as certificate
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
-from cap.sets import interval, matrix
-from proofs.citation import krawczyk
-from proofs.fixed_point import (
+from cap.proofs.citation import krawczyk
+from cap.proofs.fixed_point import (
     Proof,
     Setting,
     assembled,
@@ -21,6 +20,7 @@ from proofs.fixed_point import (
     lemma_1_fixed_point,
     lemma_2_uniqueness,
 )
+from cap.sets import interval, matrix
 
 KRAWCZYK = krawczyk(
     "Phi is continuously differentiable on the box: "

@@ -13,9 +13,9 @@ from typing import Any
 from cap.certificate.writer import Pair
 from cap.errors import NotProved
 from cap.one_one.closed_form import Orbit, asymmetric
+from cap.proofs.fixed_point import Setting
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
-from proofs.fixed_point import Setting
 
 
 def lemma_1_closed_form() -> None:

@@ -15,7 +15,8 @@ turnings, sticks, captures, releases.  If the lemmas below succeed, then
  (iv)  if P* is a sink, an explicit ellipse around it is mapped into itself, and the orbits from
        there converge to that of P*.
 
-Lemmas 1 and 2 (`proofs.fixed_point`) give (i), Lemma 3 gives (ii) and (iii), Lemma 4 gives (iv).
+Lemmas 1 and 2 (`cap.proofs.fixed_point`) give (i), Lemma 3 gives (ii) and (iii), Lemma 4
+gives (iv).
 """
 
 from fractions import Fraction
@@ -30,10 +31,8 @@ from cap.maps import basin
 from cap.maps.basin import Basin
 from cap.maps.fixed_point import FixedPoint, Itinerary, Neighbourhood
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
-from cap.sets import interval, matrix
-from cap.sets.interval import Ball
-from proofs.citation import krawczyk
-from proofs.fixed_point import (
+from cap.proofs.citation import krawczyk
+from cap.proofs.fixed_point import (
     Proof,
     Setting,
     assembled,
@@ -41,6 +40,8 @@ from proofs.fixed_point import (
     lemma_1_fixed_point,
     lemma_2_uniqueness,
 )
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
 
 KRAWCZYK = krawczyk(
     "Phi^n, n the period, is continuously differentiable on the box: all hits and stops are "

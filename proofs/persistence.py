@@ -7,7 +7,7 @@ turning.  If the lemmas succeed, then
 
  (i)   at the ε and μ given, Φ has exactly one fixed point P(ε, μ) in an explicit box, with the same
        hits, det Φ'(P) = exp(-μT) (1-ε)^(2N), both multipliers inside the unit circle, and an
-       explicit ellipse around it in its basin: theorem `proofs.periodic`;
+       explicit ellipse around it in its basin: theorem `cap.proofs.periodic`;
  (ii)  for all (ε, μ) of an explicit rectangle [0, e_0] x [0, m_0] there is a fixed point P(ε, μ)
        with these hits, it is one real analytic function of (ε, μ), elliptic at (0, 0), and
        asymptotically stable everywhere else.
@@ -33,11 +33,11 @@ from cap.maps import family
 from cap.maps.family import Cell, Pair
 from cap.maps.fixed_point import FixedPoint, Itinerary, Start, refined
 from cap.parameters import Parameters
+from cap.proofs import periodic
+from cap.proofs.citation import krawczyk
+from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
-from proofs import periodic
-from proofs.citation import krawczyk
-from proofs.fixed_point import Proof, Setting, assembled
 
 KRAWCZYK = krawczyk(
     "Phi is continuously differentiable on box, and on each box of range for all its epsilon and "

@@ -11,7 +11,7 @@ below succeed, then
  (ii)  P* is hyperbolic, its two multipliers real, one outside and one inside the unit circle;
  (iii) hence P* has analytic stable and unstable curves (Hadamard-Perron), and is unstable.
 
-Lemmas 1 and 2 (`proofs.non_sticking`) give (i), Lemma 3 gives (ii).
+Lemmas 1 and 2 (`cap.proofs.non_sticking`) give (i), Lemma 3 gives (ii).
 """
 
 from typing import Any
@@ -19,10 +19,10 @@ from typing import Any
 from cap.errors import NotProved
 from cap.flow.model import Oscillator
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
+from cap.proofs import non_sticking
+from cap.proofs.citation import cited
+from cap.proofs.fixed_point import Proof, Setting
 from cap.sets import matrix
-from proofs import non_sticking
-from proofs.citation import cited
-from proofs.fixed_point import Proof, Setting
 
 HADAMARD_PERRON = cited(
     "Hadamard-Perron",

@@ -16,7 +16,7 @@ from cap.checker.theorem import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
-from proofs.fixed_point import Proof, Setting
+from cap.proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed
@@ -32,7 +32,7 @@ class Theorem:
 
     def prove(self, setting: Setting) -> Proof:
         """Prove the theorem up to the size of its box; return the rest of the proof."""
-        proof: Proof = import_module(f"proofs.{self.name}").prove(setting)
+        proof: Proof = import_module(f"cap.proofs.{self.name}").prove(setting)
         return proof
 
 

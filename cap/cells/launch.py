@@ -3,7 +3,7 @@
 For orbits whose velocity never vanishes: a launch (t, u) from the left wall, u > 0 the speed with
 which it leaves, either stops before the right wall, or leaves that at t1 with the speed u1.  In the
 mirror image (t1 + T/2 modulo T, u1) is a launch from the left wall again: the map G of
-`proofs` about those orbits.
+`cap.proofs` about those orbits.
 """
 
 from dataclasses import dataclass

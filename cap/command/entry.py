@@ -127,7 +127,7 @@ def _guarded(target: str, words: Sequence[str]) -> int:
         return FAILED
     except ModuleNotFoundError as error:
         library = str(error.name).partition(".")[0]
-        if library in ("cap", "proofs"):
+        if library == "cap":
             raise
         _complain(f"error: the library {library} is missing: install cap, say by pip install -e .")
         return FAILED

@@ -13,10 +13,12 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.grid import Box, grid, polished, require_followed, whole
+from cap.floats.fixed_point import polished
+from cap.floats.grid import Box, grid, require_followed, whole
+from cap.floats.pieces import cut
 from cap.floats.study import Floats, Study, described, with_error
-from cap.floats.work import KEPT, Work
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 LONGEST = 64  # of the periods that are looked for
 CLOSE = 1e-6  # a state that returns, in units of R and Rω
@@ -103,26 +105,26 @@ def attractors(
     points: int = 40,
     transient: int = 2000,
     periods: int = 200,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Attractors:
     """Follow the seeds of a box, or of the whole plane, and sort out where they are at the end."""
-    work = work or Work()
+    runner = runner or Runner()
     cells = grid(p, box or whole(p), points)
     seen = max(periods, 2 * LONGEST)
     if cells.count * seen > MOST:
         raise BadInput(f"too many states: {cells.count} seeds x {seen} periods (at most {MOST})")
     require_followed(p, cells.sample())
-    length = max(1, min(PIECE, KEPT // (transient + seen)))
-    pieces = [slice(k, min(k + length, cells.count)) for k in range(0, cells.count, length)]
-    ends = work.map(
-        lambda part: settle(p, cells.states(part), transient, seen), pieces, "attractors"
+    ends = runner.map(
+        lambda part: settle(p, cells.states(part), transient, seen),
+        cut(cells.count, transient + seen, PIECE),
+        "attractors",
     )
     label, found = sort(p, ends)
     full = np.full(cells.count, NONE)
     full[: len(label)] = label
     return Attractors(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         x=cells.x,
         v=cells.v,
         label=full.reshape(cells.shape),

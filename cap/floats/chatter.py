@@ -10,8 +10,8 @@ from cap.floats import swarm
 from cap.floats.study import Floats, State, Study, described
 from cap.floats.swarm import Event
 from cap.floats.trajectory import Trajectory, trajectory
-from cap.floats.work import Work
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 PATIENCE = 100  # periods
 NEAR = 0.01  # distance from the wall of the default start, in units of R
@@ -53,7 +53,7 @@ def chatter(
     *,
     orbit: State | None = None,
     periods: float = PATIENCE,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Chatter:
     """Follow a state up to its first capture; without one, a mass at rest near the right wall."""
     state = orbit or (float(p.r) - NEAR * float(p.R), 0.0)
@@ -78,7 +78,7 @@ def chatter(
         speeds=np.array([abs(hit.after) for hit in hits]),
         end=capture.time,
         ratio=float(p.e) * math.sqrt(max(0.0, a - f) / (a + f)),
-        orbit=(trajectory(p, orbit=state, exactly=True, periods=shown, work=work),),
+        orbit=(trajectory(p, orbit=state, exactly=True, periods=shown, runner=runner),),
     )
 
 

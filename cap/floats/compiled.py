@@ -9,6 +9,7 @@ from typing import Any
 from numba import njit
 
 from cap.command.console import say
+from cap.files import at_home
 
 PATIENCE = 3.0  # seconds: what is kept is loaded in less
 WORDS = "compiling what follows orbits, for the first time: about ten seconds"
@@ -20,7 +21,7 @@ def kept(function: Callable[..., None]) -> Callable[..., None]:
     It is kept in a file beside its source or in the user's cache directory, if one can be written.
     """
     try:
-        compiled = njit(function, cache=True, error_model="numpy", nogil=True)
+        compiled = njit(function, cache=at_home(), error_model="numpy", nogil=True)
     except RuntimeError:  # there is no such directory
         compiled = njit(function, error_model="numpy", nogil=True)
     return _Announced(compiled)

@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats.curve import Family, Station
 from cap.floats.cycles import near
-from cap.floats.grid import fixed_point, island, polished
+from cap.floats.fixed_point import elliptic_point, fixed_point, polished
 from cap.floats.study import VARIABLE, Floats, State, Study, described, value_of
 from cap.floats.walk import FIRST, MOST, Change, DoubledWalker, Walker
-from cap.floats.work import Work
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 LONGEST = 16  # period of the orbits that are followed, in units of T
 
@@ -109,14 +109,14 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     period: int = 1,
     points: int = 1000,
     branches: int = 3,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Continuation:
     """Follow the orbit near ``orbit``, or the first elliptic one, both ways within a range.
 
     ``points`` at most, each way; at branch points the crossing branch is followed too, and at flips
     that of twice the period, as long as there are no more than ``branches``.
     """
-    work = work or Work()
+    runner = runner or Runner()
     state = _start(p, orbit, period)
     family = Family(p, parameter, period)
     low, high = range or _range(p, parameter)
@@ -124,12 +124,12 @@ def continuation(  # noqa: PLR0913 (the options of the command)
         raise BadInput(
             f"{parameter} = {value_of(p, parameter):.6g} is not in [{low:.6g}, {high:.6g}]"
         )
-    walker = Walker(family, (low / family.unit[2], high / family.unit[2]), points, work)
+    walker = Walker(family, (low / family.unit[2], high / family.unit[2]), points, runner)
     start = family.station(family.point(state), np.array([0.0, 0.0, 1.0]))
     seeds = [_Seed(walker, start)]
     curves: list[tuple[Family, list[Station]]] = []
     special: list[Special] = []
-    while seeds and len(curves) < branches and not work.interrupted:
+    while seeds and len(curves) < branches and not runner.interrupted:
         seed = seeds.pop(0)
         if any(_is_on(seed.station.y, curve) for _, curve in curves):
             continue
@@ -141,7 +141,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
         seeds += [new for change in changes for new in _doubled(seed.walker, change)]
     return Continuation(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         parameter=parameter,
         periods=period,
         branches=tuple(_branch(*each) for each in curves),
@@ -177,7 +177,7 @@ def _doubled(walker: Walker, change: Change) -> list[_Seed]:
     if change.label != "flip" or 2 * family.periods > LONGEST:
         return []
     twice = replace(family, periods=2 * family.periods)
-    doubled = DoubledWalker(twice, walker.limits, walker.points, walker.work)
+    doubled = DoubledWalker(twice, walker.limits, walker.points, walker.runner)
     return [
         _Seed(doubled, station, change.station.y) for station in doubled.switched(change.station)
     ]
@@ -185,7 +185,7 @@ def _doubled(walker: Walker, change: Change) -> list[_Seed]:
 
 def _start(p: Parameters, orbit: State | None, period: int) -> State:
     if orbit is None:
-        found = island(p)
+        found = elliptic_point(p)
         if found is None or period > 1:
             raise BadInput("say which orbit is to be followed: --orbit X V")
         return found

@@ -19,8 +19,8 @@ from cap.floats import fate
 from cap.floats.fate import LOST, Fate
 from cap.floats.grid import Box
 from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 SIZES = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50)
 
@@ -83,11 +83,11 @@ def basin_entropy(  # noqa: PLR0913 (the options of the command)
     points: int = 600,
     periods: int = 25,
     boxes: tuple[int, ...] = (),
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> BasinEntropy:
     """Return the entropies of the two colours: never turns, and turns, sticks or is captured."""
-    work = work or Work()
-    basin = fate.fate(p, orbit=orbit, box=box, points=points, periods=periods, work=work)
+    runner = runner or Runner()
+    basin = fate.fate(p, orbit=orbit, box=box, points=points, periods=periods, runner=runner)
     sizes = boxes or tuple(size for size in SIZES if size <= points // 4) or (1,)
     if max(sizes) > points:
         raise BadInput(f"a box of {max(sizes)} cells does not fit into {points} x {points}")

@@ -6,10 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats import swarm
-from cap.floats.grid import Box, grid, region, require_followed
+from cap.floats.fixed_point import region
+from cap.floats.grid import Box, grid, require_followed
+from cap.floats.pieces import in_pieces
 from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 FATES = ("never turns", "turns", "sticks", "is captured")
 REACH = 0.05, 0.035
@@ -75,10 +77,10 @@ def fate(
     box: Box | None = None,
     points: int = 300,
     periods: int = 25,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Fate:
     """Follow the states of a box, or around the fixed point near ``orbit``, or of all the plane."""
-    work = work or Work()
+    runner = runner or Runner()
     box, centre = region(p, orbit, box, REACH)
     cells = grid(p, box, points)
     require_followed(p, cells.sample())
@@ -93,11 +95,11 @@ def fate(
         for k, kind in enumerate(("turn", "stick", "capture")):
             times[k, part] = found.first_time(kind)
 
-    work.pieces(cells.count, follow, "basin", periods)
+    in_pieces(runner, cells.count, follow, "basin", periods)
     turn, stick, capture = times.reshape(3, *cells.shape)
     return Fate(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         periods=periods,
         x=cells.x,
         v=cells.v,

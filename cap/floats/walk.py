@@ -8,9 +8,9 @@ import numpy as np
 from cap.errors import BadInput
 from cap.floats.curve import Family, Station, halve
 from cap.floats.study import Floats
-from cap.floats.work import Work
 from cap.flow.itinerary import oscillator
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 FIRST, LEAST, MOST = 0.005, 1e-7, 0.02  # step lengths, in units of `cap.floats.curve`
 SYMMETRIC = 1e-4
@@ -35,9 +35,9 @@ class Walker:
     """Walks along curves of a family."""
 
     def __init__(
-        self, family: Family, limits: tuple[float, float], points: int, work: Work
+        self, family: Family, limits: tuple[float, float], points: int, runner: Runner
     ) -> None:
-        self.family, self.limits, self.points, self.work = family, limits, points, work
+        self.family, self.limits, self.points, self.runner = family, limits, points, runner
 
     def both_ways(self, seed: Station) -> tuple[list[Station], list[Change]]:
         """Return the curve through a station and the changes on it."""
@@ -53,12 +53,12 @@ class Walker:
         begin, step = station, FIRST
         way: list[Station] = []
         changes: list[Change] = []
-        with self.work.keeping():
+        with self.runner.keeping():
             while True:
                 if len(way) >= self.points:
                     changes.append(Change(f"followed no further: {self.points} points", station))
                     break
-                self.work.tell("continuation", len(way) / self.points)
+                self.runner.tell("continuation", len(way) / self.points)
                 following = self._next(station, step) or self._beyond_the_wall(station)
                 if following is None and step > LEAST:
                     step /= 2

@@ -11,7 +11,8 @@ from cap.errors import BadInput
 from cap.floats import entropy, swarm
 from cap.floats.entropy import Entropy
 from cap.floats.fate import Fate, fate
-from cap.floats.grid import Box, around, grid, island
+from cap.floats.fixed_point import elliptic_point
+from cap.floats.grid import Box, around, grid
 from cap.paper.comparison import Comparison, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
@@ -57,14 +58,14 @@ def spread(box: Box, runs: int) -> Spread:
 
 def compute(run: Run) -> Result:
     """Reproduce the paper's partition, and compute a better one."""
-    centre = island(PAPER)
+    centre = elliptic_point(PAPER)
     if centre is None:
         raise BadInput("the elliptic orbit was not found")
     box = around(PAPER, centre, REACH)
     paper = fate(PAPER, orbit=centre, box=box, points=SIDE, periods=PERIODS)
     side, periods = run.size(360, 120), run.size(200, 50)
-    better = fate(PAPER, orbit=centre, box=box, points=side, periods=periods, work=run.work)
-    fine = fate(PAPER, box=box, points=side, periods=PERIODS, work=run.work)
+    better = fate(PAPER, orbit=centre, box=box, points=side, periods=periods, runner=run.runner)
+    fine = fate(PAPER, box=box, points=side, periods=PERIODS, runner=run.runner)
     own = entropy.entropy(paper.dissipates, BOX)
     moved = spread(box, run.size(RUNS, 4))
     rows = [

@@ -12,7 +12,7 @@ from matplotlib.figure import FigureBase
 from cap.certificate.writer import Pair
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.grid import island
+from cap.floats.fixed_point import elliptic_point
 from cap.floats.study import Floats, State
 from cap.maps.fixed_point import Start
 from cap.paper import certified, closed_form
@@ -28,11 +28,11 @@ from cap.paper.comparison import Comparison, claim, number, proved
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
+from cap.proofs.branch_curve import Curve
+from cap.proofs.fixed_point import Setting
+from cap.proofs.one_one import Scale
+from cap.proofs.pitchfork import lemma_2_parabolic
 from cap.sets import interval
-from proofs.branch_curve import Curve
-from proofs.fixed_point import Setting
-from proofs.one_one import Scale
-from proofs.pitchfork import lemma_2_parabolic
 
 RHO = float(PAPER.R * PAPER.omega**2 / PAPER.F)
 FOLD = 0.467  # the paper's
@@ -91,7 +91,7 @@ def landmarks() -> Landmarks:
 
 def sweep(values: Floats) -> list[Step]:
     """Follow the orbit by Newton's method on Φ - 1, from each fixed point to the next f."""
-    z = island(PAPER)
+    z = elliptic_point(PAPER)
     if z is None:
         raise BadInput("the elliptic orbit was not found")
     found = []

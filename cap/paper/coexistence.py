@@ -27,7 +27,7 @@ def compute(run: Run) -> Result:
     """Prove both orbits, and search for others."""
     p = at(F=F)
     focus, saddle = (theorem("periodic", state, F) for state in (FOCUS, SADDLE))
-    found = inventory(p, prove=not run.quick, work=run.work).orbits
+    found = inventory(p, prove=not run.quick, runner=run.runner).orbits
     compared = [
         *_orbit("focus", focus, ("+0.4064", "-0.6708"), ("-0.968", "+0.578")),
         *_multipliers(focus),

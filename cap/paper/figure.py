@@ -1,9 +1,9 @@
 """What a figure of the paper is here: its computation, its numbers, its picture."""
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,25 +12,19 @@ from matplotlib.figure import FigureBase
 from numpy.typing import ArrayLike, NDArray
 
 from cap.floats.study import Study
-from cap.floats.work import Work
 from cap.paper.comparison import Comparison, markdown
 from cap.parameters import PAPER, Parameters
-
-
-class Whole(Work):
-    """Work of which no part is kept after ctrl-C: a figure is computed whole, or not at all."""
-
-    @contextmanager
-    def keeping(self) -> Iterator[None]:
-        """Let an interrupt pass."""
-        yield
+from cap.runner import Runner
 
 
 @dataclass(frozen=True)
 class Run:
-    """How a figure is computed; ``quick``: in the smallest size that makes sense, for tests."""
+    """How a figure is computed, whole or not at all.
 
-    work: Work = field(default_factory=Whole)
+    ``quick``: in the smallest size that makes sense, for tests.
+    """
+
+    runner: Runner = field(default_factory=partial(Runner, whole=True))
     quick: bool = False
 
     def size(self, full: int, quick: int) -> int:

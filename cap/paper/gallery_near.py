@@ -9,7 +9,7 @@ from matplotlib.figure import FigureBase
 
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.grid import island
+from cap.floats.fixed_point import elliptic_point
 from cap.floats.lyapunov import Lyapunov, exponents
 from cap.floats.study import Floats, State
 from cap.floats.swarm import Swarm
@@ -53,7 +53,7 @@ def panels(centre: State) -> list[Panel]:
 
 def compute(run: Run) -> Result:
     """Follow the orbits of the panels."""
-    centre = island(PAPER)
+    centre = elliptic_point(PAPER)
     if centre is None:
         raise BadInput("the elliptic orbit was not found")
     own = panels(centre)

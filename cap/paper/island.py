@@ -60,9 +60,9 @@ def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
 def compute(run: Run) -> Result:
     """Follow orbits from a disk as in the paper, measure rotation numbers, search for chains."""
     seen = portrait(PAPER, radius=RADIUS / float(PAPER.R), orbits=run.size(400, 60),
-                    periods=PERIODS, work=run.work)  # fmt: skip
+                    periods=PERIODS, runner=run.runner)  # fmt: skip
     turns = rotation(PAPER, radius=0.024, orbits=run.size(300, 40), periods=run.size(3000, 400),
-                     work=run.work)  # fmt: skip
+                     runner=run.runner)  # fmt: skip
     if seen.centre is None:
         raise BadInput("the elliptic orbit was not found")
     regular = seen.states[~seen.turned].reshape(-1, 2)

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import alignment, periodic, swarm
 from cap.floats.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
-from cap.floats.grid import around, grid, island
+from cap.floats.fixed_point import elliptic_point
+from cap.floats.grid import around, grid
 from cap.floats.study import Floats, State
 from cap.paper.comparison import Comparison, among, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
@@ -85,7 +86,7 @@ def _counts(index: Floats, turned: NDArray[np.bool_]) -> Counts:
 
 def compute(run: Run) -> Result:
     """Reproduce the paper's map from its description, and compute a better one."""
-    centre = island(PAPER)
+    centre = elliptic_point(PAPER)
     if centre is None:
         raise BadInput("the elliptic orbit was not found")
     box = around(PAPER, centre, REACH)
@@ -95,7 +96,7 @@ def compute(run: Run) -> Result:
     paper = [_counts(_index(rough, seed), turned) for seed in range(SEEDS)]
     side = run.size(300, 40)
     better = alignment.sali(
-        PAPER, orbit=centre, box=box, points=side, periods=run.size(200, 30), work=run.work
+        PAPER, orbit=centre, box=box, points=side, periods=run.size(200, 30), runner=run.runner
     )
     coarse = alignment.sali(PAPER, orbit=centre, box=box, points=SIDE, periods=PERIODS)
     twice = alignment.sali(PAPER, orbit=centre, box=box, points=SIDE, periods=2 * PERIODS)

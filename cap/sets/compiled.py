@@ -19,6 +19,7 @@ from numba.extending import overload, register_jitable
 from numpy.typing import NDArray
 
 from cap.errors import NotProved
+from cap.files import at_home
 from cap.sets import circular, decay, doubles
 from cap.sets.doubles import Interval
 from cap.sets.lowering import DOUBLE, INTERVAL, rows
@@ -69,7 +70,7 @@ def compiled(function: F) -> F:
     of what is compiled into it: let `sources` be in its closure.
     """
     try:
-        return cast(F, njit(cache=True, nogil=True, **IEEE)(function))
+        return cast(F, njit(cache=at_home(), nogil=True, **IEEE)(function))
     except RuntimeError:  # no locator of a cache
         return cast(F, njit(nogil=True, **IEEE)(function))
 

@@ -16,9 +16,9 @@ from cap.errors import BadInput
 from cap.explore import __main__ as explore
 from cap.floats import compiled
 from cap.floats.compiled import kept
-from cap.floats.work import Work
 from cap.paper import command
 from cap.paper.registry import figure
+from cap.runner import Runner
 
 ROOT = Path(__file__).parents[2]
 
@@ -93,7 +93,7 @@ def killed(_task):
 def test_a_process_that_is_killed():
     """A line that says so, no traceback."""
     with pytest.raises(BadInput, match="a process was killed"):
-        Work(2).map(killed, [1, 2, 3], "test", processes=True)
+        Runner(2).map(killed, [1, 2, 3], "test", processes=True)
 
 
 def add(numbers):

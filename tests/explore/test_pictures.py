@@ -9,16 +9,16 @@ from matplotlib.colors import to_hex
 from cap.explore.commands import COMMANDS
 from cap.floats import alignment, attractor, fate, plane
 from cap.floats.continuation import continuation
-from cap.floats.work import Work
 from cap.paper.figure import Run
 from cap.paper.sketches import decomposition, draw_decomposition
 from cap.parameters import PAPER
 from cap.pictures import diagrams, states
 from cap.pictures.style import BLUE, blank
+from cap.runner import Runner
 
 
-class Half(Work):
-    """Work that is interrupted when half of the pieces are done."""
+class Half(Runner):
+    """A runner that is interrupted when half of the pieces are done."""
 
     def map(self, function, tasks, words, *, processes=False):
         """Do half of the tasks, here."""
@@ -71,7 +71,7 @@ def test_where_the_budget_ends_nothing_else_does(branches):
 def test_a_map_that_is_interrupted(what):
     """What is not computed is hatched; it is neither none found, nor no oscillator."""
     axes = ("f", "R") if what == "orbits" else ("F", "f")
-    study = plane.plane(PAPER, axes=axes, points=3, what=what, work=Half())
+    study = plane.plane(PAPER, axes=axes, points=3, what=what, runner=Half())
     assert (study.code[2] == plane.UNDONE).all()
     assert (study.code[:2] != plane.UNDONE).all()
     (map_,), legend = drawn(diagrams.plane, study)
@@ -85,7 +85,7 @@ def test_a_map_that_is_interrupted(what):
 def test_no_attractor_found():
     """That is not the same as no oscillator."""
     names = plane.ATTRACTORS
-    study = plane.plane(PAPER, axes=("F", "f"), points=2, what="attractors", work=Half())
+    study = plane.plane(PAPER, axes=("F", "f"), points=2, what="attractors", runner=Half())
     none = np.full((2, 2), names.index("no attractor found"))
     none[0, 0] = plane.OUTSIDE
     _, legend = drawn(diagrams.plane, replace(study, code=none))
@@ -113,7 +113,7 @@ def test_a_grid_that_is_interrupted(name):
         "sali": (alignment.sali, states.alignment, {"points": 40}),
     }[name]
     p = replace(PAPER, F=PAPER.F * 3) if name == "attractor" else PAPER
-    study = compute(p, work=Half(), **options)
+    study = compute(p, runner=Half(), **options)
     axes, legend = drawn(draw, study)
     panels = axes[:2] if name == "basin" else axes[:1]
     for panel in panels:
@@ -143,7 +143,7 @@ def test_the_colour_bar_is_not_clipped(name):
 
 def test_islands_have_the_colour_of_what_never_turns():
     """The orbits of an island never turn: the legend says what their colour is."""
-    data = decomposition(Run(Work(1), quick=True)).data
+    data = decomposition(Run(Runner(1), quick=True)).data
     figure = blank((6, 6), 50)
     draw_decomposition(data, figure)
     (axes,) = figure.axes

@@ -18,7 +18,7 @@ def test_the_exponent_of_a_sink_is_that_of_its_multipliers(scale):
     p = replace(PAPER, F=Fraction(3 * scale**2), f=PAPER.f * scale**2, omega=Fraction(scale))
     box = (0.40, 0.41, -0.68 * scale, -0.66 * scale)
     (found,) = attractor.attractors(p, box=box, points=2, transient=200).found
-    determinant = 0.578451874378091507  # certified: certificates/periodic.json
+    determinant = 0.578451874378091507  # certified: certificates/periodic-1.json
     assert found.exponent == pytest.approx(scale * math.log(determinant) / (4 * math.pi), abs=1e-9)
     assert math.isnan(found.error)
     assert f"exponent {found.exponent:.6g} per time" in found.line()

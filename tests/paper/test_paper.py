@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from cap.errors import BadInput, NotProved
-from cap.floats.work import Work
 from cap.paper import (
     bifurcation,
     certified,
@@ -32,6 +31,7 @@ from cap.paper.comparison import (
 from cap.paper.figure import Run, at
 from cap.paper.registry import LABELS, figure, labelled
 from cap.parameters import PAPER
+from cap.runner import Runner
 
 PRINTED = {  # every figure label of the paper's source
     "fig:model-schematic", "fig:cover", "fig:impulse-bound", "fig:kam-gallery",
@@ -62,7 +62,7 @@ def found():
 
     def compute(label):
         if label not in kept:
-            kept[label] = figure(label).compared(label, Run(Work(1), quick=True))
+            kept[label] = figure(label).compared(label, Run(Runner(1), quick=True))
         return kept[label]
 
     return compute
@@ -185,7 +185,7 @@ def test_the_closed_form_gives_the_proved_orbit():
 
 def test_the_map_agrees_with_the_census():
     """The map in floats has the orbits that are proved, with their types."""
-    run = Run(Work(1), quick=True)
+    run = Run(Runner(1), quick=True)
     small = continuation.mapped(12, run)
     code = small.classes()
     for i in (2, 6, 9):

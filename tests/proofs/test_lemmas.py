@@ -10,11 +10,11 @@ from support import between, decimal_fraction, holds, rounds, seeded
 from cap.errors import NotProved
 from cap.flow.strobe import oscillator
 from cap.parameters import PAPER
+from cap.proofs import elliptic, fixed_point, non_sticking, saddle
+from cap.proofs.fixed_point import Setting
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
-from proofs import elliptic, fixed_point, non_sticking, saddle
-from proofs.fixed_point import Setting
 
 SETTING = Setting(PAPER, STARTS["elliptic"], 10)
 

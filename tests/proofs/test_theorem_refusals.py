@@ -13,8 +13,8 @@ from support import certified
 from cap.errors import NotProved, TooFewDigits
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
-from proofs import elliptic, saddle
-from proofs.fixed_point import Setting
+from cap.proofs import elliptic, saddle
+from cap.proofs.fixed_point import Setting
 
 
 @pytest.mark.parametrize("digits", [6, 40])
