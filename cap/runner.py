@@ -7,18 +7,10 @@ tasks.  With a journal each result is written down when it comes, and read when 
 for again.
 """
 
-import multiprocessing
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    BrokenExecutor,
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    ThreadPoolExecutor,
-    wait,
-)
+from concurrent import futures
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, field
 from itertools import islice
@@ -132,7 +124,7 @@ class Runner:
             return nullcontext(self.executor)
         if self.jobs == 1 or (plan.total is not None and plan.total < 2):
             return nullcontext()
-        return ThreadPoolExecutor(self.jobs) if plan.threads else _processes(self.jobs)
+        return futures.ThreadPoolExecutor(self.jobs) if plan.threads else _processes(self.jobs)
 
 
 @dataclass(frozen=True)
@@ -148,8 +140,10 @@ class _Second(Generic[A, B]):
 @contextmanager
 def _processes(jobs: int) -> Iterator[Executor]:
     """Give fresh processes; after an error they end at once, though a task may take minutes."""
+    import multiprocessing  # noqa: PLC0415 (slow to load, as the pools of `futures` are)
+
     others = multiprocessing.active_children()
-    pool = ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn"), as_worker)
+    pool = futures.ProcessPoolExecutor(jobs, multiprocessing.get_context("spawn"), as_worker)
     try:
         yield pool
     except BaseException:
