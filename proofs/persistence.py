@@ -24,7 +24,7 @@ from functools import cache
 from typing import Any
 
 from cap.certificate import writer as certificate
-from cap.checker.kernel.certificate import MAX_WORK, work
+from cap.checker.flow.itinerary import MAX_WORK, work
 from cap.errors import BadInput, NotProved
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Constants

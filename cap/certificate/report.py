@@ -7,7 +7,9 @@ from typing import Any
 
 from cap.certificate.table import aligned, labelled, rows
 from cap.certificate.writer import NONE
-from cap.checker import terms
+from cap.checker.flow.capture import captures
+from cap.checker.flow.normal_form import NORMAL_FORM
+from cap.checker.one_one.scaled import ONE_ONE
 
 _SECTIONS = {
     "fixed point": {"x": "x", "v": "v"},
@@ -42,7 +44,7 @@ _SECTIONS = {
 
 _CONCLUSIONS = {
     "elliptic": (
-        f"P* is elliptic, without resonance of order <= 4: {terms.NORMAL_FORM}, with Theta and "
+        f"P* is elliptic, without resonance of order <= 4: {NORMAL_FORM}, with Theta and "
         "tau_1 as above.  tau_1 is not zero.  Hence (Moser) every neighbourhood of P* contains "
         "invariant closed curves around it, on which the map is conjugate to a rotation; they have "
         "density one at P*, and P* is stable."
@@ -133,7 +135,7 @@ def _captured(_kind: str, claims: dict[str, Any], box: str) -> Iterator[str]:
 
 def _captures(claims: dict[str, Any]) -> Iterator[str]:
     """Give the lines that say what the captures among the events stand for."""
-    if meaning := terms.captures(claims["itinerary"]):
+    if meaning := captures(claims["itinerary"]):
         yield textwrap.fill(f"({meaning})", _WIDTH)
 
 
@@ -149,7 +151,7 @@ _ORBIT = {
 
 
 def _symmetric(claims: dict[str, Any]) -> Iterator[str]:
-    yield f"(1,1) orbits ({terms.ONE_ONE})"
+    yield f"(1,1) orbits ({ONE_ONE})"
     yield "that are their own mirror image, x(t + T/2) = l + r - x(t):"
     for name, orbit in claims["branches"].items():
         if orbit == NONE:
@@ -177,7 +179,7 @@ def _symmetric(claims: dict[str, Any]) -> Iterator[str]:
 def _pitchfork(claims: dict[str, Any]) -> Iterator[str]:
     yield "At this f the half-period map has the multiplier -1 twice at the symmetric orbit, which"
     yield "is elliptic for f a little above and a saddle a little below; there a pair of asymmetric"
-    yield f"(1,1) orbits ({terms.ONE_ONE})"
+    yield f"(1,1) orbits ({ONE_ONE})"
     yield "is born for f below, elliptic at birth:"
     yield "  f = f0 + c delta^2 + ..., trace = 2 + d delta^2 + ..., with\n"
     names = {
@@ -195,7 +197,7 @@ def _pitchfork(claims: dict[str, Any]) -> Iterator[str]:
 def _branch(claims: dict[str, Any]) -> Iterator[str]:
     low, high = claims["f_range"]
     yield f"For every f in [{low}, {high}] there is exactly one pair of asymmetric"
-    yield f"(1,1) orbits ({terms.ONE_ONE});"
+    yield f"(1,1) orbits ({ONE_ONE});"
     yield f"trace and least speed grow with f ({len(claims['cells'])} cells):\n"
     found = [("born at", claims["f_start"])]
     if claims["f_end"] != NONE:

@@ -10,9 +10,9 @@ import pytest
 from mpmath import mp, mpf
 from support import number, rational, rounds, seeded
 
+from cap.certificate.latex import macros
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.checker.verdict import check, words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_capture import PAPER, forcing, forge_capture, lemma
 from checker.hybrid import Flow

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.certificate.latex import macros
+from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected
 from checker.forge_hybrid import PERIODIC, valid
 

@@ -34,12 +34,24 @@ g > 0, k < 1, q^2 < 2 rise R and t + (1/rise + 1/sqrt(rise g)) e q/(1 - k) <= t_
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from cap.checker.flow.events import Event, Rest, span
 from cap.checker.flow.mechanics import Ends, Mechanics
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
+
+_MEANING = (
+    "; here 'capture' and a wall stand for infinitely many hits of this wall, one turn before each "
+    "(but perhaps none before the first, if no event comes before) and nothing else, which "
+    "accumulate in finite time, from which on the mass rests at the wall until its release"
+)
+
+
+def captures(itinerary: Sequence[str]) -> str:
+    """Return in words what captures among these events stand for; nothing without any."""
+    return _MEANING if any(word.startswith("capture") for word in itinerary) else ""
 
 
 def capture(

@@ -19,15 +19,17 @@ diag(1, (|a| - f)/(|a| + f)); a stick or a capture makes it 0.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cap.checker.flow.capture import capture
 from cap.checker.flow.events import Event, Rest, hit, release, stick, turn
-from cap.checker.flow.mechanics import Ends, Flight, Losses, Mechanics, Parameters, least
+from cap.checker.flow.mechanics import Ends, Flight, Losses, Mechanics, least
 from cap.checker.kernel.elementary import phi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, lift
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.shapes import Enclosure
+from cap.checker.kernel.theorem import Parameters
 
 SIDES = {"r": 1, "right": 1, "l": -1, "left": -1}
 WORDS = (
@@ -35,6 +37,35 @@ WORDS = (
     *(f"{event} {wall}" for event in ("hit", "capture") for wall in "rl"),
     *(f"{event} {side}" for event in ("turn", "release") for side in ("right", "left")),
 )
+
+
+WITH_LOSSES_AT = (
+    "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
+    "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
+)
+MAX_EVENTS = 64
+MAX_WORK = 3 << 18
+CELL_WORK = 1 << 10  # an event in a rectangle of persistence: 64 bits, four variables
+
+
+def work(events: int, bits: int, order: int = 0, cells: int = 0) -> int:
+    """Return a measure of the time: 10 to 50 microseconds for each unit.  Jets have order >= 4."""
+    return events * (bits * (max(order, 4) + 1) ** 2 + CELL_WORK * cells)
+
+
+def limit_work(windows: Sequence[Enclosure], hints: dict[str, Any]) -> None:
+    """Reject what would take too long to check."""
+    order, cells = int(hints.get("order", 0)), len(hints.get("cells", ()))
+    needed = work(len(windows), hints["bits"], order, cells)
+    need(needed <= MAX_WORK, f"bits, order, events and cells are too much: {needed} > {MAX_WORK}")
+
+
+def limit_events(hints: dict[str, Any], claims: dict[str, Any]) -> None:
+    """Reject what would take too long, and what has not as many events everywhere."""
+    limit_work(hints["events"], hints)
+    events = len(hints["events"])
+    for name in ("itinerary", "event_times"):
+        need(len(claims[name]) == events, f"claims.{name} is not a list of {events}")
 
 
 class Passage(NamedTuple):
@@ -145,3 +176,17 @@ def determinant(passage: Passage) -> Interval:
 def turning_factor(M: Mechanics, turn: Event) -> Interval:
     """Return (|a| - f)/(|a| + f) for the forcing a at a turn."""
     return -(M.f * 2 / (turn.forcing.magnitude() + M.f)) + 1
+
+
+def in_order(words: Sequence[str], times: Sequence[Enclosure]) -> None:
+    """Check that the times claimed are in the order of the events, from 0 on.
+
+    The enclosure for a capture may begin before its hit, but after the event before that.
+    """
+    for n, (word, t) in enumerate(zip(words, times, strict=True)):
+        captured = word.startswith("capture")
+        before = times[: max(0, n - captured)]
+        later = not before or before[-1].upper < t.lower
+        need(later, f"the time of event {n + 1} is not after that of the event before")
+        need(t.lower >= 0, "the time of the first event may be negative")
+        need(n == 0 or times[n - 1].upper <= t.upper, "a capture may end before its hit")

@@ -49,20 +49,9 @@ from cap.checker.kernel.jet import (
     raised,
 )
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.theorem import Parameters
 
 Ends = tuple[Fraction, Fraction]
-
-
-class Parameters(NamedTuple):
-    """The exact parameters of x'' = F cos(omega t) - f sgn x' - mu x', l < x < r, v -> -e v."""
-
-    F: Fraction
-    omega: Fraction
-    f: Fraction
-    l: Fraction
-    r: Fraction
-    e: Fraction = Fraction(1)
-    mu: Fraction = Fraction(0)
 
 
 class Losses(NamedTuple):
