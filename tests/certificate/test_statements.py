@@ -120,10 +120,10 @@ CAPTURED = {
 def test_what_a_capture_stands_for_is_said_once(name):
     """In both sentences, in a period and until a release, with one capture and with two."""
     certificate = CAPTURED[name]()
-    captures = [w for w in certificate["claims"]["itinerary"] if w.startswith("capture")]
-    assert len(captures) == {"periodic": 2, "once": 1, "twice": 2}[name]
+    named = [w for w in certificate["claims"]["itinerary"] if w.startswith("capture")]
+    assert len(named) == {"periodic": 2, "once": 1, "twice": 2}[name]
     for sentence in map(" ".join, map(str.split, told(certificate))):
-        assert sentence.count(captures(captures)) == 1
+        assert sentence.count(captures(named)) == 1
         assert "exactly these events" in sentence
         assert "infinitely many hits of this wall" in sentence
 
@@ -131,7 +131,7 @@ def test_what_a_capture_stands_for_is_said_once(name):
 def test_without_a_capture_nothing_is_said_of_it():
     """The words stand where they are needed only."""
     assert captures(["hit r", "turn right", "stick", "release left"]) == ""
-    assert not any("infinitely" in sentence for sentence in told(stored("periodic")))
+    assert not any("infinitely" in sentence for sentence in told(stored("periodic-1")))
 
 
 def test_the_last_of_two_captures_is_the_one_with_the_numbers():

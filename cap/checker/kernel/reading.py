@@ -15,8 +15,8 @@ from cap.checker.kernel.rejection import Rejected, need
 MAX_BYTES = 1 << 20
 MAX_CHARACTERS = 4000
 MAX_DEPTH = 16
-_INTEGER = "-?(?:0|[1-9][0-9]*)"
-_NUMBER = re.compile(f"{_INTEGER}(?:\\.[0-9]+|/[1-9][0-9]*)?")
+NUMBER = r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+|/[1-9][0-9]*)?"
+_NUMBER = re.compile(NUMBER)
 
 
 def text(value: Any, where: str) -> str:

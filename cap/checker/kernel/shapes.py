@@ -190,14 +190,15 @@ def fields(value: Any, shape: Any, where: str) -> list[tuple[str, Any, Any]]:
 
 def items(value: Any, shape: Any, where: str) -> list[tuple[Any, Any]]:
     """Return the items of a list with their shapes."""
-    need(isinstance(value, list), f"{where} is not a list")
+    listed = isinstance(value, list)
     match shape:
         case Many(part, least, most):
-            need(least <= len(value) <= most, f"{where} is not a list of {least} to {most}")
+            within = listed and least <= len(value) <= most
+            need(within, f"{where} is not a list of {least} to {most}")
             shape = [part] * len(value)
         case First(shapes):
-            shape = shapes[: len(value)]
-    need(len(value) == len(shape), f"{where} is not a list of {len(shape)}")
+            shape = shapes[: len(value) if listed else 0]
+    need(listed and len(value) == len(shape), f"{where} is not a list of {len(shape)}")
     return list(zip(value, shape, strict=True))
 
 

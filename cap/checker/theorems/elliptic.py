@@ -62,7 +62,7 @@ class Elliptic(NonSticking):
         Field("twist_action", Quantity(Unit(-2, -1)), "tau_1 per action I", r"2\tau_1",
               "2 tau_1, per action |z|^2/2"),
         Field("higher_twists", First([Quantity(Unit(-2 * k, -k)) for k in (2, 3, 4)]),
-              "higher twist", r"\tau_k", "tau_2, tau_3, ..: (order - 3)/2 of them"),
+              "tau_(k+1), k =", r"\tau_k", "tau_2, tau_3, ..: (order - 3)/2 of them"),
         Field("remainder", {"degree": Word(ORDERS), "radius": number, "x": bound, "v": bound},
               "", "", "on the disk |(dx, dv)| <= radius, which lies in the box, each component of "
               "Phi differs from its Taylor polynomial of this degree by at most so much"),
