@@ -147,7 +147,7 @@ def baseline(file: Path) -> None:
     """Run all tests on the checker as it is; note lines, seconds and forged certificates."""
     compiling(lambda _, path: marked(path) if path.is_relative_to(ROOT / TARGET) else None)
     runner = Runner({})
-    failed = runner.run([str(p) for q in TESTS for p in sorted((ROOT / "tests").glob(q))])
+    failed = runner.run([str(p) for q in TESTS for p in sorted((ROOT / "tests").rglob(q))])
     known = {"lines": runner.lines, "seconds": runner.seconds, "forged": runner.forged}
     file.write_text(json.dumps({"failed": failed} | known))
 

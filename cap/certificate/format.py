@@ -17,19 +17,14 @@ from pathlib import Path
 from typing import Any
 
 from cap.checker.kernel.certificate import DIGITS
+from cap.checker.kernel.choices import Cases, OneOrOther, OrNone, Taken
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
-    Cases,
     First,
     Many,
     Maybe,
-    OneOrOther,
-    OrNone,
     Quantity,
-    Some,
     Table,
-    Taken,
-    Unit,
     Whole,
     Word,
     bound,
@@ -101,7 +96,7 @@ def _certificate(name: str, theorem: type[Theorem]) -> Json:
     )
 
 
-def schema(shape: Any) -> Json:  # noqa: C901, PLR0911, PLR0912
+def schema(shape: Any) -> Json:  # noqa: C901, PLR0911
     """Return the schema of the values of a shape."""
     match shape:
         case dict():
@@ -118,8 +113,6 @@ def schema(shape: Any) -> Json:  # noqa: C901, PLR0911, PLR0912
             return _listed(schema(part), least, most)
         case First(parts):
             return _listed(None, 0, len(parts)) | {"prefixItems": [*map(schema, parts)]}
-        case Some(parts):
-            return _object({key: schema(part) for key, part in parts.items()}, list(parts))
         case OrNone(part):
             return {"oneOf": [{"const": "none"}, schema(part)]}
         case OneOrOther(thing, other):
@@ -241,6 +234,9 @@ def cited(theorem: type[Theorem]) -> Iterator[str]:
 def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
     """Return the form of a value in words."""
     match shape:
+        case dict() if len(shape) > SEVERAL and all(isinstance(q, Maybe) for q in shape.values()):
+            first, *_, last = shape
+            return f"{{`{first}` .. `{last}`: {form(shape[first].shape)}}}"
         case dict():
             return "{" + ", ".join(f"`{key}`: {form(part)}" for key, part in shape.items()) + "}"
         case list() if all(form(part) == form(shape[0]) for part in shape):
@@ -253,9 +249,6 @@ def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
             return f"list of {least} to {most}: {form(part)}"
         case First(parts):
             return f"list of up to {len(parts)}: {form(parts[0])}"
-        case Some(parts):
-            keys = list(parts)
-            return f"{{`{keys[0]}` .. `{keys[-1]}`: {form(parts[keys[0]])}}}"
         case OrNone(part):
             return f'{form(part)}, or `"none"`'
         case OneOrOther(thing, other):
@@ -277,30 +270,25 @@ def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
 
 
 def _units(shape: Any) -> Iterator[str]:
-    """Give the units of a shape; no width rule has none."""
+    """Give the units of a shape; where no width rule holds there is none."""
     match shape:
         case Quantity(unit) | Taken(unit, _):
-            yield named(unit) if unit else ""
-        case dict() | Some():
-            parts = shape.shapes if isinstance(shape, Some) else shape
-            for part in parts.values():
-                yield from _units(part)
-        case list() | First():
-            for part in shape.shapes if isinstance(shape, First) else shape:
-                yield from _units(part)
-        case Maybe(part) | OrNone(part) | Many(part, _, _):
-            yield from _units(part)
-        case OneOrOther(thing, _):
-            yield from _units(thing)
+            yield "" if unit is None else unit or "1"
+        case dict():
+            parts = list(shape.values())
+        case list():
+            parts = shape
+        case First(shapes):
+            parts = list(shapes)
+        case Maybe(part) | OrNone(part) | Many(part, _, _) | OneOrOther(part, _):
+            parts = [part]
         case Cases(_, cases):
-            for case in cases.values():
-                yield from _units(case)
-
-
-def named(unit: Unit) -> str:
-    """Return the name of a unit, as R^2 omega^-1."""
-    powers = zip(("R", "omega", "F"), unit, strict=True)
-    return " ".join(name if n == 1 else f"{name}^{n}" for name, n in powers if n) or "1"
+            parts = list(cases.values())
+        case _:
+            return
+    if not isinstance(shape, Quantity | Taken):
+        for part in parts:
+            yield from _units(part)
 
 
 if __name__ == "__main__":

@@ -10,21 +10,10 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import Any
 
-from cap.checker.kernel.reading import number
+from cap.checker.kernel.choices import Cases, OneOrOther, OrNone
+from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Cases,
-    Enclosure,
-    First,
-    Many,
-    Maybe,
-    OneOrOther,
-    OrNone,
-    Some,
-    fields,
-    items,
-    region,
-)
+from cap.checker.kernel.shapes import Enclosure, First, Many, Maybe, region
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.theorems import load
 
@@ -36,8 +25,7 @@ def macros(c: Certificate, prefix: str, digits: int) -> Iterator[str]:
     stem = "cap" + _name(prefix)
     for field in load(c.theorem).CLAIMS:
         if field.name in c.claims:
-            shape = field.shape.shape if isinstance(field.shape, Maybe) else field.shape
-            for path, claim, kind in _leaves(c.claims[field.name], shape, _name(field.name)):
+            for path, claim, kind in _leaves(c.claims[field.name], field.shape, _name(field.name)):
                 exact = isinstance(claim, str | int) or kind in (region, number)
                 shown = str(claim) if exact else latex(claim, digits)
                 yield f"\\newcommand{{\\{stem}{path}}}{{{shown}}}"
@@ -46,15 +34,21 @@ def macros(c: Certificate, prefix: str, digits: int) -> Iterator[str]:
 def _leaves(value: Any, shape: Any, path: str) -> Iterator[tuple[str, Any, Any]]:
     """Yield the numbers in a claim with their names and shapes; nothing for what is not there."""
     match shape:
-        case dict() | Some() | Cases():
-            for key, part, shape_of_part in fields(value, shape, path):
-                yield from _leaves(part, shape_of_part, path + _name(key))
-        case list() | Many() | First():
-            for n, (part, shape_of_part) in enumerate(items(value, shape, path), start=1):
-                yield from _leaves(part, shape_of_part, path + _name(str(n)))
+        case dict():
+            for key, part in value.items():
+                yield from _leaves(part, shape[key], path + _name(key))
+        case Many(part, _, _):
+            yield from _leaves(value, [part] * len(value), path)
+        case First(shapes):
+            yield from _leaves(value, list(shapes[: len(value)]), path)
+        case list():
+            for n, (part, inner) in enumerate(zip(value, shape, strict=True), start=1):
+                yield from _leaves(part, inner, path + _name(str(n)))
         case OneOrOther(thing, other):
             yield from _leaves(value, thing if isinstance(value, dict) else other, path)
-        case OrNone(part):
+        case Cases(key, cases):
+            yield from _leaves(value, {key: text, **cases[value[key]]}, path)
+        case Maybe(part) | OrNone(part):
             yield from _leaves(value, part, path) if value is not None else ()
         case _:
             yield path, value, shape

@@ -5,24 +5,32 @@ from __future__ import annotations
 import pkgutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 import cap.checker
+from cap.checker.theorems import NAMES
 
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
+STORED = Path(__file__).parents[2] / "certificates"
+FLOW, CLOSED = (
+    {"kernel", "flow", "theorems", "verdict"},
+    {"kernel", "one_one", "theorems", "verdict"},
+)
+ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), CLOSED)
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
+
+
+def printed(code):
+    """Return the lines that the code prints in a new interpreter."""
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
 
 
 def loaded(code):
     """Return the modules loaded in a new interpreter by the code."""
-    out = subprocess.run(
-        [sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return set(out.stdout.split())
+    return set(printed(f"{code}; import sys; print(*sys.modules)")[-1].split())
 
 
 def test_the_checker_loads_only_itself():
@@ -40,6 +48,35 @@ def test_the_command_line_adds_only_itself():
     own = {"cap.verify", "cap.command.verifier", "cap.command.entry", "cap.command.console"}
     assert ours <= {"cap", "cap.command", "cap.checker", *own, *MODULES}
     assert not {m.split(".")[0] for m in modules} & FOREIGN
+
+
+@pytest.mark.parametrize("theorem", NAMES)
+def test_only_the_theorem_that_a_certificate_names_is_loaded(theorem):
+    """Of the theorems, after a verdict on it: itself, and those of which it is a special case."""
+    more = {"persistence": {"periodic"}}.get(theorem, set())
+    path = next(p for p in sorted(STORED.glob("*.json")) if p.stem.split("-")[0] == theorem)
+    modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
+    found = {m.rpartition(".")[2] for m in modules if m.startswith("cap.checker.theorems.")}
+    assert found == {theorem} | more
+    assert {m.split(".")[2] for m in modules if m.startswith("cap.checker.")} <= ROOMS.get(
+        theorem, FLOW
+    )
+
+
+@pytest.mark.parametrize("theorem", NAMES)
+def test_what_a_referee_reads_is_what_is_loaded(theorem):
+    """The list has each module of the checker that a verdict loads, if it has code."""
+    path = next(p for p in sorted(STORED.glob("*.json")) if p.stem.split("-")[0] == theorem)
+    used = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
+    listed = [
+        line.split()[-1].removesuffix(".py").replace("/", ".")
+        for line in printed(f"from cap import verify; verify.main(['--reading', {theorem!r}])")
+        if line.endswith(".py")
+    ]
+    known = {m.removeprefix("cap.checker.") for m in used if m.startswith("cap.checker.")}
+    packages = {"kernel", "flow", "one_one", "theorems"}
+    assert {name.removesuffix(".__init__") for name in listed} - packages == known - packages
+    assert len(listed) == len(set(listed))
 
 
 @pytest.mark.parametrize("module", MODULES)

@@ -31,19 +31,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import lift
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    LENGTH,
-    RATE,
-    SPEED,
-    TIME,
-    Enclosure,
-    Field,
-    Many,
-    Quantity,
-    Table,
-    enclosure,
-    region,
-)
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, enclosure, region
 from cap.checker.kernel.theorem import BITS, Theorem
 
 STATE = {"x": region, "v": region}
@@ -99,11 +87,11 @@ class FixedPoint(Theorem):
     )
     CLAIMS: ClassVar[Table] = (
         Field("box", STATE, "", "", "a set that contains exactly one fixed point P* of Phi"),
-        Field("x", Quantity(LENGTH), "x", "x", "P*"),
-        Field("v", Quantity(SPEED), "v", "v", "P*"),
-        Field("hit_speeds", Many(Quantity(SPEED), 0, MAX_EVENTS), "hit speed", "|v_k|",
+        Field("x", Quantity("R"), "x", "x", "P*"),
+        Field("v", Quantity("R omega"), "v", "v", "P*"),
+        Field("hit_speeds", Many(Quantity("R omega"), 0, MAX_EVENTS), "hit speed", "|v_k|",
               "|v| before each hit"),
-        Field("jacobian", [[Quantity(), Quantity(TIME)], [Quantity(RATE), Quantity()]],
+        Field("jacobian", [[Quantity(), Quantity("omega^-1")], [Quantity("omega"), Quantity()]],
               "Jacobian", r"D\Phi(P^*)", "rows of Phi'(P*), column order (x, v)"),
         Field("trace", Quantity(), "trace", r"\operatorname{tr} D\Phi(P^*)", "of Phi'(P*)"),
         Field("determinant", Quantity(), "determinant", r"\det D\Phi(P^*)", "of Phi'(P*)"),

@@ -18,7 +18,7 @@ from cap.checker.flow.fixed_point import (
 )
 from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap, limit_work
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import FORCE, SPEED, TIME, Field, Many, Quantity, Table
+from cap.checker.kernel.shapes import Field, Many, Quantity, Table
 
 KRAWCZYK = krawczyk_theorem(
     "Phi is continuously differentiable on the box: "
@@ -37,12 +37,12 @@ class NonSticking(FixedPoint):
     )
     CLAIMS: ClassVar[Table] = (
         *FixedPoint.CLAIMS,
-        Field("hit_times", Many(Quantity(TIME), 1, MAX_EVENTS), "hit time", "t_k",
+        Field("hit_times", Many(Quantity("omega^-1"), 1, MAX_EVENTS), "hit time", "t_k",
               "increasing, in (0, T)"),
-        Field("hit_forcing", Many(Quantity(FORCE), 1, MAX_EVENTS),
+        Field("hit_forcing", Many(Quantity("F"), 1, MAX_EVENTS),
               "|F cos wt| - f at hit", r"|F\cos\omega t_k| - f",
               "its sign says whether this clause of (H1) holds, which nothing else needs"),
-        Field("least_speed", Quantity(SPEED), "least speed", r"\min |v|",
+        Field("least_speed", Quantity("R omega"), "least speed", r"\min |v|",
               "the minimum of |v| on the orbit of P*, positive"),
     )
     # fmt: on

@@ -16,7 +16,7 @@ from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Enclosure, Field, Table, Unit, Whole
+from cap.checker.kernel.shapes import Enclosure, Field, Table, Whole
 
 MAX_BITS = 4096
 BITS = Field("bits", Whole(64, MAX_BITS), "", "", "precision: numbers are multiples of 2^-bits")
@@ -88,9 +88,12 @@ class Theorem(ABC):
         """Return an enclosure of pi."""
         return pi(self.hints["bits"])
 
-    def unit(self, unit: Unit) -> Fraction:
+    def unit(self, unit: str) -> Fraction:
         """Return a unit as a number."""
-        return self.R**unit.R * self.omega**unit.omega * self.p.F**unit.F
+        value, powers = Fraction(1), (word.partition("^") for word in unit.split())
+        for name, _, power in powers:
+            value *= {"R": self.R, "omega": self.omega, "F": self.p.F}[name] ** int(power or 1)
+        return value
 
     def confirm(self, **computed: Any) -> None:
         """Compare claims with what is computed."""

@@ -45,7 +45,7 @@ from typing import Generic, NamedTuple
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
-from cap.checker.one_one.series import K, cos_sinc, divided, plus, reciprocal, square_root
+from cap.checker.kernel.series import K, cos_sinc, divided, plus, reciprocal, square_root
 from cap.checker.one_one.taylor_model import TaylorModel
 
 

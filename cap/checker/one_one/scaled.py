@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.shapes import LENGTH, SPEED, TIME, Field, Quantity
+from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import Theorem
 from cap.checker.one_one.closed_form import Symmetric
 
@@ -19,11 +19,11 @@ SYSTEM_FOR_ALL_F = _SYSTEM.replace("FRICTION", "0 < f < F")
 
 # fmt: off
 STATE = (
-    Field("x", Quantity(LENGTH), "x at t = 0", "x(0)", "the state at t = 0"),
-    Field("v", Quantity(SPEED), "v at t = 0", "v(0)", "positive"),
-    Field("hit_times", [Quantity(TIME)] * 2, "hit time", "t_k", "t_1, t_2 in (0, T)"),
-    Field("hit_speed", Quantity(SPEED), "hit speed", "|v_1|", "|v| at both hits"),
-    Field("least_speed", Quantity(SPEED), "least speed", r"\min |v|", "the minimum of |v|"),
+    Field("x", Quantity("R"), "x at t = 0", "x(0)", "the state at t = 0"),
+    Field("v", Quantity("R omega"), "v at t = 0", "v(0)", "positive"),
+    Field("hit_times", [Quantity("omega^-1")] * 2, "hit time", "t_k", "t_1, t_2 in (0, T)"),
+    Field("hit_speed", Quantity("R omega"), "hit speed", "|v_1|", "|v| at both hits"),
+    Field("least_speed", Quantity("R omega"), "least speed", r"\min |v|", "the minimum of |v|"),
 )
 # fmt: on
 

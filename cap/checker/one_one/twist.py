@@ -51,8 +51,8 @@ from typing import Generic, NamedTuple
 
 from cap.checker.kernel.jet import Jet, substituted
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.series import K, divided, nilpotent, plus, square_root
 from cap.checker.one_one.pairs import Pair, Pairs
-from cap.checker.one_one.series import K, divided, nilpotent, plus, square_root
 
 _ORDER = 3
 

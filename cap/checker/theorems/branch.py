@@ -31,25 +31,13 @@ from itertools import pairwise
 from math import gcd
 from typing import Any, NamedTuple
 
+from cap.checker.kernel.choices import OrNone, Taken
 from cap.checker.kernel.citation import MOSER, cite
 from cap.checker.kernel.elementary import arccos, cos_sin, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    FORCE,
-    SPEED,
-    Enclosure,
-    Field,
-    Many,
-    OrNone,
-    Quantity,
-    Taken,
-    Unit,
-    Word,
-    enclosure,
-    region,
-)
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word, enclosure, region
 from cap.checker.kernel.theorem import BITS, FOR_ALL_F, Certificate
 from cap.checker.one_one import pairs
 from cap.checker.one_one.closed_form import birth
@@ -69,12 +57,12 @@ RATIOS = sorted(
 )
 LOW_ORDER = [q for q in RATIOS if q.denominator <= 4 and q < Fraction(1, 2)]
 Ends = tuple[Fraction, Fraction]
-RESONANCE = {"ratio": Word([str(q) for q in RATIOS]), "f": Quantity(FORCE)}
+RESONANCE = {"ratio": Word([str(q) for q in RATIOS]), "f": Quantity("F")}
 CELL = {
     "delta": region,
-    "f": Taken(FORCE, CELL_DIGITS),
-    "trace": Taken(Unit(), CELL_DIGITS),
-    "least_speed": Taken(SPEED, CELL_DIGITS),
+    "f": Taken("F", CELL_DIGITS),
+    "trace": Taken("", CELL_DIGITS),
+    "least_speed": Taken("R omega", CELL_DIGITS),
     "twist": OrNone(Word(("+", "-"))),
     "regular_twist": OrNone(Taken(None, TWIST_DIGITS)),
 }
@@ -121,8 +109,8 @@ class Branch(Scaled):
               "each, in (0, delta_0], N has opposite signs, and in between the trace is not -1"),
     )
     CLAIMS = (
-        Field("f_start", Quantity(FORCE), "born at", "f_0", "F alpha(0)"),
-        Field("f_end", OrNone(Quantity(FORCE)), "least speed vanishes at", r"f_{\mathrm{end}}",
+        Field("f_start", Quantity("F"), "born at", "f_0", "F alpha(0)"),
+        Field("f_end", OrNone(Quantity("F")), "least speed vanishes at", r"f_{\mathrm{end}}",
               'f where L = 0; "none" if L(D) > 0'),
         Field("trace_end", OrNone(Quantity()), "  with trace", r"\operatorname{tr} D\Phi",
               'the trace there; "none" if f_end is'),
@@ -131,7 +119,7 @@ class Branch(Scaled):
         Field("resonances", Many(RESONANCE, 0, MAX_RESONANCES), "trace = 2 cos(2 pi p/q), p/q =",
               "f_{p/q}", "all p/q in lowest terms, 0 < p/q <= 1/2, q <= 8, ascending, for which "
               "trace = 2 cos(2 pi p/q) at a delta < delta_0, with that f"),
-        Field("twist_zeros", Many(Taken(FORCE, CELL_DIGITS), 0, MAX_ZEROS), "twist vanishes at",
+        Field("twist_zeros", Many(Taken("F", CELL_DIGITS), 0, MAX_ZEROS), "twist vanishes at",
               r"f_{\tau_1 = 0}", "f descending: in each there is an f with tau_1 = 0"),
         Field("exceptions", Many(region, 0, MAX_CELLS + MAX_RESONANCES), "but perhaps not in", "",
               "ascending, disjoint: the f in f_range with trace > -2 for which Moser's theorem may "

@@ -10,20 +10,14 @@ from __future__ import annotations
 from typing import Any
 
 from cap.checker.flow.capture import captures, ratio
+from cap.checker.flow.events import EVENTS, SYSTEM, WORDS, in_order, limit_events
 from cap.checker.flow.fixed_point import STATE, WINDOWS, ends
-from cap.checker.flow.itinerary import (
-    MAX_EVENTS,
-    SIDES,
-    WITH_LOSSES_AT,
-    WORDS,
-    follow,
-    in_order,
-    limit_events,
-)
-from cap.checker.flow.mechanics import Mechanics
+from cap.checker.flow.hits import SIDES
+from cap.checker.flow.itinerary import MAX_EVENTS, follow
+from cap.checker.flow.losses import Lossy
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import TIME, Field, Many, Quantity, Word, bound, enclosure
+from cap.checker.kernel.shapes import Field, Many, Quantity, Word, bound, enclosure
 from cap.checker.kernel.theorem import BITS, WITH_LOSSES, Theorem
 
 _ORDER = 3  # of the jets over the box
@@ -52,7 +46,7 @@ class Capture(Theorem):
               "most so many times that after the one before"),
         Field("accumulation_time", enclosure, "hits of the last capture accumulate at",
               r"t_\infty", "there is no last hit"),
-        Field("release_time", Quantity(TIME), "last release at", r"t_{\mathrm{release}}",
+        Field("release_time", Quantity("omega^-1"), "last release at", r"t_{\mathrm{release}}",
               "from the accumulation until then the mass rests at the wall"),
     )
     # fmt: on
@@ -72,10 +66,10 @@ class Capture(Theorem):
         last = [f"capture {claims['wall']}", f"release {'left' if side > 0 else 'right'}"]
         need(words[-2:] == last, "the itinerary does not end with the capture and the release")
         region = [Interval.enclosing(*z, self.hints["bits"]) for z in box]
-        M = Mechanics(p, region, [z.midpoint() for z in region], _ORDER, _HORIZON)
+        M = Lossy(p, region, [z.midpoint() for z in region], _ORDER, _HORIZON)
         windows = [ends(w) for w in self.hints["events"]]
         start = M.launch() if len(words) > 2 else None
-        events, _ = follow(M, start, words, windows)
+        events, _ = follow(M, start, words, windows, EVENTS)
         self.step(f"all orbits from the box have the itinerary: {', '.join(words)}")
         captured, released = events[-2:]
         towards, times = captured.forcing * side, [e.moment.t.value for e in events]
@@ -94,7 +88,7 @@ class Capture(Theorem):
         """Return the theorem in one line."""
         words, box = self.claims["itinerary"], self.claims["box"]
         return self.told(
-            WITH_LOSSES_AT + _CAPTURE,
+            SYSTEM + _CAPTURE,
             box=" x ".join(str(box[z]) for z in ("x", "v")),
             itinerary=", ".join(words),
             captures=captures(words),

@@ -11,6 +11,7 @@ i + j = n = N + 1 of
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 from cap.checker.flow.fixed_point import Point, contains
 from cap.checker.flow.itinerary import Passage
@@ -27,16 +28,17 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, First, Quantity, Some, Unit, Word, bound
+from cap.checker.kernel.shapes import Field, First, Maybe, Quantity, Word, bound
 
 ORDERS = ("3", "5", "7", "9")
 RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
 
 
-def coefficients(velocity: int) -> Some:
+def coefficients(order: int, velocity: int = 0) -> dict[str, Any]:
     """Return the shape of the Taylor coefficients of a component of Phi: x, or v = omega x."""
-    powers = [(i, n - i) for n in range(2, int(ORDERS[-1]) + 1) for i in range(n + 1)]
-    return Some({f"{i},{j}": Quantity(Unit(1 - i - j, velocity - j)) for i, j in powers})
+    powers = [(i, n - i) for n in range(2, order + 1) for i in range(n + 1)]
+    units = {(i, j): f"R^{1 - i - j} omega^{velocity - j}" for i, j in powers}
+    return {f"{i},{j}": Maybe(Quantity(unit)) for (i, j), unit in units.items()}
 
 
 class Elliptic(NonSticking):
@@ -55,14 +57,15 @@ class Elliptic(NonSticking):
               "|Theta|/(2 pi), without sign, in (0, 1/2)"),
         Field("resonance_distances", dict.fromkeys(RESONANCES, Quantity()), "distance to", "",
               "|rotation_number - p/q| for all p/q in [0, 1/2] with q <= 4, positive"),
-        Field("taylor", {"x": coefficients(0), "v": coefficients(1)}, "", "",
+        Field("taylor", {"x": coefficients(9), "v": coefficients(9, 1)}, "", "",
               "of dx^i dv^j in that component of Phi(P* + (dx, dv)), 2 <= i + j <= order"),
-        Field("twist", Quantity(Unit(-2, -1)), "tau_1 per |z|^2", r"\tau_1",
+        Field("twist", Quantity("R^-2 omega^-1"), "tau_1 per |z|^2", r"\tau_1",
               "with its sign relative to the signed Theta; not 0"),
-        Field("twist_action", Quantity(Unit(-2, -1)), "tau_1 per action I", r"2\tau_1",
+        Field("twist_action", Quantity("R^-2 omega^-1"), "tau_1 per action I", r"2\tau_1",
               "2 tau_1, per action |z|^2/2"),
-        Field("higher_twists", First([Quantity(Unit(-2 * k, -k)) for k in (2, 3, 4)]),
-              "tau_(k+1), k =", r"\tau_k", "tau_2, tau_3, ..: (order - 3)/2 of them"),
+        Field("higher_twists", First([Quantity(f"R^{-2 * k} omega^{-k}") for k in (2, 3, 4)]),
+              "tau_(k+1), k =", r"\tau_{k+1}",
+              "tau_2, tau_3, ..: (order - 3)/2 of them"),
         Field("remainder", {"degree": Word(ORDERS), "radius": number, "x": bound, "v": bound},
               "", "", "on the disk |(dx, dv)| <= radius, which lies in the box, each component of "
               "Phi differs from its Taylor polynomial of this degree by at most so much"),

@@ -1,6 +1,6 @@
 """Periodic orbits with any events: type, multipliers, and a basin for those that attract.
 
-*Determinant.*  ``itinerary.determinant``; it is exactly 1 if e = 1, mu = 0 and all events are hits,
+*Determinant.*  ``events.determinant``; it is exactly 1 if e = 1, mu = 0 and all events are hits,
 and exactly 0 if there is a stick or a capture.
 
 *Multipliers* are the zeros of z^2 - trace z + det.  If trace^2 > 4 det they are real, and (trace +-
@@ -34,6 +34,15 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from cap.checker.flow.capture import captures
+from cap.checker.flow.events import (
+    SYSTEM,
+    WORDS,
+    LossyMap,
+    determinant,
+    in_order,
+    limit_events,
+    turning_factor,
+)
 from cap.checker.flow.fixed_point import (
     KRAWCZYK_ORDER,
     WINDOWS,
@@ -43,33 +52,13 @@ from cap.checker.flow.fixed_point import (
     ends,
     krawczyk_theorem,
 )
-from cap.checker.flow.itinerary import (
-    MAX_EVENTS,
-    WITH_LOSSES_AT,
-    WORDS,
-    Passage,
-    PeriodMap,
-    determinant,
-    in_order,
-    limit_events,
-    turning_factor,
-)
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
+from cap.checker.kernel.choices import OneOrOther
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Centred, lift, slope_along
+from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.shapes import (
-    TIME,
-    Enclosure,
-    Field,
-    Many,
-    Maybe,
-    OneOrOther,
-    Quantity,
-    Table,
-    Whole,
-    Word,
-)
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
 from cap.checker.kernel.theorem import WITH_LOSSES
 
 MAX_PERIODS = 16
@@ -91,7 +80,7 @@ class Periodic(FixedPoint):
         Field("itinerary", Many(Word(WORDS), 1, MAX_EVENTS), "", "",
               "all events of every orbit from the box in (0, nT), in their order"),
         *FixedPoint.CLAIMS,
-        Field("event_times", Many(Quantity(TIME), 1, MAX_EVENTS), "itinerary", "t_k",
+        Field("event_times", Many(Quantity("omega^-1"), 1, MAX_EVENTS), "itinerary", "t_k",
               "of each event; of a capture, where the hits accumulate (then of any width)"),
         Field("turning_factors", Many(Quantity(), 0, MAX_EVENTS), "factor of turn",
               r"(|a_k| - f)/(|a_k| + f)", "(|a| - f)/(|a| + f) at each turn, a = F cos(omega t)"),
@@ -121,7 +110,7 @@ class Periodic(FixedPoint):
     def phi(self) -> PeriodMap:
         """The map over n periods."""
         windows = [ends(w) for w in self.hints["events"]]
-        return PeriodMap(self.p, self.claims["itinerary"], windows, self.claims["period"])
+        return LossyMap(self.p, self.claims["itinerary"], windows, self.claims["period"])
 
     def orbit(self, orbit: Passage, jacobian: Matrix) -> None:
         """Compare the claims about the events, and the spectrum."""
@@ -215,7 +204,7 @@ class Periodic(FixedPoint):
 
     def words(self) -> str:
         """Return the theorem in one line."""
-        return self.told(f"{WITH_LOSSES_AT}{_PERIODIC}{_BASIN if 'basin' in self.claims else ''}")
+        return self.told(f"{SYSTEM}{_PERIODIC}{_BASIN if 'basin' in self.claims else ''}")
 
     def told(self, sentence: str, **more: object) -> str:
         """Return a sentence with the numbers claimed."""
@@ -230,6 +219,16 @@ class Periodic(FixedPoint):
             rows = [f"({p}, {q})" for p, q in claims["basin"]["matrix"]]
             words |= {"W": f"({', '.join(rows)})", "kappa": claims["basin"]["contraction"]}
         return super().told(sentence, **words, **more)
+
+
+def slope_along(jet: RealJet, p: Interval, q: Interval) -> RealJet:
+    """Return the derivative of a jet of two variables in the direction (p, q), one order less."""
+    total = Jet[Interval](jet.order - 1, {})
+    for (i, j), c in jet.coefficients.items():
+        for power, factor in (((i - 1, j), p * i), ((i, j - 1), q * j)):
+            if min(power) >= 0:
+                total = total + Jet(total.order, {power: c * factor})
+    return total
 
 
 def mean(u: Centred, start: Point) -> Interval:

@@ -29,7 +29,7 @@ from __future__ import annotations
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.shapes import FORCE, Field, Quantity, Unit
+from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS, FOR_ALL_F
 from cap.checker.one_one.closed_form import Symmetric, birth, friction
 from cap.checker.one_one.pairs import over_intervals
@@ -43,15 +43,15 @@ class Pitchfork(Scaled):
     HINTS = (BITS,)
     # fmt: off
     CLAIMS = (
-        Field("f", Quantity(FORCE), "f0", "f_0",
+        Field("f", Quantity("F"), "f0", "f_0",
               "f_0 = F alpha(0), where the pair is born from the symmetric orbit 'plus'"),
         *STATE,
-        Field("half_trace_slope", Quantity(Unit(F=-1)), "slope of the half map's trace in f",
+        Field("half_trace_slope", Quantity("F^-1"), "slope of the half map's trace in f",
               "dh/df", "at f_0, where the half trace is -2"),
         Field("cubic", Quantity(), "cubic coefficient", "c_3", "c_3 at alpha(0)"),
         Field("linear_slope", Quantity(), "slope of the linear coefficient in f/F",
               r"dc_1/d\alpha", "dc_1/dalpha at alpha(0)"),
-        Field("curvature", Quantity(FORCE), "p, f = f0 + p delta^2 + ...", "p",
+        Field("curvature", Quantity("F"), "p, f = f0 + p delta^2 + ...", "p",
               "-F cubic/linear_slope: f = f_0 + curvature delta^2 + O(delta^4) on the pair"),
         Field("trace_curvature", Quantity(), "q, trace = 2 + q delta^2 + ...", "q",
               "trace Phi' = 2 + trace_curvature delta^2 + O(delta^4) on the pair"),

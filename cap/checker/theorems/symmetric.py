@@ -25,21 +25,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from cap.checker.kernel.choices import Cases, OrNone
 from cap.checker.kernel.citation import NEUMAIER, cite
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    FORCE,
-    SPEED,
-    Cases,
-    Enclosure,
-    Field,
-    Many,
-    OrNone,
-    Quantity,
-    Word,
-)
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word
 from cap.checker.kernel.theorem import BITS
 from cap.checker.one_one.closed_form import Symmetric, birth, friction, half_turn
 from cap.checker.one_one.scaled import STATE, SYSTEM_AT_F, Scaled
@@ -54,7 +45,7 @@ ORBIT = (
 )
 # fmt: on
 GENUINE = {field.name: field.shape for field in ORBIT}
-NOT_GENUINE = {"hit_speed": Quantity(SPEED), "least_speed": Quantity(SPEED)}
+NOT_GENUINE = {"hit_speed": Quantity("R omega"), "least_speed": Quantity("R omega")}
 BRANCH = OrNone(Cases("genuine", {"yes": GENUINE, "no": NOT_GENUINE}))
 
 
@@ -66,12 +57,12 @@ class SymmetricOrbits(Scaled):
     CLAIMS = (
         Field("branches", {"plus": BRANCH, "minus": BRANCH}, "", "",
               'the orbits with c > 0, c < 0; "none" if f > 2F/pi or the hit speed is not positive'),
-        Field("saddle_center", Quantity(FORCE), "plus and minus meet", r"2F/\pi", "2F/pi"),
-        Field("pitchfork", OrNone(Quantity(FORCE)), "asymmetric pair is born", "f_0",
+        Field("saddle_center", Quantity("F"), "plus and minus meet", r"2F/\pi", "2F/pi"),
+        Field("pitchfork", OrNone(Quantity("F")), "asymmetric pair is born", "f_0",
               'f where c = 2 rho/(pi^2 - 4), trace Phi\' = 2; "none" if rho >= (pi^2 - 4)/2'),
-        Field("minus_identity", OrNone(Quantity(FORCE)), "Phi' = -1", "f_{-1}",
+        Field("minus_identity", OrNone(Quantity("F")), "Phi' = -1", "f_{-1}",
               'f where c = rho/(pi^2 - 2), trace Phi\' = -2; "none" if rho >= pi^2 - 2'),
-        Field("paper_roots", Many({"theta": Quantity(), "velocity": Quantity(SPEED)}, 0, 2),
+        Field("paper_roots", Many({"theta": Quantity(), "velocity": Quantity("R omega")}, 0, 2),
               "paper's root", r"\theta", "all roots in (0, pi), ascending, two or none, of F pi "
               "sin theta = 2F + R omega^2 - f pi^2/2 + f theta (pi - theta); velocity = -(F/omega) "
               "sin theta - (f/omega)(pi - theta), negative"),
