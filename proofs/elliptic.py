@@ -37,32 +37,7 @@ from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
 from proofs import non_sticking
-from proofs.citation import MOSER, cited
 from proofs.fixed_point import Proof, Setting
-
-CITED = cited(
-    *MOSER,
-    (
-        "H1",
-        "the orbit has finitely many hits, all transverse, no turning and no sticking",
-        "hit_times, hit_speeds, least_speed",
-    ),
-    (
-        "H2",
-        "Phi is exact symplectic near the fixed point: flights and hits preserve dx^dv, and a "
-        "disk is simply connected",
-        "box",
-    ),
-    (
-        "H3",
-        "Phi is real analytic near the fixed point: the hit times are, by the implicit function "
-        "theorem",
-        "hit_speeds",
-    ),
-    ("H4", "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi", "trace"),
-    ("H5", "no resonance of order at most four", "rotation_number, resonance_distances"),
-    ("H6", "the first Birkhoff twist coefficient does not vanish", "twist"),
-)
 
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 
@@ -72,9 +47,7 @@ def prove(setting: Setting) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return non_sticking.proof_of(
-        "elliptic", setting, conclusion, CITED, {"order": str(setting.order)}
-    )
+    return non_sticking.proof_of("elliptic", setting, conclusion, {"order": str(setting.order)})
 
 
 def conclusion(

@@ -10,6 +10,7 @@ from typing import Any
 
 from cap.cells.subdivision import Workers
 from cap.certificate.writer import FORMAT, Rounding, Units
+from cap.checker.theorems import load
 from cap.errors import NotProved
 from cap.flow.model import Oscillator
 from cap.maps import fixed_point
@@ -77,9 +78,8 @@ def assembled(
     setting: Setting,
     parameters: dict[str, str],
     content: tuple[dict[str, Any], dict[str, Any]],
-    *cites: dict[str, Any],
 ) -> dict[str, Any]:
-    """Return a certificate from its claims and hints."""
+    """Return a certificate from its claims and hints; what it cites is the checker's list."""
     claims, hints = content
     return {
         "format": FORMAT,
@@ -88,7 +88,7 @@ def assembled(
         "digits": str(setting.digits),
         "claims": claims,
         "hints": hints,
-        "cites": list(cites),
+        "cites": list(load(theorem).CITES),
     }
 
 

@@ -12,7 +12,6 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
 from cap.sets import interval, matrix
-from proofs.citation import krawczyk
 from proofs.fixed_point import (
     Proof,
     Setting,
@@ -22,23 +21,14 @@ from proofs.fixed_point import (
     lemma_2_uniqueness,
 )
 
-KRAWCZYK = krawczyk(
-    "Phi is continuously differentiable on the box: "
-    "all hits are transverse and no velocity vanishes"
-)
-
 
 def proof_of(
     theorem: str,
     setting: Setting,
     conclude: Callable[[Oscillator[Any], Setting, FixedPoint, Neighbourhood], dict[str, Any]],
-    cited: dict[str, Any],
     more_hints: dict[str, str] | None = None,
 ) -> Proof:
-    """Prove Lemma 1; return the rest of the proof: Lemma 2 and ``conclude``, which returns claims.
-
-    ``cited`` is the theorem on paper on which the conclusion rests, besides Krawczyk's.
-    """
+    """Prove Lemma 1; return the rest: Lemma 2 and ``conclude``, which returns claims."""
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)
         point = lemma_1_fixed_point(osc, setting)
@@ -54,7 +44,7 @@ def proof_of(
             }
             found = claims, {**hints(setting, point, around), **(more_hints or {})}
             strings = setting.parameters.elastic_strings()
-            return assembled(theorem, setting, strings, found, KRAWCZYK, cited)
+            return assembled(theorem, setting, strings, found)
 
     return certified
 

@@ -32,7 +32,6 @@ from cap.maps.fixed_point import FixedPoint, Itinerary, Neighbourhood
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
-from proofs.citation import krawczyk
 from proofs.fixed_point import (
     Proof,
     Setting,
@@ -40,11 +39,6 @@ from proofs.fixed_point import (
     largest_reach,
     lemma_1_fixed_point,
     lemma_2_uniqueness,
-)
-
-KRAWCZYK = krawczyk(
-    "Phi^n, n the period, is continuously differentiable on the box: all hits and stops are "
-    "transverse, and every stick and capture ends at a fixed time"
 )
 
 
@@ -55,7 +49,7 @@ def prove(setting: Setting) -> Proof:
     """
     orbit = Prepared(setting)
     strings = setting.parameters.strings()
-    return lambda part: assembled("periodic", setting, strings, orbit.proved(part), KRAWCZYK)
+    return lambda part: assembled("periodic", setting, strings, orbit.proved(part))
 
 
 class Prepared:

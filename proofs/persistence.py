@@ -36,16 +36,8 @@ from cap.parameters import Parameters
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
 from proofs import periodic
-from proofs.citation import krawczyk
 from proofs.fixed_point import Proof, Setting, assembled
 
-KRAWCZYK = krawczyk(
-    "Phi is continuously differentiable on box, and on each box of range for all its epsilon and "
-    "mu: all hits are transverse and no velocity vanishes",
-    "K(box) lies in the interior of the box, and so does K of each box of range, formed with all "
-    "its epsilon and mu",
-    "box, range",
-)
 BITS = 64  # enough for boxes of a thousandth
 LONGEST = 40  # decimals of a node
 PLACES = 9  # decimals of the hints
@@ -120,7 +112,7 @@ def prove(setting: Setting) -> Proof:
         claims["range"] = grid.claims()
         hints["cells"] = [_hint(cell) for cell in grid.ordered()]
         strings = setting.parameters.strings()
-        return assembled("persistence", setting, strings, (claims, hints), KRAWCZYK)
+        return assembled("persistence", setting, strings, (claims, hints))
 
     return certified
 

@@ -21,25 +21,7 @@ from cap.flow.model import Oscillator
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
 from cap.sets import matrix
 from proofs import non_sticking
-from proofs.citation import cited
 from proofs.fixed_point import Proof, Setting
-
-HADAMARD_PERRON = cited(
-    "Hadamard-Perron",
-    "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
-    "Theorem 6.2.8",
-    (
-        "smooth",
-        "Phi is real analytic near the fixed point: all hits are transverse and no velocity "
-        "vanishes",
-        "hit_speeds, least_speed",
-    ),
-    (
-        "hyperbolic",
-        "one eigenvalue of the Jacobian lies outside the unit circle and one inside",
-        "multipliers",
-    ),
-)
 
 
 def prove(setting: Setting) -> Proof:
@@ -47,7 +29,7 @@ def prove(setting: Setting) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return non_sticking.proof_of("saddle", setting, conclusion, HADAMARD_PERRON)
+    return non_sticking.proof_of("saddle", setting, conclusion)
 
 
 def conclusion(
