@@ -207,12 +207,12 @@ def test_the_hit_before_a_capture(l, speed, word, why):
     before = Event(word, moment, M.F, M.constant(M.number(Fraction(speed))))
     window = Fraction(0), Fraction(1, 2)
     if why is None:
-        event, rest = capture(M, before, 1, "capture r", window)
+        event, rest = capture(M, before, "capture r", window)
         assert event.moment.t.value.upper < Fraction(1, 5)
         assert rest.sides == (-1,)
     else:
         with pytest.raises(Rejected, match=why):
-            capture(M, before, 1, "capture r", window)
+            capture(M, before, "capture r", window)
 
 
 def some_system(rng):
@@ -260,16 +260,16 @@ def test_the_lemma_for_random_systems(side):
         M = in_time(parameters, (a, b), short(x, x), short(-u, u / 2))
         moment = M.moment(M.constant(short(a, a + u)))
         hit = Event(f"hit {walls[side]}", moment, M.F, M.constant(short(u / 2, u)))
-        event, rest = capture(M, hit, side, word, (a, b))
+        event, rest = capture(M, hit, word, (a, b))
         assert event.moment.t.value.lo == moment.t.value.lo
         assert 0 <= event.moment.t.value.upper - rational(late[0]) < Fraction(1, 10**6)
         assert 0 <= ratio(M, event.forcing * side).upper - rational(late[1]) < Fraction(1, 10**6)
         assert rest.since.lower <= b <= rest.since.upper
         assert rest.x.value.lower <= parameters[walls[side]] <= rest.x.value.upper
         with pytest.raises(Rejected, match="begins after the hit before it"):
-            capture(M, hit, side, word, (a + little, b))
+            capture(M, hit, word, (a + little, b))
         if side > 0:
-            event, _ = capture(M, None, side, word, (a, b))
+            event, _ = capture(M, None, word, (a, b))
             assert event.moment.t.value.lo == 0
             assert 0 <= event.moment.t.value.upper - rational(high[0]) < Fraction(1, 10**6)
 

@@ -8,9 +8,8 @@ import pytest
 from mpmath import mp, mpf
 from support import rational, seeded
 
-from cap.checker.flow.events import EVENTS, WORDS, LossyMap
+from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.itinerary import follow
 from cap.checker.flow.losses import Losses, Lossy, composed
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
@@ -222,7 +221,8 @@ def test_a_stick_and_its_release():
     """The release is at arccos(-9/10), to the left; what follows forgets the velocity."""
     M = mechanics(STICKY, "0", "0.5")
     windows = [(Fraction(16, 10), Fraction(175, 100)), (Fraction(2), Fraction(3))]
-    events, flight = follow(M, M.launch(), ["stick", "release left"], windows, EVENTS)
+    phi = LossyMap(None, ["stick", "release left"], windows)
+    events, flight = phi.follow(M, M.launch())
     with mp.workdps(40):
         assert abs(rational(mp.acos(mpf(-9) / 10)) - events[1].moment.t.value.lower) < 1e-30
     assert events[1].forcing.lower <= Fraction(-9, 10) <= events[1].forcing.upper

@@ -15,10 +15,8 @@ from cap.checker.theorems import NAMES
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
 STORED = Path(__file__).parents[2] / "certificates"
 FLOW = {"kernel", "flow", "theorems", "verdict"}
-    {"kernel", "flow", "theorems", "verdict"},
-    {"kernel", "one_one", "theorems", "verdict"},
-)
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
+MORE = {"persistence": {"periodic"}}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 
@@ -51,32 +49,24 @@ def test_the_command_line_adds_only_itself():
 
 
 @pytest.mark.parametrize("theorem", NAMES)
-def test_only_the_theorem_that_a_certificate_names_is_loaded(theorem):
-    """Of the theorems, after a verdict on it: itself, and those of which it is a special case."""
-    more = {"persistence": {"periodic"}}.get(theorem, set())
+def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem):
+    """Of the theorems itself, and that of which it is a special case; the list for referees has
+    just what was loaded.
+    """
     path = next(p for p in sorted(STORED.glob("*.json")) if p.stem.split("-")[0] == theorem)
     modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
-    found = {m.rpartition(".")[2] for m in modules if m.startswith("cap.checker.theorems.")}
-    assert found == {theorem} | more
-    assert {m.split(".")[2] for m in modules if m.startswith("cap.checker.")} <= ROOMS.get(
-        theorem, FLOW
-    )
-
-
-@pytest.mark.parametrize("theorem", NAMES)
-def test_what_a_referee_reads_is_what_is_loaded(theorem):
-    """The list has each module of the checker that a verdict loads, if it has code."""
-    path = next(p for p in sorted(STORED.glob("*.json")) if p.stem.split("-")[0] == theorem)
-    used = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
+    used = {m.removeprefix("cap.checker.") for m in modules if m.startswith("cap.checker.")}
+    assert {m.partition(".")[0] for m in used} == ROOMS.get(theorem, FLOW)
+    theorems = {m.partition(".")[2] for m in used if m.startswith("theorems.")}
+    assert theorems == {theorem} | MORE.get(theorem, set())
+    lines = printed(f"from cap import verify; verify.main(['--reading', {theorem!r}])")
+    files = [line.split()[-1] for line in lines if line.endswith(".py")]
     listed = [
-        line.split()[-1].removesuffix(".py").replace("/", ".")
-        for line in printed(f"from cap import verify; verify.main(['--reading', {theorem!r}])")
-        if line.endswith(".py")
+        file.removesuffix(".py").removesuffix("/__init__").replace("/", ".") for file in files
     ]
-    known = {m.removeprefix("cap.checker.") for m in used if m.startswith("cap.checker.")}
-    packages = {"kernel", "flow", "one_one", "theorems"}
-    assert {name.removesuffix(".__init__") for name in listed} - packages == known - packages
-    assert len(listed) == len(set(listed))
+    assert sorted(listed) == sorted(used - ROOMS.get(theorem, FLOW) | {"theorems", "verdict"})
+    counts = [list(map(int, line.split()[:2])) for line in lines[1:]]
+    assert counts[-1] == [sum(n) for n in zip(*counts[:-1], strict=True)]
 
 
 @pytest.mark.parametrize("module", MODULES)

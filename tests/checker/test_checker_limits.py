@@ -36,7 +36,7 @@ def hinted(theorem, bits, events, order=None, cells=None):
         cell = {key: POINT[key] for key in ("centre", "preconditioner")}
         hints["cells"] = [cell | {"events": hints["events"]}] * cells
     read_hints = tabled(hints, load(theorem).HINTS, "hints")
-    limit_work(read_hints[name], read_hints)
+    limit_work(read_hints)
     return read_hints["bits"]
 
 

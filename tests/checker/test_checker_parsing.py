@@ -8,9 +8,9 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.reading import MAX_BYTES, bounded, number, parsed
+from cap.checker.kernel.reading import MAX_BYTES, number, parsed
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.shapes import enclosure
+from cap.checker.kernel.shapes import Whole, enclosure
 from checker.altered import encode, rejected, verify
 from checker.forge import forge
 
@@ -86,9 +86,9 @@ def test_an_enclosure_may_be_a_point():
 def test_small_integers_out_of_bounds_reject(literal):
     """Only plain integers in the bounds; both bounds are allowed."""
     with pytest.raises(Rejected):
-        bounded(literal, 6, 1000, "digits")
-    assert bounded("6", 6, 1000, "digits") == 6
-    assert bounded("1000", 6, 1000, "digits") == 1000
+        Whole(6, 1000)(literal, "digits")
+    assert Whole(6, 1000)("6", "digits") == 6
+    assert Whole(6, 1000)("1000", "digits") == 1000
 
 
 @pytest.mark.parametrize(

@@ -37,7 +37,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from cap.checker.flow.hits import Event
+from cap.checker.flow.hits import SIDES, Event
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Ends
 from cap.checker.flow.stops import Rest, span
@@ -56,15 +56,14 @@ def captures(itinerary: Sequence[str]) -> str:
     return _MEANING if any(word.startswith("capture") for word in itinerary) else ""
 
 
-def capture(
-    M: Lossy, before: Event | None, side: int, word: str, window: Ends
-) -> tuple[Event, Rest]:
+def capture(M: Lossy, before: Event | None, word: str, window: Ends) -> tuple[Event, Rest]:
     """Prove that hits of the wall on this side, and turns between, accumulate within [t_a, t_d].
 
     ``before`` is the hit of this wall that the mass leaves, or None: then the mass is in the box at
     the time 0, and the claim is made for orbits from its interior.  On return, the mass rests at
     the wall from the accumulation on at least until t_d, held by a force.
     """
+    side = SIDES[word.split()[1]]
     towards = span(M, window) * side
     need((towards - M.f).is_positive(), "the force may be too weak to hold the mass at the wall")
     k = ratio(M, towards)

@@ -12,10 +12,10 @@ from typing import Any
 
 from cap.checker.flow.capture import capture
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.hits import SIDES, Event, hit
-from cap.checker.flow.itinerary import Kinds, Passage, PeriodMap, limit_work
+from cap.checker.flow.hits import Event, hit
+from cap.checker.flow.itinerary import Passage, PeriodMap, limit_work
 from cap.checker.flow.losses import Losses, Lossy
-from cap.checker.flow.mechanics import Flight, Mechanics
+from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics
 from cap.checker.flow.stops import Rest, release, stick, turn
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
@@ -26,16 +26,6 @@ WORDS = (
     *(f"{event} {wall}" for event in ("hit", "capture") for wall in "rl"),
     *(f"{event} {side}" for event in ("turn", "release") for side in ("right", "left")),
 )
-# of the mechanics, the events before, the state after them, a word and its window
-EVENTS: Kinds = {
-    "hit": lambda M, _, now, *word: hit(M, moving(now), *word),
-    "turn": lambda M, _, now, *word: turn(M, moving(now), *word),
-    "stick": lambda M, _, now, *word: stick(M, moving(now), *word),
-    "release": lambda M, _, now, *word: release(M, resting(now), *word),
-    "capture": lambda M, before, _, word, window: capture(
-        M, before[-1] if before else None, SIDES[word.split()[1]], word, window
-    ),
-}
 SYSTEM = (
     "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
     "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
@@ -50,11 +40,22 @@ class LossyMap(PeriodMap):
     """
 
     losses: Losses | None = None
-    kinds = EVENTS
 
-    def mechanics(self, box: Sequence[Interval], m: Sequence[Interval], order: int) -> Mechanics:
+    def mechanics(self, box: Box, m: Box, order: int) -> Lossy:
         """Return the mechanics over a box."""
         return Lossy(self.p, box, m, order, self.periods, self.losses)
+
+    def event(self, M: Any, before: list[Event], now: Any, word: str, window: Ends) -> Any:
+        """Prove the next event, and return it with the state after it.
+
+        The state None is that of a box which may touch a wall; only a capture can follow it.
+        """
+        kind = word.partition(" ")[0]
+        if kind == "capture":
+            return capture(M, before[-1] if before else None, word, window)
+        if kind == "release":
+            return release(M, resting(now), word, window)
+        return {"hit": hit, "turn": turn, "stick": stick}[kind](M, moving(now), word, window)
 
 
 def moving(state: Flight | Rest | None) -> Flight:
@@ -94,7 +95,7 @@ def turning_factor(M: Mechanics, turn: Event) -> Interval:
 
 def limit_events(hints: dict[str, Any], claims: dict[str, Any]) -> None:
     """Reject what would take too long, and what has not as many events everywhere."""
-    limit_work(hints["events"], hints)
+    limit_work(hints)
     events = len(hints["events"])
     for name in ("itinerary", "event_times"):
         need(len(claims[name]) == events, f"claims.{name} is not a list of {events}")

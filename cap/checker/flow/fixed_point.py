@@ -24,7 +24,7 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap, limit_work
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.citation import NEUMAIER, Citation, cite
 from cap.checker.kernel.interval import Interval
@@ -98,6 +98,11 @@ class FixedPoint(Theorem):
     )
     # fmt: on
 
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+        """Bound the time."""
+        limit_work(hints)
+
     def prove(self) -> None:
         """Prove the theorem."""
         self.existence()
@@ -128,9 +133,14 @@ class FixedPoint(Theorem):
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:
         """Prove what the theorem says about the fixed point and its orbit."""
 
+    @property
+    def box(self) -> list[Ends]:
+        """The box claimed."""
+        return [self.claims["box"][z][:2] for z in ("x", "v")]
+
     def existence(self) -> None:
         """Prove that Phi has exactly one fixed point in the box claimed."""
-        self.krawczyk([ends(self.claims["box"][z]) for z in ("x", "v")])
+        self.krawczyk(self.box)
         self.step(f"all orbits from the box have the itinerary: {', '.join(self.phi.itinerary)}")
         self.step("K(box) lies in the interior of the box: exactly one fixed point")
 
@@ -140,9 +150,8 @@ class FixedPoint(Theorem):
         need(radius > 0, "radius is not positive")
         centre = zip(self.hints["centre"], scales, strict=True)
         small = [(m - radius * scale, m + radius * scale) for m, scale in centre]
-        for (low, high), name in zip(small, ("x", "v"), strict=True):
-            box = self.claims["box"][name]
-            need(box.lower <= low and high <= box.upper, "S is not in the box")
+        sides = zip(small, self.box, strict=True)
+        need(all(z[0] <= s[0] and s[1] <= z[1] for s, z in sides), "S is not in the box")
         result = self.krawczyk(small)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains P*")
         return result
@@ -150,6 +159,10 @@ class FixedPoint(Theorem):
     def krawczyk(self, region: Sequence[Ends]) -> Point:
         """Return K(region) if it lies in the interior of the region."""
         return krawczyk(self.phi, region, self.hints, self.hints["bits"], KRAWCZYK_ORDER)
+
+    def is_in_the_box(self, rectangle: Sequence[Interval]) -> bool:
+        """Return whether a rectangle lies in the box claimed."""
+        return all(z.lies_in(*side) for z, side in zip(rectangle, self.box, strict=True))
 
     def near(self, box: Sequence[Interval], point: Point, order: int) -> Passage:
         """Return the orbits of a box around an enclosure of a point."""

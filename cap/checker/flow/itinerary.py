@@ -15,20 +15,17 @@ derivative.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 from cap.checker.flow.hits import Event, hit
-from cap.checker.flow.mechanics import Ends, Flight, Mechanics, least
+from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics, least
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, lift
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Parameters
 
-Kinds = Mapping[str, Callable[..., tuple[Event, Any]]]
-HITS: Kinds = {"hit": lambda M, _, now, *word: hit(M, now, *word)}
 MAX_EVENTS = 64
 MAX_WORK = 3 << 18
 CELL_WORK = 1 << 10  # an event in a rectangle of persistence: 64 bits, four variables
@@ -39,10 +36,11 @@ def work(events: int, bits: int, order: int = 0, cells: int = 0) -> int:
     return events * (bits * (max(order, 4) + 1) ** 2 + CELL_WORK * cells)
 
 
-def limit_work(windows: Sequence[Enclosure], hints: dict[str, Any]) -> None:
+def limit_work(hints: dict[str, Any]) -> None:
     """Reject what would take too long to check."""
-    order, cells = int(hints.get("order", 0)), len(hints.get("cells", ()))
-    needed = work(len(windows), hints["bits"], order, cells)
+    windows = hints["events" if "events" in hints else "hit_times"]
+    cells = hints.get("cells", ())
+    needed = work(len(windows), hints["bits"], int(hints.get("order", 0)), len(cells))
     need(needed <= MAX_WORK, f"bits, order, events and cells are too much: {needed} > {MAX_WORK}")
 
 
@@ -78,19 +76,30 @@ class PeriodMap:
     itinerary: Sequence[str]
     windows: Sequence[Ends]
     periods: int = 1
-    kinds: ClassVar[Kinds] = HITS
 
-    def mechanics(self, box: Sequence[Interval], m: Sequence[Interval], order: int) -> Mechanics:
+    def mechanics(self, box: Box, m: Box, order: int) -> Mechanics:
         """Return the mechanics over a box."""
         return Mechanics(self.p, box, m, order, self.periods)
 
-    def over(self, box: Sequence[Interval], m: Sequence[Interval], order: int) -> Passage:
+    def event(self, M: Mechanics, before: list[Event], now: Any, word: str, window: Ends) -> Any:  # noqa: ARG002
+        """Prove the next event, and return it with the state after it: here, a hit."""
+        return hit(M, now, word, window)
+
+    def follow(self, M: Mechanics, now: Any) -> tuple[list[Event], Any]:
+        """Prove the itinerary from a state on, and return its events and the state after it."""
+        events = list[Event]()
+        for word, window in zip(self.itinerary, self.windows, strict=True):
+            event, now = self.event(M, events, now, word, window)
+            events.append(event)
+        return events, now
+
+    def over(self, box: Box, m: Box, order: int) -> Passage:
         """Return the orbits from a box; on return, all of them have exactly the itinerary.
 
         Their initial and final states are strictly between the walls, of constant sign of v.
         """
         M = self.mechanics(box, m, order)
-        events, last = follow(M, M.launch(), self.itinerary, self.windows, self.kinds)
+        events, last = self.follow(M, M.launch())
         if not isinstance(last, Flight):
             raise Rejected("the mass rests, and no release follows")
         end = M.full_turns(M.horizon)
@@ -99,17 +108,3 @@ class PeriodMap:
         x, speed = M.place(last, end), M.speed(last, end)
         need(M.is_between_walls(x.value), "x(T) is not certainly between the walls")
         return Passage(M, events, last, x, lift(lambda u: u * last.s, speed))
-
-
-def follow(
-    M: Mechanics, now: Any, itinerary: Sequence[str], windows: Sequence[Ends], kinds: Kinds = HITS
-) -> tuple[list[Event], Any]:
-    """Prove the itinerary from a flight on, and return its events and the state after it.
-
-    The state None is that of a box which may touch a wall; only a capture can follow it.
-    """
-    events = list[Event]()
-    for word, window in zip(itinerary, windows, strict=True):
-        event, now = kinds[word.partition(" ")[0]](M, events, now, word, window)
-        events.append(event)
-    return events, now

@@ -24,7 +24,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.mechanics import Ends, Mechanics
+from cap.checker.flow.mechanics import Box, Ends, Mechanics
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
 from cap.checker.kernel.series import divided, nilpotent, reciprocal
@@ -44,8 +44,8 @@ class Lossy(Mechanics):
     def __init__(
         self,
         p: Parameters,
-        box: Sequence[Interval],
-        m: Sequence[Interval],
+        box: Box,
+        m: Box,
         order: int,
         periods: int = 1,
         losses: Losses | None = None,

@@ -38,6 +38,7 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.theorem import Parameters
 
 Ends = tuple[Fraction, Fraction]
+Box = Sequence[Interval]
 
 
 class Moment(NamedTuple):
@@ -46,6 +47,9 @@ class Moment(NamedTuple):
     t: Centred
     cos: Centred
     sin: Centred
+
+
+Minima = list[Moment]
 
 
 class Flight(NamedTuple):
@@ -60,7 +64,7 @@ class Flight(NamedTuple):
     C: Centred
     start: Moment
     at_rest: bool
-    minima: list[Moment]
+    minima: Minima
 
 
 class Mechanics:
@@ -69,14 +73,7 @@ class Mechanics:
     Every method holds for all orbits from the box, and rejects if it does not succeed.
     """
 
-    def __init__(
-        self,
-        p: Parameters,
-        box: Sequence[Interval],
-        m: Sequence[Interval],
-        order: int,
-        periods: int = 1,
-    ) -> None:
+    def __init__(self, p: Parameters, box: Box, m: Box, order: int, periods: int = 1) -> None:
         self.bits = box[0].bits
         self.omega, self.f, self.F = (self.number(q) for q in (p.omega, p.f, p.F))
         self.walls = {1: self.number(p.r), -1: self.number(p.l)}
@@ -96,18 +93,16 @@ class Mechanics:
         jets = (Jet(self.order, {origin: z, unit: z.integer(1)}) for z in (m, box))
         return self.centred(*jets)
 
-    def _minima(self, ratio: Fraction, periods: int) -> dict[int, list[Moment]]:
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
         cos, half_turn = self.number(ratio), pi(self.bits)
         sin, theta = self.number(1 - ratio**2).sqrt(), arccos(cos)
-        turns = {1: [2 * k for k in range(1, periods + 1)], -1: [2 * k + 1 for k in range(periods)]}
-        return {
-            s: [
-                self.instant((half_turn * k - theta) / self.omega, cos * s, sin * -s)
-                for k in turns[s]
-            ]
-            for s in turns
-        }
+
+        def minimum(k: int, s: int) -> Moment:
+            return self.instant((half_turn * k - theta) / self.omega, cos * s, sin * -s)
+
+        rising = [minimum(2 * k, 1) for k in range(1, periods + 1)]
+        return {1: rising, -1: [minimum(2 * k + 1, -1) for k in range(periods)]}
 
     def number(self, q: Fraction) -> Interval:
         """Return an enclosure of a rational number."""
@@ -177,14 +172,7 @@ class Mechanics:
     # flights over the box
 
     def flight(
-        self,
-        s: int,
-        start: Moment,
-        x: Centred,
-        v: Centred,
-        minima: list[Moment],
-        *,
-        at_rest: bool = False,
+        self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
     ) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
         at = start.cos, start.sin, *self.losses

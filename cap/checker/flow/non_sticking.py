@@ -6,7 +6,7 @@ On the orbit of P* the velocity never vanishes; flights and hits preserve dx^dv,
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from cap.checker.flow.fixed_point import (
     WINDOWS,
@@ -16,7 +16,7 @@ from cap.checker.flow.fixed_point import (
     ends,
     krawczyk_theorem,
 )
-from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap, limit_work
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table
 
@@ -46,11 +46,6 @@ class NonSticking(FixedPoint):
               "the minimum of |v| on the orbit of P*, positive"),
     )
     # fmt: on
-
-    @classmethod
-    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
-        """Bound the time."""
-        limit_work(hints["hit_times"], hints)
 
     @property
     def phi(self) -> PeriodMap:

@@ -38,13 +38,6 @@ def number(value: Any, where: str) -> Fraction:
     return Fraction(int(numerator), int(denominator or "1"))
 
 
-def bounded(literal: str, least: int, most: int, name: str) -> int:
-    """Return an integer between least and most."""
-    need(re.fullmatch("0|[1-9][0-9]{0,5}", literal) is not None, f"{name} is not a small integer")
-    need(least <= int(literal) <= most, f"{name} is not between {least} and {most}")
-    return int(literal)
-
-
 def parsed(data: bytes) -> object:
     """Return the JSON value, built of objects, lists and strings; anything else rejects."""
     need(len(data) <= MAX_BYTES, "the file is larger than 1 MiB")

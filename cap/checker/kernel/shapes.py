@@ -14,11 +14,12 @@ A *unit* is a product of powers of R = r - l, omega and F, as "R^2 omega^-1".
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.checker.kernel.reading import bounded, number, text
+from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import Rejected, need
 
 
@@ -122,7 +123,11 @@ class Whole(NamedTuple):
 
     def __call__(self, value: Any, where: str) -> int:
         """Read it."""
-        return bounded(text(value, where), self.least, self.most, where)
+        small = re.fullmatch("0|[1-9][0-9]{0,5}", text(value, where)) is not None
+        need(small, f"{where} is not a small integer")
+        within = self.least <= int(value) <= self.most
+        need(within, f"{where} is not between {self.least} and {self.most}")
+        return int(value)
 
 
 class Many(NamedTuple):

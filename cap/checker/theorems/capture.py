@@ -10,11 +10,10 @@ from __future__ import annotations
 from typing import Any
 
 from cap.checker.flow.capture import captures, ratio
-from cap.checker.flow.events import EVENTS, SYSTEM, WORDS, in_order, limit_events
+from cap.checker.flow.events import SYSTEM, WORDS, LossyMap, in_order, limit_events
 from cap.checker.flow.fixed_point import STATE, WINDOWS, ends
 from cap.checker.flow.hits import SIDES
-from cap.checker.flow.itinerary import MAX_EVENTS, follow
-from cap.checker.flow.losses import Lossy
+from cap.checker.flow.itinerary import MAX_EVENTS
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word, bound, enclosure
@@ -66,10 +65,11 @@ class Capture(Theorem):
         last = [f"capture {claims['wall']}", f"release {'left' if side > 0 else 'right'}"]
         need(words[-2:] == last, "the itinerary does not end with the capture and the release")
         region = [Interval.enclosing(*z, self.hints["bits"]) for z in box]
-        M = Lossy(p, region, [z.midpoint() for z in region], _ORDER, _HORIZON)
         windows = [ends(w) for w in self.hints["events"]]
+        phi = LossyMap(p, words, windows, _HORIZON)
+        M = phi.mechanics(region, [z.midpoint() for z in region], _ORDER)
         start = M.launch() if len(words) > 2 else None
-        events, _ = follow(M, start, words, windows, EVENTS)
+        events, _ = phi.follow(M, start)
         self.step(f"all orbits from the box have the itinerary: {', '.join(words)}")
         captured, released = events[-2:]
         towards, times = captured.forcing * side, [e.moment.t.value for e in events]

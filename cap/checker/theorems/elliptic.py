@@ -146,9 +146,7 @@ class Elliptic(NonSticking):
         rho = claim["radius"]
         need(rho > 0, "the radius of the remainder is not positive")
         square = [z + Interval.enclosing(-rho, rho, self.hints["bits"]) for z in fixed_point]
-        for z, name in zip(square, ("x", "v"), strict=True):
-            box = self.claims["box"][name]
-            need(z.lies_in(box.lower, box.upper), "the disk of the remainder is not in the box")
+        need(self.is_in_the_box(square), "the disk of the remainder is not in the box")
         image = self.near(square, fixed_point, n)
         for name, component in (("x", image.x), ("v", image.v)):
             most = self.lagrange(component, n).upper * rho**n

@@ -186,11 +186,10 @@ class Periodic(FixedPoint):
         need(kappa < 1, "the contraction is not below 1")
         inverse = [[d / det, -b / det], [-c / det, a / det]]
         rectangle = list[Interval]()
-        for z, row, name in zip(fixed_point, inverse, ("x", "v"), strict=True):
+        for z, row in zip(fixed_point, inverse, strict=True):
             reach = self.number(row[0] ** 2 + row[1] ** 2).sqrt().hi
             rectangle.append(z + Interval(-reach, reach, z.bits))
-            box = self.claims["box"][name]
-            need(rectangle[-1].lies_in(*ends(box)), "the basin does not certainly lie in the box")
+        need(self.is_in_the_box(rectangle), "the basin does not certainly lie in the box")
         image = self.near(rectangle, fixed_point, KRAWCZYK_ORDER)
         N: Matrix = []
         for row in W:
