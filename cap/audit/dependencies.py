@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-OURS = ("cap", "proofs")
+OURS = ("cap",)
 LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
 
 

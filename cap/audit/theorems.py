@@ -101,13 +101,13 @@ STATEMENTS = (
         "saltation.contraction-almost-everywhere",
         "saltation.determinant-of-a-period",
         instead="The product formula, with 0 after a capture too; |det Φ'| < 1 on X \\ Ω_NS^[0,T]. "
-        "Explicit determinants: theorem periodic (periodic.json to periodic-8.json).",
+        "Explicit determinants: theorem periodic (periodic-1.json to periodic-11.json).",
     ),
     statement(
         "thm:symmetric",
         "ansatz.bijection",
         instead="Theorem symmetric (symmetric.json): the symmetric orbits with one hit of each "
-        "wall, which never stop, in closed form; all such orbits: proofs.census.",
+        "wall, which never stop, in closed form; all such orbits: cap.proofs.census.",
     ),
     statement(
         "prop:two-solutions",

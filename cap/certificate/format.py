@@ -36,7 +36,7 @@ from cap.checker.theorems import NAMES, load
 from cap.command.console import say
 from cap.files import replacing
 
-HOME = Path(__file__).parents[2] / "certificates"
+HOME = Path(__file__).parents[1] / "certificates"
 SCHEMA, PAGE = HOME / "schema/certificate.schema.json", HOME / "FORMAT.md"
 
 Json = dict[str, Any]

@@ -28,9 +28,9 @@ from cap.floats import swarm
 from cap.floats.candidates import Request
 from cap.paper.registry import LABELS, figure
 from cap.parameters import Parameters
-from proofs.census import census
-from proofs.fixed_point import Setting
-from proofs.theorems import THEOREMS, accepted
+from cap.proofs.census import census
+from cap.proofs.fixed_point import Setting
+from cap.proofs.theorems import THEOREMS, accepted
 
 WITHOUT_ROOTS = PAPER | {"f": "3/10"}
 ROOT = Path(__file__).parents[2]

@@ -26,10 +26,6 @@ WORDS = (
     *(f"{event} {wall}" for event in ("hit", "capture") for wall in "rl"),
     *(f"{event} {side}" for event in ("turn", "release") for side in ("right", "left")),
 )
-SYSTEM = (
-    "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
-    "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
-)
 
 
 @dataclass(frozen=True)

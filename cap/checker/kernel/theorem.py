@@ -35,6 +35,10 @@ class Parameters(NamedTuple):
 
 
 WITH_LOSSES = Parameters._fields
+SYSTEM = (
+    "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
+    "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
+)
 WITHOUT_LOSSES = WITH_LOSSES[:5]  # then e = 1, mu = 0
 FOR_ALL_F = ("F", "omega", "l", "r")
 

@@ -35,7 +35,6 @@ from typing import Any, ClassVar
 
 from cap.checker.flow.capture import captures
 from cap.checker.flow.events import (
-    SYSTEM,
     WORDS,
     LossyMap,
     determinant,
@@ -59,7 +58,7 @@ from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
-from cap.checker.kernel.theorem import WITH_LOSSES
+from cap.checker.kernel.theorem import SYSTEM, WITH_LOSSES
 
 MAX_PERIODS = 16
 SINKS = ("superstable", "sink focus", "sink node")
