@@ -32,6 +32,10 @@ def main(words: Sequence[str]) -> int:
         return _reading(options.reading)
     if not options.files:
         _parser().error("the following arguments are required: FILE")
+    if options.formal:
+        from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
+
+        return formal.prove(options.files)
     verdicts = [_verify(name, options) for name in options.files]
     return 0 if all(verdicts) else 1
 
@@ -53,6 +57,12 @@ def _parser() -> Parser:
         f"of code and of mathematics; one of: {', '.join(NAMES)}",
     )
     parser.add_argument("--explain", action="store_true", help="print every step of the proof")
+    parser.add_argument(
+        "--formal",
+        action="store_true",
+        help="prove the theorem by Coq instead, with the library in proofs/formal: elliptic orbits "
+        "and saddles with one hit of each wall",
+    )
     parser.add_argument(
         "--latex",
         action="store_true",
