@@ -12,7 +12,7 @@ from typing import Any
 
 from cap.certificate import writer as certificate
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search

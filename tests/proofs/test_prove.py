@@ -14,7 +14,7 @@ from support import proving
 
 from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.floats import candidates
 from cap.floats.periodic import Guess
 from cap.proofs import theorems
