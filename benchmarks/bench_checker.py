@@ -19,8 +19,8 @@ from cap.checker.kernel.certificate import MAX_WORK, work
 from cap.checker.theorem import check
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
-from proofs import theorems
-from proofs.fixed_point import Setting
+from cap.proofs import theorems
+from cap.proofs.fixed_point import Setting
 
 STORED = Path(__file__).parents[1] / "certificates"
 P_STAR = Start.non_sticking(0.10027988984, 0.54194330676, (1.0991729107, 3.5160904414))

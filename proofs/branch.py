@@ -49,15 +49,15 @@ from cap.errors import BadInput, NotProved
 from cap.maps.twist import regular_twist
 from cap.one_one.closed_form import asymmetric
 from cap.one_one.transport import period_jet
+from cap.proofs.branch_curve import Bracket, Curve, Part, decimals
+from cap.proofs.citation import MOSER, cited
+from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.one_one import Scale, lemma_1_closed_form
+from cap.proofs.pitchfork import lemma_2_parabolic, parameters
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
-from proofs.branch_curve import Bracket, Curve, Part, decimals
-from proofs.citation import MOSER, cited
-from proofs.fixed_point import Proof, Setting, assembled
-from proofs.one_one import Scale, lemma_1_closed_form
-from proofs.pitchfork import lemma_2_parabolic, parameters
 
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow
@@ -148,8 +148,8 @@ def lemma_3_monotone(setting: Setting, last: Fraction, parabolic: Bracket | None
     beyond = cells_between([elliptic, *_steps(elliptic, last)]) if parabolic else []
     p = setting.parameters
     step = partial(examine_monotone, p.R * p.omega**2 / p.F)
-    workers = replace(setting.workers, journal=None)
-    found = dict(subdivide(step, [first, *others, *beyond], SMALLEST, workers, ""))
+    runner = replace(setting.runner, journal=None)
+    found = dict(subdivide(step, [first, *others, *beyond], SMALLEST, runner, ""))
     for cell, verdict in found.items():
         if verdict == UNDECIDED:
             words = "trace and least speed may not be monotone in the asymmetry"
@@ -171,7 +171,7 @@ def lemma_4_twist(setting: Setting, steps: Steps) -> list[Part]:
     p = setting.parameters
     rho = p.R * p.omega**2 / p.F
     step = partial(examine_twist, rho)
-    found = subdivide(step, steps.elliptic, SMALLEST, setting.workers, journal_key(rho))
+    found = subdivide(step, steps.elliptic, SMALLEST, setting.runner, journal_key(rho))
     signs = [Part(cell, _enclosure(verdict)) for cell, verdict in found]
     others = [Part(cell, None) for cell in (steps.first, *steps.beyond)]
     return sorted(_merged(signs) + others)

@@ -12,8 +12,18 @@ from cap.checker.theorem import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
-from proofs import branch, capture, elliptic, periodic, persistence, pitchfork, saddle, symmetric
-from proofs.fixed_point import Proof, Setting
+from cap.proofs import (
+    branch,
+    capture,
+    elliptic,
+    impulse,
+    periodic,
+    persistence,
+    pitchfork,
+    saddle,
+    symmetric,
+)
+from cap.proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed
@@ -66,6 +76,11 @@ THEOREMS = {
         "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
         branch.prove,
         candidates.closed_form,
+    ),
+    "impulse": Theorem(
+        "for f > 2F/pi every motion comes to rest, within an explicit time; 2F/pi is sharp",
+        impulse.prove,
+        candidates.every_motion,
     ),
 }
 

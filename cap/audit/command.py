@@ -15,7 +15,7 @@ from cap.audit.report.page import page
 from cap.audit.report.text import data, plain
 from cap.audit.report.view import Report, report
 from cap.audit.verdict import Outcome, Verdict
-from cap.command.console import Parser, printable, say
+from cap.command.console import Parser, printable, program, say
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.files import replacing
@@ -32,7 +32,7 @@ FORMATS: dict[str, Callable[[Report], str]] = {
 def parser() -> argparse.ArgumentParser:
     """Return the command line."""
     p = Parser(
-        prog="python -m cap.audit",
+        prog=program("cap.audit"),
         description="Decide the claims of the paper, and report. Exit status 0: every claim was "
         "decided as recorded; 1: something changed; 2: the request makes no sense.",
         epilog="Examples: python -m cap.audit --only saltation.wall-entry; python -m cap.audit "

@@ -9,8 +9,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-OURS = ("cap", "proofs")
-WHOLE = ("cap.checker", "proofs", "cap.proofs")  # packages whose modules may be loaded by name
+OURS = ("cap",)
+WHOLE = ("cap.checker", "cap.proofs")  # packages whose modules may be loaded by name
 LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
 
 

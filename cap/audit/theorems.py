@@ -107,7 +107,7 @@ STATEMENTS = (
         "thm:symmetric",
         "ansatz.bijection",
         instead="Theorem symmetric (symmetric.json): the symmetric orbits with one hit of each "
-        "wall, which never stop, in closed form; all such orbits: proofs.census.",
+        "wall, which never stop, in closed form; all such orbits: cap.proofs.census.",
     ),
     statement(
         "prop:two-solutions",

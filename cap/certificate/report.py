@@ -74,6 +74,8 @@ def _statement(kind: str, claims: dict[str, Any]) -> Iterator[str]:
     closed_form = {"symmetric": _symmetric, "pitchfork": _pitchfork, "branch": _branch}
     if kind in closed_form:
         return closed_form[kind](claims)
+    if kind == "impulse":
+        return _impulse(claims)
     box = " x ".join(f"[{lower}, {upper}]" for lower, upper in claims["box"].values())
     of_orbits = {"periodic": _periodic, "persistence": _persistent, "capture": _captured}
     return of_orbits.get(kind, _non_sticking)(kind, claims, box)
@@ -213,6 +215,20 @@ def _branch(claims: dict[str, Any]) -> Iterator[str]:
     yield "  " + (", ".join(f"[{a}, {b}]" for a, b in claims["exceptions"]) or "no interval")
     yield "both orbits are elliptic, without resonance of order <= 4, and their twist does not"
     yield "vanish: hence (Moser) each is stable and surrounded by invariant curves."
+
+
+def _impulse(claims: dict[str, Any]) -> Iterator[str]:
+    yield textwrap.fill(
+        "From every state (x, v), at every time, the mass comes to rest within any time longer "
+        "than D + B |v|: its velocity is zero on an interval of time.  So there is no motion whose "
+        "velocity never vanishes: Omega_NS is empty.  The bound 2F/pi is sharp: with f = 2F/pi, e "
+        "= 1 and mu = 0, and walls farther apart than G, there is a motion of period T whose "
+        "velocity never vanishes.\n",
+        _WIDTH,
+    )
+    yield ""
+    names = {"margin": "f - 2F/pi", "delay": "D", "delay_per_speed": "B", "gap": "G"}
+    yield from aligned(rows(names, claims))
 
 
 def _walls(claims: dict[str, Any]) -> str:

@@ -138,4 +138,5 @@ CITES: dict[str, list[dict[str, object]]] = {
     "symmetric": [_MOORE],
     "pitchfork": [],
     "branch": [_MOSER_ON_A_BRANCH],
+    "impulse": [],
 }

@@ -26,6 +26,8 @@ def words(c: Certificate) -> str:
     if c.theorem in forms.THEOREMS:
         return sentences.words(c)
     numbers = _Pairs(c.claims | c.parameters._asdict())
+    if c.theorem == "impulse":
+        return f"{_WITH_LOSSES}{_IMPULSE}".format_map(numbers)
     numbers["box"] = " x ".join(_pair(c.claims["box"][z]) for z in ("x", "v"))
     if c.theorem in WITHOUT_LOSSES:
         numbers["hits"] = len(c.claims["hit_times"])
@@ -96,6 +98,14 @@ _CAPTURE = (
     "{accumulation_time}, while |F cos(omega t)|, the force towards the wall {wall}, is in "
     "{forcing}, above f; the speed after each of them is at most {ratio} times that after the one "
     "before; the last release is at a time in {release_time}"
+)
+
+_IMPULSE = (
+    "f - 2F/pi is in {margin}, so from every state (x, v), at every time, the mass comes to rest "
+    "within any time longer than D + B |v|, D in {delay}, B in {delay_per_speed}: its velocity is "
+    "zero on an interval of time; hence there is no motion whose velocity never vanishes; with "
+    "f = 2F/pi, e = 1 and mu = 0, and walls farther apart than G in {gap}, there is one, of "
+    "period 2 pi/omega: the bound 2F/pi is sharp"
 )
 
 

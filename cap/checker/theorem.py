@@ -34,6 +34,7 @@ from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
 from cap.checker.theorems.branch import Branch
 from cap.checker.theorems.capture import Capture
+from cap.checker.theorems.impulse import Impulse
 from cap.checker.theorems.periodic import Periodic
 from cap.checker.theorems.persistence import Persistence
 from cap.checker.theorems.pitchfork import Pitchfork
@@ -210,4 +211,5 @@ THEOREMS: dict[str, Callable[[Certificate, Callable[[str], None]], Proof]] = {
     "symmetric": SymmetricOrbits,
     "pitchfork": Pitchfork,
     "branch": Branch,
+    "impulse": Impulse,
 }

@@ -18,8 +18,8 @@ so cos φ > 0, and with S = -sin φ the orbits are
     asymmetric:  δ != 0,  S = ρ/G(δ),  G = (π²/2) sin δ/δ - 2 cos δ - 2δ sin δ,
                  α = (2/π) cos δ sqrt(1 - S²),   W = (π/2) S sin δ/δ,
 
-provided that u > 0.  (`proofs.one_one` derives this by machine.)  Now G(0) = π²/2 - 2, G(π/2) = 0
-and
+provided that u > 0.  (`cap.proofs.one_one` derives this by machine.)  Now G(0) = π²/2 - 2,
+G(π/2) = 0 and
 
     G' = (π²/2)(δ cos δ - sin δ)/δ² - 2δ cos δ < 0   on (0, π/2),
 

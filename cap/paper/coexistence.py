@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
+from cap.explore.inventory import PROVED, Entry, inventory
 from cap.floats import swarm
-from cap.floats.inventory import PROVED, Entry, inventory
-from cap.floats.study import State
+from cap.floats.findings import State
 from cap.floats.trajectory import trajectory
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, count, proved, roughly, taken_from
@@ -27,7 +27,7 @@ def compute(run: Run) -> Result:
     """Prove both orbits, and search for others."""
     p = at(F=F)
     focus, saddle = (theorem("periodic", state, F) for state in (FOCUS, SADDLE))
-    found = inventory(p, prove=not run.quick, work=run.work).orbits
+    found = inventory(p, prove=not run.quick, runner=run.runner).orbits
     compared = [
         *_orbit("focus", focus, ("+0.4064", "-0.6708"), ("-0.968", "+0.578")),
         *_multipliers(focus),

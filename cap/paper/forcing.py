@@ -10,16 +10,16 @@ from matplotlib.figure import FigureBase
 from matplotlib.ticker import MaxNLocator
 
 from cap.errors import BadInput
-from cap.floats import cycles
+from cap.explore.inventory import KINDS
 from cap.floats.continuation import continuation
-from cap.floats.cycles import Cycle, Search
-from cap.floats.inventory import KINDS
+from cap.floats.cycles import Cycle, StroboscopicMap
+from cap.floats.search import search
 from cap.paper.comparison import Comparison, claim, count, number, roughly, taken_from
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER, Parameters
 from cap.pictures.diagrams import TYPE_COLOURS
 from cap.pictures.style import BLACK, ORANGE, RED, parameters
-from proofs.census import census
+from cap.proofs.census import census
 
 FORCES = ("0.65", "0.85", "1", "1.5", "2", "2.5", "3", "3.5", "4.5")
 QUICK = ("0.65", "0.85", "1.5")
@@ -50,11 +50,11 @@ def kept(p: Parameters, cycle: Cycle) -> bool:
 
 def grid_newton(p: Parameters, seeds: int) -> list[Cycle]:
     """Search as the paper describes: Newton's method from seeds in [-0.5, 0.5] x [-2, 2]."""
-    search, found = Search(p, 1), list[Cycle]()
+    strobe, found = StroboscopicMap(p), list[Cycle]()
     for x in np.linspace(-0.5, 0.5, seeds).tolist():
         for v in np.linspace(-2, 2, seeds).tolist():
             try:
-                cycle = search.newton((x, v))
+                cycle = strobe.newton((x, v))
             except BadInput:
                 continue
             if cycle is None or not kept(p, cycle):
@@ -67,7 +67,7 @@ def grid_newton(p: Parameters, seeds: int) -> list[Cycle]:
 
 def _both(F: str) -> tuple[list[Cycle], list[Cycle]]:
     p = at(F=F)
-    return cycles.cycles(p), grid_newton(p, SEEDS)
+    return list(search(p).isolated), grid_newton(p, SEEDS)
 
 
 def split(found: tuple[Cycle, ...]) -> tuple[int, int]:
@@ -79,7 +79,7 @@ def split(found: tuple[Cycle, ...]) -> tuple[int, int]:
 def compute(run: Run) -> Result:
     """Search at each F, thoroughly and as the paper does."""
     forces = QUICK if run.quick else FORCES
-    found = run.work.map(_both, forces, "search", processes=not run.quick)
+    found = run.runner.map(_both, forces, "search", processes=not run.quick)
     data = Counted(
         forces[: len(found)],
         tuple(tuple(each[0]) for each in found),
@@ -211,11 +211,11 @@ def doublings(sinks: list[tuple[str, Cycle]], run: Run) -> list[float]:
     def follow(sink: tuple[str, Cycle]) -> list[float]:
         F, cycle = sink
         ends = float(F) - NEIGHBOURS, float(F) + NEIGHBOURS
-        study = continuation(at(F=F), orbit=(cycle.x, cycle.v), parameter="F", range=ends,
-                             points=run.size(200, 20), branches=2)  # fmt: skip
-        return [each.value for each in study.special if each.label == "flip" and each.period == 1]
+        curves = continuation(at(F=F), orbit=(cycle.x, cycle.v), parameter="F", range=ends,
+                              points=run.size(200, 20), branches=2)  # fmt: skip
+        return [each.value for each in curves.special if each.label == "flip" and each.period == 1]
 
-    found = sorted(value for values in run.work.map(follow, sinks, "flips") for value in values)
+    found = sorted(value for values in run.runner.map(follow, sinks, "flips") for value in values)
     return [b for a, b in pairwise([-math.inf, *found]) if b - a > SAME_F]
 
 

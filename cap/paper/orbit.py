@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import FigureBase
 
 from cap.floats import swarm
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem
@@ -26,9 +26,9 @@ from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures import times
 from cap.pictures.style import parameters
+from cap.proofs.census import census
 from cap.sets import interval
 from cap.sets.jet import Jet, Space
-from proofs.census import census
 
 STATE = 0.1002798898441954, 0.5419433067664584  # the paper's
 STEP = 1e-6  # of its differences

@@ -11,7 +11,8 @@ from matplotlib.figure import FigureBase
 from cap.floats import cycles, swarm
 from cap.floats.attractor import strongest
 from cap.floats.cycles import Cycle
-from cap.floats.study import State
+from cap.floats.findings import State
+from cap.floats.search import search
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.coexistence import mirrored
 from cap.paper.comparison import Comparison, claim, count, number, percent, roughly, taken_from
@@ -157,7 +158,8 @@ def _generic(F: str, spans: tuple[int, int], most: int, run: Run) -> tuple[Row, 
     orbits = [_window(F, (float(a), float(b)), window) for a, b in late if np.isfinite(a)]
     speeds = np.array([np.abs(orbit.v).max() for orbit in orbits])
     stuck = sum("stick" in orbit.counts() or "capture" in orbit.counts() for orbit in orbits)
-    sinks = [] if run.quick else [c for c in cycles.cycles(p) if "sink" in c.kind(conserves=True)]
+    found = () if run.quick else search(p).isolated
+    sinks = [cycle for cycle in found if "sink" in cycle.kind(conserves=True)]
     settled = None if run.quick else strongest(p)
     shown = orbits[len(orbits) // 2]
     table = [

@@ -13,9 +13,9 @@ from cap.errors import BadInput
 from cap.floats import periodic
 from cap.floats.attractor import Attractor, attractors
 from cap.floats.fate import Fate, fate
-from cap.floats.grid import island
+from cap.floats.findings import Floats, State
+from cap.floats.fixed_point import elliptic_point
 from cap.floats.portrait import Portrait, portrait
-from cap.floats.study import Floats, State
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.comparison import Comparison, claim, number, percent, roughly
 from cap.paper.figure import Figure, Result, Run
@@ -28,7 +28,7 @@ SADDLE = 0.3435, 0.7753
 
 
 def _centre() -> State:
-    found = island(PAPER)
+    found = elliptic_point(PAPER)
     if found is None:
         raise BadInput("the elliptic orbit was not found")
     return found
@@ -182,7 +182,9 @@ class Decomposition:
 def decomposition(run: Run) -> Result:
     """Compute what the sketch shows."""
     box = -1.0, 1.0, -1.6, 1.6
-    basin = fate(PAPER, box=box, points=run.size(400, 60), periods=run.size(100, 30), work=run.work)
+    basin = fate(
+        PAPER, box=box, points=run.size(400, 60), periods=run.size(100, 30), runner=run.runner
+    )
     found = periodic.orbits(PAPER, 2)
     points = {
         kind: [(each.x, each.v) for each in found if each.kind == kind]

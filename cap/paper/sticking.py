@@ -10,7 +10,7 @@ from matplotlib.figure import FigureBase
 
 from cap.floats import swarm
 from cap.floats.chatter import Chatter, chatter
-from cap.floats.study import State
+from cap.floats.findings import State
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, count, number, taken_from

@@ -94,7 +94,7 @@ def test_dependencies_are_followed():
 def test_modules_that_are_loaded_by_name_count():
     """With the checker all of its theorems, with a proof all others."""
     found = dependencies.closure("cap.audit.claims.kam")
-    assert {"cap.checker.theorems.capture", "proofs.elliptic", "proofs.theorems"} <= found
+    assert {"cap.checker.theorems.capture", "cap.proofs.elliptic", "cap.proofs.theorems"} <= found
 
 
 @pytest.mark.parametrize("name", ["b.py", "b.json"])

@@ -13,7 +13,7 @@ from cap.checker.forms import THEOREMS as CLOSED_FORMS
 from cap.checker.theorem import check
 from cap.errors import BadInput
 from cap.parameters import PAPER, Parameters
-from proofs.theorems import THEOREMS
+from cap.proofs.theorems import THEOREMS
 
 STORED = Path(__file__).parents[2] / "certificates"
 P_STAR = (0.10027989, 0.54194331)

@@ -29,9 +29,9 @@ from cap.floats import swarm
 from cap.floats.candidates import Request
 from cap.paper.registry import LABELS, figure
 from cap.parameters import Parameters
-from proofs.census import census
-from proofs.fixed_point import Setting
-from proofs.theorems import THEOREMS, accepted
+from cap.proofs.census import census
+from cap.proofs.fixed_point import Setting
+from cap.proofs.theorems import THEOREMS, accepted
 
 WITHOUT_ROOTS = PAPER | {"f": "3/10"}
 ROOT = Path(__file__).parents[2]
@@ -132,7 +132,7 @@ def test_what_a_capture_stands_for_is_said_once(name):
 def test_without_a_capture_nothing_is_said_of_it():
     """The words stand where they are needed only."""
     assert terms.captures(["hit r", "turn right", "stick", "release left"]) == ""
-    assert not any("infinitely" in sentence for sentence in told(stored("periodic")))
+    assert not any("infinitely" in sentence for sentence in told(stored("periodic-1")))
 
 
 def test_the_last_of_two_captures_is_the_one_with_the_numbers():

@@ -17,7 +17,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorem import check
 from cap.floats import candidates
 from cap.floats.periodic import Guess
-from proofs import theorems
+from cap.proofs import theorems
 
 ROOT = Path(__file__).parents[2]
 
@@ -151,7 +151,7 @@ def test_unwritable_output(capsys, out):
 
 def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch):
     """A guess with wrong hit times: the step that fails and its sets are printed."""
-    wrong = Guess(0.1003, 0.5419, (0.5, 3.5), -0.46, 0.09)
+    wrong = Guess(0.1003, 0.5419, ((0.5, 1.0), (3.5, -1.0)), ((-0.46, -1.0), (1.0, 0.0)), 0.09)
     monkeypatch.setattr(candidates.periodic, "orbits", lambda *_: [wrong])
     status, _, err = proving(capsys, "elliptic", "--out", str(tmp_path))
     assert status == 1

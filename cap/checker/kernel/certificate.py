@@ -99,6 +99,9 @@ def read_hints(theorem: str, value: object) -> dict[str, Any]:
     """Return the hints: exact numbers, precision and order as integers."""
     if theorem in forms.THEOREMS:
         return forms.hints(theorem, value)
+    if theorem == "impulse":
+        hints: dict[str, Any] = matched(value, {"bits": text}, "hints")
+        return {"bits": bounded(hints["bits"], 64, MAX_BITS, "bits")}
     name = "hit_times" if theorem in WITHOUT_LOSSES else "events"
     windows = [enclosure] * length(part(value, name, "hints"), 1, MAX_EVENTS, f"hints.{name}")
     inverse = {"centre": [number] * 2, "preconditioner": [[number] * 2] * 2}
@@ -110,7 +113,7 @@ def read_hints(theorem: str, value: object) -> dict[str, Any]:
     if theorem == "persistence":
         cells = length(part(value, "cells", "hints"), 1, MAX_CELLS, "hints.cells")
         shape["cells"] = [{"events": windows} | inverse] * cells
-    hints: dict[str, Any] = matched(value, shape, "hints")
+    hints = matched(value, shape, "hints")
     hints["bits"] = bounded(hints["bits"], 64, MAX_BITS, "bits")
     if "order" in hints:
         hints["order"] = bounded(hints["order"], ORDERS[0], ORDERS[-1], "order")
@@ -131,6 +134,8 @@ def claim_shape(theorem: str, value: object, hints: dict[str, Any]) -> dict[str,
     """Return the shape of the claims."""
     if theorem in forms.THEOREMS:
         return forms.claims(theorem, value, hints)
+    if theorem == "impulse":
+        return dict.fromkeys(("margin", "delay", "delay_per_speed", "gap"), enclosure)
     if theorem in WITHOUT_LOSSES:
         return conservative_shape(theorem, len(hints["hit_times"]), hints.get("order", 0))
     words, events = part(value, "itinerary", "claims"), len(hints["events"])

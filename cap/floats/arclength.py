@@ -1,4 +1,4 @@
-"""Walks along curves of periodic orbits by pseudo-arclength, and the changes on the way."""
+"""Pseudo-arclength continuation of curves of periodic orbits, and the changes on the way."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -7,10 +7,10 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.curve import Family, Station, halve
-from cap.floats.study import Floats
-from cap.floats.work import Work
+from cap.floats.findings import Floats
 from cap.flow.itinerary import oscillator
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 FIRST, LEAST, MOST = 0.005, 1e-7, 0.02  # step lengths, in units of `cap.floats.curve`
 SYMMETRIC = 1e-4
@@ -31,34 +31,34 @@ class Change:
     around: tuple[Station, ...] = ()
 
 
-class Walker:
-    """Walks along curves of a family."""
+class CurveFollower:
+    """Follows curves of a family by pseudo-arclength."""
 
     def __init__(
-        self, family: Family, limits: tuple[float, float], points: int, work: Work
+        self, family: Family, limits: tuple[float, float], points: int, runner: Runner
     ) -> None:
-        self.family, self.limits, self.points, self.work = family, limits, points, work
+        self.family, self.limits, self.points, self.runner = family, limits, points, runner
 
     def both_ways(self, seed: Station) -> tuple[list[Station], list[Change]]:
         """Return the curve through a station and the changes on it."""
         curve, changes = [seed], []
         for side in (1, -1):
             begin = replace(seed, tangent=side * seed.tangent, branching=side * seed.branching)
-            way, found = self._walk(begin, side)
+            way, found = self._followed(begin, side)
             curve = curve + way if side > 0 else [*way[::-1], *curve]
             changes += found
         return curve, changes
 
-    def _walk(self, station: Station, side: int) -> tuple[list[Station], list[Change]]:
+    def _followed(self, station: Station, side: int) -> tuple[list[Station], list[Change]]:
         begin, step = station, FIRST
         way: list[Station] = []
         changes: list[Change] = []
-        with self.work.keeping():
+        with self.runner.keeping():
             while True:
                 if len(way) >= self.points:
                     changes.append(Change(f"followed no further: {self.points} points", station))
                     break
-                self.work.tell("continuation", len(way) / self.points)
+                self.runner.tell("continuation", len(way) / self.points)
                 following = self._next(station, step) or self._beyond_the_wall(station)
                 if following is None and step > LEAST:
                     step /= 2
@@ -101,14 +101,14 @@ class Walker:
         return found if bend > 0.95 or (not same and step < 1e-4) or step < 1e-5 else None
 
     def _end(self, station: Station) -> list[Change]:
-        """Return why a branch ends: nothing to say at the end of the range."""
+        """Return why a branch ends; nothing if that is at the end of the range."""
         value = station.y[2]
         if min(abs(value - limit) for limit in self.limits) < 1e-4 * max(1.0, abs(value)):
             return []
         return [Change(_reason(station), station)]
 
     def _beyond_the_wall(self, station: Station) -> Station | None:
-        """Return the station after a hit has passed t = 0: there the velocity is the other one."""
+        """Return the station after a hit has passed t = 0, where v jumps."""
         p, (x, v) = self.family.at(station.y)
         side = 1 if p.r - x < x - p.l else -1
         wall = float(p.r if side > 0 else p.l)
@@ -190,8 +190,8 @@ class Walker:
         return found
 
 
-class DoubledWalker(Walker):
-    """Walks along a branch that begins at a flip, but not on to the orbits of half its period."""
+class DoubledFollower(CurveFollower):
+    """Follows a branch that begins at a flip, but not on to the orbits of half its period."""
 
     def _next(self, station: Station, step: float) -> Station | None:
         found = super()._next(station, step)

@@ -7,6 +7,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import IO, Protocol, Self
 
+from cap.command.console import quoted
 from cap.errors import BadInput
 
 
@@ -83,18 +84,20 @@ class Journal:
         try:
             yield
         except OSError as error:
-            raise BadInput(f"cannot use the journal {self.path}: {error.strerror}") from None
+            raise BadInput(
+                f"cannot use the journal {quoted(self.path)}: {error.strerror}"
+            ) from None
 
     def _read(self, header: str) -> None:
         if not self.path.exists():
             return
         if not self.path.is_file():
-            raise BadInput(f"the journal {self.path} is no regular file")
+            raise BadInput(f"the journal {quoted(self.path)} is no regular file")
         text = self.path.read_text(encoding="ascii", errors="replace")
         whole = text[: text.rfind("\n") + 1]
         if not (whole.startswith(header) or (not whole and header.startswith(text))):
             raise BadInput(
-                f"{self.path} is no journal, or one about something else: give another file"
+                f"{quoted(self.path)} is no journal, or one about something else: give another file"
             )
         for line in whole.splitlines()[1:]:
             name, result = self._entry(line)
@@ -107,4 +110,4 @@ class Journal:
             name, result = json.loads(line)
             if isinstance(name, str) and isinstance(result, str):
                 return name, result
-        raise BadInput(f"the journal {self.path} is damaged: remove it")
+        raise BadInput(f"the journal {quoted(self.path)} is damaged: remove it")

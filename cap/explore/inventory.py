@@ -1,8 +1,9 @@
-"""All periodic orbits that Newton's method finds from thousands of seeds, over a parameter."""
+"""The periodic orbits found, by type, over a parameter (`cap.floats.search`)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +15,15 @@ from cap.command.console import quoted
 from cap.errors import BadInput, NotProved
 from cap.files import tried
 from cap.floats.candidates import TYPES
-from cap.floats.cycles import SEEDS, Cycle, cycles
-from cap.floats.grid import polished
-from cap.floats.study import Floats, Study, described, short, value_of, varied
-from cap.floats.work import Work
+from cap.floats.cycles import Cycle
+from cap.floats.family import Family
+from cap.floats.findings import Findings, Floats
+from cap.floats.search import search
+from cap.floats.variation import value_of, varied
+from cap.floats.words import described, short
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 UNASKED, PROVED, FAILED = "", "proved", "not proved"
 DIGITS = 12  # claimed, with --prove
@@ -30,7 +34,7 @@ KINDS = (*TYPES, "degenerate")
 class Entry:
     """An orbit of period n T at the ``value`` of the parameter, with the number of its events.
 
-    ``verdict``: proved (and accepted by the checker), not proved, or empty if nobody asked.
+    ``verdict``: proved (and accepted by the checker), not proved, or empty: no proof asked for.
     """
 
     value: float
@@ -47,14 +51,26 @@ class Entry:
     reason: str = ""
 
 
+@dataclass(frozen=True)
+class FamilyAt:
+    """A family of orbits that touch no wall, at a ``value`` of the parameter."""
+
+    value: float
+    family: Family
+
+
 @dataclass(frozen=True, kw_only=True)
-class Inventory(Study):
-    """The orbits of least period n T found at the values (K,) of a parameter."""
+class Inventory(Findings):
+    """The isolated orbits of least period n T found at the values (K,) of a parameter.
+
+    ``families``: at each of the values, those of orbits that touch no wall.
+    """
 
     parameter: str
     periods: int
     values: Floats
     orbits: tuple[Entry, ...]
+    families: tuple[FamilyAt, ...]
 
     @property
     def failed(self) -> int:
@@ -62,7 +78,7 @@ class Inventory(Study):
         return sum(each.verdict == FAILED for each in self.orbits)
 
     def count(self, kind: str) -> "np.ndarray[tuple[int], np.dtype[np.int64]]":
-        """Return how many orbits of a kind there are at each value."""
+        """Return how many isolated orbits of a kind there are at each value."""
         return np.array(
             [
                 sum(o.kind == kind and o.value == value for o in self.orbits)
@@ -72,15 +88,17 @@ class Inventory(Study):
         )
 
     def columns(self) -> dict[str, "np.ndarray[tuple[int], np.dtype[np.generic]]"]:
-        """Return one row for each orbit."""
+        """Return one row for each isolated orbit."""
         names = [name for name in Entry.__dataclass_fields__ if name != "value"]
         columns = {name: np.array([getattr(each, name) for each in self.orbits]) for name in names}
         return {self.parameter: np.array([each.value for each in self.orbits]), **columns}
 
     def lines(self) -> list[str]:
-        """Return the counts by type, and the orbits."""
+        """Return the counts by type, the isolated orbits, and the families."""
         over = f" over {self.parameter}" if len(self.values) > 1 else ""
-        head = f"orbits of period {self.periods} found{over} at {described(self.parameters)}"
+        head = (
+            f"isolated orbits of period {self.periods} found{over} at {described(self.parameters)}"
+        )
         rows = []
         for value in self.values:
             own = [each for each in self.orbits if each.value == value]
@@ -88,6 +106,11 @@ class Inventory(Study):
             counts = ", ".join(f"{kinds.count(k)} {k}" for k in KINDS if k in kinds) or "none found"
             rows.append(f"{self.parameter} = {short(str(value))}: {len(own)} orbits: {counts}")
             rows += [f"  {_shown(each)}" for each in own]
+            rows += [
+                f"  a family of orbits that touch no wall, not counted: {each.family.line()}"
+                for each in self.families
+                if each.value == value
+            ]
         return [head, *rows]
 
 
@@ -108,62 +131,64 @@ def inventory(  # noqa: PLR0913 (the options of the command)
     period: int = 1,
     prove: bool = False,
     certificates: Path | None = None,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Inventory:
     """Search at each value, or at the parameters as they are; then, if asked, prove each orbit.
 
     Values are taken as they are: 2/5 is no double.  The certificates go to a directory
     ``certificates``, if one is named.
     """
-    work = work or Work()
+    runner = runner or Runner()
     if certificates:
         _try(certificates)
     systems = [varied(p, parameter, value) for value in dict.fromkeys(values)] or [p]
     own = [value_of(system, parameter) for system in systems]
     tasks = [(*each, period) for each in zip(systems, own, strict=True)]
-    found = _searched(tasks, work)
-    orbits = [each for part in found for each in part]
+    found = _searched(tasks, runner)
+    orbits = [each for part, _ in found for each in part]
     entries = [entry for entry, _ in orbits]
     if prove or certificates:
         starts = [(systems[own.index(entry.value)], entry, start) for entry, start in orbits]
         paths = [_path(certificates, *task) for task in starts] if certificates else []
-        proved = work.map(_proved, starts, "proving", processes=True)
+        proved = runner.map(_proved, starts, "proving", processes=True)
         entries = [entry for entry, _ in proved] + entries[len(proved) :]
         for path, (_, theorem) in zip(paths, proved, strict=False):
             _write(theorem, path)
     return Inventory(
         parameters=systems[0] if len(systems) == 1 else p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         parameter=parameter,
         periods=period,
         values=np.array(own[: len(found)]),
         orbits=tuple(entries),
+        families=tuple(each for _, part in found for each in part),
     )
 
 
 Task = tuple[Parameters, float, int]
 
 
-def _searched(tasks: list[Task], work: Work) -> list[list[tuple[Entry, Start]]]:
+Listed = tuple[list[tuple[Entry, Start]], list[FamilyAt]]
+
+
+def _searched(tasks: list[Task], runner: Runner) -> list[Listed]:
     """Search at each value; one search alone tells how far it is."""
     if len(tasks) > 1:
-        return work.map(_search, tasks, "inventory", processes=True)
-
-    def tell(starts: int, _found: int) -> None:
-        work.tell("inventory", min(1.0, starts / SEEDS**2))
-
-    return work.map(lambda task: _search(task, tell), tasks, "inventory")
+        return runner.map(_listed, tasks, "inventory", processes=True)
+    tell = partial(runner.tell, "inventory")
+    return runner.map(lambda task: _listed(task, tell), tasks, "")
 
 
-def _search(
-    task: Task, progress: Callable[[int, int], None] = lambda _starts, _found: None
-) -> list[tuple[Entry, Start]]:
+def _listed(task: Task, tell: Callable[[float], None] = lambda _part: None) -> Listed:
+    """Return what is found at one value."""
     p, value, period = task
-    return [(_entry(p, value, c), _start(p, c)) for c in cycles(p, period, progress)]
+    found = search(p, period, tell)
+    orbits = [(_entry(p, value, cycle), _start(cycle)) for cycle in found.isolated]
+    return orbits, [FamilyAt(value, family) for family in found.families]
 
 
-def _start(p: Parameters, cycle: Cycle) -> Start:
-    return Start(*polished(p, (cycle.x, cycle.v), cycle.periods), cycle.events, cycle.periods)
+def _start(cycle: Cycle) -> Start:
+    return Start(cycle.x, cycle.v, cycle.events, cycle.periods)
 
 
 def _entry(p: Parameters, value: float, cycle: Cycle) -> Entry:
@@ -191,8 +216,8 @@ def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any
 
     Returns the certificate, too, or None.
     """
-    from proofs import theorems  # noqa: PLC0415 (they import the searches of this package)
-    from proofs.fixed_point import Setting  # noqa: PLC0415
+    from cap.proofs import theorems  # noqa: PLC0415 (only who proves waits for them)
+    from cap.proofs.fixed_point import Setting  # noqa: PLC0415
 
     p, entry, start = task
     try:
