@@ -10,13 +10,14 @@ from fractions import Fraction
 
 import pytest
 
-from cap.cells.subdivision import UNDECIDED, Cell, Workers, cells_between, subdivide
+from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.parameters import PAPER
-from proofs import branch
+from cap.proofs import branch
+from cap.runner import Runner
 
 RHO = PAPER.R * PAPER.omega**2 / PAPER.F
 CELLS = {
-    "near the birth": Cell(Fraction(1, 1000), Fraction(5, 4000)),
+    "near the birth": Cell(Fraction(1, 1000), Fraction(11, 10000)),
     "in the middle": Cell(Fraction(1, 4), Fraction(27, 100)),
     "near the end": Cell(Fraction(45, 100), Fraction(46, 100)),
 }
@@ -38,7 +39,7 @@ def test_twist(benchmark, name):
 def test_subdivision(benchmark):
     """What the bookkeeping adds to each cell: 1000 cells that are decided at once."""
     cells = cells_between([Fraction(k, 1000) for k in range(1001)])
-    found = benchmark(subdivide, lambda _cell: "+", cells, Fraction(1, 10**9), Workers(), "")
+    found = benchmark(subdivide, lambda _cell: "+", cells, Fraction(1, 10**9), Runner(), "")
     assert len(found) == 1000
 
 
@@ -55,7 +56,7 @@ def test_order_of_the_taylor_models(benchmark, monkeypatch, order):
     def whole():
         counts.append(0)
         ends = [Fraction(k, 50) for k in range(1, 24)]
-        return subdivide(examined, cells_between(ends), Fraction(1, 10**4), Workers(), "")
+        return subdivide(examined, cells_between(ends), Fraction(1, 10**4), Runner(), "")
 
     found = benchmark.pedantic(whole, rounds=1)
     benchmark.extra_info["cells"] = counts[-1]

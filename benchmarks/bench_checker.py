@@ -14,13 +14,13 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker import forms
-from cap.checker.kernel.certificate import MAX_WORK, work
-from cap.checker.theorem import check
+from cap.checker.flow.itinerary import MAX_WORK, work
+from cap.checker.theorems import branch
+from cap.checker.verdict import check
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
-from proofs import theorems
-from proofs.fixed_point import Setting
+from cap.proofs import theorems
+from cap.proofs.fixed_point import Setting
 
 STORED = Path(__file__).parents[1] / "certificates"
 P_STAR = Start.non_sticking(0.10027988984, 0.54194330676, (1.0991729107, 3.5160904414))
@@ -91,7 +91,7 @@ def test_worst_branch(benchmark):
     """On the cells of a stored certificate."""
     certificate = stored("branch-2")
     pieces = len(certificate["claims"]["cells"]) + len(certificate["hints"]["twist_zeros"])
-    certificate["hints"]["bits"] = str(isqrt(forms.MAX_WORK // pieces))
+    certificate["hints"]["bits"] = str(isqrt(branch.MAX_WORK // pieces))
     checked(benchmark, certificate)
 
 

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from cap.floats import alignment, fate, swarm
-from cap.floats.work import Work
 from cap.parameters import PAPER
+from cap.runner import Runner
 
 solve_ivp = pytest.importorskip("scipy.integrate").solve_ivp
 
@@ -94,7 +94,7 @@ def test_against_solve_ivp(benchmark):
 
 def test_a_basin_of_a_million_states(benchmark):
     """1000 x 1000 states, 100 periods, two cores."""
-    options = {"box": PLANE, "points": 1000, "periods": 100, "work": Work(2)}
+    options = {"box": PLANE, "points": 1000, "periods": 100, "runner": Runner(2)}
     result = benchmark.pedantic(fate.fate, (PAPER,), options, rounds=1)
     assert (result.fate >= 0).all()
     if benchmark.stats:  # not with --benchmark-disable
@@ -103,5 +103,5 @@ def test_a_basin_of_a_million_states(benchmark):
 
 def test_sali(benchmark):
     """300 x 300 states, 15 periods, with the derivative."""
-    options = {"points": 300, "work": Work(2)}
+    options = {"points": 300, "runner": Runner(2)}
     benchmark.pedantic(alignment.sali, (PAPER,), options, rounds=2)

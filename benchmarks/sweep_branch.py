@@ -15,8 +15,8 @@ from fractions import Fraction
 from cap.errors import BadInput, NotProved
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
-from proofs import theorems
-from proofs.fixed_point import Setting
+from cap.proofs import theorems
+from cap.proofs.fixed_point import Setting
 
 STEPS = ["0.71", *(str(Fraction(n, 10)) for n in range(8, 30))]
 

@@ -37,6 +37,8 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import Itinerary
 from cap.parameters import Parameters
+from cap.proofs.fixed_point import Proof, Setting, assembled, bits
+from cap.proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 from cap.release import kneading
 from cap.release.cell import Cell
 from cap.release.passage import image, words
@@ -44,50 +46,18 @@ from cap.release.trap import Trap, trap
 from cap.release.unimodal import Critical, cover, critical, kneading_sequence, nearby, turning
 from cap.sets import interval
 from cap.sets.interval import Ball
-from proofs.citation import cited
-from proofs.fixed_point import Proof, Setting, assembled, bits
-from proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 
 COARSE = 80  # bits, for the cells and the basin
 MOST_SYMBOLS = 6000
 FIRST, STEP = 24, 8  # numbers of symbols after which the slopes are computed
 ROUNDS = 8  # of precision, each half as much more
 
-MILNOR_THURSTON = cited(
-    "Milnor-Thurston",
-    "Milnor and Thurston, On iterated maps of the interval, Springer LNM 1342, 1988",
-    (
-        "unimodal",
-        "G is continuous on the interval, maps it into itself, and has one critical point there, "
-        "on both sides of which it is strictly monotone",
-        "interval, itinerary, critical_point",
-    ),
-    (
-        "order",
-        "the kneading sequence of G is decided up to where it differs from those of the tent maps "
-        "with the slopes exp(lower) and exp(upper), lower and upper the ends of entropy",
-        "kneading, entropy",
-    ),
-)
-MISIUREWICZ = cited(
-    "Misiurewicz",
-    "Misiurewicz, Horseshoes for mappings of the interval, Bull. Acad. Polon. Sci. 27, 1979",
-    ("positive", "the entropy of the continuous map G of the interval is positive", "entropy"),
-)
-LI_YORKE = cited(
-    "Li-Yorke",
-    "Li and Yorke, Period three implies chaos, Amer. Math. Monthly 82, 1975; Block and Coppel, "
-    "Dynamics in One Dimension, 1992, Chapters II and VI",
-    ("positive", "the entropy of the continuous map G of the interval is positive", "entropy"),
-)
-
 
 def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     content = Proved(setting).certified()
-    cites = MILNOR_THURSTON, MISIUREWICZ, LI_YORKE
     strings = setting.parameters.strings()
-    proved = assembled("attractor", setting, strings, content, *cites)
+    proved = assembled("attractor", setting, strings, content)
     return lambda _part: proved
 
 

@@ -1,6 +1,6 @@
 """The curve of asymmetric orbits at exact values of δ: where it passes what, as claims.
 
-See `proofs.branch`.
+See `cap.proofs.branch`.
 """
 
 from collections.abc import Callable, Iterator
@@ -11,9 +11,9 @@ from cap.cells.subdivision import Cell
 from cap.certificate.writer import NONE, Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.one_one.closed_form import Orbit, asymmetric
+from cap.proofs.one_one import Scale, asymmetry
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
-from proofs.one_one import Scale, asymmetry
 
 MOST = 8  # the largest denominator of the resonances listed
 WIDE = 12  # digits of what holds for a whole cell

@@ -31,10 +31,10 @@ from cap.flow.event import TAYLOR_MODELS, Expected, next_slow
 from cap.flow.model import Moment, Oscillator
 from cap.flow.strobe import Orbit, State, follow, oscillator
 from cap.maps.fixed_point import Itinerary, windows_for
+from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 from cap.sets.taylor_model import Domain, TaylorModel
-from proofs.fixed_point import Proof, Setting, assembled
 
 BITS = 128  # the box is of no extreme size
 SIDES = {"r": 1, "l": -1}

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from cap.errors import NotProved
 from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
+from cap.proofs.one_one import asymmetry
 from cap.sets import interval
 from cap.sets.interval import Ball
-from proofs.one_one import asymmetry
 
 BITS = 160
 PLACES = 25

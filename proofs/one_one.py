@@ -13,9 +13,9 @@ from typing import Any
 from cap.certificate.writer import Pair
 from cap.errors import NotProved
 from cap.one_one.closed_form import Orbit, asymmetric
+from cap.proofs.fixed_point import Setting
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
-from proofs.fixed_point import Setting
 
 
 def lemma_1_closed_form() -> None:
@@ -203,5 +203,4 @@ class Scale:
         }
 
     def _pair(self, x: Ball, unit: Fraction) -> Pair:
-        """Return an outward rounding of the ball, widened so that a looser arithmetic agrees."""
-        return self.setting.rounding.pair(x + interval.symmetric(x) * interval.rounding(), unit)
+        return self.setting.rounding.loosely(x, unit)

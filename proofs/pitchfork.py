@@ -24,12 +24,12 @@ from typing import Any
 
 from cap.errors import NotProved
 from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
+from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.sets import interval
 from cap.sets.elementary import sqrt
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
-from proofs.fixed_point import Proof, Setting, assembled
-from proofs.one_one import Scale, lemma_1_closed_form
 
 
 def prove(setting: Setting) -> Proof:

@@ -9,23 +9,23 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.certificate import writer as certificate
-from cap.checker.flow.mechanics import Parameters as Checked
-from cap.checker.kernel.certificate import Certificate
-from cap.checker.kernel.reading import Enclosure
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.shapes import Enclosure
+from cap.checker.kernel.theorem import Certificate
+from cap.checker.kernel.theorem import Parameters as Checked
 from cap.checker.theorems.attractor import Attractor
 from cap.errors import NotProved
-from cap.flow.course import State
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Moment, Oscillator
+from cap.flow.orbit import State
 from cap.maps.fixed_point import Itinerary, windows_for
+from cap.proofs.fixed_point import Setting, inside
 from cap.release.cell import Cell, slack
 from cap.release.passage import arrival, foreseen_from
 from cap.release.trap import Trap
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 from cap.sets.taylor_model import Domain
-from proofs.fixed_point import Setting, inside
 
 ORDER = 3  # of the Taylor models over the box
 MOST_CELLS = 500

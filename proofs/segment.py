@@ -30,9 +30,9 @@ from typing import Any, NamedTuple
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
+from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import interval
 from cap.sets.interval import Ball
-from proofs.fixed_point import Proof, Setting, assembled
 
 PLACES = 8  # of the numbers that describe the basin
 

@@ -23,9 +23,9 @@ l + r - x(t).
  (v)   In (0, π) the equation eq:theta-eq of the paper has no root, or θ and π - θ, or π/2.  No
        root is a solution of the system.
 
-Proof of (i) to (iv): `cap.one_one.closed_form`, derived in `proofs.one_one`; the trace of an area
-preserving half-period map is in (-2, 2) if 0 < k < 4.  The existence claim of (i): the speed has
-one local minimum on each flight, and by symmetry they are equal.
+Proof of (i) to (iv): `cap.one_one.closed_form`, derived in `cap.proofs.one_one`; the trace of an
+area preserving half-period map is in (-2, 2) if 0 < k < 4.  The existence claim of (i): the speed
+has one local minimum on each flight, and by symmetry they are equal.
 
 Proof of (v).  The paper's orbit leaves the right wall at t = 0, moves left, turns at τ = θ/ω, and
 "x' > 0 on (τ, T/2)", until it hits the left wall at T/2.  But whoever moves to the right arrives
@@ -50,23 +50,12 @@ from typing import Any
 from cap.certificate.writer import NONE
 from cap.errors import NotProved
 from cap.one_one.closed_form import Orbit, birth, friction, symmetric
+from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
-from proofs.citation import cited
-from proofs.fixed_point import Proof, Setting, assembled
-from proofs.one_one import Scale, lemma_1_closed_form
 
 SIGNS = {"plus": 1, "minus": -1}
-MOORE = cited(
-    "Moore",
-    "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-    (
-        "inclusion",
-        "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: X contains exactly one zero "
-        "of Psi",
-        "paper_roots",
-    ),
-)
 
 
 def prove(setting: Setting) -> Proof:
@@ -81,7 +70,7 @@ def prove(setting: Setting) -> Proof:
         }
     hints = {"bits": str(setting.checker_bits)}
     parameters = setting.parameters.elastic_strings()
-    proved = assembled("symmetric", setting, parameters, (claims, hints), MOORE)
+    proved = assembled("symmetric", setting, parameters, (claims, hints))
     return lambda _part: proved
 
 

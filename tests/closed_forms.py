@@ -9,8 +9,8 @@ from support import among, seeded
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters
+from cap.proofs.fixed_point import Setting
 from cap.sets import interval
-from proofs.fixed_point import Setting
 
 
 def setting(rho=2, digits=12, f="1/2", **others):

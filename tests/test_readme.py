@@ -1,34 +1,19 @@
-"""What the README shows is what the commands print."""
+"""The README: short, its digits certified, its commands those that CI runs."""
 
+import re
+import tomllib
 from pathlib import Path
 
-from cap import prove, verify
+import cap
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+CI = (ROOT / ".ci/run").read_text(encoding="utf-8").splitlines()
 
 
-def block(first):
-    """Return the lines of the indented block of the README that begins with ``first``."""
-    lines = README.splitlines()
-    start = next(n for n, line in enumerate(lines) if line.startswith("    " + first))
-    end = next(n for n in range(start, len(lines)) if lines[n] and not lines[n].startswith("    "))
-    return [line.strip() for line in lines[start:end] if line.strip()]
-
-
-def test_the_verdict(capsys, monkeypatch):
-    """The line of `cap.verify`, but for its wrapping."""
-    monkeypatch.chdir(ROOT)
-    assert verify.main(["certificates/elliptic.json"]) == 0
-    assert " ".join(block("VERIFIED:")) == capsys.readouterr().out.strip()
-
-
-def test_the_proof(capsys, tmp_path):
-    """The first lines of `cap.prove elliptic`."""
-    assert prove.main(["elliptic", "--out", str(tmp_path)]) == 0
-    printed = [line.strip() for line in capsys.readouterr().out.splitlines() if line.strip()]
-    shown = block("Found 2 elliptic orbits")
-    assert shown == printed[: len(shown)]
+def test_it_is_short():
+    """At most 10 KB."""
+    assert (ROOT / "README.md").stat().st_size <= 10_000
 
 
 def test_the_theorem():
@@ -44,10 +29,29 @@ def test_the_theorem():
         assert f'"{number.rstrip("…")}' in text, number
 
 
-def test_the_commands():
-    """CI installs and tests with the README's own words."""
-    script = (ROOT / ".ci/run").read_text()
-    for command in ("python3 -m venv .venv && .venv/bin/pip install -q -e '.[dev]'",):
-        assert command in README
-        assert command in script
-    assert "python -m pytest\n" in script
+def test_two_commands():
+    """They can be copied: two lines of shell and nothing else, which CI runs as they are."""
+    (block,) = re.findall(r"^```sh\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
+    first, second = block.splitlines()
+    assert first.endswith("-m cap.prove elliptic")
+    assert second.endswith("-m pytest")
+    commands = [line for line in CI if line and not line.startswith("#")]
+    assert first in commands
+    assert commands[-1] == second
+
+
+def test_the_citation():
+    """`CITATION.cff` and `CHANGELOG.md` know the version."""
+    assert f"\nversion: {cap.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"\n## {cap.__version__}\n" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+
+
+def test_the_workflow():
+    """The server runs the same script, at every minor version from the oldest that is allowed."""
+    workflow = (ROOT / ".github/workflows/ci.yml").read_text()
+    assert workflow.rstrip().endswith("- run: bash .ci/run")
+    with (ROOT / "pyproject.toml").open("rb") as file:
+        oldest = tomllib.load(file)["project"]["requires-python"].removeprefix(">=")
+    versions = re.findall(r'"(3\.\d+)"', workflow)
+    assert versions[0] == oldest
+    assert [int(v.partition(".")[2]) for v in versions] == [11 + n for n in range(len(versions))]

@@ -1,6 +1,7 @@
 """Audit the paper, claim by claim: ``python -m cap.audit``.  See `cap.audit.command`."""
 
 from collections.abc import Sequence
+from typing import NoReturn
 
 from cap.command import entry
 
@@ -10,5 +11,10 @@ def main(words: Sequence[str] | None = None) -> int:
     return entry.run("cap.audit.command:main", words)
 
 
-if __name__ == "__main__":
+def script() -> NoReturn:
+    """Run the command line, and exit with its status."""
     entry.leave(main())
+
+
+if __name__ == "__main__":
+    script()

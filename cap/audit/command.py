@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from cap.audit import labels, ledger, recorded
+from cap.audit import labels, ledger, recorded, tables
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.report.latex import latex
@@ -15,7 +15,7 @@ from cap.audit.report.page import page
 from cap.audit.report.text import data, plain
 from cap.audit.report.view import Report, report
 from cap.audit.verdict import Outcome, Verdict
-from cap.command.console import Parser, printable, say
+from cap.command.console import Parser, printable, program, say
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.files import replacing
@@ -32,7 +32,7 @@ FORMATS: dict[str, Callable[[Report], str]] = {
 def parser() -> argparse.ArgumentParser:
     """Return the command line."""
     p = Parser(
-        prog="python -m cap.audit",
+        prog=program("cap.audit"),
         description="Decide the claims of the paper, and report. Exit status 0: every claim was "
         "decided as recorded; 1: something changed; 2: the request makes no sense.",
         epilog="Examples: python -m cap.audit --only saltation.wall-entry; python -m cap.audit "
@@ -105,6 +105,9 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
+    if options.record and options.only is options.section is None:
+        tables.record(_progress, fresh=options.fresh)
+        ledger.claims.cache_clear()
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
     if options.record and not whole:

@@ -101,13 +101,13 @@ STATEMENTS = (
         "saltation.contraction-almost-everywhere",
         "saltation.determinant-of-a-period",
         instead="The product formula, with 0 after a capture too; |det Φ'| < 1 on X \\ Ω_NS^[0,T]. "
-        "Explicit determinants: theorem periodic (periodic.json to periodic-8.json).",
+        "Explicit determinants: theorem periodic (periodic-1.json to periodic-11.json).",
     ),
     statement(
         "thm:symmetric",
         "ansatz.bijection",
         instead="Theorem symmetric (symmetric.json): the symmetric orbits with one hit of each "
-        "wall, which never stop, in closed form; all such orbits: proofs.census.",
+        "wall, which never stop, in closed form; all such orbits: cap.proofs.census.",
     ),
     statement(
         "prop:two-solutions",
@@ -250,5 +250,27 @@ STATEMENTS = (
         "conj:Ninfty",
         "tori.conjecture",
         instead="Nothing: the question has to be posed for a box of states and unequal masses.",
+    ),
+    statement(
+        "thm:CAP-elliptic",
+        "existence.elliptic-fixed-point",
+        "enclosure.entries-and-trace",
+        "enclosure.enclosure-over-the-box",
+        "enclosure.determinant-is-certified",
+        instead="Theorem elliptic (elliptic.json): with the whole itinerary, and enclosures to "
+        "thirty digits.",
+    ),
+    statement(
+        "thm:CAP-KAM",
+        "existence.kam-at-the-point",
+        instead="Theorem elliptic without the condition: τ₁ = 0.113477.. != 0, invariant curves of "
+        "density one around P*.",
+    ),
+    statement(
+        "prop:hist-sigma",
+        "mirror.square-of-sigma",
+        "mirror.step-of-the-proof",
+        instead="σ = reflection after the flow from 0 to T/2: σ² = Φ, for all walls (theorem "
+        "pitchfork, pitchfork.json).",
     ),
 )

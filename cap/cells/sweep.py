@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.cells.flow import NOWHERE, Goals, Images, flow
-from cap.cells.runner import Plan, Runner
 from cap.errors import BadInput
 from cap.parameters import Parameters
+from cap.runner import Plan, Runner
 
 Floats = NDArray[np.float64]
 
@@ -95,6 +95,7 @@ def sweep(request: Sweep, runner: Runner, piece: int = PIECE) -> Iterator[tuple[
         decode=decoded,
         weight=lambda part: part.stop - part.start,
         total=count,
+        words="cells",
     )
     return runner.run(partial(_follow, request), cuts, plan)
 

@@ -28,10 +28,8 @@ theorem.  Read the modules in this order; each begins with the mathematics that 
     symmetric    the theorem about the symmetric orbits with one hit of each wall
     pitchfork    the theorem about the birth of a pair of such orbits that are not symmetric
     branch       the theorem about these pairs for a range of f
-    segment      the theorem about the periodic orbits that touch no wall
-    attractor    the theorem about the release map, an interval and its entropy
     theorem      the theorems by name; the elliptic point and the saddle
     terms        what stands in more than one sentence
-    sentences    the last five theorems in words
+    sentences    the last three theorems in words
     statement    the theorem that was proved, in words and in LaTeX
 """

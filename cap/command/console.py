@@ -3,11 +3,24 @@ somebody may hear."""
 
 import argparse
 import re
+import sys
+from pathlib import Path
 from typing import Any, NoReturn, TextIO
+
+from cap import __version__
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that complains in one line, with exit status 2."""
+    """A parser that knows the version, and complains in one line, with exit status 2."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.add_argument(
+            "--version",
+            action="version",
+            version=f"cap {__version__}",
+            help="say which version this is, and exit",
+        )
 
     def error(self, message: str) -> NoReturn:
         """Print the complaint and exit."""
@@ -17,6 +30,13 @@ class Parser(argparse.ArgumentParser):
         """Print help or a complaint; `argparse` would be silent about a file that is full."""
         if file is not None:
             file.write(message)
+
+
+def program(module: str) -> str:
+    """Return how a command was called: as the script ``cap-prove`` or as a module."""
+    script = module.replace(".", "-")
+    called = Path(sys.argv[0] if sys.argv else "").stem
+    return script if called == script else f"python -m {module}"
 
 
 def printable(text: str) -> str:

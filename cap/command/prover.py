@@ -1,27 +1,21 @@
 """The command `cap.prove`: search, prove, write the certificate, print the theorem.
 
-What can be proved: see `proofs.theorems`.
+What can be proved: see `cap.proofs.theorems`.
 """
 
 import sys
-from collections.abc import Iterator, Sequence
-from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
-from contextlib import contextmanager
-from dataclasses import replace
+from collections.abc import Sequence
 
-from cap.cells.subdivision import Workers
 from cap.certificate import report
 from cap.certificate import writer as certificate
-from cap.command import entry
 from cap.command.console import printable, protected, quoted, say
 from cap.command.progress import Progress
 from cap.command.prover_options import Asked, parser
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
-from cap.maps.fixed_point import Start
-from proofs import theorems
-from proofs.fixed_point import Setting
-from proofs.theorems import THEOREMS
+from cap.proofs import theorems
+from cap.proofs.theorems import THEOREMS
+from cap.runner import Runner
 
 
 def main(words: Sequence[str]) -> int:
@@ -33,7 +27,7 @@ def main(words: Sequence[str]) -> int:
         return 0
     progress = Progress()
     try:
-        return _run(Asked.of(options, progress.tell), progress)
+        return _run(Asked.of(options, progress.tell).writable(), progress)
     except BadInput as error:
         progress.clear()
         say(f"error: {printable(str(error))}", sys.stderr)
@@ -49,35 +43,14 @@ def _run(asked: Asked, progress: Progress) -> int:
         asked.path(candidate)
     progress.clear()
     print("\n".join([*found.lines, "\n"]), end="", flush=True)
-    with _workers(asked, progress) as workers:
-        ask = Setting(
-            asked.request.parameters,
-            Start(0.0, 0.0, ()),
-            asked.digits,
-            progress=progress.tell,
-            f_range=asked.f_range,
-            workers=workers,
-        )
-        return max([_proved(asked, ask, each) for each in found.candidates])
+    runner = asked.runner(progress.tell)
+    return max([_proved(asked, runner, each) for each in found.candidates])
 
 
-@contextmanager
-def _workers(asked: Asked, progress: Progress) -> Iterator[Workers]:
-    """Give what examines the cells of a theorem on a range of parameters."""
-    if asked.jobs == 1:
-        yield Workers(None, asked.journal, progress.tell)
-        return
-    try:
-        with ProcessPoolExecutor(asked.jobs, initializer=entry.as_worker) as executor:
-            yield Workers(executor, asked.journal, progress.tell)
-    except BrokenExecutor:
-        raise BadInput("a process of --jobs was killed (what a journal has is kept)") from None
-
-
-def _proved(asked: Asked, ask: Setting, candidate: Candidate) -> int:
+def _proved(asked: Asked, runner: Runner, candidate: Candidate) -> int:
     """Prove the theorem of one orbit, write its certificate and print it; return the status."""
     path, theorem = asked.path(candidate), asked.request.kind
-    setting = replace(ask, start=candidate.start, order=asked.order or candidate.order)
+    setting = asked.setting(candidate, runner)
     try:
         proved = theorems.accepted(THEOREMS[theorem], setting)
     except NotProved as failure:

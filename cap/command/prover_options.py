@@ -3,6 +3,7 @@
 import argparse
 import os
 from collections.abc import Callable
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from errno import ENOENT
 from fractions import Fraction
@@ -10,22 +11,25 @@ from itertools import pairwise
 from pathlib import Path
 
 from cap.certificate import naming
-from cap.checker.forms import FOR_ALL_F
-from cap.command.console import Parser, quoted
-from cap.command.option import integer
+from cap.checker.theorems import load
+from cap.command.console import Parser, program, quoted
+from cap.command.option import choice, integer
 from cap.errors import BadInput
 from cap.files import tried
 from cap.floats.candidates import Candidate, Request
 from cap.parameters import PAPER, Parameters, exact
-from proofs.theorems import THEOREMS
+from cap.proofs.fixed_point import Setting
+from cap.proofs.theorems import THEOREMS
+from cap.runner import Runner, Tell
 
+ORDERS = ("3", "5", "7", "9")
 Range = tuple[Fraction | None, Fraction | None]
 
 
 def parser() -> Parser:
     """Return the command line's parser."""
     p = Parser(
-        prog="python -m cap.prove",
+        prog=program("cap.prove"),
         description="Prove a theorem on x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where "
         "v becomes -e v at the walls, and write a certificate that `python -m cap.verify FILE` "
         "checks.  Orbits are searched for in floats, from many seeds or from the state given.",
@@ -62,8 +66,8 @@ def parser() -> Parser:
     p.add_argument(
         "--order",
         metavar="N",
-        choices=["3", "5", "7", "9"],
-        help="odd order of the normal form (default 3, or 5 with a resonance of order 5 to 8 near)",
+        help="odd order of the normal form, 3 to 9 (default 3, or 5 with a resonance of order 5 to "
+        "8 near)",
     )
     p.add_argument(
         "--out",
@@ -79,7 +83,7 @@ def parser() -> Parser:
 
 @dataclass(frozen=True)
 class Asked:
-    """What is asked for: a request that makes sense, and files that can be written."""
+    """What is asked for: a request that makes sense."""
 
     request: Request
     digits: int
@@ -97,19 +101,39 @@ class Asked:
         asked = cls(
             _request(options, progress),
             integer(options.digits, "digits", (6, 1000), 4),
-            int(options.order) if options.order else None,
+            int(choice(*ORDERS)([options.order], "order")) if options.order else None,
             _range(options),
             integer(options.jobs, "jobs", (1, 1024), 4),
             options.journal,
             options.out,
         )
         asked._fits()
-        _try(asked.out, directory=not asked.into_a_file)
         if asked.journal:
             _try(asked.journal)
             if not asked.journal.parent.is_dir():
                 raise BadInput(f"cannot write {quoted(asked.journal)}: {os.strerror(ENOENT)}")
         return asked
+
+    def writable(self) -> "Asked":
+        """Return this; raise `BadInput` if no certificate can be written to ``out``."""
+        _try(self.out, directory=not self.into_a_file)
+        return self
+
+    def runner(self, tell: Tell, executor: Executor | None = None) -> Runner:
+        """Return what examines the cells of a theorem on a range of parameters."""
+        return Runner(self.jobs, tell, executor, self.journal, whole=True)
+
+    def setting(self, candidate: Candidate, runner: Runner) -> Setting:
+        """Return what the proof of the theorem about a candidate starts from."""
+        return Setting(
+            self.request.parameters,
+            candidate.start,
+            self.digits,
+            order=self.order or candidate.order,
+            progress=lambda words: runner.tell(words, None),
+            f_range=self.f_range,
+            runner=runner,
+        )
 
     @property
     def into_a_file(self) -> bool:
@@ -152,7 +176,7 @@ def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Re
         if options.e is not None:
             raise BadInput("--epsilon Q means --e 1-Q: give one of them")
         given["e"] = str(1 - exact(options.epsilon))
-    if options.theorem in FOR_ALL_F:
+    if "f" not in load(options.theorem).PARAMETERS:
         if options.f is not None:
             raise BadInput(
                 f"the theorem {options.theorem} holds for more than one f: leave out --f"

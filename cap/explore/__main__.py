@@ -5,6 +5,7 @@ what had been done is written.  See `cap.explore.explorer`.
 """
 
 from collections.abc import Sequence
+from typing import NoReturn
 
 from cap.command import entry
 
@@ -14,5 +15,10 @@ def main(words: Sequence[str] | None = None) -> int:
     return entry.run("cap.explore.explorer:main", words)
 
 
-if __name__ == "__main__":
+def script() -> NoReturn:
+    """Run the command line, and exit with its status."""
     entry.leave(main())
+
+
+if __name__ == "__main__":
+    script()

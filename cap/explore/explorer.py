@@ -1,6 +1,6 @@
 """The command ``python -m cap.explore``: floats, from which nothing is proved.
 
-What can be explored: see `cap.explore.commands`.  After an interrupt what had been done is written.
+What can be explored: see `cap.explore.commands`.  After an interrupt what was done is written.
 """
 
 import argparse
@@ -12,22 +12,23 @@ from pathlib import Path
 from typing import Any
 
 from cap.command import entry
-from cap.command.console import Parser, printable, protected, quoted, say
+from cap.command.console import Parser, printable, program, protected, quoted, say
 from cap.command.entry import INTERRUPTED
 from cap.command.option import Option, integer
 from cap.command.progress import Progress
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
 from cap.parameters import PAPER, Parameters, exact
+from cap.runner import Runner
 
 MOST_PIXELS = 300_000_000
-FIRST = ("--paper", "--out", "--help")  # options before a command
+FIRST = ("--paper", "--out", "--help", "--version")  # options before a command
 
 
 def parser() -> Parser:
     """Return the command line's parser."""
     p = Parser(
-        prog="python -m cap.explore",
+        prog=program("cap.explore"),
         formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes "
         "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",
@@ -133,7 +134,6 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
     """Compute, say the numbers, write the files."""
     with entry.loading():  # numpy is slow to load: not for --help
         from cap.explore import export  # noqa: PLC0415
-        from cap.floats.work import Work  # noqa: PLC0415
     out = [*options.first_out, *options.out]
     p = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
     values = {o.keyword: _value(o, getattr(options, o.keyword)) for o in command.options}
@@ -141,25 +141,25 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
     size, dpi = _size(options, command)
     for path in out:
         export.kind(path)
-    work = Work(integer(options.jobs, "jobs", (1, 256)), progress.tell)
+    runner = Runner(integer(options.jobs, "jobs", (1, 256)), progress.tell)
     with entry.loading():
         function = command.function()
-    study = function(p, work=work, **given)
+    findings = function(p, runner=runner, **given)
     progress.clear()
-    print("\n".join(study.lines()))
+    print("\n".join(findings.lines()))
     failed = 0
     for path in out:
         try:
-            export.write(study, path, lambda: command.picture(study, size, dpi))
+            export.write(findings, path, lambda: command.picture(findings, size, dpi))
         except BadInput as error:  # the other files are written all the same
             failed = 2
             say(f"error: {printable(str(error))}", sys.stderr)
         else:
             print(f"{quoted(path)}: written")
-    if not study.complete:
+    if not findings.complete:
         say("interrupted; what was done is kept", sys.stderr)
         return INTERRUPTED
-    return failed or command.status(study)
+    return failed or command.status(findings)
 
 
 def _value(option: Option, text: Any) -> Any:

@@ -8,10 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats import swarm
-from cap.floats.grid import Box, grid, region, require_followed
-from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.fixed_point import region
+from cap.floats.grid import Box, grid, require_followed
+from cap.floats.pieces import in_pieces
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 THRESHOLD = -2.5  # of log10 of the index: regular above
 REACH = 0.035, 0.025  # half-widths of the box around the fixed point, in units of R and Rω
@@ -23,7 +26,7 @@ LOST, TURNED, REGULAR, CHAOTIC = -1, 0, 1, 2
 
 
 @dataclass(frozen=True, kw_only=True)
-class Alignment(Study):
+class Alignment(Findings):
     """An alignment index over the states (x_j, v_i).
 
     ``index`` (M, N) after the last period: nan where the orbit turned, stuck or was captured, and
@@ -84,7 +87,7 @@ class Options(TypedDict, total=False):
     points: int
     periods: int
     seed: int
-    work: Work | None
+    runner: Runner | None
 
 
 def sali(p: Parameters, **options: Unpack[Options]) -> Alignment:
@@ -109,13 +112,13 @@ def _map(  # noqa: PLR0913 (the options of the command)
     points: int = 200,
     periods: int = 15,
     seed: int = 0,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Alignment:
     """Carry two deviations, orthonormal in (x, v), turned at random, the same for all orbits.
 
     Without a box the states are those around the fixed point near ``orbit``.
     """
-    work = work or Work()
+    runner = runner or Runner()
     box, centre = region(p, orbit, box, REACH)
     cells = grid(p, box, points)
     require_followed(p, cells.sample())
@@ -127,12 +130,12 @@ def _map(  # noqa: PLR0913 (the options of the command)
         found, lost[part] = _indices(name, p, cells.states(part), periods, angle)
         index[part] = found[:, -1]
 
-    work.pieces(cells.count, follow, name, periods)
+    in_pieces(runner, cells.count, follow, name, periods)
     starts = _ray(box)
     curves, _ = _indices(name, p, starts, max(periods, LONG), angle)
     return Alignment(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         name=name,
         periods=periods,
         x=cells.x,

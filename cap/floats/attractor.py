@@ -13,10 +13,13 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.grid import Box, grid, polished, require_followed, whole
-from cap.floats.study import Floats, Study, described, with_error
-from cap.floats.work import KEPT, Work
+from cap.floats.findings import Findings, Floats
+from cap.floats.fixed_point import polished
+from cap.floats.grid import Box, grid, require_followed, whole
+from cap.floats.pieces import cut
+from cap.floats.words import described, with_error
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 LONGEST = 64  # of the periods that are looked for
 CLOSE = 1e-6  # a state that returns, in units of R and Rω
@@ -59,7 +62,7 @@ class Attractor:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Attractors(Study):
+class Attractors(Findings):
     """The attractors (L) that seeds (x_j, v_i) end on, the largest share first.
 
     ``label`` (M, N) is the place of each seed's attractor in ``found``, -1: none.
@@ -103,26 +106,26 @@ def attractors(
     points: int = 40,
     transient: int = 2000,
     periods: int = 200,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Attractors:
-    """Follow the seeds of a box, or of the whole plane, and sort out where they are at the end."""
-    work = work or Work()
+    """Follow the seeds of a box, or of the whole plane, and tell their attractors apart."""
+    runner = runner or Runner()
     cells = grid(p, box or whole(p), points)
     seen = max(periods, 2 * LONGEST)
     if cells.count * seen > MOST:
         raise BadInput(f"too many states: {cells.count} seeds x {seen} periods (at most {MOST})")
     require_followed(p, cells.sample())
-    length = max(1, min(PIECE, KEPT // (transient + seen)))
-    pieces = [slice(k, min(k + length, cells.count)) for k in range(0, cells.count, length)]
-    ends = work.map(
-        lambda part: settle(p, cells.states(part), transient, seen), pieces, "attractors"
+    ends = runner.map(
+        lambda part: settle(p, cells.states(part), transient, seen),
+        cut(cells.count, transient + seen, PIECE),
+        "attractors",
     )
     label, found = sort(p, ends)
     full = np.full(cells.count, NONE)
     full[: len(label)] = label
     return Attractors(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         x=cells.x,
         v=cells.v,
         label=full.reshape(cells.shape),
@@ -183,7 +186,7 @@ _NAMES = ("states", "counts", "exponent", "period", "turned")
 
 @dataclass(frozen=True)
 class _Mark:
-    """By what an end is recognised: a state of a cycle, or the cells that it visits."""
+    """What tells one attractor from another: a state of a cycle, or the cells that are visited."""
 
     name: str
     period: int = 0

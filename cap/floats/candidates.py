@@ -1,4 +1,4 @@
-"""What a person asks the prover to prove, turned into float orbits from which proofs start.
+"""Float orbits from which proofs start: the only module of the float mode that proofs import.
 
 Nothing here is proved.  Each function returns what it found, in words, and the candidates.
 """
@@ -11,8 +11,9 @@ from typing import NamedTuple
 
 from cap.errors import BadInput
 from cap.floats import periodic
-from cap.floats.cycles import Cycle, cycles, near
-from cap.floats.periodic import MOST_HITS, Guess
+from cap.floats.cycles import Cycle, near
+from cap.floats.periodic import Guess
+from cap.floats.search import from_hit_times, search
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
@@ -39,7 +40,7 @@ class Request:
 
 
 class Candidate(NamedTuple):
-    """A guess, how it is shown, and the order to which Φ is expanded at it if nobody says."""
+    """A guess, how it is shown, and the default order to which Φ is expanded at it."""
 
     start: Start
     shown: str
@@ -47,7 +48,7 @@ class Candidate(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Lines that say what was found, and what is to be proved."""
+    """What a search found, in words, and the candidates that are to be proved."""
 
     lines: list[str]
     candidates: list[Candidate]
@@ -67,24 +68,36 @@ def non_sticking(request: Request) -> Found:
                 f"trace is {guess.trace:.6g}"
             )
         return Found([_newton(request), f"  {_shown(guess)}"], [_candidate(guess)])
-    found: list[Guess] = []
-    for hits in range(2, MOST_HITS + 1, 2):
-        guesses = periodic.orbits(request.parameters, hits)
-        found += [guess for guess in guesses if guess.kind == request.kind]
-        if found and not request.every:
-            break
+    found = _never_stopping(request)
     if not found:
         raise BadInput(
-            f"no {request.kind} non-sticking T-periodic orbit with at most {MOST_HITS} hits was "
-            "found (a guess can be given with --orbit X V)"
+            f"no {request.kind} non-sticking T-periodic orbit was found (a guess can be given with "
+            "--orbit X V)"
         )
-    number = f"at most {MOST_HITS}" if request.every else f"{len(found[0].hit_times)}"
+    numbers = sorted({len(guess.hit_times) for guess in found})
     heading = (
-        f"Found {_counted(len(found), f'{request.kind} orbit')} with {number} hits per period; "
+        f"Found {_counted(len(found), f'{request.kind} orbit')} with "
+        f"{' or '.join(map(str, numbers))} hits per period; "
         f"proving {_which(request, len(found), '(smallest x)')}:"
     )
     lines = [heading, *(f"  {k}  {_shown(guess)}" for k, guess in enumerate(found, 1))]
     return Found(lines, [_candidate(guess) for guess in (found if request.every else found[:1])])
+
+
+def _never_stopping(request: Request) -> list[Guess]:
+    """Return the orbits of one kind: all that are found, or the first ones if one is enough."""
+    p, kind = request.parameters, request.kind
+    if not request.every:
+        for guesses in from_hit_times(p):
+            if own := [guess for guess in guesses if guess.kind == kind]:
+                return own
+    found = search(p, tell=_telling(request)).never_stopping
+    return [guess for guess in found if guess.kind == kind]
+
+
+def _telling(request: Request) -> Callable[[float], None]:
+    """Return the function that tells the progress of a search."""
+    return lambda part: request.progress(f"searching: {part:.0%} done")
 
 
 def cyclic(request: Request) -> Found:
@@ -93,21 +106,22 @@ def cyclic(request: Request) -> Found:
     if request.orbit:
         cycle = near(p, *request.orbit, n)
         return Found([_newton(request), f"  {_described(p, cycle)}"], [_of_cycle(p, cycle)])
-
-    def searching(starts: int, orbits: int) -> None:
-        request.progress(f"searching: {starts} starts, orbits found: {orbits}")
-
-    found = sorted(cycles(p, n, searching), key=lambda c: _rank(c.kind(conserves=p.conserves)))
+    orbits = search(p, n, _telling(request))
+    families = [f"A family of orbits that touch no wall: {each.line()}" for each in orbits.families]
+    found = sorted(orbits.isolated, key=lambda c: _rank(c.kind(conserves=p.conserves)))
     if not found:
+        also = "".join(f"; {each[0].lower()}{each[1:]}" for each in families)
         raise BadInput(
-            f"no periodic orbit of period {n} T was found (a guess can be given with --orbit X V)"
+            f"no isolated periodic orbit of period {n} T was found (a guess can be given with "
+            f"--orbit X V){also}"
         )
     period = "T" if n == 1 else f"{n}T"
     heading = (
-        f"Found {_counted(len(found), 'orbit')} of period {period}; proving "
+        f"Found {_counted(len(found), 'isolated orbit')} of period {period}; proving "
         f"{_which(request, len(found), '(sinks first)')}:"
     )
     lines = [heading, *(f"  {k}  {_described(p, cycle)}" for k, cycle in enumerate(found, 1))]
+    lines += families
     chosen = found if request.every else found[:1]
     return Found(lines, [_of_cycle(p, cycle) for cycle in chosen])
 
@@ -202,15 +216,25 @@ def _release(x: float) -> Candidate:
 
 
 def closed_form(request: Request) -> Found:
-    """Find nothing: these theorems start from formulas."""
+    """Return a candidate without an orbit: these theorems start from formulas."""
     if request.kind != "segment":
         request.parameters.elastic_strings()
-    if request.orbit or request.every:
-        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    found = _nothing(request, "closed form")
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
-    start = Start(0.0, 0.0, ())
-    return Found(["In closed form: no search is needed."], [Candidate(start, "closed form")])
+    return found
+
+
+def every_motion(request: Request) -> Found:
+    """Find nothing: the theorem is about all motions."""
+    return _nothing(request, "every motion")
+
+
+def _nothing(request: Request, about: str) -> Found:
+    if request.orbit or request.every:
+        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    line = f"{about.capitalize()}: no search is needed."
+    return Found([line], [Candidate(Start(0.0, 0.0, ()), about)])
 
 
 def _newton(request: Request) -> str:

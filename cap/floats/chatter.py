@@ -1,4 +1,4 @@
-"""Capture: bounces at a wall that accumulate, in number infinite, in time finite."""
+"""Capture: infinitely many hits of a wall in a finite time."""
 
 import math
 from dataclasses import dataclass
@@ -7,18 +7,19 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.swarm import Event
 from cap.floats.trajectory import Trajectory, trajectory
-from cap.floats.work import Work
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 PATIENCE = 100  # periods
 NEAR = 0.01  # distance from the wall of the default start, in units of R
 
 
 @dataclass(frozen=True, kw_only=True)
-class Chatter(Study):
+class Chatter(Findings):
     """The hits (K,) of one wall before the first capture: times, and the speeds after them.
 
     ``end`` is the time at which they accumulate.  ``ratio`` is what the speeds' ratio tends to:
@@ -53,7 +54,7 @@ def chatter(
     *,
     orbit: State | None = None,
     periods: float = PATIENCE,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Chatter:
     """Follow a state up to its first capture; without one, a mass at rest near the right wall."""
     state = orbit or (float(p.r) - NEAR * float(p.R), 0.0)
@@ -78,7 +79,7 @@ def chatter(
         speeds=np.array([abs(hit.after) for hit in hits]),
         end=capture.time,
         ratio=float(p.e) * math.sqrt(max(0.0, a - f) / (a + f)),
-        orbit=(trajectory(p, orbit=state, exactly=True, periods=shown, work=work),),
+        orbit=(trajectory(p, orbit=state, exactly=True, periods=shown, runner=runner),),
     )
 
 

@@ -1,15 +1,15 @@
-"""Search for periodic orbits with any itinerary, in floats: Newton's method on Φⁿ from many seeds.
+"""Periodic orbits with any itinerary, in floats: Newton's method for Φⁿ from one state.
 
-The orbits found steer the prover.  That one is found is no proof that it exists, and that none is
-found is no proof that there is none.
+The orbits steer the prover.  That Newton's method converges is no proof that an orbit exists.
+`cap.floats.search` looks for all of them.
 """
 
 import math
-from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from cap.errors import BadInput, NotProved
-from cap.flow.itinerary import MOST_EVENTS, Path, itinerary
+from cap.floats.periodic import Guess
+from cap.flow.itinerary import Happening, Path, itinerary
 from cap.maps.stability import stability
 from cap.parameters import Parameters
 from cap.sets import matrix
@@ -18,10 +18,8 @@ from cap.sets.matrix import Matrix
 
 SAME = 1e-7  # orbits whose states at t = 0 differ by less, in units of R and Rω, are one orbit
 MOST_STEPS = 40  # of Newton's method
-CLOSE = 1e-9  # the residual, in the same units, of an orbit that is accepted
-SEEDS = 24  # positions, and as many velocities
-MOST_FOLLOWED = 1_000_000  # events: half a minute
-TRANSIENT = 30  # times n periods that a seed is followed before Newton's method, for sinks
+LONGEST = 0.2  # step, in units of R and Rω
+CLOSE = 1e-9  # the last step and the residual, in the same units, of an orbit that is accepted
 
 State = tuple[float, float]
 
@@ -39,10 +37,30 @@ class Cycle:
     path: Path
     frictionless: bool = False
 
+    @classmethod
+    def of_guess(cls, p: Parameters, guess: Guess) -> "Cycle":
+        """Return an orbit that never stops; its hit times say more than its state in doubles."""
+        hits = [
+            Happening("hit r", t, float(p.r), v) if v > 0 else Happening("hit l", t, float(p.l), v)
+            for t, v in guess.hits
+        ]
+        path = Path(tuple(hits), (guess.x, guess.v), guess.monodromy, 0)
+        return cls(guess.x, guess.v, 1, path, frictionless=p.f == 0)
+
     @property
     def events(self) -> tuple[tuple[str, float], ...]:
         """The words of its events and their times."""
         return tuple((event.word, event.time) for event in self.path.events)
+
+    @property
+    def kinds(self) -> frozenset[str]:
+        """What happens: of "hit", "turn", "stick", "release" and "capture"."""
+        return frozenset(word.split()[0] for word in self.path.words)
+
+    @property
+    def stops(self) -> bool:
+        """Whether it comes to rest, so that one multiplier is 0."""
+        return bool(self.kinds & {"stick", "capture"})
 
     @property
     def trace(self) -> float:
@@ -52,16 +70,14 @@ class Cycle:
     @property
     def determinant(self) -> float:
         """Its determinant: 0 if the orbit sticks or is captured."""
-        stops = any(word.startswith(("stick", "capture")) for word in self.path.words)
-        return 0.0 if stops else matrix.determinant(self.path.monodromy)
+        return 0.0 if self.stops else matrix.determinant(self.path.monodromy)
 
     def kind(self, *, conserves: bool) -> str:
         """The type as in `cap.maps.stability`, as far as floats can tell; else ``degenerate``."""
-        words = {word.split()[0] for word, _ in self.events}
         det = Ball(self.determinant)
-        if words & {"stick", "capture"}:
+        if self.stops:
             det = Ball(0)
-        elif conserves and words <= ({"hit", "turn"} if self.frictionless else {"hit"}):
+        elif conserves and self.kinds <= ({"hit", "turn"} if self.frictionless else {"hit"}):
             det = Ball(1)
         try:
             return stability(Ball(self.trace), det)
@@ -69,26 +85,17 @@ class Cycle:
             return "degenerate"
 
 
-class Search:
-    """The map Φⁿ of one oscillator in floats, and Newton's method for its fixed points."""
+class StroboscopicMap:
+    """The map Φⁿ of one oscillator in floats, n = ``periods``, and Newton's method for it."""
 
-    def __init__(self, p: Parameters, periods: int) -> None:
+    def __init__(self, p: Parameters, periods: int = 1) -> None:
         self.p, self.periods = p, periods
         self.T = 2 * math.pi / float(p.omega)
         self.scale = float(p.R), float(p.R * p.omega)
-        self.followed = 0
-        self.ended = 0
 
     def path(self, z: State, periods: int | None = None) -> Path:
-        """Return the orbit of z over n periods; ``followed`` counts events, ``ended`` orbits."""
-        try:
-            path = itinerary(self.p, *z, end=(periods or self.periods) * self.T)
-        except BadInput:
-            self.followed += MOST_EVENTS
-            raise
-        self.followed += len(path.events)
-        self.ended += 1
-        return path
+        """Return the orbit of z over n periods, or over ``periods``."""
+        return itinerary(self.p, *z, end=(periods or self.periods) * self.T)
 
     def defect(self, path: Path, z: State) -> State:
         """Return Φⁿ(z) - z."""
@@ -99,23 +106,28 @@ class Search:
         return max(abs(d) / unit for d, unit in zip(step, self.scale, strict=True))
 
     def newton(self, z: State) -> Cycle | None:
-        """Return the periodic orbit to which damped Newton's method leads from z, or None."""
+        """Return the periodic orbit to which damped Newton's method leads from z, or None.
+
+        It goes on as long as the steps become shorter, up to rounding.
+        """
+        found, shortest = None, CLOSE
         for _ in range(MOST_STEPS):
             try:
                 path = self.path(z)
                 step = self._step(path.monodromy, self.defect(path, z))
             except (BadInput, ZeroDivisionError):
-                return None
-            large = self.size(step)
-            if large < CLOSE and self.size(self.defect(path, z)) < CLOSE:
-                if path.wall or z[1] == 0:
-                    return None
-                return Cycle(*z, self.periods, path, frictionless=self.p.f == 0)
-            if not large < 1e6:
-                return None
-            damping = min(1.0, 0.2 / large)
+                break
+            length = self.size(step)
+            if length < shortest and self.size(self.defect(path, z)) < CLOSE:
+                found, shortest = (z, path), length
+            elif found or not length < 1e6:
+                break
+            damping = min(1.0, LONGEST / length) if length else 0.0
             z = z[0] - damping * step[0], z[1] - damping * step[1]
-        return None
+        if found is None or found[1].wall or found[0][1] == 0:
+            return None
+        (x, v), path = found
+        return Cycle(x, v, self.periods, path, frictionless=self.p.f == 0)
 
     @staticmethod
     def _step(monodromy: Matrix[float], defect: State) -> State:
@@ -130,14 +142,6 @@ class Search:
         x, v = half.end
         return None if half.wall else (float(self.p.l + self.p.r) - x, -v)
 
-    def add(self, found: list[Cycle], z: State | None) -> None:
-        """Add the orbit to which Newton's method leads from z, if it is new."""
-        cycle = self.newton(z) if z else None
-        if cycle is None or not self.is_primitive(cycle):
-            return
-        if all(self.size((cycle.x - c.x, cycle.v - c.v)) >= SAME for c in found):
-            found.append(cycle)
-
     def is_primitive(self, cycle: Cycle) -> bool:
         """Return whether no part of n periods is a period already."""
         z = cycle.x, cycle.v
@@ -151,64 +155,10 @@ def near(p: Parameters, x: float, v: float, periods: int = 1) -> Cycle:
     Raises `BadInput` if none is reached, or (x, v) is no state.
     """
     itinerary(p, x, v, 0.0)
-    found = Search(p, periods).newton((x, v))
+    found = StroboscopicMap(p, periods).newton((x, v))
     if found is None:
         raise BadInput(
             f"no periodic orbit found from ({x!r}, {v!r}): Newton's method for the state at t = 0 "
             "does not converge, or leads to a mass at rest at t = 0"
         )
     return found
-
-
-def cycles(
-    p: Parameters,
-    periods: int = 1,
-    progress: Callable[[int, int], None] = lambda _starts, _found: None,
-) -> list[Cycle]:
-    """Return the orbits found of least period ``periods`` T, ascending in x, then v.
-
-    Seeds fill the rectangle of all x and |v| <= 2 F/ω + Rω/2.  Newton's method starts from each,
-    and from where it is after a transient, which finds the sinks; compiled, from many more; and
-    from the mirror images of the orbits found.  ``progress`` is told the numbers of starts and of
-    orbits so far; after `MOST_FOLLOWED` events the search ends, and where no orbit of the first
-    `SEEDS` + 1 seeds comes to an end.
-    Raises `BadInput` if it has found nothing by then.
-    """
-    search = Search(p, periods)
-    found: list[Cycle] = []
-    for number, z in enumerate(_starts(search)):
-        progress(number, len(found))
-        search.add(found, z)
-        if search.followed > MOST_FOLLOWED or (number >= SEEDS and not search.ended):
-            break
-    if not found and (search.followed > MOST_FOLLOWED or not search.ended):
-        raise BadInput(
-            f"no periodic orbit was found among the first {search.followed} events: the orbits "
-            "have too many of them in a period for a search (a guess can be given with --orbit X V)"
-        )
-    if search.followed <= MOST_FOLLOWED:
-        from cap.floats.newton import fixed_points  # noqa: PLC0415 (the compiled engine)
-
-        for x, v in fixed_points(p, periods).tolist():
-            search.add(found, (x, v))
-    for cycle in found:  # and those that this adds
-        search.add(found, search.mirrored(cycle))
-    return sorted(found, key=lambda c: (c.x, c.v))
-
-
-def _starts(search: Search) -> Iterable[State]:
-    """Give the seeds, and some of them after a transient."""
-    p = search.p
-    l, length = float(p.l), float(p.R)
-    fastest = 2 * float(p.F / p.omega) + float(p.R * p.omega) / 2
-    for i in range(SEEDS):
-        for j in range(SEEDS):
-            z = l + length * (i + 0.5) / SEEDS, fastest * (2 * (j + 0.5) / SEEDS - 1)
-            yield z
-            if i % 6 == j % 6 == 0:
-                try:
-                    path = search.path(z, TRANSIENT * search.periods)
-                except BadInput:
-                    continue
-                if not path.wall:
-                    yield path.end

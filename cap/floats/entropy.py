@@ -17,10 +17,11 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import fate
 from cap.floats.fate import LOST, Fate
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.grid import Box
-from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 SIZES = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50)
 
@@ -35,7 +36,7 @@ class Entropy(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class BasinEntropy(Study):
+class BasinEntropy(Findings):
     """Entropies of the partition in ``basin`` over box sizes (K,), in cells.
 
     ``exponent`` is the slope of log S_b over log ε, with its standard error.
@@ -83,11 +84,11 @@ def basin_entropy(  # noqa: PLR0913 (the options of the command)
     points: int = 600,
     periods: int = 25,
     boxes: tuple[int, ...] = (),
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> BasinEntropy:
     """Return the entropies of the two colours: never turns, and turns, sticks or is captured."""
-    work = work or Work()
-    basin = fate.fate(p, orbit=orbit, box=box, points=points, periods=periods, work=work)
+    runner = runner or Runner()
+    basin = fate.fate(p, orbit=orbit, box=box, points=points, periods=periods, runner=runner)
     sizes = boxes or tuple(size for size in SIZES if size <= points // 4) or (1,)
     if max(sizes) > points:
         raise BadInput(f"a box of {max(sizes)} cells does not fit into {points} x {points}")

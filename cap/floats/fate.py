@@ -1,4 +1,4 @@
-"""What becomes of each state of a rectangle: who turns, sticks, is captured, and when first."""
+"""Which states of a rectangle turn, stick or are captured, and when they first do."""
 
 from dataclasses import dataclass
 
@@ -6,10 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats import swarm
-from cap.floats.grid import Box, grid, region, require_followed
-from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.fixed_point import region
+from cap.floats.grid import Box, grid, require_followed
+from cap.floats.pieces import in_pieces
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 FATES = ("never turns", "turns", "sticks", "is captured")
 REACH = 0.05, 0.035
@@ -17,7 +20,7 @@ LOST = -1
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fate(Study):
+class Fate(Findings):
     """The fates of the states (x_j, v_i) at t = 0 within some periods.
 
     ``fate`` (M, N) is a place in `FATES`, the last that applies; -1: lost, or not computed.
@@ -75,10 +78,10 @@ def fate(
     box: Box | None = None,
     points: int = 300,
     periods: int = 25,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Fate:
     """Follow the states of a box, or around the fixed point near ``orbit``, or of all the plane."""
-    work = work or Work()
+    runner = runner or Runner()
     box, centre = region(p, orbit, box, REACH)
     cells = grid(p, box, points)
     require_followed(p, cells.sample())
@@ -93,11 +96,11 @@ def fate(
         for k, kind in enumerate(("turn", "stick", "capture")):
             times[k, part] = found.first_time(kind)
 
-    work.pieces(cells.count, follow, "basin", periods)
+    in_pieces(runner, cells.count, follow, "basin", periods)
     turn, stick, capture = times.reshape(3, *cells.shape)
     return Fate(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         periods=periods,
         x=cells.x,
         v=cells.v,

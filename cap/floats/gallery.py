@@ -9,16 +9,18 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.floats.attractor import Attractor, strongest
-from cap.floats.study import Floats, Study, described, varied
+from cap.floats.findings import Findings, Floats
 from cap.floats.trajectory import Trajectory, trajectory
-from cap.floats.work import Work
+from cap.floats.variation import varied
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 FORCINGS = (1.5, 3.0, 4.5, 6.0, 12.0, 50.0)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gallery(Study):
+class Gallery(Findings):
     """Orbits on attractors at the values (L,) of a parameter.
 
     ``trace`` and ``determinant`` (L,) are those of the monodromy over one period of the orbit, nan
@@ -67,18 +69,20 @@ def gallery(
     parameter: str = "F",
     values: tuple[float | Fraction, ...] = FORCINGS,
     periods: float = 4,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Gallery:
     """Return the orbit of the attractor of most seeds, over some periods, at each value."""
-    work = work or Work()
+    runner = runner or Runner()
     systems = [varied(p, parameter, value) for value in values]
-    found = work.map(_regime, [(system, periods) for system in systems], "gallery", processes=True)
+    found = runner.map(
+        _regime, [(system, periods) for system in systems], "gallery", processes=True
+    )
     kept = [(float(value), *each) for value, each in zip(values, found, strict=False) if each]
-    if not kept and not work.interrupted:
+    if not kept and not runner.interrupted:
         raise BadInput("no orbit could be followed at any of the values: the mass is too fast")
     return Gallery(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         parameter=parameter,
         values=np.array([each[0] for each in kept]),
         attractors=tuple(each[1] for each in kept),

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from cap.errors import BadInput
-from cap.floats import cycles, periodic, swarm
+from cap.floats import swarm
 from cap.floats.events import TOO_MANY
-from cap.floats.study import Floats, State
+from cap.floats.findings import Floats, State
 from cap.parameters import Parameters
 
 Box = tuple[float, float, float, float]
@@ -59,7 +59,7 @@ def grid(p: Parameters, box: Box, points: int) -> Grid:
 def require_followed(p: Parameters, states: Floats) -> None:
     """Raise `BadInput` if not one of the states (N, 2) can be followed for a period.
 
-    Without this a picture of nothing would take hours: an orbit is lost after many events.
+    An orbit is lost only after many events: if all are lost, that would take hours.
     """
     if all(swarm.follow(p, [state], 1).lost[0] for state in states):
         raise BadInput(
@@ -78,59 +78,3 @@ def around(p: Parameters, centre: State, reach: State) -> Box:
     """Return the box of half-widths ``reach`` around a state, as far as it is between the walls."""
     (x, v), (a, b) = centre, reach
     return max(float(p.l), x - a), min(float(p.r), x + a), v - b, v + b
-
-
-def island(p: Parameters, orbit: State | None = None) -> State | None:
-    """Return the fixed point near ``orbit``, or without it the first elliptic one, or None."""
-    if orbit is not None:
-        return fixed_point(p, orbit)
-    if not p.conserves:
-        return None
-    for hits in range(2, periodic.MOST_HITS + 1, 2):
-        for guess in periodic.orbits(p, hits):
-            if guess.kind == "elliptic":
-                return polished(p, (guess.x, guess.v))
-    return None
-
-
-def fixed_point(p: Parameters, orbit: State) -> State:
-    """Return the fixed point of Φ to which Newton's method leads from a state.
-
-    If it leads to none for the state, that for the hit times, which is not as easily thrown off.
-    """
-    try:
-        found: cycles.Cycle | periodic.Guess = cycles.near(p, *orbit)
-    except BadInput:
-        if not p.conserves:
-            raise
-        found = periodic.near(p, *orbit)
-    return polished(p, (found.x, found.v))
-
-
-def polished(p: Parameters, state: State, periods: int = 1) -> State:
-    """Return a fixed point of Φⁿ after two more steps of Newton's method, unless it diverges."""
-    z, unit = np.array(state), np.eye(2)
-    for _ in range(2):
-        path = swarm.follow(p, [z], periods, derivative=True)
-        if path.monodromy is None or not np.isfinite(path.monodromy).all():
-            return state
-        defect = path.states[0] - z
-        z = z + np.linalg.lstsq(unit - path.monodromy[0], defect, rcond=None)[0]
-    close = np.abs(z - state).max() < 1e-6 * max(float(p.R), float(p.R * p.omega))
-    return (float(z[0]), float(z[1])) if close else state
-
-
-def region(
-    p: Parameters, orbit: State | None, box: Box | None, reach: State
-) -> tuple[Box, State | None]:
-    """Return the box asked for and the fixed point that it is about.
-
-    Without a box it is that of half-widths ``reach``, in units of R and Rω, around the fixed point;
-    if there is none, the whole plane.
-    """
-    centre = island(p, orbit) if box is None or orbit is not None else None
-    if box is not None:
-        return box, centre
-    if centre is None:
-        return whole(p), None
-    return around(p, centre, (reach[0] * float(p.R), reach[1] * float(p.R * p.omega))), centre

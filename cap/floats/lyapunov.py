@@ -1,22 +1,25 @@
 """Lyapunov exponents by Benettin's method, with the way in which they converge."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats import swarm
-from cap.floats.grid import PROBES, island, require_followed
-from cap.floats.study import Floats, State, Study, described, with_error
-from cap.floats.work import PIECE, Work
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.fixed_point import elliptic_point
+from cap.floats.grid import PROBES, require_followed
+from cap.floats.pieces import PIECE
+from cap.floats.words import described, with_error
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 STRETCH = 200  # periods at a time
 
 
 @dataclass(frozen=True, kw_only=True)
-class Lyapunov(Study):
+class Lyapunov(Findings):
     """Exponents (N, K, 2) per time of N orbits, after ``after`` (K,) periods.
 
     The larger first.  The second is -inf after a stick or a capture, which take areas to 0.
@@ -74,21 +77,23 @@ def lyapunov(
     orbits: int = 5,
     radius: float = 0.04,
     periods: int = 5000,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Lyapunov:
     """Return the exponents of ``orbit``; without one, of orbits on a ray from the elliptic point.
 
     The ray is ``radius`` R long.  Where no elliptic point is found, all over the plane.
     """
-    work = work or Work()
+    runner = runner or Runner()
     starts = np.array([orbit]) if orbit is not None else _ray(p, orbits, radius)
     require_followed(p, starts[:: -(-len(starts) // PROBES)])
-    return exponents(p, starts, periods, work)
+    return exponents(p, starts, periods, runner)
 
 
-def exponents(p: Parameters, starts: Floats, periods: int, work: Work | None = None) -> Lyapunov:
+def exponents(
+    p: Parameters, starts: Floats, periods: int, runner: Runner | None = None
+) -> Lyapunov:
     """Return the exponents of the orbits of ``starts`` (N, 2)."""
-    work = work or Work()
+    runner = runner or Runner()
     T = 2 * math.pi / float(p.omega)
     after = np.unique(np.geomspace(1, periods, min(periods, 400)).astype(int))
     sums = np.full((len(starts), len(after), 2), np.nan)
@@ -110,7 +115,7 @@ def exponents(p: Parameters, starts: Floats, periods: int, work: Work | None = N
             states[part] = found.states[:, -1]
             turned[part] |= found.turned | found.stuck | found.captured
 
-    sequence = Work(tell=work.tell, interrupted=work.interrupted)  # one stretch after the other
+    sequence = replace(runner, jobs=1)  # one stretch after the other
     sequence.map(follow, range(0, periods, STRETCH), "lyapunov")
     return Lyapunov(
         parameters=p,
@@ -136,7 +141,7 @@ def _growth(monodromy: Floats, frame: Floats) -> tuple[Floats, Floats]:
 
 
 def _ray(p: Parameters, orbits: int, radius: float) -> Floats:
-    centre = island(p)
+    centre = elliptic_point(p)
     part = (np.arange(orbits) + 0.5) / orbits
     if centre is None:
         x = float(p.l) + float(p.R) * part

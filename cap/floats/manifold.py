@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats import cycles, periodic, swarm
-from cap.floats.grid import fixed_point, polished
+from cap.floats import periodic, search, swarm
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.fixed_point import fixed_point, polished
 from cap.floats.reversal import retrace
-from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 START = 1e-6  # distance from the saddle at which a manifold begins, in units of R and Rω
 MOST = 30_000  # points of a branch
@@ -35,7 +36,7 @@ class Crossings(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Manifolds(Study):
+class Manifolds(Findings):
     """The manifolds (K, 2) of a saddle as curves; rows of nan part their pieces.
 
     ``homoclinic`` (H, 2) are crossings, as exact as the curves' spacing; ``angles`` (H,) in
@@ -77,14 +78,14 @@ def manifolds(
     length: float = 4.0,
     spacing: float = 0.005,
     periods: int = 40,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Manifolds:
     """Grow the four branches up to a ``length`` in units of R and Rω, or for some ``periods``.
 
     Points are at most ``spacing`` apart, in the same units, as far as `MOST` points reach.  The
     unstable manifold is cut where orbits stick, which many do at once.
     """
-    work = work or Work()
+    runner = runner or Runner()
     if not p.conserves:
         raise BadInput("the stable manifold is grown for e = 1 and mu = 0 only")
     state = _saddle(p, orbit)
@@ -107,13 +108,13 @@ def manifolds(
         begin = np.array(state) / scale, sign * vectors[:, k]
         return k, _branch(maps[k], begin, stretch, (length, spacing, periods))
 
-    curves = work.map(grown, [(0, 1), (0, -1), (1, 1), (1, -1)], "manifolds")
+    curves = runner.map(grown, [(0, 1), (0, -1), (1, 1), (1, -1)], "manifolds")
     unstable, stable = (_joined([part for j, part in curves if j == k]) for k in (0, 1))
     found = crossings(unstable, stable)
     away = np.hypot(*(found.points - np.array(state) / scale).T) > 10 * START
     return Manifolds(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         saddle=state,
         multipliers=(float(values[0]), float(values[1])),
         unstable=unstable * scale,
@@ -130,7 +131,7 @@ def _saddle(p: Parameters, orbit: State | None) -> State:
     found = periodic.orbits(p, 2)
     saddles = [(abs(g.trace), (g.x, g.v)) for g in found if g.kind == "saddle"] or [
         (abs(c.trace), (c.x, c.v))
-        for c in cycles.cycles(p)
+        for c in search.search(p).isolated
         if c.kind(conserves=True).endswith("saddle") and abs(c.determinant) > NOTHING
     ]
     if not saddles:

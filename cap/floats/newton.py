@@ -1,41 +1,58 @@
 """Newton's method for fixed points of Φⁿ from many seeds at once, by compiled code.
 
-The seeds are those of Roberts' sequence R2, which fills a rectangle evenly for any number of them.
+The seeds are those of Roberts' sequence R2, which fills a rectangle evenly for any number of them;
+some are followed through a transient first, which brings them near the sinks.
 """
+
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cap.errors import BadInput
 from cap.floats import swarm
+from cap.floats.cycles import CLOSE, LONGEST, SAME
+from cap.floats.findings import Floats
 from cap.floats.grid import whole
-from cap.floats.study import Floats
+from cap.flow.itinerary import MOST_EVENTS
 from cap.parameters import Parameters
 
 SEEDS = 20_000
-MOST_EVENTS = 20_000_000  # that all seeds together may have in a step: a few seconds
+SETTLED = 256  # of the seeds are followed through a transient, too
+TRANSIENT = 30  # times n periods
+MOST_FOLLOWED = 2_000_000  # events that all seeds together may have in a step: half a second
 TRIED = 100  # seeds by which this is estimated
 STEPS = 40
-LONGEST = 0.2  # step, in units of R and Rω
-CLOSE = 1e-9  # the last step, in the same units
-SAME = 1e-7
 ALONE = 1e-10  # least determinant of Φ' - 1, over the square of its size, of an isolated orbit
 PLASTIC = 1.32471795724474602596
 
+Tell = Callable[[float], None]
 
-def fixed_points(p: Parameters, periods: int) -> Floats:
+
+def fixed_points(p: Parameters, periods: int, tell: Tell = lambda _part: None) -> Floats:
     """Return the distinct states (N, 2) that Newton's method reaches from all over the plane.
 
     The seeds fill the rectangle of `cap.floats.grid.whole`; there are fewer if they have many
-    events.
+    events.  ``tell`` hears which part is done.  Raises `BadInput` if the orbits have so many events
+    that `cap.flow.itinerary` cannot follow them.
     """
     unit = np.array([float(p.R), float(p.R * p.omega)])
     left, right, low, high = whole(p)
     corner, span = np.array([left, low]) / unit, np.array([right - left, high - low]) / unit
-    seeds = corner + span * _sequence(_count(p, periods, corner, span))
-    return reached(p, periods, seeds * unit)
+    seeds = (corner + span * _sequence(SEEDS)) * unit
+    seeds = seeds[: _count(p, periods, seeds)]
+    late = swarm.follow(p, seeds[:SETTLED], TRANSIENT * periods).states
+    late = late[np.isfinite(late).all(axis=1)]
+    return reached(p, periods, np.concatenate([seeds, late]), tell=tell)
 
 
-def reached(p: Parameters, periods: int, seeds: Floats, longest: float = LONGEST) -> Floats:
+def reached(
+    p: Parameters,
+    periods: int,
+    seeds: Floats,
+    longest: float = LONGEST,
+    tell: Tell = lambda _part: None,
+) -> Floats:
     """Return the distinct states (N, 2) that Newton's method for Φⁿ reaches from seeds (M, 2).
 
     No step is longer than ``longest``, in units of R and Rω.  Orbits that leave the walls, or are
@@ -44,7 +61,7 @@ def reached(p: Parameters, periods: int, seeds: Floats, longest: float = LONGEST
     unit = np.array([float(p.R), float(p.R * p.omega)])
     left, right, *_ = whole(p)
     z, found = seeds / unit, [np.empty((0, 2))]
-    for _ in range(STEPS):
+    for k in range(STEPS):
         step = _step(p, periods, z, unit)
         size = np.abs(step).max(axis=1)
         found.append(z[size < CLOSE])
@@ -52,6 +69,7 @@ def reached(p: Parameters, periods: int, seeds: Floats, longest: float = LONGEST
         z, step, size = z[keep], step[keep], size[keep]
         z = z + step * np.minimum(1, longest / size)[:, None]
         z = z[(z[:, 0] >= left / unit[0]) & (z[:, 0] <= right / unit[0])]
+        tell((k + 1) / STEPS)
     return np.asarray(_distinct(np.concatenate(found)) * unit)
 
 
@@ -61,12 +79,16 @@ def _sequence(count: int) -> Floats:
     return np.asarray((0.5 + k / PLASTIC ** np.array([1, 2])) % 1)
 
 
-def _count(p: Parameters, periods: int, corner: Floats, span: Floats) -> int:
+def _count(p: Parameters, periods: int, seeds: Floats) -> int:
     """Return how many seeds there may be."""
-    unit = np.array([float(p.R), float(p.R * p.omega)])
-    tried = swarm.follow(p, (corner + span * _sequence(TRIED)) * unit, periods)
-    events = max(1.0, float(tried.counts.sum(axis=1).mean()))
-    return int(min(SEEDS, MOST_EVENTS / events))
+    tried = swarm.follow(p, seeds[:TRIED], periods)
+    events = tried.counts.sum(axis=1)
+    if (tried.lost | (events > MOST_EVENTS)).all():
+        raise BadInput(
+            "the orbits have too many events in a period for a search (a guess can be given with "
+            "--orbit X V)"
+        )
+    return int(min(SEEDS, MOST_FOLLOWED / max(1.0, float(events.mean()))))
 
 
 def _step(p: Parameters, periods: int, z: Floats, unit: Floats) -> Floats:

@@ -4,6 +4,7 @@ The orbits found steer the prover.  That one is found is no proof that it exists
 found is no proof that there is none: Newton's method starts from finitely many seeds.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ from cap.floats.lifted import Array, Ratios
 from cap.flow.itinerary import oscillator
 from cap.parameters import Parameters
 from cap.sets import matrix
+from cap.sets.matrix import Matrix
 
 SAME = 1e-8  # orbits whose states at t = 0 differ by less (relative) are one orbit
 MOST_HITS = 6  # per period: the search goes no further
@@ -24,15 +26,25 @@ EDGE = 1e-9  # a hit so near t = 0 (in periods) has no itinerary: it may fall on
 class Guess:
     """A float orbit of period T, through (x, v) at t = 0; it only steers the prover.
 
-    ``hit_times`` in (0, T), ascending; ``trace`` is that of the monodromy matrix; ``least_speed``
+    ``hits`` are their times in (0, T), ascending, and the velocities just before; ``least_speed``
     is the minimum of |v|, and positive.
     """
 
     x: float
     v: float
-    hit_times: tuple[float, ...]
-    trace: float
+    hits: tuple[tuple[float, float], ...]
+    monodromy: Matrix[float]
     least_speed: float
+
+    @property
+    def hit_times(self) -> tuple[float, ...]:
+        """The times of its hits."""
+        return tuple(time for time, _ in self.hits)
+
+    @property
+    def trace(self) -> float:
+        """The trace of the monodromy matrix."""
+        return matrix.trace(self.monodromy)
 
     @property
     def kind(self) -> str:
@@ -55,6 +67,14 @@ def orbits(p: Parameters, hits: int) -> list[Guess]:
     times = _distinct(np.concatenate([times, lifted.mirror(times)]), ratios)
     guesses = [_guess(p, row, ratios) for row in times if not _at_edge(row)]
     return sorted(guesses, key=lambda g: (g.x, g.v))
+
+
+def through(p: Parameters, hit_times: Sequence[float], *, right_first: bool) -> Guess:
+    """Return the periodic orbit that hits the walls in turn at these times, ascending in (0, T)."""
+    row = float(p.omega) * np.array(hit_times)
+    if not right_first:
+        row = np.append(row[1:], row[0] + lifted.PERIOD)
+    return _guess(p, row, _ratios(p))
 
 
 def near(p: Parameters, x: float, v: float) -> Guess:
@@ -142,7 +162,7 @@ def _guess(p: Parameters, times: Array, ratios: Ratios) -> Guess:
     return Guess(
         x=o.l + length * distance,
         v=speed * velocity,
-        hit_times=tuple(t for t, _ in hits),
-        trace=matrix.trace(flow.monodromy(o, hits)),
+        hits=tuple(hits),
+        monodromy=flow.monodromy(o, hits),
         least_speed=speed * float(lifted.slowest(row, ratios)[1].min()),
     )

@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import periodic
 from cap.floats.attractor import LONGEST, Attractor, settle, sort
+from cap.floats.findings import Findings, Floats
 from cap.floats.grid import grid, whole
-from cap.floats.study import Floats, Study, described, value_of, varied
-from cap.floats.work import Work
+from cap.floats.variation import value_of, varied
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 ORBITS = ("none", "elliptic only", "saddle only", "elliptic and saddle")
 ATTRACTORS = ("period 1", "period 2", "period 3", "period 4", "longer period", "chaotic",
@@ -31,7 +33,7 @@ class Cell(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Plane(Study):
+class Plane(Findings):
     """A map over the values ``first`` (N,) and ``second`` (M,) of two parameters.
 
     ``code`` (M, N): places in ``names``, -1 outside, -2 not computed.  ``number`` (M, N): of orbits
@@ -72,14 +74,14 @@ def plane(  # noqa: PLR0913 (the options of the command)
     second: tuple[float, ...] | None = None,
     points: int = 40,
     what: str = "orbits",
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Plane:
     """Return a map over two parameters ``axes`` from and to given values.
 
     ``what``: the (1,1) orbits, whose velocity never vanishes, with one hit of each wall per period;
     or the attractor of most seeds all over the plane.
     """
-    work = work or Work()
+    runner = runner or Runner()
     a, b = axes
     if a == b:
         raise BadInput(f"two different parameters are needed, not {a} twice")
@@ -90,14 +92,14 @@ def plane(  # noqa: PLR0913 (the options of the command)
     values = [np.linspace(*_limits(p, name, given), points)
               for name, given in ((a, first), (b, second))]  # fmt: skip
     tasks = [(p, (a, b), values[0], value, what) for value in values[1].tolist()]
-    rows = work.map(_row, tasks, "plane", processes=True)
+    rows = runner.map(_row, tasks, "plane", processes=True)
     code = np.full((points, points), UNDONE)
     number = np.full((points, points), np.nan)
     for k, row in enumerate(rows):
         code[k], number[k] = np.array(row).T
     return Plane(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         parameter_1=a,
         parameter_2=b,
         what=what,

@@ -8,17 +8,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.grid import PROBES, Box, grid, island, require_followed, whole
-from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.fixed_point import elliptic_point
+from cap.floats.grid import PROBES, Box, grid, require_followed, whole
+from cap.floats.pieces import in_pieces
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 MOST = 10_000_000  # states kept
 GOLDEN = math.pi * (3 - math.sqrt(5))
 
 
 @dataclass(frozen=True, kw_only=True)
-class Portrait(Study):
+class Portrait(Findings):
     """The states (N, K, 2) of N orbits at t = 0, T, …; ``turned`` (N,): it turns or sticks.
 
     ``centre`` is the fixed point around which the orbits start, or None.
@@ -62,17 +65,17 @@ def portrait(  # noqa: PLR0913 (the options of the command)
     radius: float | None = None,
     orbits: int = 100,
     periods: int = 500,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Portrait:
     """Follow orbits from an ellipse around a fixed point, or from a box, or from the whole plane.
 
     The ellipse has the half-axes ``radius`` R and ``radius`` Rω (default 1/40).  Without a box or a
     radius, and with no elliptic orbit to be found, the orbits start all over the plane.
     """
-    work = work or Work()
+    runner = runner or Runner()
     if orbits * (periods + 1) > MOST:
         raise BadInput(f"too many points: {orbits} orbits x {periods} periods (at most {MOST})")
-    centre = None if box else island(p, orbit)
+    centre = None if box else elliptic_point(p, orbit)
     starts = _disk(p, centre, radius or 1 / 40, orbits) if centre else _spread(p, box, orbits)
     if not len(starts):
         raise BadInput("the radius is too large: no orbit starts between the walls")
@@ -84,8 +87,8 @@ def portrait(  # noqa: PLR0913 (the options of the command)
         found = swarm.follow(p, starts[part], periods, every=True)
         states[part], turned[part] = found.states, found.turned | found.stuck | found.captured
 
-    work.pieces(len(starts), follow, "portrait", periods)
-    complete = not work.interrupted
+    in_pieces(runner, len(starts), follow, "portrait", periods)
+    complete = not runner.interrupted
     return Portrait(parameters=p, complete=complete, states=states, turned=turned, centre=centre)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from cap.floats import swarm
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.parameters import Parameters
 
 EARLY = 1e-9  # periods before the release

@@ -7,11 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
+from cap.floats.findings import Findings, Floats
 from cap.floats.releases import Images, images
-from cap.floats.study import Floats, Study, described, value_of, varied
-from cap.floats.work import Work
+from cap.floats.variation import value_of, varied
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.release.trap import critical_points, trap
+from cap.runner import Runner
 
 TRANSIENT = 60  # iterates
 STARTS = 4  # orbits for each value of a parameter
@@ -28,7 +30,7 @@ NEAR = 0.05  # of the parameter, to both sides, if no range is given
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReleaseMap(Study):
+class ReleaseMap(Findings):
     """G at places x (N,): see `cap.floats.releases.Images`; ``branch`` (N,) numbers branches.
 
     ``orbit`` (M,) are iterates of one place, ``late`` (K,) those of several after a transient.
@@ -74,7 +76,7 @@ class ReleaseMap(Study):
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReleaseOrbits(Study):
+class ReleaseOrbits(Findings):
     """Late iterates ``late`` (K, M) of the release map over a parameter with ``values`` (K,).
 
     ``exponent`` (K,): the mean of log|G'| along them; negative in windows of attracting cycles.
@@ -111,22 +113,22 @@ def release(  # noqa: PLR0913 (the options of the command)
     parameter: str | None = None,
     range: tuple[float, ...] | None = None,  # noqa: A002 (the option)
     iterates: int = 40,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> ReleaseMap | ReleaseOrbits:
     """Return the graph of the release map, or its late iterates over a parameter."""
-    work = work or Work()
+    runner = runner or Runner()
     if not p.f:
         raise BadInput("without friction no mass sticks: f > 0 is needed")
     if parameter is None:
         if range:
             raise BadInput("--range is that of a --parameter")
-        return graph(p, points or 4000, start, iterates, work)
+        return graph(p, points or 4000, start, iterates, runner)
     values = np.linspace(*_limits(p, parameter, range), points or 400)
-    return over(p, parameter, values, iterates, work)
+    return over(p, parameter, values, iterates, runner)
 
 
 def graph(
-    p: Parameters, points: int, start: tuple[float, ...] | None, iterates: int, work: Work
+    p: Parameters, points: int, start: tuple[float, ...] | None, iterates: int, runner: Runner
 ) -> ReleaseMap:
     """Return the release map at places between the walls."""
     l, R = float(p.l), float(p.R)
@@ -134,18 +136,18 @@ def graph(
     first = start[0] if start else l + 0.3 * R
     if not l < first < l + R:
         raise BadInput(f"--start must lie between the walls: {first:.6g}")
-    parts = work.map(lambda piece: images(p, piece), np.array_split(x, PIECES), "release map")
+    parts = runner.map(lambda piece: images(p, piece), np.array_split(x, PIECES), "release map")
     found = _joined(parts, points)
     tasks: list[Callable[[], Floats]] = [
         lambda: _orbit(p, first, COBWEB),
         lambda: late(p, iterates)[0],
         lambda: _trap(p),
     ]
-    more = [] if work.interrupted else work.map(_called, tasks, "its orbits")
+    more = [] if runner.interrupted else runner.map(_called, tasks, "its orbits")
     orbit, settled, trapped = more if len(more) == 3 else (np.array([first]), np.empty(0), NO_TRAP)
     return ReleaseMap(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         x=x,
         value=found.value,
         slope=found.slope,
@@ -228,17 +230,17 @@ def _limits(p: Parameters, name: str, given: tuple[float, ...] | None) -> tuple[
     return low, high
 
 
-def over(p: Parameters, name: str, values: Floats, iterates: int, work: Work) -> ReleaseOrbits:
+def over(p: Parameters, name: str, values: Floats, iterates: int, runner: Runner) -> ReleaseOrbits:
     """Return late iterates over a parameter."""
     tasks = values.tolist()
-    found = work.map(lambda value: late(varied(p, name, value), iterates), tasks, "releases")
+    found = runner.map(lambda value: late(varied(p, name, value), iterates), tasks, "releases")
     places = np.full((len(values), STARTS * iterates), np.nan)
     exponent = np.full(len(values), np.nan)
     for k, (each, growth) in enumerate(found):
         places[k], exponent[k] = each, growth
     return ReleaseOrbits(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         parameter=name,
         values=values,
         late=places,

@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import cycles, swarm
-from cap.floats.grid import island
-from cap.floats.study import Floats, State, Study, described
-from cap.floats.work import Work
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.fixed_point import elliptic_point
+from cap.floats.words import described
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 HARMONICS = 12  # of a curve, on either side
 SHAKY = 1e-7  # difference of the rotation numbers of two halves of an orbit that is on no curve
@@ -29,7 +30,7 @@ Pair = tuple[float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rotation(Study):
+class Rotation(Findings):
     """Rotation numbers (N,) of orbits at a ``distance`` (N,) along x from the fixed point.
 
     ``size`` (N,) is |z|², the area within the curve over π.  ``quality`` (N,): by how much the
@@ -79,14 +80,14 @@ def rotation(  # noqa: PLR0913 (the options of the command)
     near: float = 0.001,
     orbits: int = 200,
     periods: int = 4000,
-    work: Work | None = None,
+    runner: Runner | None = None,
 ) -> Rotation:
     """Follow orbits up to ``radius`` R from an elliptic fixed point, half of them up to ``near`` R.
 
     Those within ``near`` R give the twist.
     """
-    work = work or Work()
-    centre = island(p, orbit)
+    runner = runner or Runner()
+    centre = elliptic_point(p, orbit)
     if centre is None:
         raise BadInput("no elliptic fixed point was found: give a state near one with --orbit")
     turn, frame = linear(p, centre)
@@ -109,13 +110,13 @@ def rotation(  # noqa: PLR0913 (the options of the command)
         found[part] = np.stack(_curves(orbits, turn), axis=-1)
 
     pieces = [slice(k, min(k + 50, len(distance))) for k in range(0, len(distance), 50)]
-    work.map(follow, pieces, "rotation")
+    runner.map(follow, pieces, "rotation")
     size, rotation_number, quality = found.T
     used = (quality < SHAKY) & (distance <= near * float(p.R) * (1 + 1e-9))
     twist, error = _twist(turn, size[used], rotation_number[used], quality[used])
     return Rotation(
         parameters=p,
-        complete=not work.interrupted,
+        complete=not runner.interrupted,
         centre=centre,
         distance=distance,
         size=size,
@@ -130,7 +131,7 @@ def rotation(  # noqa: PLR0913 (the options of the command)
 
 def linear(p: Parameters, centre: State) -> tuple[float, Floats]:
     """Return the rotation number at the fixed point and a frame of area 1 in which Φ' is a turn."""
-    m = np.array(cycles.Search(p, 1).path(centre).monodromy)
+    m = np.array(cycles.StroboscopicMap(p).path(centre).monodromy)
     cosine = np.trace(m) / 2
     if not abs(cosine) < 1:
         raise BadInput(f"the fixed point is not elliptic: its trace is {2 * cosine:.6g}")

@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import cycles, swarm
-from cap.floats.grid import island
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.fixed_point import elliptic_point
 from cap.floats.swarm import Event
-from cap.floats.work import Work
+from cap.floats.words import described
 from cap.flow.itinerary import oscillator
 from cap.flow.model import Oscillator
 from cap.parameters import Parameters
+from cap.runner import Runner
 
 SAMPLES = 400  # in a period …
 MOST_SAMPLES = 400_000  # … or fewer in many
@@ -23,7 +24,7 @@ MOST_EVENTS = 200_000
 
 
 @dataclass(frozen=True, kw_only=True)
-class Trajectory(Study):
+class Trajectory(Findings):
     """The orbit of a state from t = 0: t, x, v (N,), with both velocities at each hit.
 
     ``words``, ``times``, ``places``, ``before``, ``after`` (K,): the events, where they happen, and
@@ -69,7 +70,7 @@ def trajectory(
     orbit: State | None = None,
     exactly: bool = False,
     periods: float = 1,
-    work: Work | None = None,  # noqa: ARG001 (as all commands: here there is nothing to share)
+    runner: Runner | None = None,  # noqa: ARG001 (as all commands: here there is nothing to share)
 ) -> Trajectory:
     """Return the orbit of a state; without one, that of the first elliptic fixed point, or (0, 1).
 
@@ -103,7 +104,7 @@ def trajectory(
 
 def _start(p: Parameters, orbit: State | None, exactly: bool) -> State:
     if orbit is None:
-        return island(p) or ((float(p.l + p.r) / 2), float(p.F / p.omega))
+        return elliptic_point(p) or ((float(p.l + p.r) / 2), float(p.F / p.omega))
     if exactly:
         return orbit
     try:

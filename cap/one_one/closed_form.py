@@ -18,8 +18,8 @@ so cos φ > 0, and with S = -sin φ the orbits are
     asymmetric:  δ != 0,  S = ρ/G(δ),  G = (π²/2) sin δ/δ - 2 cos δ - 2δ sin δ,
                  α = (2/π) cos δ sqrt(1 - S²),   W = (π/2) S sin δ/δ,
 
-provided that u > 0.  (`proofs.one_one` derives this by machine.)  Now G(0) = π²/2 - 2, G(π/2) = 0
-and
+provided that u > 0.  (`cap.proofs.one_one` derives this by machine.)  Now G(0) = π²/2 - 2,
+G(π/2) = 0 and
 
     G' = (π²/2)(δ cos δ - sin δ)/δ² - 2δ cos δ < 0   on (0, π/2),
 
@@ -48,7 +48,10 @@ from cap.sets.interval import Ball, pi
 
 @dataclass(frozen=True)
 class Orbit:
-    """The values of δ, α, ρ, S, cos φ and W, of one scalar type; whether u > 0 is to be asked."""
+    """The values of δ, α, ρ, S, cos φ and W, of one scalar type.
+
+    They define an orbit if u > 0 on both flights: see `least_speed`.
+    """
 
     delta: Any
     alpha: Any

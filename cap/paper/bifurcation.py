@@ -12,8 +12,8 @@ from matplotlib.figure import FigureBase
 from cap.certificate.writer import Pair
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.grid import island
-from cap.floats.study import Floats, State
+from cap.floats.findings import Floats, State
+from cap.floats.fixed_point import elliptic_point
 from cap.maps.fixed_point import Start
 from cap.paper import certified, closed_form
 from cap.paper.closed_form import (
@@ -28,11 +28,11 @@ from cap.paper.comparison import Comparison, claim, number, proved
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
+from cap.proofs.branch_curve import Curve
+from cap.proofs.fixed_point import Setting
+from cap.proofs.one_one import Scale
+from cap.proofs.pitchfork import lemma_2_parabolic
 from cap.sets import interval
-from proofs.branch_curve import Curve
-from proofs.fixed_point import Setting
-from proofs.one_one import Scale
-from proofs.pitchfork import lemma_2_parabolic
 
 RHO = float(PAPER.R * PAPER.omega**2 / PAPER.F)
 FOLD = 0.467  # the paper's
@@ -91,7 +91,7 @@ def landmarks() -> Landmarks:
 
 def sweep(values: Floats) -> list[Step]:
     """Follow the orbit by Newton's method on Φ - 1, from each fixed point to the next f."""
-    z = island(PAPER)
+    z = elliptic_point(PAPER)
     if z is None:
         raise BadInput("the elliptic orbit was not found")
     found = []
@@ -185,7 +185,7 @@ def _rows(data: Branches) -> list[Comparison]:
                f"f = {marks.end[0][:12]}, where its speed vanishes (proved)"),
         claim("what happens at f_sc", "a fold of the symmetric branch with turns",
               "nothing: no root of eq:theta-eq is an orbit (theorem `symmetric`)", False,
-              "its formula moves right where it hits the left wall: see README"),
+              "its formula moves right where it hits the left wall: see docs/paper.md"),
         claim("twist at f = 0.4", "well separated from zero",
               f"a zero at f = {marks.twist:.12f}", abs(marks.twist - float(PAPER.f)) > 0.01,
               f"f = 0.4 is {marks.twist - float(PAPER.f):.2e} below: hence the small tau_1 at P_*"),

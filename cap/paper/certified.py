@@ -8,8 +8,8 @@ from cap.floats import candidates
 from cap.floats.candidates import Request
 from cap.paper.figure import at
 from cap.parameters import PAPER, Parameters
-from proofs import theorems
-from proofs.fixed_point import Setting
+from cap.proofs import theorems
+from cap.proofs.fixed_point import Setting
 
 DIGITS = 25
 

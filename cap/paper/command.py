@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -11,8 +11,9 @@ from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput, NotProved
 from cap.explore import export
 from cap.files import replacing
-from cap.paper.figure import Compared, Run, Whole
+from cap.paper.figure import Compared, Run
 from cap.paper.registry import figure, labelled
+from cap.runner import Runner, Tell
 
 TABLE = "comparison.md"
 RULE = (
@@ -24,7 +25,7 @@ RULE = (
 def run(
     label: str,
     out: Sequence[Path],
-    progress: Callable[[str, float], None],
+    progress: Tell,
     *,
     jobs: int = 2,
     quick: bool = False,
@@ -47,9 +48,8 @@ def run(
         began = time.monotonic()
         progress(each, 0.0)
         try:
-            lines = _figure(
-                each, out, many, Run(Whole(jobs, partial(_tell, progress, each)), quick)
-            )
+            runner = Runner(jobs, partial(_tell, progress, each), whole=True)
+            lines = _figure(each, out, many, Run(runner, quick))
         except KeyboardInterrupt:
             say(f"interrupted in {each}; what was done before is kept", sys.stderr)
             return INTERRUPTED
@@ -76,7 +76,7 @@ def _figure(label: str, out: Sequence[Path], many: bool, how: Run) -> list[str]:
     return lines
 
 
-def _tell(progress: Callable[[str, float], None], label: str, words: str, part: float) -> None:
+def _tell(progress: Tell, label: str, words: str, part: float | None) -> None:
     progress(f"{label} {words}", part)
 
 

@@ -16,14 +16,14 @@ from matplotlib.figure import FigureBase
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.paper.closed_form import pair_curve, symmetric_member
 from cap.paper.comparison import Comparison, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.paper.nine_points import FORCES, GAPS, PAPER_KINDS, nine, others
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, GREEN, GREY, PURPLE, RED, parameters
-from proofs.census import census
+from cap.proofs.census import census
 
 BOX = 0.01, 0.65, 0.2, 4.5
 SIDE = 220
@@ -82,7 +82,7 @@ def mapped(side: int, run: Run) -> Map:
             for values, to in ((curve.trace, trace), (curve.least_speed, least)):
                 to[2, i] = np.interp(f, curve.alpha[::-1], values[::-1], np.nan, np.nan)
 
-    run.work.map(row, range(side), "map")
+    run.runner.map(row, range(side), "map")
     return Map(f, R, least, trace)
 
 

@@ -8,8 +8,9 @@ from matplotlib.figure import FigureBase
 
 from cap.errors import BadInput
 from cap.floats import periodic, swarm
-from cap.floats.grid import grid, island, whole
-from cap.floats.study import Floats, State
+from cap.floats.findings import Floats, State
+from cap.floats.fixed_point import elliptic_point
+from cap.floats.grid import grid, whole
 from cap.floats.trajectory import trajectory
 from cap.paper.closed_form import asymmetry, pair_member, root, symmetric_member, turn
 from cap.paper.comparison import Comparison, claim, number
@@ -32,7 +33,7 @@ class Rows:
 
 def elliptic(F: str) -> State:
     """Return the elliptic fixed point at F with the smallest x."""
-    found = island(at(F=F))
+    found = elliptic_point(at(F=F))
     if found is None:
         raise BadInput(f"no elliptic orbit was found at F = {F}")
     return found

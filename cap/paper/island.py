@@ -60,9 +60,9 @@ def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
 def compute(run: Run) -> Result:
     """Follow orbits from a disk as in the paper, measure rotation numbers, search for chains."""
     seen = portrait(PAPER, radius=RADIUS / float(PAPER.R), orbits=run.size(400, 60),
-                    periods=PERIODS, work=run.work)  # fmt: skip
+                    periods=PERIODS, runner=run.runner)  # fmt: skip
     turns = rotation(PAPER, radius=0.024, orbits=run.size(300, 40), periods=run.size(3000, 400),
-                     work=run.work)  # fmt: skip
+                     runner=run.runner)  # fmt: skip
     if seen.centre is None:
         raise BadInput("the elliptic orbit was not found")
     regular = seen.states[~seen.turned].reshape(-1, 2)
@@ -118,10 +118,14 @@ def _layer(seen: Portrait) -> list[Comparison]:
 def draw(data: Island, figure: FigureBase) -> None:
     """Draw the portrait and the rotation numbers."""
     axes = figure.subplots(1, 2, width_ratios=[1.25, 1])
-    study = data.portrait
-    regular = np.flatnonzero(~study.turned)
-    for chosen, colour in ((study.turned, "#BBBBBB"), (regular[::2], BLUE), (regular[1::2], SKY)):
-        own = study.states[chosen].reshape(-1, 2)
+    findings = data.portrait
+    regular = np.flatnonzero(~findings.turned)
+    for chosen, colour in (
+        (findings.turned, "#BBBBBB"),
+        (regular[::2], BLUE),
+        (regular[1::2], SKY),
+    ):
+        own = findings.states[chosen].reshape(-1, 2)
         axes[0].scatter(*own.T, s=0.9, c=colour, lw=0, rasterized=True)
     star(axes[0], data.portrait.centre)
     for chain, (marker, colour) in zip(data.chains, MARKS, strict=False):

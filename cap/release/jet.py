@@ -53,7 +53,7 @@ def _time_jet(osc: Oscillator[Any], flight: Flight[Any], event: Event[Any], orde
         near = Flight(flight.s, *(_cut(q, known) for q in (flight.t, flight.x, flight.v)))
         moment = osc.moment(t)
         gap, rate = _crossing(osc, near, moment, hit=event.word.startswith("hit"))
-        t = t - gap.without_constant() / rate
+        t = t - gap.above(0) / rate
     return t
 
 

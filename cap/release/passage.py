@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 from typing import Any, Generic, cast
 
 from cap.errors import BadInput, NotProved
-from cap.flow.course import Course, State
 from cap.flow.event import BALLS, E, Enclosure, Event, Expected
 from cap.flow.itinerary import itinerary
 from cap.flow.itinerary import oscillator as of_floats
 from cap.flow.model import Moment, Oscillator
+from cap.flow.orbit import PartialOrbit, State
 from cap.maps.fixed_point import Itinerary, windows_for
 from cap.parameters import Parameters
 from cap.sets import interval
@@ -64,23 +64,23 @@ def arrival(
     ``value`` is where they are then, mirrored if it is to the left, ``slope`` the derivative of
     that by x; ``half_periods`` are counted from the release to the right in the first period.
     """
-    course = Course(osc, start, kind)
+    orbit = PartialOrbit(osc, start, kind)
     for number, event in enumerate(expected, 1):
-        course.meet(event, number)
-    side, k = next_release(course)
-    place, slope = cast("tuple[Any, Any]", (course.place, course.monodromy[0][0]))
+        orbit.meet(event, number)
+    side, k = next_release(orbit)
+    place, slope = cast("tuple[Any, Any]", (orbit.place, orbit.monodromy[0][0]))
     if side < 0:
         place, slope = osc.l + osc.r - place, -slope
-    return Passage(tuple(course.events), place, slope, 2 * k - (side < 0))
+    return Passage(tuple(orbit.events), place, slope, 2 * k - (side < 0))
 
 
-def next_release(course: Course[E]) -> tuple[int, int]:
+def next_release(orbit: PartialOrbit[E]) -> tuple[int, int]:
     """Return the side and the number of the slow moment of the release that came last."""
-    last = course.events[-1].word if course.events else ""
+    last = orbit.events[-1].word if orbit.events else ""
     verb, _, side = last.partition(" ")
-    if verb != "release" or course.released is None:
+    if verb != "release" or orbit.released is None:
         raise NotProved("release map", "the events do not end with a release")
-    return (1 if side == "right" else -1), course.released
+    return (1 if side == "right" else -1), orbit.released
 
 
 def foreseen(p: Parameters, x: float) -> tuple[Itinerary, float, float]:

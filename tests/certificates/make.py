@@ -2,7 +2,8 @@
 
     python tests/certificates/make.py
 
-Needed when the format or the stored certificates change; `tests/checker/test_certificates.py` reads them.
+Needed when the format or the stored certificates change; `tests/checker/test_certificates.py` reads
+them.
 """
 
 import copy

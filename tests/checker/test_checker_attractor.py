@@ -13,12 +13,13 @@ from pathlib import Path
 import pytest
 from mpmath import mp, mpf
 
+from cap.certificate.latex import macros
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.statement import macros, words
 from cap.checker.theorems import attractor
 from cap.checker.theorems.attractor import Attractor, doubling, order
+from cap.checker.verdict import words
 from checker.altered import changed, encode, rejected
 from checker.tampered import accepted, fits_the_schema
 
@@ -266,7 +267,7 @@ def test_the_form():
     rejected(changed(STORED, "hints", "cell_bits", "63"), "cell_bits")
     rejected(lie("turn", "inflection"), "none of")
     rejected(lie("half_periods", "0"), "half_periods")
-    rejected(changed(STORED, "parameters", "f", "0"), "0 < f")
+    rejected(changed(STORED, "parameters", "f", "0"), "0 < f does not")
     for name in STORED["parameters"]:
         value = Fraction(STORED["parameters"][name]) + Fraction(1, 1000) * (-1) ** (name == "e")
         assert not accepted(changed(STORED, "parameters", name, str(value))), name

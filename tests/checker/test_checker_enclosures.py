@@ -8,13 +8,15 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
+from mpmath import mp, mpf
 from support import rounds, seeded
 
 from checker.parts import (
+    Enclosure,
     Interval,
     Jet,
     Losses,
-    Mechanics,
+    Lossy,
     Parameters,
     Pitchfork,
     Rejected,
@@ -30,6 +32,7 @@ from checker.parts import (
     over_intervals,
     real,
     regularised_twist,
+    rounded,
 )
 
 F = Fraction
@@ -86,14 +89,14 @@ def flight(x, v, t, e, mu):
     """Give the state, the speed and its least value on flights, and what hits and turns lose."""
     for losses in (None, Losses(ends(e), ends(mu))):
         for s in (1, -1):
-            M = Mechanics(SYSTEM, [x, v * s], [x.midpoint(), v.midpoint() * s], 2, 1, losses)
+            M = Lossy(SYSTEM, [x, v * s], [x.midpoint(), v.midpoint() * s], 2, 1, losses)
             start = M.launch()
             when = M.moment(M.constant(t))
             place, speed = M.place(start, when), M.speed(start, when)
             for q in (place, speed, when.cos, when.sin):
                 yield from (q.value, q.slope(0), q.slope(1))
             yield M.least_speed(start, when)
-            yield M.P.value
+            yield M.amplitude.value
             later = M.flight(-s, when, place, speed, M.minima[-s])
             for q in (later.A, later.X, later.C):
                 yield from (q.value, q.slope(1))
@@ -148,3 +151,31 @@ def test_over_sets(formula, bits):
         for n, (value, truth) in enumerate(zip(found, formula(*exact), strict=True)):
             assert value.lower <= truth.lower <= truth.upper <= value.upper, n
     assert done > 5
+
+
+@pytest.mark.parametrize("bits", [12, 16, 24, 53])
+def test_roots_are_in_what_is_returned(bits):
+    """Both roots of the paper's equation, whatever the precision: Newton's image is a set."""
+    proof = SymmetricOrbits.__new__(SymmetricOrbits)
+    proof.hints = {"bits": bits}
+    proof.p = Parameters(F(1), F(1), F(2, 5), F(-1), F(1))
+    proof.R, proof.omega = F(2), F(1)
+    with mp.workdps(30):
+        exact = [F(str(mp.findroot(_psi, start))) for start in (1.2, 1.9)]
+    for n, root in enumerate(exact):
+        wide = F(1, 20)
+        found = proof.root(n, Enclosure(root - wide, root + wide, ("", "")))
+        low, high = (F(end, 2**bits) for end in (found.lo, found.hi))
+        assert low < root < high
+        assert high - low < F(1, 100) + F(40, 2**bits)
+
+
+def _psi(theta):
+    """Return the paper's Psi at F = omega = 1, f = 2/5, R = 2."""
+    return mp.pi * mp.sin(theta) - 4 + mpf("0.4") * (mp.pi**2 / 2 - theta * (mp.pi - theta))
+
+
+@pytest.mark.parametrize(("c", "nearest"), [(191, 1), (192, 2), (-64, 0), (-65, -1), (127, 1)])
+def test_coefficients_are_rounded_to_the_nearest(c, nearest):
+    """By hand, in units of 128; the error of a Taylor model counts half a unit for it."""
+    assert rounded(c, 7) == nearest

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from mpmath import mp, mpf
 
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.certificate.latex import macros
+from cap.checker.verdict import check, words
 from checker.altered import changed, encode, leaves, rejected, verify
 from checker.tampered import accepted, fits_the_schema, malformed, moved
 
@@ -142,7 +142,7 @@ def test_it_may_stick(segment):
 
 def test_a_gap_too_small(segment, monkeypatch):
     """An orbit whose stroke may not fit is refused, whatever else is claimed."""
-    monkeypatch.setattr("cap.checker.flow.fixed_point.Proof.compare", lambda *_: None)
+    monkeypatch.setattr("cap.checker.kernel.theorem.Theorem.compare", lambda *_: None)
     rejected(changed(segment, "claims", "stroke", ["2", "2"]), "as long as the gap")
     rejected(changed(segment, "claims", "left", ["0", "1"]), "as long as the gap")
     rejected(changed(segment, "claims", "multipliers", 0, ["0", "1"]), "exactly 1")

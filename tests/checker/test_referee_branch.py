@@ -8,9 +8,10 @@ import pytest
 from closed_forms import claims_of, setting, within
 from mpmath import mp, mpf, workdps
 
-from cap.cells.subdivision import Workers, cells_between, subdivide
+from cap.cells.subdivision import cells_between, subdivide
 from cap.errors import BadInput
-from proofs import branch
+from cap.proofs import branch
+from cap.runner import Runner
 
 RHO = 2  # with F = ω = 1
 
@@ -102,17 +103,19 @@ def test_trace_and_twist_from_orbits_alone(f):
 def test_a_journal_with_a_verdict_that_is_none(tmp_path):
     """A verdict that no cell can have is refused in one line, like other damage."""
     journal = tmp_path / "journal"
-    header, first = {"cells of": branch.journal_key(RHO)}, ["1/1000", "3/2500", "zzz"]
+    header, first = {"journal of": branch.journal_key(RHO)}, ["1/1000 3/2500", "zzz"]
     journal.write_text(json.dumps(header) + "\n" + json.dumps(first) + "\n")
     with pytest.raises(BadInput, match="damaged"):
-        branch.prove(setting(f_range=(Fraction("0.46"), None), workers=Workers(None, journal)))
+        branch.prove(setting(f_range=(Fraction("0.46"), None), runner=Runner(journal=journal)))
 
 
 def test_progress_moves_with_each_verdict():
     """No two messages of a round are the same."""
     told = []
     cells = cells_between([Fraction(k) for k in range(6)])
-    subdivide(lambda _: "+", cells, Fraction(1, 10), Workers(progress=told.append), "")
+    subdivide(
+        lambda _: "+", cells, Fraction(1, 10), Runner(tell=lambda words, _: told.append(words)), ""
+    )
     assert len(set(told)) == len(told) == 5
 
 

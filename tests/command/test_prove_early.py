@@ -3,7 +3,7 @@
 import pytest
 from support import proving
 
-from proofs import theorems
+from cap.proofs import theorems
 
 
 @pytest.fixture(autouse=True)

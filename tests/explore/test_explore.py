@@ -20,12 +20,14 @@ from cap import verify
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput, NotProved
 from cap.explore import __main__ as explore
-from cap.explore import explorer, export
+from cap.explore import explorer, export, inventory
+from cap.explore.arrays import load
 from cap.explore.commands import COMMANDS
-from cap.floats import cycles, fate, inventory, swarm
-from cap.floats.work import Work
+from cap.floats import cycles, fate, swarm
+from cap.floats.pieces import in_pieces
 from cap.parameters import PAPER
-from proofs import theorems
+from cap.proofs import theorems
+from cap.runner import Runner
 
 TINY = {
     "orbit": ["--F", "3", "--orbit", "0.4", "-0.67", "--periods", "2"],
@@ -79,8 +81,8 @@ def test_data_and_picture(name, tmp_path, capsys):
     width, height = struct.unpack(">II", files[0].read_bytes()[16:24])
     assert (width, height) == (250, 200)
     assert files[0].stat().st_size > 3000
+    assert load(files[1])["parameters"].omega == 1
     with np.load(files[1]) as data:
-        assert str(data["omega"]) == "1"
         numbers = [data[key] for key in data if data[key].dtype.kind in "fi"]
         assert any(np.isfinite(array).any() for array in numbers if array.size)
     assert len(next(iter(table(files[2]).values()))) > 0
@@ -234,7 +236,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path, monkeypatch, capsys):
 @pytest.mark.parametrize("name", [name for name in COMMANDS if name not in ("orbit", "chatter")])
 def test_ctrl_c_at_once(name, tmp_path, monkeypatch, capsys):
     """Even nothing can be written and drawn, or there is one line that says why not."""
-    monkeypatch.setattr(Work, "map", lambda self, *_, **__: interrupted(self))
+    monkeypatch.setattr(Runner, "map", lambda self, *_, **__: interrupted(self))
     monkeypatch.setattr(explorer.Progress, "tell", interrupting(0, None))
     status = tiny(name, "--out", str(tmp_path / "a.png"), "--out", str(tmp_path / "a.csv"))
     captured = capsys.readouterr()
@@ -242,9 +244,9 @@ def test_ctrl_c_at_once(name, tmp_path, monkeypatch, capsys):
     assert "interrupted" in captured.err
 
 
-def interrupted(work):
+def interrupted(runner):
     """Do as ctrl-C before the first piece."""
-    work.interrupted = True
+    runner.interrupted = True
     return []
 
 
@@ -295,7 +297,7 @@ def test_help_teaches(capsys):
 def test_help_needs_no_library():
     """Neither numba nor matplotlib nor numpy are loaded for it."""
     program = (
-        "import sys, json; from cap import explore\n"
+        "import sys, json; from cap.explore import __main__ as explore\n"
         "try: explore.main(['sali', '--help'])\n"
         "except SystemExit: print(json.dumps([m for m in ('numba', 'matplotlib', 'numpy', "
         "'flint') if m in sys.modules]))"
@@ -309,7 +311,7 @@ def test_help_needs_no_library():
 def test_data_need_no_matplotlib(tmp_path):
     """It is loaded where something is drawn."""
     program = (
-        "import sys; from cap import explore\n"
+        "import sys; from cap.explore import __main__ as explore\n"
         f"explore.main(['orbit', '--out', {str(tmp_path / 'a.csv')!r}])\n"
         "print('matplotlib' in sys.modules)"
     )
@@ -322,7 +324,9 @@ def test_data_need_no_matplotlib(tmp_path):
 def test_inventory_hands_over_to_the_prover(capsys):
     """The two orbits at F = 17/20 are proved, the checker accepts them."""
     assert run("inventory", "--F", "17/20", "--prove") == 0
-    assert capsys.readouterr().out.rstrip().endswith("proved")
+    *_, orbit, family = capsys.readouterr().out.splitlines()
+    assert orbit.endswith("proved")
+    assert "a family of orbits that touch no wall, not counted" in family
 
 
 def test_certificates_of_an_inventory(tmp_path, capsys):
@@ -345,7 +349,7 @@ def test_a_smaller_box_is_claimed_where_the_checker_needs_it():
     p = replace(PAPER, F=Fraction(2))
     cycle = cycles.near(p, 0.745802068, 0.7214654933)
     entry = inventory._entry(p, 2.0, cycle)
-    shown, proved = inventory._proved((p, entry, inventory._start(p, cycle)))
+    shown, proved = inventory._proved((p, entry, inventory._start(cycle)))
     assert shown.verdict == inventory.PROVED
     assert proved["parameters"]["F"] == "2"
 
@@ -371,7 +375,7 @@ def test_long_tables_are_written_in_pieces(tmp_path, monkeypatch):
 def test_pieces_fit_into_memory():
     """Where the state after each of a million periods is kept, few orbits are followed at once."""
     parts = []
-    Work().pieces(10, parts.append, "test", 250_000)
+    in_pieces(Runner(), 10, parts.append, "test", 250_000)
     assert [(part.start, part.stop) for part in parts] == [(k, k + 2) for k in range(0, 10, 2)]
 
 
@@ -392,7 +396,7 @@ def test_an_unknown_suffix_is_no_surprise_after_hours(monkeypatch):
     assert run("sali", "--out", "sali.jpeg") == 2
 
 
-def test_work_raises_what_is_wrong():
+def test_a_runner_raises_what_is_wrong():
     """An error is not an interrupt."""
 
     def fails(_):
@@ -400,4 +404,4 @@ def test_work_raises_what_is_wrong():
 
     for jobs in (1, 2):
         with pytest.raises(BadInput):
-            Work(jobs).map(fails, [1, 2, 3], "test")
+            Runner(jobs).map(fails, [1, 2, 3], "test")

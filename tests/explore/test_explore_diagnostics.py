@@ -19,13 +19,14 @@ from cap.floats import (
     portrait,
     rotation,
 )
-from cap.floats.grid import grid, island, whole
+from cap.floats.fixed_point import elliptic_point
+from cap.floats.grid import grid, whole
 from cap.floats.manifold import crossings, manifolds
 from cap.floats.reversal import retrace
 from cap.floats.swarm import follow, stretch
 from cap.floats.trajectory import trajectory
-from cap.floats.work import Work
 from cap.parameters import PAPER
+from cap.runner import Runner
 
 ELLIPTIC = 0.1002798898441954, 0.5419433067664584
 TWISTS = 0.113477977036708622, -37869.18  # certified: certificates/elliptic.json
@@ -85,7 +86,7 @@ def test_sali_and_gali_agree():
 
 def test_exponents_of_a_saddle():
     """Over one period they are the logarithms of its multipliers."""
-    state = island(PAPER, SADDLE)
+    state = elliptic_point(PAPER, SADDLE)
     monodromy = follow(PAPER, [state], 1, derivative=True).monodromy[0]
     multipliers = np.sort(np.abs(np.linalg.eigvals(monodromy)))[::-1]
     periods = 12  # before rounding takes the orbit away
@@ -106,7 +107,7 @@ def test_exponents_on_an_invariant_curve():
 def test_exponents_of_a_sink():
     """At the focus of F = 3 both are half the logarithm of the determinant."""
     p = replace(PAPER, F=Fraction(3))
-    state = island(p, (0.4064, -0.6708))
+    state = elliptic_point(p, (0.4064, -0.6708))
     determinant = np.linalg.det(follow(p, [state], 1, derivative=True).monodromy[0])
     found = lyapunov.exponents(p, np.array([state]), 400)
     expected = math.log(determinant) / 2 / found.period
@@ -328,7 +329,7 @@ def test_a_long_manifold_is_bounded(monkeypatch):
     """All its images together have no more points than one may have, and one image's more."""
     monkeypatch.setattr(manifold, "MOST", 2000)
     parts = []
-    found = manifolds(PAPER, length=1e9, work=Work(tell=lambda _, part: parts.append(part)))
+    found = manifolds(PAPER, length=1e9, runner=Runner(tell=lambda _, part: parts.append(part)))
     assert max(len(found.unstable), len(found.stable)) < 2 * 2 * 2000 + 10
     assert parts == [0.25, 0.5, 0.75, 1.0]
 

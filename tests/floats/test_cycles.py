@@ -9,7 +9,8 @@ import pytest
 from cap.errors import BadInput
 from cap.floats import candidates
 from cap.floats.candidates import Request
-from cap.floats.cycles import Search, cycles, near
+from cap.floats.cycles import StroboscopicMap, near
+from cap.floats.search import search
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER, Parameters
 
@@ -32,8 +33,8 @@ def found(force, periods=1):
     """Return the orbits found, once for each forcing and period."""
     key = Fraction(force), periods
     if key not in FOUND:
-        FOUND[key] = cycles(at(force), periods)
-    return FOUND[key]
+        FOUND[key] = search(at(force), periods)
+    return FOUND[key].isolated
 
 
 def mirrored(p, cycle):
@@ -44,7 +45,7 @@ def mirrored(p, cycle):
 
 def distance(p, z, cycle):
     """Return the distance of a state from an orbit's in natural units."""
-    return Search(p, 1).size((z[0] - cycle.x, z[1] - cycle.v))
+    return StroboscopicMap(p).size((z[0] - cycle.x, z[1] - cycle.v))
 
 
 @pytest.mark.parametrize("force", TABLE)
@@ -78,7 +79,9 @@ def test_they_are_what_they_are_said_to_be(force, periods):
     for k, c in enumerate(every):
         path = itinerary(p, c.x, c.v, end)
         assert distance(p, path.end, c) < 1e-8 * (1 + abs(c.trace))
-        assert c.events == tuple((e.word, e.time) for e in path.events)
+        assert c.path.words == path.words
+        times = [event.time for event in path.events]
+        assert [t for _, t in c.events] == pytest.approx(times, abs=1e-10 * (1 + abs(c.trace)))
         assert all(0 < time < end for _, time in c.events)
         assert all(distance(p, (c.x, c.v), other) > 1e-7 for other in every[:k])
         for n in range(1, periods):
@@ -111,12 +114,12 @@ def test_the_images_of_a_period_two_orbit_are_one_orbit():
 def test_walls_and_units():
     """Shifted walls, and other units: the same orbits in them."""
     plain = found("3/2")
-    shifted = cycles(replace(at("3/2"), l=Fraction(6), r=Fraction(8)))
+    shifted = search(replace(at("3/2"), l=Fraction(6), r=Fraction(8))).isolated
     assert [(round(c.x - 7, 6), round(c.v, 6)) for c in shifted] == [
         (round(c.x, 6), round(c.v, 6)) for c in plain
     ]
     p = Parameters(Fraction(12), Fraction(2), Fraction(16, 5), Fraction(-2), Fraction(2))
-    units = [(c.x / 2, c.v / 4) for c in cycles(p)]
+    units = [(c.x / 2, c.v / 4) for c in search(p).isolated]
     for c in plain:
         if c.kind(conserves=True) in ATTRACTING:
             assert any(abs(x - c.x) < 1e-6 and abs(v - c.v) < 1e-6 for x, v in units)
@@ -125,7 +128,8 @@ def test_walls_and_units():
 @pytest.mark.parametrize("force", ["3/2", "3", "6"])
 def test_sinks_are_first_among_the_candidates(force, monkeypatch):
     """In the order of the types; one candidate, or all of them."""
-    monkeypatch.setattr(candidates, "cycles", lambda p, n, _progress: found(p.F, n))
+    found(force)
+    monkeypatch.setattr(candidates, "search", lambda *_: FOUND[Fraction(force), 1])
     first = candidates.cyclic(Request("periodic", at(force)))
     every = candidates.cyclic(Request("periodic", at(force), every=True))
     kinds = [line.split(", ")[2] for line in first.lines[1:]]
@@ -134,7 +138,7 @@ def test_sinks_are_first_among_the_candidates(force, monkeypatch):
     assert len(first.candidates) == 1
     assert len(every.candidates) == len(kinds) == len(found(force))
     assert first.candidates[0] == every.candidates[0]
-    assert f"Found {len(kinds)} orbits of period T" in first.lines[0]
+    assert f"Found {len(kinds)} isolated orbits of period T" in first.lines[0]
     start = first.candidates[0].start
     assert start.periods == 1
     assert start.events == near(at(force), start.x, start.v).events
@@ -147,7 +151,7 @@ def test_near():
     twice = near(at("3"), 0.4064, -0.6708, 2)
     assert abs(twice.x - sink.x) < 1e-7
     assert abs(twice.determinant - sink.determinant**2) < 1e-5
-    assert not Search(at("3"), 2).is_primitive(twice)
+    assert not StroboscopicMap(at("3"), 2).is_primitive(twice)
 
 
 @pytest.mark.parametrize(
@@ -196,27 +200,26 @@ def test_without_friction_a_turn_takes_nothing():
 def test_nothing_is_found_where_nothing_is():
     """Walls out of reach: orbits come in families, none alone; the request says so in one line."""
     wide = replace(PAPER, f=Fraction(9, 10), l=Fraction(-1000), r=Fraction(1000))
-    assert cycles(wide) == []
-    with pytest.raises(BadInput, match="no periodic orbit of period 1 T was found"):
+    assert search(wide).isolated == ()
+    with pytest.raises(BadInput, match="no isolated periodic orbit of period 1 T") as caught:
         candidates.cyclic(Request("periodic", wide))
-
-
-@pytest.mark.parametrize(
-    "p", [replace(PAPER, F=Fraction(10**30)), replace(PAPER, omega=Fraction(1, 20))]
-)
-def test_searches_end(p, monkeypatch):
-    """Where a period has thousands of events: soon, with one line and with progress before."""
-    monkeypatch.setattr("cap.floats.cycles.MOST_FOLLOWED", 20_000)
-    told = []
-    with pytest.raises(BadInput, match="too many of them in a period") as caught:
-        candidates.cyclic(Request("periodic", p, progress=told.append))
+    assert "family of orbits that touch no wall" in str(caught.value)
     assert "\n" not in str(caught.value)
-    assert "0 starts" in told[0]
-    assert len(told) < 100
 
 
-def test_a_search_that_ends_early_keeps_what_it_has_found(monkeypatch):
-    """Not all orbits, but some, and their mirror images."""
-    monkeypatch.setattr("cap.floats.cycles.MOST_FOLLOWED", 3000)
-    some = cycles(at("3"))
-    assert 0 < len(some) < len(found("3"))
+def test_a_search_that_cannot_succeed_ends_at_once():
+    """Where a period has thousands of events: one line that says so."""
+    with pytest.raises(BadInput, match="too many events in a period") as caught:
+        candidates.cyclic(Request("periodic", replace(PAPER, F=Fraction(10**30))))
+    assert "\n" not in str(caught.value)
+
+
+def test_a_long_search_tells_how_far_it_is(monkeypatch):
+    """Many events: fewer seeds; the parts grow to the whole."""
+    monkeypatch.setattr("cap.floats.newton.MOST_FOLLOWED", 10_000)
+    told = []
+    slow = replace(PAPER, omega=Fraction(1, 20))
+    with pytest.raises(BadInput, match="no isolated periodic orbit"):
+        candidates.cyclic(Request("periodic", slow, progress=told.append))
+    assert told[-1] == "searching: 100% done"
+    assert len(set(told)) > 10

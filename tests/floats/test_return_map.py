@@ -1,4 +1,4 @@
-"""The release map as a study: its branches, its interval, its orbits over a parameter."""
+"""The release map as a findings: its branches, its interval, its orbits over a parameter."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -13,36 +13,36 @@ from cap.parameters import PAPER
 
 
 def test_the_graph():
-    """One branch fills the interval, the orbit is one of G, and late iterates lie in the interval."""
-    study = release(PAPER, points=1000)
-    assert isinstance(study, ReleaseMap)
-    low, high = study.interval
-    inside = (study.x > low) & (study.x < high)
-    assert len(set(study.branch[inside].tolist())) == 1
-    assert ((study.value[inside] > low) & (study.value[inside] < high)).all()
-    assert set(study.half_periods[inside].tolist()) == {3}
-    assert ((study.late > low) & (study.late < high)).mean() > 0.5
-    assert len(study.lines()) == 3
-    assert COMMANDS["release"].picture(study, dpi=40).axes
+    """One branch fills the interval, which G takes into itself; there most iterates end."""
+    findings = release(PAPER, points=1000)
+    assert isinstance(findings, ReleaseMap)
+    low, high = findings.interval
+    inside = (findings.x > low) & (findings.x < high)
+    assert len(set(findings.branch[inside].tolist())) == 1
+    assert ((findings.value[inside] > low) & (findings.value[inside] < high)).all()
+    assert set(findings.half_periods[inside].tolist()) == {3}
+    assert ((findings.late > low) & (findings.late < high)).mean() > 0.5
+    assert len(findings.lines()) == 3
+    assert COMMANDS["release"].picture(findings, dpi=40).axes
 
 
 def test_over_a_parameter():
     """In the window of period 3 the exponent is negative, at the paper's f it is positive."""
-    study = release(PAPER, parameter="f", range=(0.39, 0.41), points=5, iterates=60)
-    assert isinstance(study, ReleaseOrbits)
-    assert study.exponent[0] < 0 < study.exponent[2]
-    settled = study.late[0].reshape(60, 4)[-3:]
+    findings = release(PAPER, parameter="f", range=(0.39, 0.41), points=5, iterates=60)
+    assert isinstance(findings, ReleaseOrbits)
+    assert findings.exponent[0] < 0 < findings.exponent[2]
+    settled = findings.late[0].reshape(60, 4)[-3:]
     assert len(set(np.round(settled[:, 1], 4))) == 3
-    assert len(study.lines()) == 2
-    assert COMMANDS["release"].picture(study, dpi=40).axes
+    assert len(findings.lines()) == 2
+    assert COMMANDS["release"].picture(findings, dpi=40).axes
 
 
 def test_without_an_interval():
     """Where several branches are used no interval is shown."""
-    study = release(replace(PAPER, f=Fraction(9, 20)), points=200)
-    assert np.isnan(study.critical)
-    assert "no interval" in study.lines()[-1]
-    assert COMMANDS["release"].picture(study, dpi=40).axes
+    findings = release(replace(PAPER, f=Fraction(9, 20)), points=200)
+    assert np.isnan(findings.critical)
+    assert "no interval" in findings.lines()[-1]
+    assert COMMANDS["release"].picture(findings, dpi=40).axes
 
 
 def test_bad_requests():

@@ -17,11 +17,11 @@ from cap.maps.twist import Complex, regular_twist
 from cap.one_one.closed_form import asymmetric, symmetric
 from cap.one_one.transport import period_jet
 from cap.parameters import Parameters
+from cap.proofs import elliptic
+from cap.proofs.fixed_point import Setting
 from cap.sets import bisection, interval, matrix
 from cap.sets.interval import Ball
 from cap.sets.taylor_model import Domain
-from proofs import elliptic
-from proofs.fixed_point import Setting
 
 STORED = Path(__file__).parents[2] / "certificates"
 BITS = 300

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cap.errors import BadInput, NotProved
-from cap.floats.work import Work
+from cap.explore.arrays import load
 from cap.paper import (
     bifurcation,
     certified,
@@ -32,6 +32,7 @@ from cap.paper.comparison import (
 from cap.paper.figure import Run, at
 from cap.paper.registry import LABELS, figure, labelled
 from cap.parameters import PAPER
+from cap.runner import Runner
 
 PRINTED = {  # every figure label of the paper's source
     "fig:model-schematic", "fig:cover", "fig:impulse-bound", "fig:kam-gallery",
@@ -62,7 +63,7 @@ def found():
 
     def compute(label):
         if label not in kept:
-            kept[label] = figure(label).compared(label, Run(Work(1), quick=True))
+            kept[label] = figure(label).compared(label, Run(Runner(1), quick=True))
         return kept[label]
 
     return compute
@@ -115,7 +116,7 @@ DIFFER = {  # and those that it gets wrong
     "fig:coexist-main": ["T-periodic orbits at F = 3"],
     "fig:hist-gallery-high": ["F = 6: largest |v|", "F = 50: largest |v| in 1 T"],
     "fig:hist-cont": ["F = 0.65 and 0.85: orbits found below F_sc"],
-    "fig:hist-chatter": ["(b) the two orbits", "time between events (conclusion)"],
+    "fig:hist-chatter": ["(b) the two orbits", "time between events"],
     "fig:multi-particle": ["a collision preserves sum dv_i dx_i (Theorem multiparticle)"],
 }
 
@@ -185,7 +186,7 @@ def test_the_closed_form_gives_the_proved_orbit():
 
 def test_the_map_agrees_with_the_census():
     """The map in floats has the orbits that are proved, with their types."""
-    run = Run(Work(1), quick=True)
+    run = Run(Runner(1), quick=True)
     small = continuation.mapped(12, run)
     code = small.classes()
     for i in (2, 6, 9):
@@ -244,10 +245,10 @@ def test_the_data_of_a_picture_can_be_read_again(tmp_path, capsys):
     """The archive has the table and the numbers of the picture."""
     path = tmp_path / "one.npz"
     assert command.run("fig:cover", [path], lambda _words, _part: None, quick=True) == 0
-    with np.load(path) as archive:
-        assert len(archive["what"]) == len(archive["reason"]) == 5
-        assert str(archive["f"]) == "2/5"
-        assert archive["data.q"].shape == archive["data.orbit.t"].shape
+    archive = load(path)
+    assert len(archive["rows"]["what"]) == len(archive["rows"]["reason"]) == 5
+    assert archive["parameters"] == PAPER
+    assert archive["data"]["q"].shape == archive["data"]["orbit"]["t"].shape
 
 
 def test_the_command_writes_all_into_a_directory(tmp_path, capsys, monkeypatch):

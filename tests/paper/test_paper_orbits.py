@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from cap.floats import cycles, swarm
-from cap.floats.work import Work
 from cap.paper import escape, forcing
 from cap.paper.figure import Run, at
 from cap.parameters import PAPER
+from cap.runner import Runner
 
 
 def test_the_period_of_the_sink_doubles():
@@ -18,7 +18,7 @@ def test_the_period_of_the_sink_doubles():
     p = at(F="1.5")
     sinks = [("1.5", c) for c in cycles.cycles(p) if c.kind(conserves=True) == "sink focus"]
     assert len(sinks) == 2
-    assert forcing.doublings(sinks, Run(Work(1), quick=True)) == [pytest.approx(1.5292254)]
+    assert forcing.doublings(sinks, Run(Runner(1), quick=True)) == [pytest.approx(1.5292254)]
 
 
 def test_which_orbits_at_1_are_all():

@@ -12,10 +12,10 @@ from support import rational
 from cap.errors import NotProved
 from cap.one_one.closed_form import symmetric
 from cap.parameters import Parameters
+from cap.proofs import one_one
+from cap.proofs.fixed_point import Setting
 from cap.sets import interval
 from cap.sets.interval import Ball
-from proofs import one_one
-from proofs.fixed_point import Setting
 
 IDENTITIES = dict(one_one.identities())
 

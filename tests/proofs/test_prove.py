@@ -14,10 +14,10 @@ from support import proving
 
 from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.floats import candidates
 from cap.floats.periodic import Guess
-from proofs import theorems
+from cap.proofs import theorems
 
 ROOT = Path(__file__).parents[2]
 
@@ -123,7 +123,7 @@ def test_other_parameters(capsys, tmp_path, words):
         (("elliptic", "--digits", "3"), "--digits"),
         (("elliptic", "--digits", "-5"), "--digits"),
         (("elliptic", "--digits", "10000000"), "--digits"),
-        (("elliptic", "--order", "4"), "invalid choice"),
+        (("elliptic", "--order", "4"), "must be one of"),
         (("theorem",), "say what to prove"),
         ((), "say what to prove"),
         (("elliptic", "--unknown"), "unrecognized"),
@@ -151,7 +151,7 @@ def test_unwritable_output(capsys, out):
 
 def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch):
     """A guess with wrong hit times: the step that fails and its sets are printed."""
-    wrong = Guess(0.1003, 0.5419, (0.5, 3.5), -0.46, 0.09)
+    wrong = Guess(0.1003, 0.5419, ((0.5, 1.0), (3.5, -1.0)), ((-0.46, -1.0), (1.0, 0.0)), 0.09)
     monkeypatch.setattr(candidates.periodic, "orbits", lambda *_: [wrong])
     status, _, err = proving(capsys, "elliptic", "--out", str(tmp_path))
     assert status == 1

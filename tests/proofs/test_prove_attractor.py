@@ -14,13 +14,13 @@ from cap.floats import swarm
 from cap.floats.releases import images
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
+from cap.proofs import attractor
+from cap.proofs.fixed_point import Setting
+from cap.proofs.theorems import THEOREMS, accepted
 from cap.release.cell import Cell
 from cap.release.trap import critical_points, trap
 from cap.release.unimodal import turning
 from cap.sets.interval import Ball
-from proofs import attractor
-from proofs.fixed_point import Setting
-from proofs.theorems import THEOREMS, accepted
 
 STORED = json.loads((Path(__file__).parents[2] / "certificates/attractor.json").read_text())[
     "claims"

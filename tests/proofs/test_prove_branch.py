@@ -12,15 +12,15 @@ from mpmath import mp, workdps
 from reference import System
 from support import number, rational, seeded
 
-from cap.cells.subdivision import Workers
 from cap.errors import BadInput
 from cap.floats.cycles import near
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters
+from cap.proofs import branch, elliptic, pitchfork
+from cap.proofs.fixed_point import Setting
+from cap.runner import Runner
 from cap.sets import bisection, interval, matrix
-from proofs import branch, elliptic, pitchfork
-from proofs.fixed_point import Setting
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -224,14 +224,14 @@ def test_threads_and_a_journal(tmp_path):
     """They give the same certificate; a second run examines no cell."""
     journal = tmp_path / "journal"
     with ThreadPoolExecutor(2) as executor:
-        ask = setting("3/4", workers=Workers(executor, journal))
+        ask = setting("3/4", runner=Runner(executor=executor, journal=journal))
         assert plain(branch.prove(ask)(Fraction(1))) == proved(branch, "3/4")
     size = journal.stat().st_size
-    ask = setting("3/4", workers=Workers(None, journal))
+    ask = setting("3/4", runner=Runner(journal=journal))
     assert plain(branch.prove(ask)(Fraction(1))) == proved(branch, "3/4")
     assert journal.stat().st_size == size
     with pytest.raises(BadInput, match="something else"):
-        branch.prove(setting("29/10", workers=Workers(None, journal)))
+        branch.prove(setting("29/10", runner=Runner(journal=journal)))
 
 
 def test_monodromies_agree():

@@ -10,9 +10,9 @@ from closed_forms import setting
 
 from cap.cells.subdivision import UNDECIDED, Cell
 from cap.parameters import Parameters
+from cap.proofs import branch, theorems
+from cap.proofs.fixed_point import Setting, Start
 from cap.sets import interval
-from proofs import branch, theorems
-from proofs.fixed_point import Setting, Start
 
 ODD = Parameters(*map(Fraction, ("3", "2", "1", "1/4", "11/10")))
 

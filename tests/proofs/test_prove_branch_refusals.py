@@ -15,11 +15,11 @@ from cap.errors import BadInput, NotProved
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters
+from cap.proofs import branch, branch_curve, pitchfork
+from cap.proofs.branch_curve import Part
+from cap.proofs.fixed_point import Setting
+from cap.proofs.one_one import Scale
 from cap.sets import interval
-from proofs import branch, branch_curve, pitchfork
-from proofs.branch_curve import Part
-from proofs.fixed_point import Setting
-from proofs.one_one import Scale
 
 
 @pytest.fixture(scope="module", autouse=True)

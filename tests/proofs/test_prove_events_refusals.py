@@ -9,8 +9,8 @@ from cap.command.progress import Progress
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
-from proofs import persistence
-from proofs.fixed_point import Setting
+from cap.proofs import persistence
+from cap.proofs.fixed_point import Setting
 
 ORBIT = ("--orbit", "0.1003", "0.5419")
 
@@ -92,7 +92,7 @@ def test_not_proved_is_said(capsys, tmp_path):
 )
 def test_how_far_the_family_reaches_is_said(capsys, tmp_path, monkeypatch, losses, reason):
     """Where no single cell will do: as far as they go, or that the orbit is another one."""
-    monkeypatch.setattr("proofs.persistence._most_cells", lambda *_: 6)
+    monkeypatch.setattr("cap.proofs.persistence._most_cells", lambda *_: 6)
     epsilon, mu = losses
     words = ("persistence", "--epsilon", epsilon, "--mu", mu, "--digits", "8")
     status, _, err = proving(capsys, *words, "--out", str(tmp_path))

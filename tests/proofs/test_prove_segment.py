@@ -11,8 +11,8 @@ from conftest import STARTS
 from cap.errors import BadInput, NotProved
 from cap.floats import swarm
 from cap.parameters import PAPER
-from proofs import segment
-from proofs.fixed_point import Setting
+from cap.proofs import segment
+from cap.proofs.fixed_point import Setting
 
 SYSTEMS = {
     "paper": PAPER,

@@ -12,9 +12,9 @@ from support import among, seeded
 from cap.floats.cycles import near
 from cap.one_one.closed_form import asymmetric
 from cap.parameters import PAPER
+from cap.proofs import pitchfork, symmetric
+from cap.proofs.fixed_point import Setting
 from cap.sets import interval
-from proofs import pitchfork, symmetric
-from proofs.fixed_point import Setting
 
 
 def test_the_pitchfork_of_the_paper():

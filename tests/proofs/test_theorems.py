@@ -16,8 +16,8 @@ from cap.certificate.writer import dumps
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER, Parameters, exact
-from proofs import elliptic, saddle
-from proofs.fixed_point import Setting
+from cap.proofs import elliptic, saddle
+from cap.proofs.fixed_point import Setting
 
 THEOREMS = {
     "elliptic": elliptic,

@@ -42,7 +42,10 @@ def stop_in_every_period() -> Verdict:
 @claim("fig:decomp-schematic", Kind.WORDS, stated="trajectories funnel into asymptotic attractors")
 def funnel() -> Verdict:
     """Trajectories of Ω_dissip funnel into a dissipative attractor."""
-    sinks = [stored(name).claims["type"] for name in ("periodic.json", "periodic-3.json")]
+    found = [stored(name) for name in ("periodic-1.json", "periodic-3.json")]
+    need(found[0].parameters == found[1].parameters, "the sinks are at different parameters")
+    need(found[0].parameters["F"] == 3, "the sinks are at another F")
+    sinks = [each.claims["type"] for each in found]
     need(all(kind.startswith(("sink", "superstable")) for kind in sinks), "one is no sink")
     with interval.workprec(80):
         f = interval.ball(PAPER.f)

@@ -11,8 +11,8 @@ from cap.audit.means.need import need
 from cap.audit.means.orbits import at
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
+from cap.proofs.census import census
 from cap.sets import interval
-from proofs.census import census
 
 
 @claim("sec:intro", Kind.FORMULA, stated="impulse -f |x'| dt")
@@ -67,8 +67,8 @@ def orbits_of_equation_seven_turn() -> Verdict:
         "the T-periodic orbit that hits the right wall at sin ωt₁ = πf/(2F) never stops; at "
         f"(F, ω, R, f) = (1, 1, 2, 1/2) its least speed is in {between(plus.least_speed, 6)}, and "
         f"it is elliptic, with a trace in {between(plus.trace, 6)}",
-        "proofs.census, in balls. What GKR2019 prints was not at hand: this is about the relation "
-        "as the paper quotes it.",
+        "cap.proofs.census, in balls. What GKR2019 prints was not at hand: this is about the "
+        "relation as the paper quotes it.",
     )
 
 

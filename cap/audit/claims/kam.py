@@ -17,7 +17,7 @@ from cap.audit.verdict import (
     still_open,
     uncheckable,
 )
-from proofs.census import census
+from cap.proofs.census import census
 
 EXPONENT = Fraction(5, 2)
 
@@ -165,8 +165,8 @@ def existence_of_the_gallery_orbit() -> Verdict:
     return refuted(
         "it is about orbits with turning points, of which there are none; P* never turns. It "
         "exists by Theorem 10.1 of the paper, and by certificate",
-        "proofs.census at (1, 1, 2, 2/5): the elliptic orbits with one hit of each wall are one "
-        "asymmetric pair.",
+        "cap.proofs.census at (1, 1, 2, 2/5): the elliptic orbits with one hit of each wall are "
+        "one asymmetric pair.",
     )
 
 

@@ -12,9 +12,9 @@ from cap.audit.means.linear import Event, derivative
 from cap.audit.means.need import need
 from cap.audit.verdict import Verdict, confirmed, corrected, refuted, vacuous
 from cap.one_one.closed_form import symmetric
+from cap.proofs.census import Member, census
 from cap.sets import interval
 from cap.sets.interval import Ball
-from proofs.census import Member, census
 
 FRICTION, GAP = Fraction(2, 5), Fraction(2)  # f and R of Figure 3, with ω = 1
 
@@ -188,7 +188,7 @@ def predicted_orbit() -> Verdict:
     return corrected(
         "an elliptic orbit is present at both, but Theorem 4.2 predicts none: these never turn. At "
         "0.95 it is one of the asymmetric pair, at 0.85 the symmetric orbit: not the same branch",
-        "All orbits with one hit of each wall at (ω, R, f) = (1, 2, 2/5), by proofs.census in "
+        "All orbits with one hit of each wall at (ω, R, f) = (1, 2, 2/5), by cap.proofs.census in "
         "balls.",
     )
 
@@ -211,7 +211,7 @@ def smooth_rotation_number() -> Verdict:
         f"at F in {words} the pair to which P* belongs merges with the symmetric orbit in a "
         "pitchfork, and the symmetric orbit takes over as the elliptic one; the rotation number is "
         f"near 0 on both sides (traces {traces[0]} at F = 0.928, {traces[1]} at 0.926)",
-        "The birth of the pair in closed form, solved for F; proofs.census in balls.",
+        "The birth of the pair in closed form, solved for F; cap.proofs.census in balls.",
     )
 
 
@@ -259,5 +259,5 @@ def closed_forms_for_kam() -> Verdict:
         "P* of Section 10, to which Section 5 is applied, never turns and is not symmetric: it is "
         f"one of the asymmetric pair with one hit of each wall, trace {between(orbit.trace, 6)}. "
         "That family has a closed form too, in one parameter (cap.one_one.closed_form)",
-        "proofs.census at (1, 1, 2, 2/5), in balls.",
+        "cap.proofs.census at (1, 1, 2, 2/5), in balls.",
     )

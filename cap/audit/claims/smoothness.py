@@ -12,9 +12,9 @@ from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted, vacuous
 from cap.one_one.closed_form import symmetric
+from cap.proofs.census import census
 from cap.sets import interval
 from cap.sets.interval import Ball
-from proofs.census import census
 
 SMALL_BLOCK = Fraction(8, 10**9)
 
@@ -48,7 +48,7 @@ def forcing_at_hits() -> Verdict:
         "not needed: at a hit with v != 0 friction does not decide anything. At (1, 1, 2, 3/5) the "
         f"symmetric elliptic orbit has |F cos ωt*| in {words} < f at both hits, never stops, and Φ "
         "is analytic near it",
-        "proofs.census and cap.one_one.closed_form in balls.",
+        "cap.proofs.census and cap.one_one.closed_form in balls.",
     )
 
 

@@ -1,7 +1,7 @@
 """Symbolic steps: identities by sympy, differences at exact points in balls.
 
-That two expressions are equal is left to a computer algebra system, as in `proofs.one_one`; that
-they are not is certain, because both are enclosed at a rational point.
+That two expressions are equal is left to a computer algebra system, as in `cap.proofs.one_one`;
+that they are not is certain, because both are enclosed at a rational point.
 """
 
 from collections.abc import Callable, Mapping

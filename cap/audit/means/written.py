@@ -4,7 +4,7 @@ import re
 from functools import cache
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parents[3] / "proofs" / "audit"
+FOLDER = Path(__file__).resolve().parents[2] / "proofs" / "audit"
 
 
 def exists(reference: str) -> bool:

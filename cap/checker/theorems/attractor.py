@@ -46,21 +46,30 @@ that of S^2 on K is 2h/n.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.checker.flow.fixed_point import Proof, ends
-from cap.checker.flow.itinerary import SIDES, follow
-from cap.checker.flow.mechanics import Ends, Flight, Mechanics
-from cap.checker.kernel.elementary import phi
+from cap.checker.flow.events import WORDS, LossyMap
+from cap.checker.flow.exponential import phi
+from cap.checker.flow.fixed_point import STATE, ends
+from cap.checker.flow.hits import SIDES
+from cap.checker.flow.losses import Lossy
+from cap.checker.flow.mechanics import Ends, Flight
+from cap.checker.kernel.citation import cite
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, lift
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.shapes import Field, Letters, Many, Quantity, Whole, Word, enclosure, region
+from cap.checker.kernel.theorem import BITS, MAX_BITS, SYSTEM, WITH_LOSSES, Theorem
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
 _HALF = Fraction(1, 2)
+_MAX_EVENTS, _MAX_CELLS, _MAX_SYMBOLS = 32, 512, 8192
+_MAX_WORK = 3 << 20
+_WINDOWS = Many(enclosure, 2, _MAX_EVENTS)
 
 
 class Cell(NamedTuple):
@@ -73,8 +82,72 @@ class Cell(NamedTuple):
     curve: int
 
 
-class Attractor(Proof):
+class Attractor(Theorem):
     """The interval, its unimodal map, and its entropy."""
+
+    PARAMETERS = WITH_LOSSES
+    # fmt: off
+    HINTS = (
+        BITS,
+        Field("cell_bits", Whole(64, MAX_BITS), "", "", "precision for the cells and the basin"),
+        Field("critical", enclosure, "", "", "in I; G' has opposite signs at its ends"),
+        Field("cells", Many({"to": number, "events": _WINDOWS}, 1, _MAX_CELLS), "", "",
+              "they follow each other from one end of I to the other; each ends at `to`; a time "
+              "window for each word, from the beginning of the period of the release"),
+        Field("basin_events", _WINDOWS, "", "", "time windows of the events from the basin"),
+    )
+    CLAIMS = (
+        Field("interval", region, "I", "I", "G maps it into its interior"),
+        Field("itinerary", Many(Word(WORDS), 2, _MAX_EVENTS), "", "",
+              "the events of every release from I, up to the next release, the last word"),
+        Field("half_periods", Whole(1, 32), "", "", "n: the time that G takes on I, in T/2"),
+        Field("turn", Word(("minimum", "maximum")), "", "",
+              "what G has at its one critical point in I; on both sides it is strictly monotone"),
+        Field("critical_point", Quantity("R"), "critical point", "c", "where G' vanishes"),
+        Field("critical_value", Quantity("R"), "its value", "G(c)", "the first image"),
+        Field("kneading", Letters("RL", _MAX_SYMBOLS), "", "",
+              "the branches of G(c), G^2(c), ..: R where G decreases, L where it increases"),
+        Field("entropy", Quantity(), "topological entropy of G on I", "h", "at least 0"),
+        Field("entropy_per_period", Quantity(), "the same per period T", "h_T", "2 h/n"),
+        Field("basin", STATE, "", "", "every orbit from it at t = 0 comes to be released in I"),
+    )
+    CITES = (
+        cite(
+            "Milnor-Thurston",
+            "Milnor and Thurston, On iterated maps of the interval, Springer LNM 1342, 1988",
+            ("unimodal", "G is continuous on the interval, maps it into itself, and has one "
+             "critical point there, on both sides of which it is strictly monotone",
+             "interval, itinerary, critical_point"),
+            ("order", "the kneading sequence of G is decided up to where it differs from those of "
+             "the tent maps with the slopes exp(lower) and exp(upper), lower and upper the ends "
+             "of entropy", "kneading, entropy"),
+        ),
+        cite(
+            "Misiurewicz",
+            "Misiurewicz, Horseshoes for mappings of the interval, Bull. Acad. Polon. Sci. 27, "
+            "1979",
+            ("positive", "the entropy of the continuous map G of the interval is positive",
+             "entropy"),
+        ),
+        cite(
+            "Li-Yorke",
+            "Li and Yorke, Period three implies chaos, Amer. Math. Monthly 82, 1975; Block and "
+            "Coppel, Dynamics in One Dimension, 1992, Chapters II and VI",
+            ("positive", "the entropy of the continuous map G of the interval is positive",
+             "entropy"),
+        ),
+    )
+    # fmt: on
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
+        """Bound the time: events times the bits of all images, a cell counted as 25."""
+        events = len(claims["itinerary"])
+        lists = [hints["basin_events"], *(each["events"] for each in hints["cells"])]
+        need(all(len(each) == events for each in lists), f"windows are not lists of {events}")
+        symbols, cells = len(claims["kneading"]), len(hints["cells"])
+        work = events * (hints["bits"] * symbols + 25 * hints["cell_bits"] * cells)
+        need(work <= _MAX_WORK, f"bits, symbols and cells are too much: {work} > {_MAX_WORK}")
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -95,23 +168,26 @@ class Attractor(Proof):
 
     # the release map
 
+    def phi(self, windows: Sequence[Ends]) -> LossyMap:
+        """Return the flow along the itinerary, with a window for each event."""
+        return LossyMap(self.p, self.claims["itinerary"], windows, _HORIZON)
+
     def image(self, x: Interval, windows: Sequence[Ends], order: int) -> Centred:
         """Return G over a set of places, as a jet in x."""
-        M = Mechanics(self.p, [x], [x.midpoint()], order, _HORIZON)
+        M = self.phi(windows).mechanics([x], [x.midpoint()], order)
         first, *later = M.minima[1]
         start = M.flight(1, first, M.x, M.constant(x.integer(0)), later, at_rest=True)
         place, taken = self.release(M, start, windows)
         need(taken == self.claims["half_periods"], "the release map takes another time")
         return place
 
-    def release(self, M: Mechanics, start: Flight, windows: Sequence[Ends]) -> tuple[Centred, int]:
+    def release(self, M: Lossy, start: Flight, windows: Sequence[Ends]) -> tuple[Centred, int]:
         """Prove the itinerary; return where the release at its end is, mirrored if to the left.
 
         And how many half-periods it comes after the release to the right in the first period.
         """
-        words = self.claims["itinerary"]
-        events, flight = follow(M, start, words, windows)
-        verb, _, side = words[-1].partition(" ")
+        events, flight = self.phi(windows).follow(M, start)
+        verb, _, side = self.claims["itinerary"][-1].partition(" ")
         if verb != "release" or not isinstance(flight, Flight):
             raise Rejected("the itinerary does not end with a release")
         number, last = SIDES[side], events[-1].moment
@@ -177,7 +253,7 @@ class Attractor(Proof):
             slope = self.image(x, self.windows(x), 2)[(1,)] * self.turn
             need((slope * side).is_positive(), "the derivative may not change its sign at c")
         c = Interval.enclosing(low, high, self.hints["bits"])
-        self.confirm("critical_point", c, self.R)
+        self.confirm(critical_point=c)
         return c
 
     def into_itself(self, c: Interval) -> Interval:
@@ -187,7 +263,7 @@ class Attractor(Proof):
         edges = [self.coarse(end, end) for end in (a, b)]
         for y in (value, *(self.image(x, self.windows(x), 1).value for x in edges)):
             need(y.lies_inside(a, b), "the release map may not take I into its interior")
-        self.confirm("critical_value", value, self.R)
+        self.confirm(critical_value=value)
         return value
 
     def kneading(self, c: Interval, x: Interval) -> None:
@@ -212,11 +288,11 @@ class Attractor(Proof):
         else:
             smaller = order(symbols, self.tent(claim.upper)) < 0
             need(smaller, "the entropy may be above its upper bound")
-        self.narrow("entropy", claim, Fraction(1))
+        self.narrow("entropy", claim)
         each, n = self.claims["entropy_per_period"], self.claims["half_periods"]
         within = each.lower <= 2 * claim.lower / n and 2 * claim.upper / n <= each.upper
         need(within, "the entropy per period does not contain 2/n times that of G")
-        self.narrow("entropy_per_period", each, Fraction(1))
+        self.narrow("entropy_per_period", each)
 
     def tent(self, logarithm: Fraction) -> Iterator[str]:
         """Yield the kneading sequence of the tent maps of the slope with this logarithm."""
@@ -237,11 +313,20 @@ class Attractor(Proof):
 
     def box(self, box: Sequence[Ends], windows: Sequence[Ends]) -> None:
         """Prove that all orbits from a box come to be released in I."""
-        region = [self.coarse(*z) for z in box]
-        M = Mechanics(self.p, region, [z.midpoint() for z in region], _ORDER, _HORIZON)
+        area = [self.coarse(*z) for z in box]
+        M = self.phi(windows).mechanics(area, [z.midpoint() for z in area], _ORDER)
         place = self.release(M, M.launch(), windows)[0].value
         inside = place.lies_in(*ends(self.claims["interval"]))
         need(inside, "the releases of orbits from the box may not lie in I")
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        lower, upper = ends(self.claims["entropy"])
+        x, v = self.claims["basin"]["x"], self.claims["basin"]["v"]
+        area = (x.upper - x.lower) * (v.upper - v.lower)
+        chaos = _CHAOS if lower > 0 else _NO_CHAOS if upper == 0 else ""
+        events = ", ".join(self.claims["itinerary"])
+        return self.told(SYSTEM + _MAP + chaos + _BASIN, events=events, x=x, v=v, area=area)
 
 
 def sign(x: Interval) -> int:
@@ -269,33 +354,17 @@ def doubling() -> Iterator[str]:
         n += 1
 
 
-def words(claims: dict[str, Any]) -> Iterable[str]:
-    """Yield the sentences of the theorem."""
-    yield (
-        "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} "
-        "and walls at l = {l} and r = {r}, where v becomes -e v with e = {e}, T = 2 pi/omega: "
-    )
-    yield _MAP.format(events=", ".join(claims["itinerary"]))
-    lower, upper = ends(claims["entropy"])
-    if lower > 0:
-        yield _CHAOS
-    elif upper == 0:
-        yield _NO_CHAOS
-    x, v = claims["basin"]["x"], claims["basin"]["v"]
-    yield _BASIN.format(x=x, v=v, area=(x.upper - x.lower) * (v.upper - v.lower))
-
-
 _MAP = (
     "let G take the place x at which a mass that has stuck is released to the right to the place "
     "of its next release, a release to the left mirrored by x -> l + r - x with half a period; G "
-    "takes I = {{interval}} into its interior, all releases from I have exactly these events up to "
-    "the next release, {{half_periods}} half-periods later: {events}; on I G has one critical "
-    "point, a {{turn}}, in {{critical_point}}, with the value in {{critical_value}}; the branches "
-    "on which its first images lie, R where G decreases, L where it increases, are {{kneading}}; "
-    "hence (Milnor-Thurston) the topological entropy of G on I is in {{entropy}}, and on the set "
+    "takes I = {interval} into its interior, all releases from I have exactly these events up to "
+    "the next release, {half_periods} half-periods later: {events}; on I G has one critical "
+    "point, a {turn}, in {critical_point}, with the value in {critical_value}; the branches "
+    "on which its first images lie, R where G decreases, L where it increases, are {kneading}; "
+    "hence (Milnor-Thurston) the topological entropy of G on I is in {entropy}, and on the set "
     "of states through which the orbits pass that are released in A, the intersection of all "
     "G^k(I), that of the map over one period, begun at a time of releases, is in "
-    "{{entropy_per_period}}"
+    "{entropy_per_period}"
 )
 _CHAOS = (
     "; as it is positive, an iterate of G has a horseshoe (Misiurewicz), and G has periodic points "
@@ -307,3 +376,5 @@ _BASIN = (
     "; every orbit from {x} x {v} at t = 0, a box of the area {area}, comes to be released in I: "
     "it tends to the orbits released in A"
 )
+
+THEOREM = Attractor

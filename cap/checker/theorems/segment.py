@@ -60,14 +60,15 @@ left, if D(d) <= L.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from cap.checker.flow.fixed_point import Proof
-from cap.checker.kernel.elementary import arccos, cos_sin, phi
+from cap.checker.flow.exponential import phi
+from cap.checker.kernel.elementary import arccos, cos_sin
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, Quantity
+from cap.checker.kernel.theorem import BITS, SYSTEM, WITH_LOSSES, Theorem
 
 
 class Velocity(NamedTuple):
@@ -80,8 +81,30 @@ class Velocity(NamedTuple):
     stroke: Interval
 
 
-class Segment(Proof):
+class Segment(Theorem):
     """The segment of orbits that touch no wall."""
+
+    PARAMETERS = WITH_LOSSES
+    HINTS = (BITS,)
+    # fmt: off
+    CLAIMS = (
+        Field("left", Quantity("R"), "left", r"x_-", "T-periodic orbits that touch no wall are "
+              "those with v = v*(0) and left < x < right at t = 0"),
+        Field("right", Quantity("R"), "right", r"x_+", "see left"),
+        Field("v", Quantity("R omega"), "v at t = 0", "v", "v*(0), their common velocity"),
+        Field("stroke", Quantity("R"), "stroke", "s", "by which x varies on each; below R"),
+        Field("turning_times", [Quantity("omega^-1")] * 2, "turn", "t_k",
+              "of the turn left and the turn right, in (0, T)"),
+        Field("multipliers", [Quantity()] * 2, "multiplier", r"\lambda",
+              "exactly 1, then exp(-mu T) ((c - f)/(c + f))^2, c the force at the turns"),
+        Field("basin", {"speed": number, "drift": [number] * 2}, "", "",
+              "d and a, b: with D(u) = a u + b u^2, orbits from (x, v*(0) + u), |u| < d, left < x, "
+              "x + D(u) < right if u >= 0, left < x - D(-u), x < right if u < 0, touch no wall and "
+              "tend to one of these"),
+        Field("basin_area", Quantity("R^2 omega"), "area of the basin", "A",
+              "2 (L d - a d^2/2 - b d^3/3), L = right - left"),
+    )
+    # fmt: on
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -125,11 +148,11 @@ class Segment(Proof):
         """Compare the ends of the segment, the velocity, the stroke and the times of the turns."""
         R, omega, claims = self.R, self.p.omega, self.claims
         half, start = self.pi() / self.number(omega), found.y / self.number(omega)
-        self.confirm("turning_times", [half - start, half * 2 - start], 1 / omega)
-        self.confirm("v", found.v, R * omega)
-        self.confirm("stroke", found.stroke, R)
-        self.confirm("left", self.number(self.p.l) + found.below, R)
-        self.confirm("right", self.number(self.p.r) - (found.stroke - found.below), R)
+        self.confirm(turning_times=[half - start, half * 2 - start])
+        self.confirm(v=found.v)
+        self.confirm(stroke=found.stroke)
+        self.confirm(left=self.number(self.p.l) + found.below)
+        self.confirm(right=self.number(self.p.r) - (found.stroke - found.below))
         room = claims["stroke"].upper < R and claims["left"].upper < claims["right"].lower
         need(room, "the stroke may be as long as the gap")
         self.step("there is one T-periodic orbit for each x between the ends, and no other")
@@ -141,7 +164,7 @@ class Segment(Proof):
         f, mu = self.number(self.p.f), self.number(self.p.mu)
         factor = (force - f) / (force + f)
         decay = phi(0, -(mu * self.pi() * 2 / self.number(self.p.omega)))
-        self.compare("multipliers[1]", product, decay * factor.square(), Fraction(1))
+        self.compare("multipliers[1]", product, decay * factor.square())
         need(product.lower > 0 and product.upper < 1, "the second multiplier is not in (0, 1)")
         self.step("the multipliers are 1 and one in (0, 1)")
 
@@ -161,21 +184,14 @@ class Segment(Proof):
         need(a_1 * d + a_2 * d**2 <= right.lower - left.upper, "the drift may reach a wall")
         length = self.number(self.R) - stroke
         lost = self.number(a_1 * d**2 / 2 + a_2 * d**3 / 3)
-        self.confirm("basin_area", (length * self.number(d) - lost) * 2, self.R**2 * omega)
+        self.confirm(basin_area=(length * self.number(d) - lost) * 2)
         need(claims["basin_area"].lower > 0, "the area of the basin is not positive")
         self.step("all orbits from the basin tend to orbits of the segment")
 
-
-def words(claims: dict[str, Any]) -> Iterable[str]:
-    """Yield the sentences of the theorem."""
-    yield (
-        "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} "
-        "and walls at l = {l} and r = {r}, where v becomes -e v with e = {e}, T = 2 pi/omega: "
-    )
-    yield _ORBITS
-    yield _BASIN.format(
-        d=claims["basin"]["speed"], a=claims["basin"]["drift"][0], b=claims["basin"]["drift"][1]
-    )
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        d, (a, b) = self.claims["basin"]["speed"], self.claims["basin"]["drift"]
+        return self.told(SYSTEM + _ORBITS + _BASIN, d=d, a=a, b=b)
 
 
 _ORBITS = (
@@ -188,5 +204,7 @@ _ORBITS = (
 _BASIN = (
     "; let D(u) = {a} u + {b} u^2: every orbit from (x, v* + u) with |u| < {d}, left < x and x + "
     "D(u) < right if u >= 0, left < x - D(-u) and x < right if u < 0, touches no wall and tends to "
-    "one of these orbits; these states are an open set with an area in {{basin_area}}"
+    "one of these orbits; these states are an open set with an area in {basin_area}"
 )
+
+THEOREM = Segment

@@ -1,0 +1,32 @@
+"""Make the API pages from the docstrings: ``python docs/api.py FOLDER``; a warning is an error."""
+
+import argparse
+import pkgutil
+import warnings
+from pathlib import Path
+
+import pdoc
+
+import cap
+
+# pdoc has no names for the constructor of a NamedTuple whose annotations are strings
+OF_NAMED_TUPLES = r"Error parsing type annotation ForwardRef\(.*\) for cap\.[\w.]+\.__init__"
+
+
+def main(folder: Path) -> None:
+    """Write a page for each module of `cap`, and the index, to a folder."""
+    warnings.simplefilter("error")
+    warnings.filterwarnings("ignore", OF_NAMED_TUPLES)
+    for name in cap.__all__:  # what is loaded late is documented as well
+        setattr(cap, name, getattr(cap, name))
+    rooms = [module.name for module in pkgutil.iter_modules(cap.__path__, "cap.")]
+    pdoc.render.configure(
+        docformat="markdown", show_source=False, footer_text=f"cap {cap.__version__}"
+    )
+    pdoc.pdoc("cap", *rooms, output_directory=folder)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("folder", type=Path)
+    main(parser.parse_args().folder)

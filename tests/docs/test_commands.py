@@ -1,0 +1,67 @@
+"""The commands on the pages are understood, and print what the pages show."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from cap import prove, verify
+from cap.audit import command as audit
+from cap.command.console import protected
+from cap.command.prover_options import Asked, parser
+from cap.command.verifier import main as verifier
+from cap.explore import explorer
+from cap.explore.commands import COMMANDS
+
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [page for page in PAGES if page.name not in ("tutorial.md", "audit.md")]
+COMMAND = re.compile(r"^    python -m (cap\.\w+) (.*?)(?:  .*)?$", re.MULTILINE)
+ALL = [found for page in PAGES for found in COMMAND.findall(page.read_text(encoding="utf-8"))]
+
+
+def block(page, first):
+    """Return the lines of the indented block of a page that begins with ``first``."""
+    lines = (ROOT / page).read_text(encoding="utf-8").splitlines()
+    start = next(n for n, line in enumerate(lines) if line.startswith("    " + first))
+    end = next(n for n in range(start, len(lines)) if lines[n] and not lines[n].startswith("    "))
+    return [line.strip() for line in lines[start:end] if line.strip()]
+
+
+@pytest.mark.parametrize(("module", "words"), sorted(set(ALL)))
+def test_a_command(module, words, monkeypatch):
+    """Its options exist, and make sense together."""
+    monkeypatch.chdir(ROOT)
+    given = [protected(word) for word in shlex.split(words.replace("> audit.html", ""))]
+    if module == "cap.prove":
+        options = parser().parse_args(given)
+        assert options.list or Asked.of(options, print).request.kind in words
+    elif module == "cap.explore" and "--help" not in given:
+        options = explorer.parser().parse_args(given)
+        assert options.paper or options.command in COMMANDS
+    elif module == "cap.audit":
+        audit.parser().parse_args(given)
+    elif module == "cap.verify":
+        assert verifier(["certificates/saddle.json"]) == 0
+
+
+def test_there_are_commands():
+    """They are found: of each kind some."""
+    assert {module for module, _ in ALL} == {"cap.prove", "cap.verify", "cap.explore", "cap.audit"}
+    assert len(ALL) > 25
+
+
+def test_the_verdict(capsys, monkeypatch):
+    """`docs/certificates.md` shows the line of `cap.verify`, but for its wrapping."""
+    monkeypatch.chdir(ROOT)
+    assert verify.main(["certificates/elliptic.json"]) == 0
+    assert " ".join(block("docs/certificates.md", "VERIFIED:")) == capsys.readouterr().out.strip()
+
+
+def test_the_proof(capsys, tmp_path):
+    """`docs/theorems.md` shows the first lines of `cap.prove elliptic`."""
+    assert prove.main(["elliptic", "--out", str(tmp_path)]) == 0
+    printed = [line.strip() for line in capsys.readouterr().out.splitlines() if line.strip()]
+    shown = block("docs/theorems.md", "Found 2 elliptic orbits")
+    assert shown == printed[: len(shown)]

@@ -1,0 +1,22 @@
+"""The examples of `docs/python.md` print what the page shows."""
+
+import doctest
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_the_pages():
+    """CI makes the pages of all modules, where a warning is an error."""
+    assert 'python docs/api.py "' in (ROOT / ".ci/run").read_text()
+    assert 'simplefilter("error")' in (ROOT / "docs/api.py").read_text()
+
+
+def test_the_examples(monkeypatch):
+    """All of them, in their order, in the root of the repository."""
+    monkeypatch.chdir(ROOT)
+    options = doctest.ELLIPSIS | doctest.REPORT_NDIFF
+    page = str(ROOT / "docs/python.md")
+    found = doctest.testfile(page, module_relative=False, optionflags=options, encoding="utf-8")
+    assert found.attempted > 20
+    assert found.failed == 0

@@ -1,0 +1,137 @@
+"""Installed, it is one package: what the wheel holds; and it works where nothing can be kept."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tomllib
+import zipfile
+from configparser import ConfigParser
+from pathlib import Path
+
+import pytest
+
+import cap
+
+ROOT = Path(__file__).parent.parent
+SCRIPTS = ("cap-prove", "cap-verify", "cap-explore", "cap-audit")
+HOSTILE = 'raise SystemExit("a module of the user\'s folder was imported")\n'
+
+
+def files(folder, *patterns):
+    """Return the files of a folder of the tree, without what running it leaves there."""
+    return {
+        path.relative_to(folder).as_posix()
+        for pattern in patterns
+        for path in folder.rglob(pattern)
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """Build the wheel and unpack it, as an installer does; return the folder."""
+    tree, site = (tmp_path_factory.mktemp(name) for name in ("tree", "site"))
+    for name in ("cap", "proofs", "certificates"):
+        ignored = shutil.ignore_patterns("__pycache__", "*.nbc", "*.nbi")
+        shutil.copytree(ROOT / name, tree / name, symlinks=True, ignore=ignored)
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, tree)
+    for link in ("proofs", "certificates"):
+        (tree / "cap" / link).unlink()  # a system without links has none
+    pip = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--no-build-isolation"]
+    words = [*pip, "--disable-pip-version-check", "-w", str(site), str(tree)]
+    subprocess.run(words, check=True, env=clean(), stdout=subprocess.DEVNULL)
+    (wheel,) = site.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(site)
+    wheel.unlink()
+    return site
+
+
+def clean(**more):
+    """Return the environment without the tree, and without a home."""
+    gone = ("PYTHONPATH", "HOME", "XDG_CACHE_HOME", "NUMBA_CACHE_DIR", "MPLCONFIGDIR")
+    return {name: value for name, value in os.environ.items() if name not in gone} | more
+
+
+@pytest.fixture
+def run(site, tmp_path):
+    """Return a function that runs the installed package beside a hostile `proofs.py`."""
+    for name in ("proofs.py", "checker.py", "certificates.py"):
+        (tmp_path / name).write_text(HOSTILE)
+
+    def ran(*words, **more):
+        env = clean(PYTHONPATH=str(site), **more)
+        return subprocess.run(
+            [sys.executable, *words],
+            cwd=tmp_path,
+            env=env,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    return ran
+
+
+def test_nothing_but_cap(site):
+    """Only `cap`, and what describes it, enters site-packages."""
+    assert {path.name.partition("-")[0] for path in site.iterdir()} == {"cap"}
+
+
+def test_every_module_is_there(site):
+    """Every module of the tree, the proofs inside `cap`; every certificate, table and page."""
+    cap_files = files(ROOT / "cap", "*.py", "*.json", "*.css", "*.js", "py.typed")
+    proofs = files(ROOT / "proofs", "*.py", "*.md")
+    certificates = files(ROOT / "certificates", "*")
+    inside = {f"proofs/{name}" for name in proofs} | {
+        f"certificates/{name}" for name in certificates
+    }
+    assert files(site / "cap", "*") == cap_files | inside
+
+
+def test_the_tree_has_the_same_names():
+    """In a checkout, which needs no installation, links put both folders inside `cap`."""
+    for name in ("proofs", "certificates"):
+        link = ROOT / "cap" / name
+        assert link.is_symlink()
+        assert link.resolve() == ROOT / name
+    assert Path(cap.__file__).parent == ROOT / "cap"
+
+
+def test_the_scripts(site):
+    """Each script calls a function that exists, and `pyproject.toml` names no other."""
+    found = ConfigParser()
+    found.read(next(site.glob("*.dist-info")) / "entry_points.txt")
+    assert set(found["console_scripts"]) == set(SCRIPTS)
+
+
+@pytest.mark.parametrize("script", SCRIPTS)
+def test_version_and_name(run, script):
+    """`--version` says the version, and `--help` the name by which the command was called."""
+    with (ROOT / "pyproject.toml").open("rb") as file:
+        version = tomllib.load(file)["project"]["version"]
+    code = "from importlib.metadata import entry_points as e; import sys; sys.argv[0] = '{0}';"
+    call = code.format(script) + "next(iter(e(group='console_scripts', name=sys.argv[0]))).load()()"
+    assert run("-c", call, "--version").stdout == f"cap {version}\n" == f"cap {cap.__version__}\n"
+    assert run("-c", call, "--help").stdout.startswith(f"usage: {script} ")
+    module = script.replace("-", ".")
+    assert run("-m", module, "--help").stdout.startswith("usage: python -m " + module)
+
+
+def test_prove_and_verify(run, tmp_path):
+    """A theorem is proved and verified far from the tree, by the modules and from Python."""
+    proved = run("-m", "cap.prove", "saddle", "--out", ".")
+    assert (proved.returncode, proved.stderr) == (0, "")
+    verified = run("-m", "cap.verify", "saddle.json")
+    assert verified.stdout.startswith("VERIFIED: ")
+    code = "import cap; print(cap.verify_certificate('saddle.json'))"
+    assert run("-c", code).stdout in verified.stdout.replace(' ("saddle.json")', "")
+
+
+def test_audit(run):
+    """Claims are decided by the certificates and the written proofs that are installed."""
+    for claim in ("wellposed.no-accumulation", "strobe.forward-invariance"):
+        audited = run("-m", "cap.audit", "--only", claim, "--fresh", CAP_CACHE="cache")
+        assert (audited.returncode, audited.stderr) == (0, ""), audited.stderr

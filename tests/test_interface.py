@@ -1,0 +1,190 @@
+"""The Python interface: what it returns, how exact it is, and how it fails."""
+
+import json
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+import cap
+from cap import prove
+from cap.interface import _below, _outwards
+from cap.proofs import theorems
+
+CERTIFICATES = Path(__file__).parent.parent / "certificates"
+
+
+@pytest.fixture(scope="module")
+def elliptic():
+    """Return the elliptic theorem at the paper's parameters."""
+    return cap.prove_theorem("elliptic", f="2/5", digits=30)
+
+
+def test_it_is_what_the_command_proves(elliptic, tmp_path, capsys):
+    """The same certificate as of `cap.prove`, but for its provenance, and the same words."""
+    assert prove.main(["elliptic", "--f", "2/5", "--out", str(tmp_path)]) == 0
+    written = json.loads((tmp_path / "elliptic.json").read_text())
+    proved = dict(elliptic.certificate)
+    assert {**written, "provenance": {}} == {**proved, "provenance": {}}
+    assert elliptic.report() in capsys.readouterr().out
+
+
+def test_the_claims_are_exact(elliptic):
+    """Enclosures have the ends that the certificate states."""
+    stated = elliptic.certificate["claims"]
+    for name in ("x", "v", "trace", "twist"):
+        claim = elliptic.claims[name]
+        assert [claim.lower, claim.upper] == [Fraction(end) for end in stated[name]]
+        assert str(claim) == f"[{', '.join(stated[name])}]"
+        assert claim.width == claim.upper - claim.lower > 0
+        assert claim.lower in claim
+        assert claim.upper + claim.width not in claim
+    assert elliptic.claims["remainder"]["radius"] == Fraction(stated["remainder"]["radius"])
+    assert elliptic.parameters == dict(F=1, omega=1, f=Fraction(2, 5), l=-1, r=1)  # noqa: C408
+
+
+def test_the_floats_are_outside(elliptic):
+    """Each pair of doubles encloses the claim, and no narrower one does."""
+    for name in ("x", "v", "trace", "twist", "rotation_number"):
+        claim, (a, b) = elliptic.claims[name], elliptic.floats[name]
+        assert Fraction(a) <= claim.lower <= claim.upper <= Fraction(b)
+        assert claim.floats == (a, b)
+    radius = elliptic.claims["remainder"]["radius"]
+    a, b = elliptic.floats["remainder"]["radius"]
+    assert Fraction(a) <= radius <= Fraction(b)
+    assert len(elliptic.floats["hit_times"]) == 2
+
+
+@pytest.mark.parametrize(
+    "q",
+    [
+        *(Fraction(n, 7**k) for n in (-22, -1, 0, 1, 3) for k in (0, 1, 400)),
+        Fraction(10) ** 400,
+        -(Fraction(10) ** 400),
+        Fraction(1, 4),
+    ],
+)
+def test_rounding(q):
+    """Down is the largest double that is not above, up its mirror image; of zero, zero."""
+    a, b = _outwards(q, q)
+    assert a <= q <= b
+    assert b == -_below(-q)
+    assert str(b) != "-0.0"
+    if q == Fraction(1, 4):
+        assert a == b == 0.25
+
+
+def test_the_words_are_the_checkers(elliptic, tmp_path):
+    """What is printed is the checker's verdict; a file written is verified with the same words."""
+    path = tmp_path / "mine.json"
+    elliptic.write(path)
+    assert path.read_bytes() == elliptic.data
+    again = cap.verify_certificate(path)
+    assert str(again) == str(elliptic) == f"VERIFIED: {elliptic.sentence}"
+    assert elliptic.steps[-1]
+    assert repr(again) == "<Verified: elliptic at F = 1, omega = 1, f = 2/5, l = -1, r = 1>"
+    assert r"\newcommand{\capEllipticTrace}" in again.latex()
+    assert r"\newcommand{\capMineTrace}{[-0.4603, -0.4602]}" in again.latex("mine", 4)
+
+
+@pytest.mark.parametrize("name", ["capture", "periodic-5", "pitchfork", "saddle", "symmetric-2"])
+def test_a_stored_certificate(name):
+    """All shapes of claims become exact numbers and outward pairs."""
+    found = cap.verify_certificate(CERTIFICATES / f"{name}.json")
+    assert found.claims.keys() == found.floats.keys() == found.certificate["claims"].keys()
+    assert found.parameters.keys() == found.certificate["parameters"].keys()
+    assert found.report().startswith(f"Theorem ({found.theorem})")
+
+
+def test_other_orbits_and_numbers():
+    """Parameters may be integers, fractions or strings; a guess may be floats."""
+    F, f = 3, Fraction(2, 5)
+    found = cap.prove_theorem("periodic", F=F, f=f, mu="0", orbit=(0.4, -0.67), digits=12)
+    assert (found.parameters["F"], found.parameters["f"]) == (F, f)
+    assert found.claims["type"] == "sink focus"
+    assert Fraction("0.40") < found.claims["x"].lower < Fraction("0.41")
+
+
+@pytest.mark.slow
+def test_branch_on_an_executor():
+    """The cells of `branch` are examined by the executor given, and progress is told."""
+    told = []
+    with ThreadPoolExecutor(1) as executor:
+        found = cap.prove_theorem(
+            "branch", lowest="0.465", executor=executor, progress=told.append, digits=8
+        )
+    assert found.claims["f_range"].lower == Fraction("0.465")
+    assert any("cells" in words for words in told)
+
+
+@pytest.mark.parametrize(
+    ("options", "phrase"),
+    [
+        ({"f": 0.4}, 'write "0.4"'),
+        ({"f": "two"}, "not a number"),
+        ({"f": 2}, "below the forcing"),
+        ({"friction": "2/5"}, "no option 'friction'"),
+        ({"all": True}, "no option 'all'"),
+        ({"out": "x.json"}, "no option 'out'"),
+        ({"orbit": 0.1}, "pair (x, v)"),
+        ({"order": 4}, "--order"),
+        ({"period": 2}, "--period"),
+        ({"digits": True}, "--digits"),
+        ({"lowest": "2/5"}, "--from"),
+    ],
+)
+def test_bad_input(options, phrase):
+    """A request that makes no sense is `BadInput`, whose one line says what is wrong."""
+    with pytest.raises(cap.BadInput) as failure:
+        cap.prove_theorem("elliptic", **options)
+    assert phrase in str(failure.value)
+    assert "\n" not in str(failure.value)
+
+
+def test_no_such_theorem():
+    """The names of the theorems are said."""
+    with pytest.raises(cap.BadInput, match="elliptic, saddle"):
+        cap.prove_theorem("ellptic")
+
+
+def test_not_proved(monkeypatch):
+    """A step that does not succeed is `NotProved`."""
+    monkeypatch.setattr(theorems, "PARTS", [])
+    with pytest.raises(cap.NotProved, match="checker"):
+        cap.prove_theorem("saddle")
+
+
+@pytest.mark.parametrize("name", ["reject/twist_of_the_paper", "malformed/nan", "malformed/list"])
+def test_a_rejected_certificate(name):
+    """What the checker rejects is not proved; its reason is told."""
+    path = Path(__file__).parent / f"certificates/{name}.json"
+    with pytest.raises(cap.NotProved, match=r"the certificate is rejected: ."):
+        cap.verify_certificate(path)
+
+
+@pytest.mark.parametrize("name", ["", "nothing.json"])
+def test_a_file_that_cannot_be_read(tmp_path, name):
+    """A directory, or no file, is bad input."""
+    with pytest.raises(cap.BadInput, match="cannot read"):
+        cap.verify_certificate(tmp_path / name)
+
+
+def test_importing_is_fast():
+    """`import cap` loads nothing: neither the prover nor the checker nor a library."""
+    code = "import sys; before = set(sys.modules); import cap; print(*set(sys.modules) - before)"
+    run = subprocess.run(
+        [sys.executable, "-S", "-c", code], capture_output=True, text=True, check=True
+    )
+    names = run.stdout.split()
+    assert [name for name in names if name.partition(".")[0] == "cap"] == ["cap"]
+    assert not {"flint", "numpy", "sympy", "argparse", "json"} & set(names)
+
+
+def test_the_names():
+    """Each public name is found, and no other."""
+    assert all(getattr(cap, name).__doc__ for name in cap.__all__)
+    with pytest.raises(AttributeError, match="prove_everything"):
+        cap.prove_everything  # noqa: B018
