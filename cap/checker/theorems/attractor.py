@@ -355,6 +355,7 @@ def doubling() -> Iterator[str]:
 
 
 _MAP = (
+    "with T = 2 pi/omega, "
     "let G take the place x at which a mass that has stuck is released to the right to the place "
     "of its next release, a release to the left mirrored by x -> l + r - x with half a period; G "
     "takes I = {interval} into its interior, all releases from I have exactly these events up to "

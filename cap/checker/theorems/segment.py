@@ -195,6 +195,7 @@ class Segment(Theorem):
 
 
 _ORBITS = (
+    "with T = 2 pi/omega, "
     "the T-periodic orbits that touch no wall are those with v = v* at t = 0 and x anywhere "
     "between left and right, v* in {v}, left in {left}, right in {right}; they all have the same "
     "velocity, turn left at a time in {turning_times[0]} and right at one in {turning_times[1]}, "
