@@ -14,11 +14,12 @@ import pytest
 from mpmath import mp, mpf
 
 from cap.certificate.latex import macros
+from cap.checker.flow.kneading import doubling, order
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems import attractor
-from cap.checker.theorems.attractor import Attractor, doubling, order
+from cap.checker.theorems.attractor import Attractor
 from cap.checker.verdict import words
 from checker.altered import changed, encode, rejected
 from checker.tampered import accepted, fits_the_schema

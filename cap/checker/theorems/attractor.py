@@ -19,20 +19,8 @@ as for a map with a maximum, which G or x -> -G(-x) is).  The kneading sequence 
 of the branches on which G(c), G^2(c), ... lie; they are enclosed in mean value form, and each is
 certainly on one side of c.
 
-*Order.*  Two sequences are compared at their first difference: L < R if an even number of R comes
-before it, R < L if an odd one.  Let h be the topological entropy of G on I, T_s(y) = s min(y, 1 -
-y) on [0, 1], 1 < s <= 2.  Then h(T_s) = log s, and entropy is a monotone function of the kneading
-sequence [Milnor, Thurston]: if that of G is larger than that of T_s, h >= log s; if smaller, h <=
-log s.  (The theorem is about maps that take the ends of an interval to one end of it.  Let J be a
-larger interval, and continue G, with a maximum, say, linearly to J so that both ends of J go to the
-lower one, e.  As G(I) lies inside I, points outside of I, but for e, move into I sooner or later:
-for x below I, x < G(x) < the maximum of G on I, and points above I go below it or into it.  So no
-entropy is added.) If it is smaller than RLRRRLRL.., the limit of the sequences of period doubling,
-h = 0: all those of tent maps with s > 1 are larger.  The sequence of that limit begins with K, s, K
-if it begins with K, 2^n - 1 symbols, where s is L if R is in K an odd number of times, else R.
-
-Slopes are exp of the ends of ``entropy``: for all slopes in their enclosures the comparison is
-certain.
+*Entropy.*  With the order of ``kneading``, the sequence of G lies between those of the tent maps
+with the slopes exp of the ends of ``entropy``, for all slopes in their enclosures.
 
 *The flow.*  Let S be the map over half a period with the mirror image, from one time of releases to
 the right to the next: S^2 is Phi from that time on, S^n on the releases from I is G.  Let A be the
@@ -54,6 +42,7 @@ from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.fixed_point import STATE, ends
 from cap.checker.flow.hits import SIDES
+from cap.checker.flow.kneading import doubling, order, tent
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Ends, Flight
 from cap.checker.kernel.citation import cite
@@ -66,7 +55,6 @@ from cap.checker.kernel.theorem import BITS, MAX_BITS, SYSTEM, WITH_LOSSES, Theo
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
-_HALF = Fraction(1, 2)
 _MAX_EVENTS, _MAX_CELLS, _MAX_SYMBOLS = 32, 512, 8192
 _MAX_WORK = 3 << 20
 _WINDOWS = Many(enclosure, 2, _MAX_EVENTS)
@@ -295,15 +283,8 @@ class Attractor(Theorem):
         self.narrow("entropy_per_period", each)
 
     def tent(self, logarithm: Fraction) -> Iterator[str]:
-        """Yield the kneading sequence of the tent maps of the slope with this logarithm."""
-        slope = phi(0, self.number(logarithm))
-        need(slope.lies_in(Fraction(1), Fraction(2)), "no tent map has such an entropy")
-        y = slope / 2
-        while True:
-            left, right = y.upper < _HALF, y.lower > _HALF
-            need(left or right, "the kneading sequence of a tent map is not decided")
-            yield "L" if left else "R"
-            y = slope * y if left else slope * (-y + 1)
+        """Return the kneading sequence of the tent maps of the slope with this logarithm."""
+        return tent(phi(0, self.number(logarithm)))
 
     def basin(self) -> None:
         """Prove that all orbits from the box claimed come to be released in I."""
@@ -332,26 +313,6 @@ class Attractor(Theorem):
 def sign(x: Interval) -> int:
     """Return the sign of all numbers in an interval, or 0."""
     return int(x.is_positive()) - int((-x).is_positive())
-
-
-def order(symbols: str, other: Iterator[str]) -> int:
-    """Return 1 if a sequence that begins with the symbols is larger than the other one, else -1."""
-    even = True
-    for mine, its in zip(symbols, other, strict=False):
-        if mine != its:
-            return 1 if (mine == "R") == even else -1
-        even = even if mine == "L" else not even
-    raise Rejected("the kneading sequence is too short to be compared")
-
-
-def doubling() -> Iterator[str]:
-    """Yield the limit of the kneading sequences of period doubling."""
-    known, n = "R", 0
-    while True:
-        if n == len(known):
-            known += ("L" if known.count("R") % 2 else "R") + known
-        yield known[n]
-        n += 1
 
 
 _MAP = (
