@@ -15,7 +15,7 @@ import peer_mpmath
 import pytest
 from mpmath import iv
 
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.flow.event import BALLS, TAYLOR_MODELS
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.strobe import oscillator, strobe

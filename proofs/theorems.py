@@ -12,7 +12,7 @@ from typing import Any
 
 from cap.certificate import writer as certificate
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
@@ -79,6 +79,11 @@ THEOREMS = {
             "branch",
             "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
             candidates.closed_form,
+        ),
+        Theorem(
+            "impulse",
+            "for f > 2F/pi every motion comes to rest, within an explicit time; 2F/pi is sharp",
+            candidates.every_motion,
         ),
     )
 }

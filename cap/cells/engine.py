@@ -6,14 +6,12 @@ from fractions import Fraction
 import numpy as np
 
 from cap.cells import units
-from cap.cells.existence import FixedPoints
-from cap.cells.flow import NOWHERE, Floats, Goals, Images
 from cap.cells.follow import FOLLOW, Result, memory
 from cap.cells.krawczyk import SEARCH, Found
-from cap.cells.launch import Launches
 from cap.cells.launches import FLY_OVER, Flights
 from cap.cells.motion import Motion
 from cap.cells.period import World
+from cap.cells.results import NOWHERE, FixedPoints, Floats, Goals, Images, Launches
 from cap.cells.targets import BOX, ELLIPSE, Targets
 from cap.parameters import Parameters
 from cap.sets.compiled import PROBE, require_ieee

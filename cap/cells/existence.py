@@ -1,36 +1,14 @@
 """Fixed points of Φ in a sweep: existence, uniqueness, itinerary, trace and rotation number."""
 
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from cap.cells.flow import boxes_of
+from cap.cells.results import FixedPoints
 from cap.errors import BadInput
 from cap.parameters import Parameters
 
-Floats = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True)
-class FixedPoints:
-    """What is proved of N boxes.
-
-    ``proved`` (N,): Φ maps the box smoothly, has exactly one fixed point in it, and this lies in
-    the interior of the box, in ``boxes`` (N, 2, 2), lower and upper ends of x and v.  For a range
-    of frictions: at each of them.
-    ``itinerary`` (N,): the events of all orbits from the box, as a number (`flow.words_of`).
-    ``trace`` (N, 2): lower and upper ends of the trace of Φ' on the whole box.  ``rotation``
-    (N, 2): the same for Θ/2π in (0, 1/2) with 2 cos Θ = trace, NaN unless |trace| < 2 is certain;
-    where det Φ' = 1, the multipliers are exp(±iΘ).
-    NaN, and -1, where the box is not mapped smoothly, which is not proved to be so then.
-    """
-
-    proved: NDArray[np.bool_]
-    itinerary: NDArray[np.int64]
-    boxes: Floats
-    trace: Floats
-    rotation: Floats
+__all__ = ["FixedPoints", "fixed_points"]
 
 
 def fixed_points(

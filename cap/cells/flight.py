@@ -133,7 +133,7 @@ class Base(Record):
 
 @kernel
 def seen(sign: float, at: Moment) -> Moment:
-    """Return the moment as a flight of this sign sees it; twice is once not."""
+    """Return the moment as a flight of this sign sees it; applied twice, this is the identity."""
     if sign < 0:
         return Moment(at.t, -at.sin, -at.cos)
     return at

@@ -6,32 +6,16 @@ mirror image (t1 + T/2 modulo T, u1) is a launch from the left wall again: the m
 `cap.proofs` about those orbits.
 """
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from cap.cells.results import EITHER, HITS, STOPS, Launches
 from cap.errors import BadInput
 from cap.parameters import Parameters
 
-Floats = NDArray[np.float64]
-HITS, STOPS, EITHER = 0, 1, 2
-
-
-@dataclass(frozen=True, slots=True)
-class Launches:
-    """What is proved of N boxes of launches, in units of 1/ω for t and F/ω for u.
-
-    ``verdict`` (N,): `HITS`: all reach the other wall, and (t1, u1) depends smoothly on (t, u);
-    `STOPS`: the velocity of all vanishes before; `EITHER`: that is not decided.
-    ``images`` (N, 2, 2): lower and upper ends of t1 and u1; t1 is not reduced.  ``derivative``
-    (N, 2, 2, 2): lower and upper ends of its entries.  Both NaN unless all reach the wall.
-    """
-
-    verdict: NDArray[np.int8]
-    images: Floats
-    derivative: Floats
+__all__ = ["EITHER", "HITS", "STOPS", "Launches", "launches"]
 
 
 def launches(p: Parameters, cells: ArrayLike, *, backward: bool = False) -> Launches:

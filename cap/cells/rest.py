@@ -123,7 +123,7 @@ def stay_near(n: Motion, side: float, since: Interval, far: float, fast: float) 
 
 @kernel
 def lean(n: Motion, side: float, since: Interval) -> None:
-    """Rest at a wall, captured in this time."""
+    """Let the motions rest at a wall; their capture ends within this time."""
     zero = exact(0.0)
     n.kind, n.rising, n.bounced = WALL, 0, 0
     at = Moment(since, zero, zero)  # the sine and cosine are not asked for in a rest

@@ -62,6 +62,10 @@ class Rounding:
             raise TooFewDigits("rounding", f"fewer than {self.digits} digits are certain", sets)
         return [lower, upper]
 
+    def loosely(self, x: Ball, unit: Fraction = Fraction(1)) -> Pair:
+        """Return ``pair`` of ``x`` with what rounding may add: a looser arithmetic agrees."""
+        return self.pair(x + interval.symmetric(x) * interval.rounding(), unit)
+
     def matrix(self, m: Matrix[Ball], units: Units) -> list[list[Pair]]:
         """Return the pairs of the entries of a Jacobian, column order (x, v)."""
         (a, b), (c, d) = m

@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Command:
-    """A computation ``module:function`` in `cap.floats` and its picture in `cap.pictures`."""
+    """A computation ``module:function``, in `cap.floats` if no package is named, and its picture.
+
+    The picture is in `cap.pictures`.
+    """
 
     summary: str
     run: str
@@ -38,26 +41,27 @@ class Command:
         return _found("cap.floats", self.run)
 
     def picture(
-        self, study: Any, size: tuple[float, float] | None = None, dpi: float = 200
+        self, findings: Any, size: tuple[float, float] | None = None, dpi: float = 200
     ) -> "Figure":
-        """Return the picture of a study, of a size in inches."""
+        """Return the picture of findings, of a size in inches."""
         from cap.pictures import style  # noqa: PLC0415 (matplotlib, only where it draws)
 
         figure = style.blank(size or self.size, dpi)
         with style.style():
-            _found("cap.pictures", self.draw)(study, figure)
+            _found("cap.pictures", self.draw)(findings, figure)
             figure.draw_without_rendering()
         return figure
 
     @staticmethod
-    def status(study: Any) -> int:
+    def status(findings: Any) -> int:
         """Return the exit status: 1 if something was not proved."""
-        return int(getattr(study, "failed", 0) > 0)
+        return int(getattr(findings, "failed", 0) > 0)
 
 
 def _found(package: str, name: str) -> Callable[..., Any]:
     module, function = name.split(":")
-    found: Callable[..., Any] = getattr(import_module(f"{package}.{module}"), function)
+    path = module if "." in module else f"{package}.{module}"
+    found: Callable[..., Any] = getattr(import_module(path), function)
     return found
 
 
@@ -129,7 +133,7 @@ COMMANDS = {
     "sali": _alignment("sali", "The smaller alignment index, min |w1 + w2|, |w1 - w2|."),
     "gali": _alignment("gali", "The generalised alignment index of two vectors, |w1 ^ w2|."),
     "basin": Command(
-        "who turns, sticks or is captured, and when first",
+        "which states turn, stick or are captured, and when they first do",
         "fate:fate",
         "states:fate",
         "--box -1 1 -2 2 --points 1000 --periods 100 --out basin.png",
@@ -228,7 +232,7 @@ COMMANDS = {
     ),
     "inventory": Command(
         "the periodic orbits found from thousands of seeds, by type, over a parameter",
-        "inventory:inventory",
+        "cap.explore.inventory:inventory",
         "diagrams:inventory",
         "--parameter F --values 0.85 1 1.5 2 3 --prove --out inventory.pdf",
         "There may be more: nothing is proved by a search.  With --prove each orbit goes to the\n"

@@ -1,6 +1,6 @@
 """The command ``python -m cap.explore``: floats, from which nothing is proved.
 
-What can be explored: see `cap.explore.commands`.  After an interrupt what had been done is written.
+What can be explored: see `cap.explore.commands`.  After an interrupt what was done is written.
 """
 
 import argparse
@@ -144,22 +144,22 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
     runner = Runner(integer(options.jobs, "jobs", (1, 256)), progress.tell)
     with entry.loading():
         function = command.function()
-    study = function(p, runner=runner, **given)
+    findings = function(p, runner=runner, **given)
     progress.clear()
-    print("\n".join(study.lines()))
+    print("\n".join(findings.lines()))
     failed = 0
     for path in out:
         try:
-            export.write(study, path, lambda: command.picture(study, size, dpi))
+            export.write(findings, path, lambda: command.picture(findings, size, dpi))
         except BadInput as error:  # the other files are written all the same
             failed = 2
             say(f"error: {printable(str(error))}", sys.stderr)
         else:
             print(f"{quoted(path)}: written")
-    if not study.complete:
+    if not findings.complete:
         say("interrupted; what was done is kept", sys.stderr)
         return INTERRUPTED
-    return failed or command.status(study)
+    return failed or command.status(findings)
 
 
 def _value(option: Option, text: Any) -> Any:

@@ -12,8 +12,9 @@ import numpy as np
 
 from cap.command.console import quoted
 from cap.errors import BadInput
+from cap.explore.arrays import arrays
 from cap.files import replacing, tried
-from cap.floats.study import Study
+from cap.floats.findings import Findings
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -24,7 +25,7 @@ ROWS = 100_000  # of a table in text, at a time
 
 
 def kind(path: Path) -> str:
-    """Return what is to be written to ``path``, by its suffix; `BadInput` if nobody can."""
+    """Return what is to be written to ``path``, by its suffix; `BadInput` if it cannot be."""
     suffix = path.suffix[1:].lower()
     if suffix not in IMAGES + DATA:
         known = ", ".join("." + name for name in IMAGES + DATA)
@@ -38,29 +39,28 @@ def kind(path: Path) -> str:
     return suffix
 
 
-def write(study: Study, path: Path, draw: Callable[[], "Figure"]) -> None:
-    """Write a study to ``path``; ``draw`` is called if that is an image."""
+def write(findings: Findings, path: Path, draw: Callable[[], "Figure"]) -> None:
+    """Write findings to ``path``; ``draw`` is called if that is an image."""
     suffix = kind(path)
     try:
         with replacing(path) as file:
             if suffix == "npz":
-                arrays = study.arrays()
-                np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
+                np.savez_compressed(file, **arrays(findings))  # type: ignore[arg-type]
             elif suffix == "csv":
-                _table(study, file)
+                _table(findings, file)
             else:
                 _image(draw(), suffix, file)
     except OSError as error:
         raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
 
 
-def _table(study: Study, file: IO[bytes]) -> None:
+def _table(findings: Findings, file: IO[bytes]) -> None:
     """Write the columns, after the parameters as a comment; numbers are read back exactly."""
-    columns = study.columns()
+    columns = findings.columns()
     arrays = np.broadcast_arrays(*(np.asarray(column) for column in columns.values()))
     text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
-    parameters = ", ".join(f"{k} = {q}" for k, q in study.parameters.strings().items())
-    text.write(f"# {parameters}{'' if study.complete else '; interrupted'}\n")
+    parameters = ", ".join(f"{k} = {q}" for k, q in findings.parameters.strings().items())
+    text.write(f"# {parameters}{'' if findings.complete else '; interrupted'}\n")
     writer = csv.writer(text)
     writer.writerow(columns)
     for k in range(0, arrays[0].size, ROWS):

@@ -1,1 +1,1 @@
-"""Float mode: search.  Nothing rigorous trusts it; no rigorous module imports it."""
+"""Float mode: search and diagnostics.  No rigorous module imports it; proofs take hints from it."""

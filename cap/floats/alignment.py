@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats import swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import region
 from cap.floats.grid import Box, grid, require_followed
 from cap.floats.pieces import in_pieces
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -25,7 +26,7 @@ LOST, TURNED, REGULAR, CHAOTIC = -1, 0, 1, 2
 
 
 @dataclass(frozen=True, kw_only=True)
-class Alignment(Study):
+class Alignment(Findings):
     """An alignment index over the states (x_j, v_i).
 
     ``index`` (M, N) after the last period: nan where the orbit turned, stuck or was captured, and

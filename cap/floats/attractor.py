@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import swarm
+from cap.floats.findings import Findings, Floats
 from cap.floats.fixed_point import polished
 from cap.floats.grid import Box, grid, require_followed, whole
 from cap.floats.pieces import cut
-from cap.floats.study import Floats, Study, described, with_error
+from cap.floats.words import described, with_error
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -61,7 +62,7 @@ class Attractor:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Attractors(Study):
+class Attractors(Findings):
     """The attractors (L) that seeds (x_j, v_i) end on, the largest share first.
 
     ``label`` (M, N) is the place of each seed's attractor in ``found``, -1: none.
@@ -107,7 +108,7 @@ def attractors(
     periods: int = 200,
     runner: Runner | None = None,
 ) -> Attractors:
-    """Follow the seeds of a box, or of the whole plane, and sort out where they are at the end."""
+    """Follow the seeds of a box, or of the whole plane, and tell their attractors apart."""
     runner = runner or Runner()
     cells = grid(p, box or whole(p), points)
     seen = max(periods, 2 * LONGEST)
@@ -185,7 +186,7 @@ _NAMES = ("states", "counts", "exponent", "period", "turned")
 
 @dataclass(frozen=True)
 class _Mark:
-    """By what an end is recognised: a state of a cycle, or the cells that it visits."""
+    """What tells one attractor from another: a state of a cycle, or the cells that are visited."""
 
     name: str
     period: int = 0

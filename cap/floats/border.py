@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from cap.floats import swarm
-from cap.floats.study import State
+from cap.floats.findings import State
 from cap.floats.swarm import Event
 from cap.flow.itinerary import oscillator
 from cap.flow.model import Oscillator
@@ -20,7 +20,7 @@ GRAZING, STICKING = "grazing", "sticking border"
 
 @dataclass(frozen=True)
 class Margins:
-    """The itinerary, up to its beginning, and the margins; inf where there is nothing to lose."""
+    """The itinerary, up to its beginning, and the margins; inf where nothing can change."""
 
     words: tuple[str, ...]
     hit_speed: float

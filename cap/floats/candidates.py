@@ -1,4 +1,4 @@
-"""What a person asks the prover to prove, turned into float orbits from which proofs start.
+"""Float orbits from which proofs start: the only module of the float mode that proofs import.
 
 Nothing here is proved.  Each function returns what it found, in words, and the candidates.
 """
@@ -39,7 +39,7 @@ class Request:
 
 
 class Candidate(NamedTuple):
-    """A guess, how it is shown, and the order to which Φ is expanded at it if nobody says."""
+    """A guess, how it is shown, and the default order to which Φ is expanded at it."""
 
     start: Start
     shown: str
@@ -95,7 +95,7 @@ def _never_stopping(request: Request) -> list[Guess]:
 
 
 def _telling(request: Request) -> Callable[[float], None]:
-    """Return what tells how far a search is."""
+    """Return the function that tells the progress of a search."""
     return lambda part: request.progress(f"searching: {part:.0%} done")
 
 
@@ -194,14 +194,24 @@ def capturing(request: Request) -> Found:
 
 
 def closed_form(request: Request) -> Found:
-    """Find nothing: these theorems start from formulas."""
+    """Return a candidate without an orbit: these theorems start from formulas."""
     request.parameters.elastic_strings()
-    if request.orbit or request.every:
-        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    found = _nothing(request, "closed form")
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
-    start = Start(0.0, 0.0, ())
-    return Found(["In closed form: no search is needed."], [Candidate(start, "closed form")])
+    return found
+
+
+def every_motion(request: Request) -> Found:
+    """Find nothing: the theorem is about all motions."""
+    return _nothing(request, "every motion")
+
+
+def _nothing(request: Request, about: str) -> Found:
+    if request.orbit or request.every:
+        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    line = f"{about.capitalize()}: no search is needed."
+    return Found([line], [Candidate(Start(0.0, 0.0, ()), about)])
 
 
 def _newton(request: Request) -> str:

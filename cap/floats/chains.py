@@ -10,8 +10,8 @@ from fractions import Fraction
 import numpy as np
 
 from cap.floats import newton, swarm
+from cap.floats.findings import Floats, State
 from cap.floats.rotation import linear
-from cap.floats.study import Floats, State
 from cap.parameters import Parameters
 
 LONGEST = 0.01  # step of Newton's method, in units of R and Rω: an island is small

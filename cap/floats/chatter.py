@@ -1,4 +1,4 @@
-"""Capture: bounces at a wall that accumulate, in number infinite, in time finite."""
+"""Capture: infinitely many hits of a wall in a finite time."""
 
 import math
 from dataclasses import dataclass
@@ -7,9 +7,10 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats import swarm
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.swarm import Event
 from cap.floats.trajectory import Trajectory, trajectory
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -18,7 +19,7 @@ NEAR = 0.01  # distance from the wall of the default start, in units of R
 
 
 @dataclass(frozen=True, kw_only=True)
-class Chatter(Study):
+class Chatter(Findings):
     """The hits (K,) of one wall before the first capture: times, and the speeds after them.
 
     ``end`` is the time at which they accumulate.  ``ratio`` is what the speeds' ratio tends to:

@@ -1,4 +1,4 @@
-"""Compiled functions: kept for the next time where that is possible, and a word if one waits."""
+"""Compiled functions, and a line on standard error while the first call is compiled."""
 
 import multiprocessing
 import sys
@@ -6,29 +6,20 @@ from collections.abc import Callable
 from threading import Lock, Timer
 from typing import Any
 
-from numba import njit
-
 from cap.command.console import say
-from cap.files import at_home
+from cap.sets.kept import kept
 
 PATIENCE = 3.0  # seconds: what is kept is loaded in less
-WORDS = "compiling what follows orbits, for the first time: about ten seconds"
+WORDS = "compiling the engine of the float mode, the first time only: about ten seconds"
 
 
-def kept(function: Callable[..., None]) -> Callable[..., None]:
-    """Compile a function when it is first called, in nopython mode without the GIL.
-
-    It is kept in a file beside its source or in the user's cache directory, if one can be written.
-    """
-    try:
-        compiled = njit(function, cache=at_home(), error_model="numpy", nogil=True)
-    except RuntimeError:  # there is no such directory
-        compiled = njit(function, error_model="numpy", nogil=True)
-    return _Announced(compiled)
+def announced(function: Callable[..., None]) -> Callable[..., None]:
+    """Compile a function when it is first called, in nopython mode without the GIL, and keep it."""
+    return _Announced(kept(function, error_model="numpy"))
 
 
 class _Announced:
-    """A compiled function, of one signature, whose first call says a word if it takes long."""
+    """A compiled function, of one signature, whose first call prints a line if it takes long."""
 
     def __init__(self, compiled: Callable[..., None]) -> None:
         self._compiled, self._ready, self._lock = compiled, False, Lock()
@@ -46,8 +37,6 @@ class _Announced:
         timer.daemon = True
         timer.start()
         try:
-            self._compiled(*arguments)
-        except OSError:  # it cannot be kept, but is compiled by now
             self._compiled(*arguments)
         finally:
             timer.cancel()

@@ -14,11 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
+from cap.floats.arclength import FIRST, MOST, Change, CurveFollower, DoubledFollower
 from cap.floats.curve import Family, Station
 from cap.floats.cycles import near
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import elliptic_point, fixed_point, polished
-from cap.floats.study import VARIABLE, Floats, State, Study, described, value_of
-from cap.floats.walk import FIRST, MOST, Change, DoubledWalker, Walker
+from cap.floats.variation import VARIABLE, value_of
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -62,7 +64,7 @@ class Branch:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Continuation(Study):
+class Continuation(Findings):
     """Branches of periodic orbits over a parameter, and their special points.
 
     The first is of period n T, n = ``periods``; from flips on, others are of twice the period, ...
@@ -124,21 +126,21 @@ def continuation(  # noqa: PLR0913 (the options of the command)
         raise BadInput(
             f"{parameter} = {value_of(p, parameter):.6g} is not in [{low:.6g}, {high:.6g}]"
         )
-    walker = Walker(family, (low / family.unit[2], high / family.unit[2]), points, runner)
+    follower = CurveFollower(family, (low / family.unit[2], high / family.unit[2]), points, runner)
     start = family.station(family.point(state), np.array([0.0, 0.0, 1.0]))
-    seeds = [_Seed(walker, start)]
+    seeds = [_Seed(follower, start)]
     curves: list[tuple[Family, list[Station]]] = []
     special: list[Special] = []
     while seeds and len(curves) < branches and not runner.interrupted:
         seed = seeds.pop(0)
         if any(_is_on(seed.station.y, curve) for _, curve in curves):
             continue
-        curve, changes = seed.walker.both_ways(seed.station)
+        curve, changes = seed.follower.both_ways(seed.station)
         changes = [change for change in changes if not seed.is_born_at(change)]
-        special += [_special(seed.walker.family, change, len(curves)) for change in changes]
-        curves.append((seed.walker.family, curve))
-        seeds += [new for change in changes for new in _crossing(seed.walker, change)]
-        seeds += [new for change in changes for new in _doubled(seed.walker, change)]
+        special += [_special(seed.follower.family, change, len(curves)) for change in changes]
+        curves.append((seed.follower.family, curve))
+        seeds += [new for change in changes for new in _crossing(seed.follower, change)]
+        seeds += [new for change in changes for new in _doubled(seed.follower, change)]
     return Continuation(
         parameters=p,
         complete=not runner.interrupted,
@@ -153,7 +155,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
 class _Seed:
     """Where a branch is to be followed from; of a doubled one, the point of its birth, too."""
 
-    walker: Walker
+    follower: CurveFollower
     station: Station
     born: Floats | None = None
 
@@ -164,20 +166,20 @@ class _Seed:
         return bool(np.linalg.norm(change.station.y - self.born) < FIRST)
 
 
-def _crossing(walker: Walker, change: Change) -> list[_Seed]:
+def _crossing(follower: CurveFollower, change: Change) -> list[_Seed]:
     """Return where the branch may be followed that crosses at a branch point."""
     if change.label not in ("pitchfork", "branch point"):
         return []
-    return [_Seed(walker, station) for station in walker.switched(change.station)]
+    return [_Seed(follower, station) for station in follower.switched(change.station)]
 
 
-def _doubled(walker: Walker, change: Change) -> list[_Seed]:
+def _doubled(follower: CurveFollower, change: Change) -> list[_Seed]:
     """Return where the branch of twice the period may be followed that begins at a flip."""
-    family = walker.family
+    family = follower.family
     if change.label != "flip" or 2 * family.periods > LONGEST:
         return []
     twice = replace(family, periods=2 * family.periods)
-    doubled = DoubledWalker(twice, walker.limits, walker.points, walker.runner)
+    doubled = DoubledFollower(twice, follower.limits, follower.points, follower.runner)
     return [
         _Seed(doubled, station, change.station.y) for station in doubled.switched(change.station)
     ]
@@ -196,7 +198,7 @@ def _start(p: Parameters, orbit: State | None, period: int) -> State:
 
 
 def _range(p: Parameters, name: str) -> tuple[float, float]:
-    """Return how far a parameter is followed if nobody says."""
+    """Return the range in which a parameter is followed by default."""
     if name not in VARIABLE:
         raise BadInput(f"no such parameter: {name!r} (one of {', '.join(VARIABLE)})")
     value = value_of(p, name)

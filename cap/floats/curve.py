@@ -12,7 +12,8 @@ import numpy as np
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.floats.border import Margins, margins
-from cap.floats.study import Floats, State, value_of, varied
+from cap.floats.findings import Floats, State
+from cap.floats.variation import value_of, varied
 from cap.parameters import Parameters
 
 EXACT = 1e-11  # residual of a point of the curve

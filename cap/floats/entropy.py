@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import fate
 from cap.floats.fate import LOST, Fate
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.grid import Box
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -35,7 +36,7 @@ class Entropy(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class BasinEntropy(Study):
+class BasinEntropy(Findings):
     """Entropies of the partition in ``basin`` over box sizes (K,), in cells.
 
     ``exponent`` is the slope of log S_b over log ε, with its standard error.

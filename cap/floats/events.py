@@ -17,7 +17,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from cap.floats import flight
-from cap.floats.compiled import kept
+from cap.floats.compiled import announced
 from cap.floats.flight import (
     FULL_TURN,
     NONE,
@@ -274,7 +274,7 @@ def _compiled(sources: str) -> Callable[[System, Floats, Floats, Floats, Log], N
         for i in range(len(rows)):
             _orbit(y, i, ends, rows, tangents, log)
 
-    return kept(follow)
+    return announced(follow)
 
 
 def _digest() -> str:

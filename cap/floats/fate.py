@@ -1,4 +1,4 @@
-"""What becomes of each state of a rectangle: who turns, sticks, is captured, and when first."""
+"""Which states of a rectangle turn, stick or are captured, and when they first do."""
 
 from dataclasses import dataclass
 
@@ -6,10 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats import swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import region
 from cap.floats.grid import Box, grid, require_followed
 from cap.floats.pieces import in_pieces
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -19,7 +20,7 @@ LOST = -1
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fate(Study):
+class Fate(Findings):
     """The fates of the states (x_j, v_i) at t = 0 within some periods.
 
     ``fate`` (M, N) is a place in `FATES`, the last that applies; -1: lost, or not computed.

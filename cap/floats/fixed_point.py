@@ -4,8 +4,8 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats import cycles, periodic, search, swarm
+from cap.floats.findings import State
 from cap.floats.grid import Box, around, whole
-from cap.floats.study import State
 from cap.parameters import Parameters
 
 
@@ -28,7 +28,8 @@ def elliptic_point(p: Parameters, orbit: State | None = None) -> State | None:
 def fixed_point(p: Parameters, orbit: State) -> State:
     """Return the fixed point of Φ to which Newton's method leads from a state.
 
-    If it leads to none for the state, that for the hit times, which is not as easily thrown off.
+    If Newton's method for the state does not converge, that for the hit times is tried, which
+    converges from farther away.
     """
     try:
         found: cycles.Cycle | periodic.Guess = cycles.near(p, *orbit)

@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.floats.attractor import Attractor, strongest
-from cap.floats.study import Floats, Study, described, varied
+from cap.floats.findings import Findings, Floats
 from cap.floats.trajectory import Trajectory, trajectory
+from cap.floats.variation import varied
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -18,7 +20,7 @@ FORCINGS = (1.5, 3.0, 4.5, 6.0, 12.0, 50.0)
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gallery(Study):
+class Gallery(Findings):
     """Orbits on attractors at the values (L,) of a parameter.
 
     ``trace`` and ``determinant`` (L,) are those of the monodromy over one period of the orbit, nan

@@ -7,7 +7,7 @@ import numpy as np
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.floats.events import TOO_MANY
-from cap.floats.study import Floats, State
+from cap.floats.findings import Floats, State
 from cap.parameters import Parameters
 
 Box = tuple[float, float, float, float]

@@ -7,10 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats import swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.grid import PROBES, require_followed
 from cap.floats.pieces import PIECE
-from cap.floats.study import Floats, State, Study, described, with_error
+from cap.floats.words import described, with_error
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -18,7 +19,7 @@ STRETCH = 200  # periods at a time
 
 
 @dataclass(frozen=True, kw_only=True)
-class Lyapunov(Study):
+class Lyapunov(Findings):
     """Exponents (N, K, 2) per time of N orbits, after ``after`` (K,) periods.
 
     The larger first.  The second is -inf after a stick or a capture, which take areas to 0.

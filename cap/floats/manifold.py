@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import periodic, search, swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import fixed_point, polished
 from cap.floats.reversal import retrace
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -35,7 +36,7 @@ class Crossings(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Manifolds(Study):
+class Manifolds(Findings):
     """The manifolds (K, 2) of a saddle as curves; rows of nan part their pieces.
 
     ``homoclinic`` (H, 2) are crossings, as exact as the curves' spacing; ``angles`` (H,) in

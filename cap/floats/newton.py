@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.floats.cycles import CLOSE, LONGEST, SAME
+from cap.floats.findings import Floats
 from cap.floats.grid import whole
-from cap.floats.study import Floats
 from cap.flow.itinerary import MOST_EVENTS
 from cap.parameters import Parameters
 
@@ -34,7 +34,7 @@ def fixed_points(p: Parameters, periods: int, tell: Tell = lambda _part: None) -
 
     The seeds fill the rectangle of `cap.floats.grid.whole`; there are fewer if they have many
     events.  ``tell`` hears which part is done.  Raises `BadInput` if the orbits have so many events
-    that none can be followed by what steers the prover.
+    that `cap.flow.itinerary` cannot follow them.
     """
     unit = np.array([float(p.R), float(p.R * p.omega)])
     left, right, low, high = whole(p)

@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import periodic
 from cap.floats.attractor import LONGEST, Attractor, settle, sort
+from cap.floats.findings import Findings, Floats
 from cap.floats.grid import grid, whole
-from cap.floats.study import Floats, Study, described, value_of, varied
+from cap.floats.variation import value_of, varied
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -31,7 +33,7 @@ class Cell(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Plane(Study):
+class Plane(Findings):
     """A map over the values ``first`` (N,) and ``second`` (M,) of two parameters.
 
     ``code`` (M, N): places in ``names``, -1 outside, -2 not computed.  ``number`` (M, N): of orbits

@@ -8,10 +8,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from cap.errors import BadInput
 from cap.floats import swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.grid import PROBES, Box, grid, require_followed, whole
 from cap.floats.pieces import in_pieces
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -20,7 +21,7 @@ GOLDEN = math.pi * (3 - math.sqrt(5))
 
 
 @dataclass(frozen=True, kw_only=True)
-class Portrait(Study):
+class Portrait(Findings):
     """The states (N, K, 2) of N orbits at t = 0, T, …; ``turned`` (N,): it turns or sticks.
 
     ``centre`` is the fixed point around which the orbits start, or None.

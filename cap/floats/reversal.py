@@ -1,7 +1,8 @@
 """The stroboscopic map backwards, for elastic walls and dry friction.
 
 With y(τ) = x(-τ), y'' = F cos ωτ + f sgn y': friction becomes a push, and a flight can end but at a
-wall or in a turn.  What has stuck has many pasts; of those this is one that did not stick.
+wall or in a turn.  Many orbits end in one stick: that of the push is the one which did
+not stick.
 """
 
 import math
@@ -12,8 +13,8 @@ from numpy.typing import ArrayLike
 from cap.errors import BadInput
 from cap.floats import events
 from cap.floats.events import WORDS, Log
+from cap.floats.findings import Floats
 from cap.floats.flight import FULL_TURN, System
-from cap.floats.study import Floats
 from cap.parameters import Parameters
 
 

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import cycles, swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import elliptic_point
-from cap.floats.study import Floats, State, Study, described
+from cap.floats.words import described
 from cap.parameters import Parameters
 from cap.runner import Runner
 
@@ -29,7 +30,7 @@ Pair = tuple[float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rotation(Study):
+class Rotation(Findings):
     """Rotation numbers (N,) of orbits at a ``distance`` (N,) along x from the fixed point.
 
     ``size`` (N,) is |z|², the area within the curve over π.  ``quality`` (N,): by how much the

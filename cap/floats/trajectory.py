@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import cycles, swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.fixed_point import elliptic_point
-from cap.floats.study import Floats, State, Study, described
 from cap.floats.swarm import Event
+from cap.floats.words import described
 from cap.flow.itinerary import oscillator
 from cap.flow.model import Oscillator
 from cap.parameters import Parameters
@@ -23,7 +24,7 @@ MOST_EVENTS = 200_000
 
 
 @dataclass(frozen=True, kw_only=True)
-class Trajectory(Study):
+class Trajectory(Findings):
     """The orbit of a state from t = 0: t, x, v (N,), with both velocities at each hit.
 
     ``words``, ``times``, ``places``, ``before``, ``after`` (K,): the events, where they happen, and

@@ -61,6 +61,11 @@ class FixedPoint:
     orbit: Orbit[Ball]
     periods: int = 1
 
+    @property
+    def events(self) -> Itinerary:
+        """The events of P*, with the times proved for windows."""
+        return tuple(Expected(event.word, event.time) for event in self.orbit.events)
+
 
 class Existence(NamedTuple):
     """A rectangle S with exactly one fixed point: it lies in ``box``, in the interior of S.
@@ -249,8 +254,7 @@ def neighbourhood(osc: Oscillator[Any], point: FixedPoint, reach: Reach) -> Neig
     box = hint.box(reach)
     state = Domain((box[0] - m[0], box[1] - m[1]), 2).variables(m)  # contains the box
     x, v = state
-    known = tuple(Expected(event.word, event.time) for event in point.orbit.events)
-    expected = find_windows(osc, (x, v), known, TAYLOR_MODELS, n)
+    expected = find_windows(osc, (x, v), point.events, TAYLOR_MODELS, n)
     slope = strobe(osc, (x, v), expected, TAYLOR_MODELS, n).monodromy
     image = strobe(osc, m, expected, BALLS, n).end
     contract(hint, image, slope, box, TAYLOR_MODELS.bound)

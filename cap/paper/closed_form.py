@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cap.errors import NotProved
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.maps.twist import regular_twist
 from cap.one_one.closed_form import Orbit, asymmetric, symmetric
 from cap.one_one.transport import period_jet

@@ -16,7 +16,7 @@ from matplotlib.figure import FigureBase
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.paper.closed_form import pair_curve, symmetric_member
 from cap.paper.comparison import Comparison, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run

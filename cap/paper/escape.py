@@ -9,7 +9,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from cap.floats.study import Floats, State
+from cap.floats.findings import Floats, State
 from cap.flow.propagation import Happened, after_periods
 from cap.paper.certified import theorem
 from cap.parameters import PAPER

@@ -1,7 +1,7 @@
 """What a figure of the paper is here: its computation, its numbers, its picture."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure as Canvas
 from matplotlib.figure import FigureBase
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from cap.floats.study import Study
+from cap.floats.findings import Findings
 from cap.paper.comparison import Comparison, markdown
 from cap.parameters import PAPER, Parameters
 from cap.runner import Runner
@@ -33,7 +33,7 @@ class Run:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Compared(Study):
+class Compared(Findings):
     """The numbers of one figure, and the data of its picture."""
 
     label: str
@@ -46,36 +46,12 @@ class Compared(Study):
         names = ("what", "paper", "ours", "agrees", "reason")
         return {name: np.array([getattr(row, name) for row in self.rows]) for name in names}
 
-    def arrays(self) -> dict[str, NDArray[np.generic]]:
-        """Return the table, the parameters, and all numbers of the picture."""
-        table = {name: np.asarray(column) for name, column in self.columns().items()}
-        given = {name: np.array(text) for name, text in self.parameters.strings().items()}
-        return {**given, **table, **dict(_leaves("data", self.data))}
-
     def lines(self) -> list[str]:
         """Return the table."""
         agree = sum(row.agrees for row in self.rows)
         head = f"## {self.label}: {self.title}"
         number = f"{agree} of {len(self.rows)} agree"
         return [head, "", number, "", *markdown(self.rows)]
-
-
-def _leaves(name: str, value: Any) -> Iterator[tuple[str, NDArray[np.generic]]]:
-    """Give the arrays, numbers and texts inside of records, with names like paths."""
-    if isinstance(value, np.ndarray | np.generic | bool | int | float | str):
-        yield name, np.asarray(value)
-    elif isinstance(value, Fraction):
-        yield name, np.array(str(value))
-    elif is_dataclass(value):
-        for each in fields(value):
-            yield from _leaves(f"{name}.{each.name}", getattr(value, each.name))
-    elif isinstance(value, dict):
-        for key, each in value.items():
-            yield from _leaves(f"{name}.{key}", each)
-    elif isinstance(value, list | tuple):
-        keys = getattr(value, "_fields", range(len(value)))
-        for key, each in zip(keys, value, strict=True):
-            yield from _leaves(f"{name}.{key}", each)
 
 
 @dataclass(frozen=True)

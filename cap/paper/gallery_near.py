@@ -9,9 +9,9 @@ from matplotlib.figure import FigureBase
 
 from cap.errors import BadInput
 from cap.floats import swarm
+from cap.floats.findings import Floats, State
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.lyapunov import Lyapunov, exponents
-from cap.floats.study import Floats, State
 from cap.floats.swarm import Swarm
 from cap.floats.trajectory import trajectory
 from cap.paper.comparison import Comparison, claim, number
@@ -122,10 +122,10 @@ def _chaotic(found: Escape, run: Run) -> list[Comparison]:
     ]  # fmt: skip
 
 
-def _spectrum(study: Lyapunov, found: Escape) -> list[Comparison]:
+def _spectrum(findings: Lyapunov, found: Escape) -> list[Comparison]:
     """Compare the Lyapunov exponents."""
-    last = study.exponents[:, -1]
-    periods = int(study.after[-1])
+    last = findings.exponents[:, -1]
+    periods = int(findings.after[-1])
     return [
         claim("Lyapunov exponents on curves (a) to (c)", "both vanish",
               f"at most {np.abs(last).max():.1e} per time after {periods} periods",

@@ -8,9 +8,9 @@ from matplotlib.figure import FigureBase
 
 from cap.errors import BadInput
 from cap.floats import periodic, swarm
+from cap.floats.findings import Floats, State
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.grid import grid, whole
-from cap.floats.study import Floats, State
 from cap.floats.trajectory import trajectory
 from cap.paper.closed_form import asymmetry, pair_member, root, symmetric_member, turn
 from cap.paper.comparison import Comparison, claim, number

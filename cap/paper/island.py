@@ -118,10 +118,14 @@ def _layer(seen: Portrait) -> list[Comparison]:
 def draw(data: Island, figure: FigureBase) -> None:
     """Draw the portrait and the rotation numbers."""
     axes = figure.subplots(1, 2, width_ratios=[1.25, 1])
-    study = data.portrait
-    regular = np.flatnonzero(~study.turned)
-    for chosen, colour in ((study.turned, "#BBBBBB"), (regular[::2], BLUE), (regular[1::2], SKY)):
-        own = study.states[chosen].reshape(-1, 2)
+    findings = data.portrait
+    regular = np.flatnonzero(~findings.turned)
+    for chosen, colour in (
+        (findings.turned, "#BBBBBB"),
+        (regular[::2], BLUE),
+        (regular[1::2], SKY),
+    ):
+        own = findings.states[chosen].reshape(-1, 2)
         axes[0].scatter(*own.T, s=0.9, c=colour, lw=0, rasterized=True)
     star(axes[0], data.portrait.centre)
     for chain, (marker, colour) in zip(data.chains, MARKS, strict=False):

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats import alignment, periodic, swarm
 from cap.floats.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
+from cap.floats.findings import Floats, State
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.grid import around, grid
-from cap.floats.study import Floats, State
 from cap.paper.comparison import Comparison, among, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
@@ -61,7 +61,7 @@ def frames(angle: Floats) -> Floats:
 
 
 def _monodromies(states: Floats, periods: int) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-    """Return Φ' along orbits (N, K, 2, 2) by differences and exactly; who turns."""
+    """Return Φ' along orbits (N, K, 2, 2) by differences and exactly, and which orbits turn."""
     found = swarm.follow(PAPER, states, periods, every=True, derivative=True)
     if found.monodromy is None:  # it was asked for
         raise TypeError
@@ -140,11 +140,11 @@ def _exponent() -> float:
     return float(np.arccosh(periodic.near(PAPER, *SADDLE).trace / 2))
 
 
-def _ranges(study: Alignment) -> list[Comparison]:
+def _ranges(findings: Alignment) -> list[Comparison]:
     """Compare where the values are said to lie."""
-    kinds = study.kinds
+    kinds = findings.kinds
     with np.errstate(divide="ignore"):
-        log = np.log10(np.maximum(study.index, 1e-17))
+        log = np.log10(np.maximum(findings.index, 1e-17))
     regular, chaotic = log[kinds == REGULAR], log[kinds == CHAOTIC]
     top, low = int((regular >= -2).sum()), int((chaotic <= -4).sum())
     why = "the two ranges do not separate: values go on without a gap across the threshold -2.5"
@@ -168,9 +168,9 @@ def _doubled(once: Alignment, twice: Alignment) -> Comparison:
     )  # fmt: skip
 
 
-def _stretched(exact: Floats, study: Alignment) -> Comparison:
+def _stretched(exact: Floats, findings: Alignment) -> Comparison:
     """Compare the logarithm of the growth along chaotic orbits."""
-    chaotic = study.kinds.ravel() == CHAOTIC
+    chaotic = findings.kinds.ravel() == CHAOTIC
     _, growth = swarm.stretch(exact[chaotic], [[0.6, 0.8]])
     total = growth[..., 0].sum(axis=1)
     return number(
@@ -202,12 +202,12 @@ def _power(centre: State, periods: int) -> Comparison:
     )  # fmt: skip
 
 
-def _later(study: Alignment) -> Comparison:
+def _later(fine: Alignment) -> Comparison:
     """Say what is left later, on a finer grid."""
-    total, known = study.index.size, study.index[np.isfinite(study.index)]
+    total, known = fine.index.size, fine.index[np.isfinite(fine.index)]
     chaotic, regular = int((known <= ALIGNED).sum()), int((known > ALIGNED).sum())
     return claim(
-        f"{len(study.x)} x {len(study.v)} states, {study.periods} periods: chaotic, in Omega_NS",
+        f"{len(fine.x)} x {len(fine.v)} states, {fine.periods} periods: chaotic, in Omega_NS",
         f"{percent(62, 484)} (62 of 484, N = 15)", f"{percent(chaotic, total)} (SALI <= 1e-8)",
         abs(chaotic / total - 62 / 484) < 0.005,
         "most orbits that are chaotic after 15 periods turn and stick later: transients, in "
@@ -218,10 +218,10 @@ def _later(study: Alignment) -> Comparison:
 def draw(data: Maps, figure: FigureBase) -> None:
     """Draw both maps."""
     axes = figure.subplots(1, 2, sharey=True)
-    for each, study in zip(axes, (data.paper, data.better), strict=True):
-        image = index_map(each, study)
-        never = np.isfinite(study.index).mean()
-        states = f"{len(study.x)} x {len(study.v)} states, {study.periods} periods"
+    for each, findings in zip(axes, (data.paper, data.better), strict=True):
+        image = index_map(each, findings)
+        never = np.isfinite(findings.index).mean()
+        states = f"{len(findings.x)} x {len(findings.v)} states, {findings.periods} periods"
         each.set_title(f"{states}: {never:.1%} never turn")
     axes[1].set_ylabel("")
     label = r"$\log_{10}$ SALI (grey: turns or sticks)"

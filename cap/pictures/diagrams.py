@@ -9,8 +9,8 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
+from cap.explore.inventory import KINDS, PROVED, Inventory
 from cap.floats.continuation import Branch, Continuation
-from cap.floats.inventory import KINDS, PROVED, Inventory
 from cap.floats.plane import OUTSIDE, UNDONE, Plane
 from cap.pictures.style import (
     BLACK,
@@ -46,32 +46,32 @@ TYPE_MARKS = dict(zip(KINDS, ("o", "s", "P", "*", "^", "v", "x"), strict=True))
 TYPE_COLOURS = dict(zip(KINDS, (BLUE, SKY, PURPLE, GREEN, RED, ORANGE, GREY), strict=True))
 
 
-def continuation(study: Continuation, figure: FigureBase) -> None:
+def continuation(findings: Continuation, figure: FigureBase) -> None:
     """Draw the branches: positions above, traces below; unstable orbits dashed."""
     axes = figure.subplots(2, 1, sharex=True, height_ratios=[1.5, 1])
-    for k, branch in enumerate(study.branches):
+    for k, branch in enumerate(findings.branches):
         for name, each in (("x", axes[0]), ("trace", axes[1])):
             _line(each, branch, name, CYCLE[k % len(CYCLE)])
     for label, (marker, colour) in MARKS.items():
-        own = [s for s in study.special if _mark(s.label) == label]
+        own = [s for s in findings.special if _mark(s.label) == label]
         for values, each in (([s.x for s in own], axes[0]), ([s.trace for s in own], axes[1])):
             each.plot([s.value for s in own], values, marker=marker, ms=5.5, mfc="white",
                       mec=colour, mew=1.1, ls="none", label=label if own else None,
                       zorder=3)  # fmt: skip
     axes[0].set_ylabel("$x$ at $t = 0$  [length]")
     axes[1].set_ylabel("trace")
-    traces = np.concatenate([branch.trace for branch in study.branches])
+    traces = np.concatenate([branch.trace for branch in findings.branches])
     axes[1].set_ylim(max(-6, np.nanmin(traces) - 0.4), min(6, np.nanmax(traces) + 0.4))
     for level in (-2, 2):
         axes[1].axhline(level, color=GREY, ls=":", lw=0.8)
-    axes[1].set_xlabel(f"${SYMBOLS[study.parameter]}$")
+    axes[1].set_xlabel(f"${SYMBOLS[findings.parameter]}$")
     axes[0].plot([], [], color=BLACK, lw=1.1, label="stable")
     axes[0].plot([], [], color=BLACK, lw=0.8, ls="--", label="unstable")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=4)
-    known = sorted({branch.period for branch in study.branches})
+    known = sorted({branch.period for branch in findings.branches})
     periods = ", ".join("$T$" if n == 1 else f"${n}T$" for n in known)
-    _title(figure, study, f"Periodic orbits of period {periods}", (study.parameter,))
+    _title(figure, findings, f"Periodic orbits of period {periods}", (findings.parameter,))
 
 
 def _mark(label: str) -> str:
@@ -104,7 +104,7 @@ def _solid(branch: Branch) -> NDArray[np.bool_]:
         return np.asarray(margin[:-1] + margin[1:] > 0)
 
 
-def plane(study: Plane, figure: FigureBase) -> None:
+def plane(findings: Plane, figure: FigureBase) -> None:
     """Draw what is found over two parameters."""
     axes = figure.subplots()
     shades = {
@@ -114,36 +114,36 @@ def plane(study: Plane, figure: FigureBase) -> None:
         "longer period": ORANGE, "chaotic": RED, "never hits a wall": PALE,
         "never turns": YELLOW, "no attractor found": "white",
     }  # fmt: skip
-    colours = ListedColormap([DARK, *(shades[name] for name in study.names)])
-    count = len(study.names) + 1
+    colours = ListedColormap([DARK, *(shades[name] for name in findings.names)])
+    count = len(findings.names) + 1
     norm = BoundaryNorm(np.arange(-1.5, count - 1), count)
-    a, b = study.first, study.second
+    a, b = findings.first, findings.second
     da, db = (a[1] - a[0]) / 2, (b[1] - b[0]) / 2
     extent = (a[0] - da, a[-1] + da, b[0] - db, b[-1] + db)
-    shown = np.ma.masked_equal(study.code, UNDONE)
+    shown = np.ma.masked_equal(findings.code, UNDONE)
     axes.imshow(shown, origin="lower", extent=extent, aspect="auto", cmap=colours, norm=norm)
     handles: list[Artist] = [
         Patch(fc=shades[name], ec=BLACK, lw=0.4, label=name)
-        for k, name in enumerate(study.names)
-        if (study.code == k).any()
+        for k, name in enumerate(findings.names)
+        if (findings.code == k).any()
     ]
-    if (study.code == OUTSIDE).any():
+    if (findings.code == OUTSIDE).any():
         handles.append(Patch(fc=DARK, ec=BLACK, lw=0.4, label="no oscillator"))
-    handles += undone(axes) if (study.code == UNDONE).any() else []
-    _border(axes, study)
+    handles += undone(axes) if (findings.code == UNDONE).any() else []
+    _border(axes, findings)
     handles += [each for each in axes.get_legend_handles_labels()[0] if not isinstance(each, Patch)]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, handlelength=1.0)
-    axes.set_xlabel(f"${SYMBOLS[study.parameter_1]}$")
-    axes.set_ylabel(f"${SYMBOLS[study.parameter_2]}$")
+    axes.set_xlabel(f"${SYMBOLS[findings.parameter_1]}$")
+    axes.set_ylabel(f"${SYMBOLS[findings.parameter_2]}$")
     orbits = "Orbits that hit each wall once and never turn or stick"
-    what = orbits if study.what == "orbits" else "Attractors"
-    _title(figure, study, what, (study.parameter_1, study.parameter_2))
+    what = orbits if findings.what == "orbits" else "Attractors"
+    _title(figure, findings, what, (findings.parameter_1, findings.parameter_2))
 
 
-def _border(axes: Axes, study: Plane) -> None:
+def _border(axes: Axes, findings: Plane) -> None:
     """Draw f = 2F/π, above which no orbit hits each wall once and never turns or sticks."""
-    names, p = (study.parameter_1, study.parameter_2), study.parameters
-    if study.what != "orbits" or "f" not in names:
+    names, p = (findings.parameter_1, findings.parameter_2), findings.parameters
+    if findings.what != "orbits" or "f" not in names:
         return
     limits = axes.get_xlim(), axes.get_ylim()
     label = r"$f = 2F/\pi$"
@@ -159,32 +159,32 @@ def _border(axes: Axes, study: Plane) -> None:
     axes.set_ylim(limits[1])
 
 
-def inventory(study: Inventory, figure: FigureBase) -> None:
+def inventory(findings: Inventory, figure: FigureBase) -> None:
     """Draw the orbits: at one value in the plane of states, else counts and positions over it."""
-    if len(study.values) <= 1:
+    if len(findings.values) <= 1:
         last = figure.subplots()
-        _orbits(last, study, "x", "v")
+        _orbits(last, findings, "x", "v")
         but: tuple[str, ...] = ()
     else:
         axes = figure.subplots(2, 1, sharex=True)
-        _counts(axes[0], study)
-        _orbits(axes[1], study, "value", "x")
+        _counts(axes[0], findings)
+        _orbits(axes[1], findings, "value", "x")
         axes[0].tick_params(labelbottom=False)
-        axes[1].set_xlabel(f"${SYMBOLS[study.parameter]}$")
+        axes[1].set_xlabel(f"${SYMBOLS[findings.parameter]}$")
         axes[1].set_ylabel("$x$ at $t = 0$  [length]")
         last = axes[1]
-        but = (study.parameter,)
+        but = (findings.parameter,)
     handles, labels = last.get_legend_handles_labels()
     if handles:
         figure.legend(handles, labels, loc="outside lower center", ncols=4)
-    period = "T" if study.periods == 1 else f"{study.periods}T"
-    _title(figure, study, f"{len(study.orbits)} orbits of period ${period}$ found", but)
+    period = "T" if findings.periods == 1 else f"{findings.periods}T"
+    _title(figure, findings, f"{len(findings.orbits)} orbits of period ${period}$ found", but)
 
 
-def _orbits(axes: Axes, study: Inventory, first: str, second: str) -> None:
-    proved = [each for each in study.orbits if each.verdict == PROVED]
+def _orbits(axes: Axes, findings: Inventory, first: str, second: str) -> None:
+    proved = [each for each in findings.orbits if each.verdict == PROVED]
     for kind in KINDS:
-        own = [each for each in study.orbits if each.kind == kind]
+        own = [each for each in findings.orbits if each.kind == kind]
         if own:
             axes.plot([getattr(o, first) for o in own], [getattr(o, second) for o in own],
                       TYPE_MARKS[kind], ms=5.5, mfc=TYPE_COLOURS[kind], mec=BLACK, mew=0.5,
@@ -194,7 +194,7 @@ def _orbits(axes: Axes, study: Inventory, first: str, second: str) -> None:
                   ms=9.5, mfc="none", mec=BLACK, mew=0.9, ls="none", label="proved")  # fmt: skip
     if second == "v":
         stroboscopic(axes)
-        l, r = float(study.parameters.l), float(study.parameters.r)
+        l, r = float(findings.parameters.l), float(findings.parameters.r)
         axes.set_xlim(l - 0.04 * (r - l), r + 0.04 * (r - l))
         for wall in (l, r):
             axes.axvline(wall, color=GREY, ls="--", lw=0.7)
@@ -202,13 +202,13 @@ def _orbits(axes: Axes, study: Inventory, first: str, second: str) -> None:
         axes.set_ylabel(UNITS["x"])
 
 
-def _counts(axes: Axes, study: Inventory) -> None:
+def _counts(axes: Axes, findings: Inventory) -> None:
     """Draw bars of the counts by type."""
-    values = study.values
+    values = findings.values
     width = 0.8 * float(np.diff(np.sort(values)).min())
     below = np.zeros(len(values))
     for kind in KINDS:
-        count = study.count(kind)
+        count = findings.count(kind)
         if count.any():
             axes.bar(values, count, width, below, color=TYPE_COLOURS[kind], ec=BLACK, lw=0.4)
             below += count
@@ -221,8 +221,8 @@ def _counts(axes: Axes, study: Inventory) -> None:
 
 
 def _title(
-    figure: FigureBase, study: Continuation | Plane | Inventory, words: str, but: tuple[str, ...]
+    figure: FigureBase, findings: Continuation | Plane | Inventory, words: str, but: tuple[str, ...]
 ) -> None:
     """Write what is shown, and the parameters that do not vary."""
-    rest = "" if study.complete else "  (interrupted)"
-    figure.suptitle(f"{words}{rest}\n{parameters(study.parameters, but=but)}", fontsize=10)
+    rest = "" if findings.complete else "  (interrupted)"
+    figure.suptitle(f"{words}{rest}\n{parameters(findings.parameters, but=but)}", fontsize=10)

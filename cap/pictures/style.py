@@ -13,7 +13,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure, FigureBase
 from matplotlib.patches import Patch
 
-from cap.floats.study import Study, short
+from cap.floats.findings import Findings
+from cap.floats.words import short
 from cap.parameters import PAPER, Parameters
 
 # Okabe and Ito's palette
@@ -64,10 +65,10 @@ def blank(size: tuple[float, float], dpi: float = 200) -> Figure:
     return figure
 
 
-def title(figure: FigureBase, study: Study, words: str) -> None:
+def title(figure: FigureBase, findings: Findings, words: str) -> None:
     """Write what is shown, at which parameters."""
-    rest = "" if study.complete else "  (interrupted)"
-    figure.suptitle(f"{words}{rest}\n{parameters(study.parameters)}", fontsize=10)
+    rest = "" if findings.complete else "  (interrupted)"
+    figure.suptitle(f"{words}{rest}\n{parameters(findings.parameters)}", fontsize=10)
 
 
 def parameters(p: Parameters, *, but: tuple[str, ...] = ()) -> str:

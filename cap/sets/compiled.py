@@ -14,14 +14,13 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
 from numba.extending import overload, register_jitable
 from numpy.typing import NDArray
 
 from cap.errors import NotProved
-from cap.files import at_home
 from cap.sets import circular, decay, doubles
 from cap.sets.doubles import Interval
+from cap.sets.kept import kept
 from cap.sets.lowering import DOUBLE, INTERVAL, rows
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -63,16 +62,11 @@ overload(operator.truediv, jit_options=IEEE, strict=False)(_quotient)
 
 
 def compiled(function: F) -> F:
-    """Compile a function that Python calls; it releases the interpreter lock.
+    """Compile a function that Python calls, and keep it: see `cap.sets.kept`.
 
-    The code is kept for other processes, if there is somewhere to keep it: not if the package is
-    installed where one may not write and there is no home directory.  numba does not notice changes
-    of what is compiled into it: let `sources` be in its closure.
+    Let `sources` be in its closure.
     """
-    try:
-        return cast(F, njit(cache=at_home(), nogil=True, **IEEE)(function))
-    except RuntimeError:  # no locator of a cache
-        return cast(F, njit(nogil=True, **IEEE)(function))
+    return kept(function, **IEEE)
 
 
 def sources() -> str:

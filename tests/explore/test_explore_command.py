@@ -15,7 +15,7 @@ from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.explore import __main__ as explore
 from cap.floats import compiled
-from cap.floats.compiled import kept
+from cap.floats.compiled import announced
 from cap.paper import command
 from cap.paper.registry import figure
 from cap.runner import Runner
@@ -102,34 +102,6 @@ def add(numbers):
         numbers[k] += 1
 
 
-def test_nothing_can_be_kept(monkeypatch):
-    """Where no folder can be written, functions are compiled all the same, each time anew."""
-
-    def refusing(function, *, cache=False, **_):
-        if cache:
-            raise RuntimeError("no locator available")
-        return function
-
-    monkeypatch.setattr(compiled, "njit", refusing)
-    numbers = [1, 2]
-    kept(add)(numbers)
-    assert numbers == [2, 3]
-
-
-def test_a_disk_that_is_full(monkeypatch):
-    """What cannot be kept when it is compiled is used."""
-    calls = []
-
-    def failing(numbers):
-        calls.append(numbers)
-        if len(calls) == 1:
-            raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(compiled, "njit", lambda _function, **_: failing)
-    kept(add)([1])
-    assert calls == [[1], [1]]
-
-
 def test_a_word_while_one_waits(monkeypatch, capsys):
     """One line if the first call takes long, of however many threads; none later."""
 
@@ -137,9 +109,9 @@ def test_a_word_while_one_waits(monkeypatch, capsys):
         time.sleep(0.3)
         add(numbers)
 
-    monkeypatch.setattr(compiled, "njit", lambda _function, **_: slow)
+    monkeypatch.setattr(compiled, "kept", lambda _function, **_: slow)
     monkeypatch.setattr(compiled, "PATIENCE", 0.1)
-    function, numbers = kept(add), [[0], [0], [0]]
+    function, numbers = announced(add), [[0], [0], [0]]
     threads = [Thread(target=function, args=(each,)) for each in numbers]
     for thread in threads:
         thread.start()

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from cap.errors import BadInput
+from cap.explore.inventory import inventory
 from cap.floats import swarm
 from cap.floats.continuation import continuation
 from cap.floats.gallery import gallery
-from cap.floats.inventory import inventory
 from cap.floats.plane import plane
-from cap.floats.study import value_of, varied
+from cap.floats.variation import value_of, varied
 from cap.parameters import PAPER
 
 PITCHFORK = 2 / math.pi * math.sqrt(1 - (4 / (math.pi**2 - 4)) ** 2)

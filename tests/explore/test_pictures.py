@@ -36,10 +36,10 @@ def branches():
     )
 
 
-def drawn(draw, study):
+def drawn(draw, findings):
     """Return the axes of a picture, and what its legends say."""
     figure = blank((6, 6), 50)
-    draw(study, figure)
+    draw(findings, figure)
     figure.draw_without_rendering()
     legends = [*figure.legends, *(a.get_legend() for a in figure.axes if a.get_legend())]
     return figure.axes, [text.get_text() for legend in legends for text in legend.get_texts()]
@@ -71,31 +71,31 @@ def test_where_the_budget_ends_nothing_else_does(branches):
 def test_a_map_that_is_interrupted(what):
     """What is not computed is hatched; it is neither none found, nor no oscillator."""
     axes = ("f", "R") if what == "orbits" else ("F", "f")
-    study = plane.plane(PAPER, axes=axes, points=3, what=what, runner=Half())
-    assert (study.code[2] == plane.UNDONE).all()
-    assert (study.code[:2] != plane.UNDONE).all()
-    (map_,), legend = drawn(diagrams.plane, study)
+    findings = plane.plane(PAPER, axes=axes, points=3, what=what, runner=Half())
+    assert (findings.code[2] == plane.UNDONE).all()
+    assert (findings.code[:2] != plane.UNDONE).all()
+    (map_,), legend = drawn(diagrams.plane, findings)
     assert "not computed" in legend
     assert map_.images[0].get_array().mask[2].all()
     assert map_.patch.get_hatch()
-    done = replace(study, complete=True, code=np.maximum(study.code, 0))
+    done = replace(findings, complete=True, code=np.maximum(findings.code, 0))
     assert "not computed" not in drawn(diagrams.plane, done)[1]
 
 
 def test_no_attractor_found():
     """That is not the same as no oscillator."""
     names = plane.ATTRACTORS
-    study = plane.plane(PAPER, axes=("F", "f"), points=2, what="attractors", runner=Half())
+    findings = plane.plane(PAPER, axes=("F", "f"), points=2, what="attractors", runner=Half())
     none = np.full((2, 2), names.index("no attractor found"))
     none[0, 0] = plane.OUTSIDE
-    _, legend = drawn(diagrams.plane, replace(study, code=none))
+    _, legend = drawn(diagrams.plane, replace(findings, code=none))
     assert legend == ["no attractor found", "no oscillator"]
 
 
 def test_both_kinds_are_named():
     """A legend names what it means by both."""
-    study = plane.plane(PAPER, points=2, first=(0.3, 0.4), second=(2.5, 3.0))
-    assert drawn(diagrams.plane, study)[1][0] == "elliptic and saddle"
+    findings = plane.plane(PAPER, points=2, first=(0.3, 0.4), second=(2.5, 3.0))
+    assert drawn(diagrams.plane, findings)[1][0] == "elliptic and saddle"
 
 
 def covered(axes, row, column):
@@ -113,8 +113,8 @@ def test_a_grid_that_is_interrupted(name):
         "sali": (alignment.sali, states.alignment, {"points": 40}),
     }[name]
     p = replace(PAPER, F=PAPER.F * 3) if name == "attractor" else PAPER
-    study = compute(p, runner=Half(), **options)
-    axes, legend = drawn(draw, study)
+    findings = compute(p, runner=Half(), **options)
+    axes, legend = drawn(draw, findings)
     panels = axes[:2] if name == "basin" else axes[:1]
     for panel in panels:
         assert panel.patch.get_hatch()
@@ -130,11 +130,11 @@ def test_a_grid_that_is_interrupted(name):
 @pytest.mark.parametrize("name", ["sali", "gali"])
 def test_the_colour_bar_is_not_clipped(name):
     """It reaches the largest index there can be, and says that some are below its lower end."""
-    study = getattr(alignment, name)(PAPER, points=40)
-    axes, _ = drawn(states.alignment, study)
+    findings = getattr(alignment, name)(PAPER, points=40)
+    axes, _ = drawn(states.alignment, findings)
     image = axes[0].images[-1]
     low, high = image.get_clim()
-    largest = np.log10(np.nanmax(study.index))
+    largest = np.log10(np.nanmax(findings.index))
     assert largest <= high < largest + 0.2
     assert low == -16
     assert image.colorbar.extend == "min"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cap.floats import attractor, lyapunov
-from cap.floats.study import with_error
+from cap.floats.words import with_error
 from cap.parameters import PAPER
 
 
@@ -60,12 +60,12 @@ def test_a_number_shows_what_its_error_leaves():
 
 def test_exponents_are_printed_with_their_change():
     """Those of one orbit, from the last half of it."""
-    study = lyapunov.lyapunov(PAPER, orbits=1, periods=1000)
-    head, row = study.lines()
+    findings = lyapunov.lyapunov(PAPER, orbits=1, periods=1000)
+    head, row = findings.lines()
     assert "per time" in head
     assert row.count("+-") == 2
     value, error = (float(word) for word in row.split(": ")[1].split(",")[0].split(" +- "))
-    half = np.searchsorted(study.after, 500)
-    last = study.exponents[0, [half, -1], 0]
+    half = np.searchsorted(findings.after, 500)
+    last = findings.exponents[0, [half, -1], 0]
     assert value == pytest.approx(last[1], abs=error)
     assert error == pytest.approx(abs(last[1] - last[0]), rel=0.1)

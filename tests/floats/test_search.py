@@ -7,11 +7,11 @@ from fractions import Fraction
 import pytest
 
 from cap.errors import NotProved
+from cap.explore.inventory import Inventory, inventory
 from cap.floats import candidates, periodic
 from cap.floats.candidates import Request
 from cap.floats.cycles import StroboscopicMap
 from cap.floats.family import families
-from cap.floats.inventory import Inventory, inventory
 from cap.floats.search import search
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
@@ -63,8 +63,8 @@ def test_no_command_lists_what_another_omits(change, monkeypatch):
     """The lists of elliptic, saddle, periodic and inventory: each is the part asked for of one."""
     p = at(*change)
     found(p)
-    for module in ("candidates", "inventory"):
-        monkeypatch.setattr(f"cap.floats.{module}.search", lambda p, *_, **__: found(p))
+    for module in ("floats.candidates", "explore.inventory"):
+        monkeypatch.setattr(f"cap.{module}.search", lambda p, *_, **__: found(p))
     every = {(c.x, c.v): c for c in found(p).isolated}
     listed = {(o.x, o.v): o.kind for o in inventory(p).orbits}
     assert listed == {z: c.kind(conserves=True) for z, c in every.items()}
@@ -153,10 +153,10 @@ def test_families_with_losses_and_other_units():
 def test_families_are_told_and_not_counted(capsys):
     """In the lines of the inventory and among the candidates; none in its counts."""
     (family,) = families(PAPER)
-    study = Inventory(
+    findings = Inventory(
         parameters=PAPER, parameter="F", periods=1, values=[1.0], orbits=(), families=()
     )
-    assert "family" not in "\n".join(study.lines())
+    assert "family" not in "\n".join(findings.lines())
     listed = inventory(PAPER)
     assert len(listed.families) == 1
     assert any("family" in line and "not counted" in line for line in listed.lines())

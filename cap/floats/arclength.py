@@ -1,4 +1,4 @@
-"""Walks along curves of periodic orbits by pseudo-arclength, and the changes on the way."""
+"""Pseudo-arclength continuation of curves of periodic orbits, and the changes on the way."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -7,7 +7,7 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.curve import Family, Station, halve
-from cap.floats.study import Floats
+from cap.floats.findings import Floats
 from cap.flow.itinerary import oscillator
 from cap.parameters import Parameters
 from cap.runner import Runner
@@ -31,8 +31,8 @@ class Change:
     around: tuple[Station, ...] = ()
 
 
-class Walker:
-    """Walks along curves of a family."""
+class CurveFollower:
+    """Follows curves of a family by pseudo-arclength."""
 
     def __init__(
         self, family: Family, limits: tuple[float, float], points: int, runner: Runner
@@ -44,12 +44,12 @@ class Walker:
         curve, changes = [seed], []
         for side in (1, -1):
             begin = replace(seed, tangent=side * seed.tangent, branching=side * seed.branching)
-            way, found = self._walk(begin, side)
+            way, found = self._followed(begin, side)
             curve = curve + way if side > 0 else [*way[::-1], *curve]
             changes += found
         return curve, changes
 
-    def _walk(self, station: Station, side: int) -> tuple[list[Station], list[Change]]:
+    def _followed(self, station: Station, side: int) -> tuple[list[Station], list[Change]]:
         begin, step = station, FIRST
         way: list[Station] = []
         changes: list[Change] = []
@@ -101,14 +101,14 @@ class Walker:
         return found if bend > 0.95 or (not same and step < 1e-4) or step < 1e-5 else None
 
     def _end(self, station: Station) -> list[Change]:
-        """Return why a branch ends: nothing to say at the end of the range."""
+        """Return why a branch ends; nothing if that is at the end of the range."""
         value = station.y[2]
         if min(abs(value - limit) for limit in self.limits) < 1e-4 * max(1.0, abs(value)):
             return []
         return [Change(_reason(station), station)]
 
     def _beyond_the_wall(self, station: Station) -> Station | None:
-        """Return the station after a hit has passed t = 0: there the velocity is the other one."""
+        """Return the station after a hit has passed t = 0, where v jumps."""
         p, (x, v) = self.family.at(station.y)
         side = 1 if p.r - x < x - p.l else -1
         wall = float(p.r if side > 0 else p.l)
@@ -190,8 +190,8 @@ class Walker:
         return found
 
 
-class DoubledWalker(Walker):
-    """Walks along a branch that begins at a flip, but not on to the orbits of half its period."""
+class DoubledFollower(CurveFollower):
+    """Follows a branch that begins at a flip, but not on to the orbits of half its period."""
 
     def _next(self, station: Station, step: float) -> Station | None:
         found = super()._next(station, step)

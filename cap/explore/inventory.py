@@ -17,8 +17,10 @@ from cap.files import tried
 from cap.floats.candidates import TYPES
 from cap.floats.cycles import Cycle
 from cap.floats.family import Family
+from cap.floats.findings import Findings, Floats
 from cap.floats.search import search
-from cap.floats.study import Floats, Study, described, short, value_of, varied
+from cap.floats.variation import value_of, varied
+from cap.floats.words import described, short
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
 from cap.runner import Runner
@@ -32,7 +34,7 @@ KINDS = (*TYPES, "degenerate")
 class Entry:
     """An orbit of period n T at the ``value`` of the parameter, with the number of its events.
 
-    ``verdict``: proved (and accepted by the checker), not proved, or empty if nobody asked.
+    ``verdict``: proved (and accepted by the checker), not proved, or empty: no proof asked for.
     """
 
     value: float
@@ -58,7 +60,7 @@ class FamilyAt:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Inventory(Study):
+class Inventory(Findings):
     """The isolated orbits of least period n T found at the values (K,) of a parameter.
 
     ``families``: at each of the values, those of orbits that touch no wall.
@@ -214,7 +216,7 @@ def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any
 
     Returns the certificate, too, or None.
     """
-    from cap.proofs import theorems  # noqa: PLC0415 (they import the searches of this package)
+    from cap.proofs import theorems  # noqa: PLC0415 (only who proves waits for them)
     from cap.proofs.fixed_point import Setting  # noqa: PLC0415
 
     p, entry, start = task

@@ -1,0 +1,43 @@
+"""Compiled functions, kept for the next time where that is possible."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any, TypeVar, cast
+
+from numba import njit
+from numba.core.caching import FunctionCache
+
+from cap.files import at_home
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def kept(function: F, **options: Any) -> F:
+    """Compile a function when it is first called; it releases the interpreter lock.
+
+    The code is kept beside its source or in the user's cache directory.  Where neither can be
+    written (a package that is installed read-only, no home directory, a full disk) it is compiled
+    anew in each process.  numba does not notice changes of what is compiled into it: let a digest
+    of that be in its closure.
+    """
+    compiled: Any = njit(function, nogil=True, **options)
+    if at_home():
+        with suppress(RuntimeError):  # numba finds no directory
+            cache = _Cache(function)  # type: ignore[no-untyped-call]
+            compiled._cache = cache  # noqa: SLF001 (what njit(cache=True) sets)
+    return cast(F, compiled)
+
+
+class _Cache(FunctionCache):
+    """A cache that may fail to read or to write."""
+
+    def load_overload(self, *arguments: Any) -> Any:
+        """Return what is kept, None if there is nothing that can be read."""
+        with suppress(OSError):
+            return super().load_overload(*arguments)  # type: ignore[no-untyped-call]
+        return None
+
+    def save_overload(self, *arguments: Any) -> None:
+        """Keep something, if that is possible."""
+        with suppress(OSError):
+            super().save_overload(*arguments)  # type: ignore[no-untyped-call]

@@ -1,0 +1,69 @@
+"""Compiled code is kept where it can be, and compiled all the same where it cannot."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numba.core.caching import FunctionCache
+
+from cap.sets.kept import kept
+
+ROOT = Path(__file__).parents[2]
+
+
+def twice(numbers):
+    """Double numbers."""
+    for k in range(len(numbers)):
+        numbers[k] *= 2
+
+
+def test_it_is_kept():
+    """A second dispatcher of the same function loads what the first has compiled."""
+    numbers = np.array([1.0, 2.0])
+    kept(twice)(numbers)
+    again = kept(twice)
+    again(numbers)
+    assert list(numbers) == [4, 8]
+    assert sum(again.stats.cache_hits.values()) == 1
+
+
+@pytest.mark.parametrize("method", ["_save_overload", "_load_overload"])
+def test_a_cache_that_fails(monkeypatch, method):
+    """A full disk, a file that may not be read: it is compiled and used."""
+
+    def failing(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(FunctionCache, method, failing)
+    numbers = np.array([1, 2])
+    kept(twice)(numbers)
+    assert list(numbers) == [2, 4]
+
+
+def test_no_place_to_keep_anything(tmp_path):
+    """A package where nothing can be written and no home directory: it loads, and works."""
+    shutil.copytree(ROOT / "cap", tmp_path / "cap", ignore=shutil.ignore_patterns("__pycache__"))
+    folders = [tmp_path / "cap", *(path for path in (tmp_path / "cap").rglob("*") if path.is_dir())]
+    for folder in folders:
+        (folder / "__pycache__").write_text("a file where numba wants a directory")
+    env = {**os.environ, "HOME": "/proc/none", "PYTHONPATH": str(tmp_path)}
+    env.pop("XDG_CACHE_HOME", None)
+    program = (
+        "import cap.cells.follow, cap.cells.krawczyk, cap.cells.launches, cap.floats.swarm\n"
+        "from cap.cells.follow import FOLLOW\n"
+        "print(cap.__file__, type(FOLLOW._cache).__name__)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env=env,
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stderr == ""
+    assert done.stdout.split() == [str(tmp_path / "cap" / "__init__.py"), "NullCache"]

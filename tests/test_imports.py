@@ -1,0 +1,114 @@
+"""Which module imports which: no circles, and floats come to proofs through one door."""
+
+import ast
+from functools import cache
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+RIGOROUS = ("cap.sets", "cap.flow", "cap.maps", "cap.one_one", "cap.cells")
+FLOATING = ("cap.floats", "cap.explore", "cap.paper", "cap.pictures")
+DOOR = "cap.floats.candidates"
+
+
+def name_of(path):
+    """Return the name of the module in a file."""
+    parts = path.relative_to(ROOT).with_suffix("").parts
+    if parts[0] == "proofs":  # installed inside cap
+        parts = ("cap", *parts)
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def for_types(tree):
+    """Return the nodes that only a type checker sees."""
+    branches = [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If)
+        and isinstance(node.test, ast.Name)
+        and node.test.id == "TYPE_CHECKING"
+    ]
+    return {inner for branch in branches for inner in ast.walk(branch)}
+
+
+def named(node):
+    """Return the names that an import may load."""
+    if isinstance(node, ast.Import):
+        return [alias.name for alias in node.names]
+    if isinstance(node, ast.ImportFrom) and node.module and not node.level:
+        inner = [f"{node.module}.{alias.name}" for alias in node.names]
+        return [node.module, *inner]
+    return []
+
+
+@cache
+def graph():
+    """Return for each module those that it imports itself, at the top or inside a function."""
+    files = {
+        name_of(path): path for top in ("cap", "proofs") for path in ROOT.glob(f"{top}/**/*.py")
+    }
+    packages = {name for name, path in files.items() if path.name == "__init__.py"}
+    edges = {}
+    for name, path in files.items():
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        hidden = for_types(tree)
+        found = {other for node in ast.walk(tree) if node not in hidden for other in named(node)}
+        edges[name] = (found & files.keys()) - packages - {name}
+    return edges
+
+
+def imported(rooms):
+    """Return (module, what it imports) for all modules in some packages."""
+    return {
+        (name, other)
+        for name, others in graph().items()
+        for other in others
+        if name.startswith(tuple(f"{room}." for room in rooms))
+    }
+
+
+def test_no_circle_of_imports():
+    """Not even of those inside functions."""
+    assert len(graph()) > 200
+    try:
+        list(TopologicalSorter(graph()).static_order())
+    except CycleError as circle:
+        pytest.fail(" -> ".join(circle.args[1]))
+
+
+def test_a_circle_is_seen():
+    """The test above can fail."""
+    with pytest.raises(CycleError):
+        list(TopologicalSorter({**graph(), DOOR: {"cap.proofs.theorems"}}).static_order())
+
+
+def test_what_is_rigorous_imports_no_floats():
+    """Nor what draws and explores."""
+    found = imported(RIGOROUS)
+    assert len(found) > 100
+    assert [pair for pair in found if pair[1].startswith(FLOATING)] == []
+
+
+def test_proofs_take_hints_through_one_door():
+    """The theorems and their command import nothing else of the float mode."""
+    doors = {
+        pair for pair in imported(["cap.proofs", "cap.command"]) if pair[1].startswith(FLOATING)
+    }
+    assert ("cap.proofs.theorems", DOOR) in doors
+    assert {other for _, other in doors} == {DOOR}
+
+
+def test_floats_know_nothing_of_proofs():
+    """They are searched by the prover, and do not call it."""
+    others = {other for _, other in imported(["cap.floats"])}
+    rooms = (
+        "cap.proofs",
+        "cap.certificate",
+        "cap.checker",
+        "cap.explore",
+        "cap.pictures",
+        "cap.paper",
+    )
+    assert [other for other in others if other.startswith(rooms)] == []
