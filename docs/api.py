@@ -1,7 +1,7 @@
 """Make the API pages from the docstrings: ``python docs/api.py FOLDER``; a warning is an error."""
 
+import argparse
 import pkgutil
-import sys
 import warnings
 from pathlib import Path
 
@@ -27,4 +27,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("folder", type=Path)
+    main(parser.parse_args().folder)

@@ -199,7 +199,7 @@ for k, (x, v) in enumerate(states):
 #
 # "All" means all that the seeds led to; that nothing was missed is not proved.  But each orbit that
 # was found can go to a prover like that of step 8, and its certificate to the checker of step 9:
-# add `--prove`. The README has the result: all twenty-five are proved.
+# add `--prove`. All twenty-five are proved (`docs/theorems.md`).
 
 # %% [markdown]
 # ## 8. From a picture to a proof
@@ -376,5 +376,5 @@ with interval.workprec(100):
 # smaller box that contains it; if it cannot, it raises `NotProved`. Here the answer is known (w =
 # 2π, cos φ = π/5), and lies where it must.
 #
-# From here: `python -m cap.explore --help` and `python -m cap.prove --list` show what there is, the
-# README says what has been proved, and `proofs/` has one file per theorem.
+# From here: `python -m cap.explore --help` and `python -m cap.prove --list` show what there is,
+# `docs/theorems.md` says what has been proved, and `proofs/` has one file per theorem.

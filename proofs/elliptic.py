@@ -17,10 +17,11 @@ below succeed, then
        which is stable.
 
 At the paper's parameters this is Theorem CAP-elliptic, and Proposition CAP-KAM without condition.
-Lemmas 1 and 2 (`cap.proofs.non_sticking`) give (i), Lemma 3 gives (ii), Lemma 4 gives (iii).
+Lemmas 1 and 2 (`cap.proofs.fixed_point`) give (i), Lemma 3 gives (ii), Lemma 4 gives (iii).
 Lemma 5 bounds, on an explicit disk, how far Φ is from its Taylor polynomial.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -32,37 +33,12 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import strobe
 from cap.maps import normal_form
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
-from cap.proofs import non_sticking
-from cap.proofs.citation import MOSER, cited
-from cap.proofs.fixed_point import Proof, Setting
+from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.orbit import HITS, need_hits
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
-
-CITED = cited(
-    *MOSER,
-    (
-        "H1",
-        "the orbit has finitely many hits, all transverse, no turning and no sticking",
-        "hit_times, hit_speeds, least_speed",
-    ),
-    (
-        "H2",
-        "Phi is exact symplectic near the fixed point: flights and hits preserve dx^dv, and a "
-        "disk is simply connected",
-        "box",
-    ),
-    (
-        "H3",
-        "Phi is real analytic near the fixed point: the hit times are, by the implicit function "
-        "theorem",
-        "hit_speeds",
-    ),
-    ("H4", "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi", "trace"),
-    ("H5", "no resonance of order at most four", "rotation_number, resonance_distances"),
-    ("H6", "the first Birkhoff twist coefficient does not vanish", "twist"),
-)
 
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 
@@ -72,22 +48,25 @@ def prove(setting: Setting) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return non_sticking.proof_of(
-        "elliptic", setting, conclusion, CITED, {"order": str(setting.order)}
-    )
+    need_hits("elliptic", setting)
+    return proof_of("elliptic", setting, HITS, conclusion)
 
 
-def conclusion(
-    osc: Oscillator[Any], setting: Setting, point: FixedPoint, around: Neighbourhood
-) -> dict[str, Any]:
+def conclusion(orbit: Located) -> Callable[[Around], Content]:
     """Prove what the theorem says of P*, from the jet of Φ there; return the claims."""
-    jets = strobe_jet(osc, point.box, point.orbit, setting.order)
-    return {
+    setting, point = orbit.setting, orbit.point
+    jets = strobe_jet(orbit.osc, point.box, point.orbit, setting.order)
+    claims = {
         **lemma_3_ellipticity(setting, jets),
         **lemma_4_twist(setting, jets),
         "taylor": taylor_claims(setting, jets),
-        "remainder": lemma_5_remainder(osc, point, around, jets),
     }
+
+    def conclude(around: Around) -> Content:
+        remainder = lemma_5_remainder(orbit.osc, point, around.proved, jets)
+        return {**claims, "remainder": remainder}, {"order": str(setting.order)}
+
+    return conclude
 
 
 def lemma_3_ellipticity(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, Any]:

@@ -1,16 +1,27 @@
-"""The setting of a theorem on a fixed point of Φⁿ, and the lemmas with which each begins.
+"""The theorems on a fixed point P* of Φⁿ: their setting, and the way in which each is proved.
 
 Φ is the stroboscopic map of x'' = F cos ωt - f sgn x' - μ x', l < x < r; v -> -e v at the walls.
+
+    Lemma 1      P* exists near a guess, and its orbit has the events guessed
+    conclusion   what the theorem says of P*: its type, its multipliers, its twist
+    Lemma 2      P* is alone in a box, all orbits from which have these events
+                 what the theorem says of sets in the box: a remainder, a basin
+
+`proof_of` goes this way; a theorem adds its conclusion.  `cap.proofs.orbit` has the claims on the
+orbit.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
+from functools import cached_property
+from typing import Any, NamedTuple
 
-from cap.certificate.writer import FORMAT, Rounding, Units
+from cap.certificate.writer import FORMAT, Pair, Rounding, Units, window
+from cap.checker.theorems import load
 from cap.errors import NotProved
 from cap.flow.model import Oscillator
+from cap.flow.strobe import oscillator
 from cap.maps import fixed_point
 from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.parameters import Parameters
@@ -72,14 +83,106 @@ class Setting:
         return self.bits + bits(orders) + 40
 
 
+Proof = Callable[[Fraction], dict[str, Any]]
+"""What is left to do of a proof when all that does not depend on the size of the box is done.
+
+Called with the part of the largest box found that is to be claimed, less than 1, so that a looser
+arithmetic can follow, it returns the certificate, or raises `NotProved`.
+"""
+
+
+@dataclass(frozen=True)
+class Located:
+    """P*, proved to exist: what the lemmas of all these theorems start from."""
+
+    setting: Setting
+    osc: Oscillator[Any]
+    point: FixedPoint
+
+    @classmethod
+    def of(cls, setting: Setting) -> "Located":
+        """Prove Lemma 1, at the current precision."""
+        osc = oscillator(setting.parameters)
+        return cls(setting, osc, lemma_1_fixed_point(osc, setting))
+
+    @cached_property
+    def reach(self) -> Reach:
+        """The half-widths of the largest rectangle found with which Lemma 2 succeeds."""
+        scale = self.setting.scale
+        return fixed_point.largest_neighbourhood(self.osc, self.point, scale).reach
+
+
+class Around(NamedTuple):
+    """A ``part`` of the largest rectangle found: the ``box`` claimed in it, with Lemma 2 proved."""
+
+    part: Fraction
+    proved: Neighbourhood
+    box: dict[str, Pair]
+
+
+Content = tuple[dict[str, Any], dict[str, Any]]
+"""Claims and hints."""
+
+Conclusion = Callable[[Located], Callable[[Around], Content]]
+"""What a theorem says more of P*.
+
+What does not depend on the size of the box is proved at once, the rest when the box is known.
+"""
+
+
+class Form(NamedTuple):
+    """How theorems speak of orbits: the claims, the hint on the events, and the parameters."""
+
+    claims: Callable[[Located, Around], dict[str, Any]]
+    windows: str
+    parameters: Callable[[Parameters], dict[str, str]]
+
+
+def proof_of(theorem: str, setting: Setting, form: Form, conclusion: Conclusion) -> Proof:
+    """Prove a theorem on P* up to the size of its box; return the rest of the proof.
+
+    Raises `NotProved` with the step that failed and the sets at which it did.
+    """
+    parameters = form.parameters(setting.parameters)
+    with interval.workprec(setting.bits):
+        orbit = Located.of(setting)
+        conclude = conclusion(orbit)
+        reach = orbit.reach
+
+    def certified(part: Fraction) -> dict[str, Any]:
+        with interval.workprec(setting.bits):
+            proved, box = lemma_2_uniqueness(orbit.osc, orbit.point, _times(part, reach))
+            around = Around(part, proved, box)
+            claims, hints = conclude(around)
+            content = form.claims(orbit, around) | claims, _hints(orbit, around, form) | hints
+            return assembled(theorem, setting, parameters, content)
+
+    return certified
+
+
+def _times(part: Fraction, reach: Reach) -> Reach:
+    return part * reach[0], part * reach[1]
+
+
+def _hints(orbit: Located, around: Around, form: Form) -> dict[str, Any]:
+    """Return what the checker needs and does not trust."""
+    setting, point, exact = orbit.setting, orbit.point, interval.exact_decimal
+    return {
+        "bits": str(setting.checker_bits),
+        "centre": [exact(value) for value in point.hint.centre],
+        "radius": exact(point.reach[0] / setting.units.length),
+        "preconditioner": [[exact(value) for value in row] for row in point.hint.matrix],
+        form.windows: [window(event.window) for event in around.proved.expected],
+    }
+
+
 def assembled(
     theorem: str,
     setting: Setting,
     parameters: dict[str, str],
-    content: tuple[dict[str, Any], dict[str, Any]],
-    *cites: dict[str, Any],
+    content: Content,
 ) -> dict[str, Any]:
-    """Return a certificate from its claims and hints."""
+    """Return a certificate from its claims and hints; what it cites is the checker's list."""
     claims, hints = content
     return {
         "format": FORMAT,
@@ -88,16 +191,8 @@ def assembled(
         "digits": str(setting.digits),
         "claims": claims,
         "hints": hints,
-        "cites": list(cites),
+        "cites": list(load(theorem).CITES),
     }
-
-
-Proof = Callable[[Fraction], dict[str, Any]]
-"""What is left to do of a proof when all that does not depend on the size of the box is done.
-
-Called with the part of the largest box found that is to be claimed, less than 1, so that a looser
-arithmetic can follow, it returns the certificate, or raises `NotProved`.
-"""
 
 
 def bits(digits: int) -> int:
@@ -117,7 +212,7 @@ def lemma_1_fixed_point(osc: Oscillator[Any], setting: Setting) -> FixedPoint:
 
 def lemma_2_uniqueness(
     osc: Oscillator[Any], point: FixedPoint, reach: Reach
-) -> tuple[Neighbourhood, dict[str, Any]]:
+) -> tuple[Neighbourhood, dict[str, Pair]]:
     """*Statement.* P* is the only fixed point in an explicit box, and all orbits from the box
     have the same itinerary.
 
@@ -134,12 +229,7 @@ def lemma_2_uniqueness(
     return around, box
 
 
-def largest_reach(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> Reach:
-    """Return the half-widths of the largest rectangle found with which Lemma 2 succeeds."""
-    return fixed_point.largest_neighbourhood(osc, point, setting.scale).reach
-
-
-def inside(centre: Fraction, half: Fraction) -> list[str]:
+def inside(centre: Fraction, half: Fraction) -> Pair:
     """Return short decimals [lower, upper] inside [centre - half, centre + half]."""
     places = max(0, 3 - interval.decade(half))
     scale = 10**places

@@ -203,5 +203,4 @@ class Scale:
         }
 
     def _pair(self, x: Ball, unit: Fraction) -> Pair:
-        """Return an outward rounding of the ball, widened so that a looser arithmetic agrees."""
-        return self.setting.rounding.pair(x + interval.symmetric(x) * interval.rounding(), unit)
+        return self.setting.rounding.loosely(x, unit)

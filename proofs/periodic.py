@@ -19,34 +19,20 @@ Lemmas 1 and 2 (`cap.proofs.fixed_point`) give (i), Lemma 3 gives (ii) and (iii)
 gives (iv).
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from cap.certificate import writer as certificate
 from cap.errors import NotProved
-from cap.flow.event import Expected
 from cap.flow.model import Oscillator
-from cap.flow.strobe import Orbit, oscillator
 from cap.maps import basin
 from cap.maps.basin import Basin
-from cap.maps.fixed_point import FixedPoint, Itinerary, Neighbourhood
+from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
-from cap.proofs.citation import krawczyk
-from cap.proofs.fixed_point import (
-    Proof,
-    Setting,
-    assembled,
-    largest_reach,
-    lemma_1_fixed_point,
-    lemma_2_uniqueness,
-)
+from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.orbit import EVENTS, turning_factors
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
-
-KRAWCZYK = krawczyk(
-    "Phi^n, n the period, is continuously differentiable on the box: all hits and stops are "
-    "transverse, and every stick and capture ends at a fixed time"
-)
 
 
 def prove(setting: Setting) -> Proof:
@@ -54,88 +40,22 @@ def prove(setting: Setting) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    orbit = Prepared(setting)
-    strings = setting.parameters.strings()
-    return lambda part: assembled("periodic", setting, strings, orbit.proved(part), KRAWCZYK)
+    return proof_of("periodic", setting, EVENTS, conclusion)
 
 
-class Prepared:
-    """Lemmas 1 and 3, proved; Lemmas 2 and 4 are left, with the size of their sets."""
+def conclusion(orbit: Located) -> Callable[[Around], Content]:
+    """Prove what the theorem says of P*; return the claims."""
+    osc, point = orbit.osc, orbit.point
+    claims = lemma_3_type(osc, orbit.setting, point)
+    if claims["type"] not in SINKS:
+        return lambda _around: (claims, {})
+    ellipse = basin.largest(osc, point, point.events, orbit.reach)
 
-    def __init__(self, setting: Setting) -> None:
-        self.setting = setting
-        with interval.workprec(setting.bits):
-            self.osc = oscillator(setting.parameters)
-            self.point = lemma_1_fixed_point(self.osc, setting)
-            self.numbers = {
-                **orbit_claims(self.osc, setting, self.point),
-                **lemma_3_type(self.osc, setting, self.point),
-            }
-            self.reach = largest_reach(self.osc, setting, self.point)
-            if self.numbers["type"] in SINKS:
-                known = events_of(self.point.orbit)
-                self.ellipse = basin.largest(self.osc, self.point, known, self.reach)
+    def conclude(around: Around) -> Content:
+        found = basin.scaled(osc, point, around.proved.expected, ellipse, around.part)
+        return {**claims, "basin": lemma_4_basin(found, point, around.box)}, {}
 
-    def proved(self, part: Fraction) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return the claims and the hints, for a part of the largest sets found."""
-        setting, osc, point = self.setting, self.osc, self.point
-        with interval.workprec(setting.bits):
-            reach = self.reach[0] * part, self.reach[1] * part
-            around, box = lemma_2_uniqueness(osc, point, reach)
-            claims = {
-                "period": str(point.periods),
-                "itinerary": [event.word for event in point.orbit.events],
-                "box": box,
-                **self.numbers,
-                "event_times": event_times(setting, point.orbit, around.expected),
-            }
-            if claims["type"] in SINKS:
-                found = basin.scaled(osc, point, around.expected, self.ellipse, part)
-                claims["basin"] = lemma_4_basin(found, point, box)
-            return claims, hints_of(setting, point, around)
-
-
-def orbit_claims(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> dict[str, Any]:
-    """Return the claims on P* and its orbit, rounded outwards."""
-    units, pair, orbit = setting.units, setting.rounding.pair, point.orbit
-    return {
-        "x": pair(point.box[0], units.length),
-        "v": pair(point.box[1], units.speed),
-        "event_times": event_times(setting, orbit, events_of(orbit)),
-        "hit_speeds": [pair(abs(hit.velocity), units.speed) for hit in orbit.hits],
-        "turning_factors": [pair(factor) for factor in turning_factors(osc, orbit)],
-        "jacobian": setting.rounding.matrix(orbit.monodromy, units),
-    }
-
-
-def events_of(orbit: Orbit[Ball]) -> Itinerary:
-    """Return the events of P* with the times proved for windows."""
-    return tuple(Expected(event.word, event.time) for event in orbit.events)
-
-
-def event_times(
-    setting: Setting, orbit: Orbit[Ball], expected: Itinerary
-) -> list[certificate.Pair]:
-    """Return when the events of P* happen; of a capture the window ``expected`` of its lemma.
-
-    That of the whole box is what a looser arithmetic finds room in.
-    """
-    return [
-        certificate.window(near.window)
-        if near.word.startswith("capture")
-        else setting.rounding.pair(event.time, setting.units.time)
-        for event, near in zip(orbit.events, expected, strict=True)
-    ]
-
-
-def turning_factors(osc: Oscillator[Any], orbit: Orbit[Ball]) -> list[Ball]:
-    """Return (|F cos ωt| - f)/(|F cos ωt| + f) at each turning."""
-    sides = {"turn right": -1, "turn left": 1}  # the sign of the velocity before
-    return [
-        osc.turning_factor(sides[event.word], event.cos)
-        for event in orbit.events
-        if event.word in sides
-    ]
+    return conclude
 
 
 def determinant(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> Ball:
@@ -171,7 +91,7 @@ def lemma_3_type(osc: Oscillator[Any], setting: Setting, point: FixedPoint) -> d
     exact = next(([str(n)] * 2 for n in (0, 1) if det == n), None)  # else the checker rounds
     return {
         "trace": pair(trace),
-        "determinant": exact or pair(det + interval.symmetric(det) * interval.rounding()),
+        "determinant": exact or setting.rounding.loosely(det),
         "multipliers": [shown(multiplier) for multiplier in multipliers(trace, det)],
         "type": stability(trace, det),
     }
@@ -191,17 +111,4 @@ def lemma_4_basin(found: Basin, point: FixedPoint, box: dict[str, list[str]]) ->
     return {
         "matrix": [[interval.exact_decimal(q) for q in row] for row in found.matrix],
         "contraction": interval.exact_decimal(found.contraction),
-    }
-
-
-def hints_of(setting: Setting, point: FixedPoint, around: Neighbourhood) -> dict[str, Any]:
-    """Return what the checker needs and does not trust."""
-    return {
-        "bits": str(setting.checker_bits),
-        "centre": [interval.exact_decimal(value) for value in point.hint.centre],
-        "radius": interval.exact_decimal(point.reach[0] / setting.units.length),
-        "preconditioner": [
-            [interval.exact_decimal(value) for value in row] for row in point.hint.matrix
-        ],
-        "events": [certificate.window(event.window) for event in around.expected],
     }

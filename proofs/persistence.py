@@ -18,14 +18,15 @@ entry is ((1+e) F cos ωt + (1-e) f sgn v)/v, v the velocity before the hit.
 """
 
 from bisect import bisect_left
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache
 from typing import Any
 
 from cap.certificate import writer as certificate
-from cap.checker.kernel.certificate import MAX_WORK, work
-from cap.errors import BadInput, NotProved
+from cap.checker.flow.itinerary import MAX_WORK, work
+from cap.errors import NotProved
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Constants
 from cap.flow.strobe import oscillator
@@ -34,18 +35,11 @@ from cap.maps.family import Cell, Pair
 from cap.maps.fixed_point import FixedPoint, Itinerary, Start, refined
 from cap.parameters import Parameters
 from cap.proofs import periodic
-from cap.proofs.citation import krawczyk
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.orbit import EVENTS, need_hits
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
 
-KRAWCZYK = krawczyk(
-    "Phi is continuously differentiable on box, and on each box of range for all its epsilon and "
-    "mu: all hits are transverse and no velocity vanishes",
-    "K(box) lies in the interior of the box, and so does K of each box of range, formed with all "
-    "its epsilon and mu",
-    "box, range",
-)
 BITS = 64  # enough for boxes of a thousandth
 LONGEST = 40  # decimals of a node
 PLACES = 9  # decimals of the hints
@@ -104,25 +98,26 @@ def prove(setting: Setting) -> Proof:
     ``setting.start`` is a guess of P at its parameters.  Raises `NotProved` with the step that
     failed and the sets at which it did.
     """
-    words = {word.split()[0] for word, _ in setting.start.events}
-    if words != {"hit"} or setting.start.periods != 1:
-        raise BadInput("persistence is about T-periodic orbits with hits only")
-    orbit = periodic.Prepared(setting)
+    need_hits("persistence", setting)
+    return proof_of("persistence", setting, EVENTS, conclusion)
+
+
+def conclusion(orbit: Located) -> Callable[[Around], Content]:
+    """Prove what the theorem says of P* and, when its box is known, of P(ε, μ)."""
+    of_orbit = periodic.conclusion(orbit)
 
     @cache
     def family_with(shared: Fraction) -> Grid:
         with interval.workprec(BITS):
-            return lemma_5_family(setting, orbit.point, shared)
+            return lemma_5_family(orbit.setting, orbit.point, shared)
 
-    def certified(part: Fraction) -> dict[str, Any]:
-        claims, hints = orbit.proved(part)
-        grid = family_with(next(shared for least, shared in SHARED if part >= least))
-        claims["range"] = grid.claims()
-        hints["cells"] = [_hint(cell) for cell in grid.ordered()]
-        strings = setting.parameters.strings()
-        return assembled("persistence", setting, strings, (claims, hints), KRAWCZYK)
+    def conclude(around: Around) -> Content:
+        claims, hints = of_orbit(around)
+        grid = family_with(next(shared for least, shared in SHARED if around.part >= least))
+        cells = [_hint(cell) for cell in grid.ordered()]
+        return {**claims, "range": grid.claims()}, {**hints, "cells": cells}
 
-    return certified
+    return conclude
 
 
 def lemma_5_family(setting: Setting, point: FixedPoint, shared: Fraction) -> Grid:

@@ -11,35 +11,19 @@ below succeed, then
  (ii)  P* is hyperbolic, its two multipliers real, one outside and one inside the unit circle;
  (iii) hence P* has analytic stable and unstable curves (Hadamard-Perron), and is unstable.
 
-Lemmas 1 and 2 (`cap.proofs.non_sticking`) give (i), Lemma 3 gives (ii).
+Lemmas 1 and 2 (`cap.proofs.fixed_point`) give (i), Lemma 3 gives (ii).
 """
 
-from typing import Any
+from collections.abc import Callable
 
+from cap.certificate.writer import Pair
 from cap.errors import NotProved
-from cap.flow.model import Oscillator
-from cap.maps.fixed_point import FixedPoint, Neighbourhood
-from cap.proofs import non_sticking
-from cap.proofs.citation import cited
-from cap.proofs.fixed_point import Proof, Setting
+from cap.maps.fixed_point import FixedPoint
+from cap.maps.stability import real_multipliers
+from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.orbit import HITS, need_hits
 from cap.sets import matrix
-
-HADAMARD_PERRON = cited(
-    "Hadamard-Perron",
-    "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
-    "Theorem 6.2.8",
-    (
-        "smooth",
-        "Phi is real analytic near the fixed point: all hits are transverse and no velocity "
-        "vanishes",
-        "hit_speeds, least_speed",
-    ),
-    (
-        "hyperbolic",
-        "one eigenvalue of the Jacobian lies outside the unit circle and one inside",
-        "multipliers",
-    ),
-)
+from cap.sets.interval import Ball
 
 
 def prove(setting: Setting) -> Proof:
@@ -47,25 +31,24 @@ def prove(setting: Setting) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return non_sticking.proof_of("saddle", setting, conclusion, HADAMARD_PERRON)
+    need_hits("saddle", setting)
+    return proof_of("saddle", setting, HITS, conclusion)
 
 
-def conclusion(
-    _osc: Oscillator[Any], setting: Setting, point: FixedPoint, _around: Neighbourhood
-) -> dict[str, Any]:
+def conclusion(orbit: Located) -> Callable[[Around], Content]:
     """Prove what the theorem says of P*; return the claims."""
-    return {"multipliers": lemma_3_hyperbolicity(setting, point)}
+    claims = {"multipliers": lemma_3_hyperbolicity(orbit.setting, orbit.point)}
+    return lambda _around: (claims, {})
 
 
-def lemma_3_hyperbolicity(setting: Setting, point: FixedPoint) -> list[list[str]]:
+def lemma_3_hyperbolicity(setting: Setting, point: FixedPoint) -> list[Pair]:
     """*Statement.* |trace| > 2: the multipliers are real, the larger outside the unit circle.
 
     *Computed.* As the determinant is exactly one, they are t/2 ± sqrt((t/2)² - 1), t the trace; the
     smaller one is the reciprocal of the larger.
     """
-    half = matrix.trace(point.orbit.monodromy) / 2
-    if not (half > 1 or half < -1):
-        raise NotProved("Lemma 3", "the trace may lie in [-2, 2]", {"trace": 2 * half})
-    root = (half * half - 1).sqrt()
-    larger = half + root if half > 0 else half - root
-    return [setting.rounding.pair(larger), setting.rounding.pair(1 / larger)]
+    trace = matrix.trace(point.orbit.monodromy)
+    if not (trace > 2 or trace < -2):
+        raise NotProved("Lemma 3", "the trace may lie in [-2, 2]", {"trace": trace})
+    outer, inner = real_multipliers(trace, Ball(1))
+    return [setting.rounding.pair(outer), setting.rounding.pair(inner)]

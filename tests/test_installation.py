@@ -1,7 +1,6 @@
 """Installed, it is one package: what the wheel holds; and it works where nothing can be kept."""
 
 import os
-import pkgutil
 import shutil
 import subprocess
 import sys
@@ -136,21 +135,3 @@ def test_audit(run):
     for claim in ("wellposed.no-accumulation", "strobe.forward-invariance"):
         audited = run("-m", "cap.audit", "--only", claim, "--fresh", CAP_CACHE="cache")
         assert (audited.returncode, audited.stderr) == (0, ""), audited.stderr
-
-
-@pytest.mark.parametrize("compiler", ["cap.floats.compiled:kept", "cap.sets.compiled:compiled"])
-def test_no_home(monkeypatch, compiler):
-    """Without a home directory compiled code is not kept: numba would make a directory `~`."""
-    compile_it = pkgutil.resolve_name(compiler)
-
-    def homeless():
-        raise RuntimeError
-
-    def cache():
-        function = compile_it(lambda x: x + 1.0)
-        assert function(1.0) in (None, 2.0)
-        return type(getattr(function, "_compiled", function)._cache).__name__
-
-    assert cache() == "FunctionCache"
-    monkeypatch.setattr(Path, "home", homeless)
-    assert cache() == "NullCache"

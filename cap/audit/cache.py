@@ -2,8 +2,9 @@
 
 An entry is one file, named by a digest of the claim's id and `cap.audit.dependencies.digest`; it
 also names the stored certificates that were asked for, with their digests, and holds only while
-these are the same.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where
-it cannot be read or written there is no cache.
+these are the same.  Of a table of `cap.audit.tables` the rows are kept.  The folder is
+``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where it cannot be read or written there
+is no cache.
 """
 
 import hashlib
@@ -30,28 +31,40 @@ def folder() -> Path:
 
 def known(claim: Claim) -> Verdict | None:
     """Return the verdict that is kept, if what decides the claim is as it was then."""
+    entry = read(claim.id, claim.module)
     try:
-        entry = json.loads(_path(claim).read_text(encoding="utf-8"))
         asked: dict[str, str] = entry["certificates"]
         if all(stored.digest(name) == value for name, value in asked.items()):
             return verdict(entry["verdict"])
-    except (OSError, RuntimeError, ValueError, KeyError, TypeError):
-        pass  # no entry, or none that can be read
+    except (ValueError, KeyError, TypeError):
+        pass  # no entry, or none that is a verdict
     return None
 
 
 def keep(claim: Claim, decided: Verdict, certificates: dict[str, str]) -> None:
     """Keep a verdict, if the folder can be written; what is undecided is not kept."""
-    if decided.outcome is Outcome.UNDECIDED:
-        return
-    entry = {"verdict": asdict(decided), "certificates": certificates}
+    if decided.outcome is not Outcome.UNDECIDED:
+        entry = {"verdict": asdict(decided), "certificates": certificates}
+        write(claim.id, claim.module, entry)
+
+
+def read(name: str, module: str) -> Any:
+    """Return what is kept under a name, if the module and what it imports are as then, or None."""
     try:
-        path = _path(claim)
+        return json.loads(_path(name, module).read_text(encoding="utf-8"))
+    except (OSError, RuntimeError, ValueError):
+        return None  # RuntimeError: there is no home
+
+
+def write(name: str, module: str, entry: Any) -> None:
+    """Keep something that JSON can hold, if the folder can be written."""
+    try:
+        path = _path(name, module)
         path.parent.mkdir(parents=True, exist_ok=True)
         with replacing(path) as file:
             file.write(json.dumps(entry).encode())
     except (OSError, RuntimeError):
-        pass  # RuntimeError: there is no home
+        pass
 
 
 def verdict(fields: dict[str, Any]) -> Verdict:
@@ -66,6 +79,6 @@ def verdict(fields: dict[str, Any]) -> Verdict:
     )
 
 
-def _path(claim: Claim) -> Path:
-    name = hashlib.sha256(f"{claim.id} {digest(claim.module)}".encode()).hexdigest()
-    return folder() / f"{name[:40]}.json"
+def _path(name: str, module: str) -> Path:
+    digested = hashlib.sha256(f"{name} {digest(module)}".encode()).hexdigest()
+    return folder() / f"{digested[:40]}.json"

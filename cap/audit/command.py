@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from cap.audit import labels, ledger, recorded
+from cap.audit import labels, ledger, recorded, tables
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.report.latex import latex
@@ -105,6 +105,9 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
+    if options.record and options.only is options.section is None:
+        tables.record(_progress, fresh=options.fresh)
+        ledger.claims.cache_clear()
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
     if options.record and not whole:

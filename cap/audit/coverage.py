@@ -5,7 +5,7 @@ from pathlib import Path
 
 from cap.audit import labels, ledger
 from cap.audit.labels import Place
-from cap.audit.reasons import PENDING, REASONS
+from cap.audit.reasons import REASONS
 from cap.errors import BadInput
 
 
@@ -21,12 +21,10 @@ class Coverage:
         paper = labels.stored()
         shown = [_line(place, self.claims[place.label]) for place in paper.places]
         taken = sum(bool(ids) for ids in self.claims.values())
-        pending = sum(place.section in PENDING for place in paper.places)
         total = sum(len(ids) for ids in self.claims.values())
         summary = (
             f"{len(paper.places)} places: {taken} with {total} claims, {len(REASONS)} with a "
-            f"reason for none, {pending} in sections whose audit is still to come "
-            f"({', '.join(PENDING)})"
+            "reason for none"
         )
         return [*shown, "", summary, *(f"WRONG: {each}" for each in self.wrong)]
 
@@ -51,19 +49,14 @@ def coverage() -> Coverage:
 def _wrong(place: Place, ids: list[str]) -> list[str]:
     if ids and place.label in REASONS:
         return [f"{place.label} has claims, and a reason for having none"]
-    if not ids and place.label not in REASONS and place.section not in PENDING:
+    if not ids and place.label not in REASONS:
         return [f"{place.label} is forgotten: it has neither claims nor a reason for none"]
     return []
 
 
 def _line(place: Place, ids: list[str]) -> str:
     name = f"{place.kind} {place.number}".strip()
-    if ids:
-        words = ", ".join(ids)
-    elif place.section in PENDING:
-        words = "(still to come)"
-    else:
-        words = f"none: {REASONS.get(place.label, 'FORGOTTEN')}"
+    words = ", ".join(ids) if ids else f"none: {REASONS.get(place.label, 'FORGOTTEN')}"
     return f"{place.label:<28} {name:<20} {words}"
 
 

@@ -3,19 +3,23 @@
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, ProcessPoolExecutor, wait
+from functools import partial
 
-from cap.audit import cache, ledger
+from cap.audit import cache, ledger, tables
 from cap.audit.claim import Claim
 from cap.audit.means import stored
 from cap.audit.means.written import exists
+from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
-from cap.errors import BadInput
+from cap.errors import BadInput, NotProved
 
 Progress = Callable[[str], None]
 
 
 def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
     """Return the verdict on a claim; whatever goes wrong makes it undecided, and says why."""
+    if isinstance(claim, Row):
+        return _of_a_table(claim, fresh)
     if not fresh and (found := cache.known(claim)):
         return found
     stored.asked_for()
@@ -29,6 +33,15 @@ def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
     return verdict
 
 
+def _of_a_table(row: Row, fresh: bool) -> Verdict:
+    """Return the verdict on a row; its table is computed once, and the cache keeps the table."""
+    try:
+        tables.rows(row.table, fresh=fresh)
+        return row.decide()
+    except NotProved as failure:
+        return _undecided(str(failure))
+
+
 def _undecided(why: str) -> Verdict:
     return Verdict(outcome=Outcome.UNDECIDED, found="", evidence=why[:500], strength=Strength.NONE)
 
@@ -37,32 +50,48 @@ def all_decided(
     claims: Iterable[Claim], progress: Progress, *, jobs: int = 1, fresh: bool = False
 ) -> dict[str, Verdict]:
     """Return the verdicts by id, in the order of the claims; ``progress`` hears each id."""
-    ids = [each.id for each in claims]
-    run = _one_by_one(ids, progress, fresh) if jobs == 1 else _at_once(ids, progress, fresh, jobs)
-    found = dict(run)
-    return {name: found[name] for name in ids}
+    asked = list(claims)
+    parts = _parts(asked)
+    done = _one_by_one if jobs == 1 else partial(_at_once, jobs=jobs)
+    found: dict[str, Verdict] = {}
+    for verdicts in done(parts, progress, fresh):
+        found |= verdicts
+    return {each.id: found[each.id] for each in asked}
 
 
-def _one_by_one(ids: list[str], progress: Progress, fresh: bool) -> Iterator[tuple[str, Verdict]]:
-    for left, name in zip(range(len(ids), 0, -1), ids, strict=True):
-        progress(f"{left} claims to decide; {name}")
-        yield name, _by_id(name, fresh)
+def _parts(asked: list[Claim]) -> list[list[str]]:
+    """Return what is decided together: the rows of each table, which come first; one claim."""
+    together: dict[str, list[str]] = {}
+    for each in asked:
+        if isinstance(each, Row):
+            together.setdefault(each.table, []).append(each.id)
+    return [*together.values(), *([each.id] for each in asked if not isinstance(each, Row))]
+
+
+def _one_by_one(
+    parts: list[list[str]], progress: Progress, fresh: bool
+) -> Iterator[dict[str, Verdict]]:
+    left = sum(map(len, parts))
+    for part in parts:
+        progress(f"{left} claims to decide; {part[0]}")
+        yield _by_ids(part, fresh)
+        left -= len(part)
 
 
 def _at_once(
-    ids: list[str], progress: Progress, fresh: bool, jobs: int
-) -> Iterator[tuple[str, Verdict]]:
+    parts: list[list[str]], progress: Progress, fresh: bool, jobs: int
+) -> Iterator[dict[str, Verdict]]:
     """Decide on processes; an interrupt reaches this one only."""
     ignore = signal.SIGINT, signal.SIG_IGN
     with ProcessPoolExecutor(jobs, initializer=signal.signal, initargs=ignore) as executor:
-        todo = {executor.submit(_by_id, name, fresh): name for name in ids}
+        todo = {executor.submit(_by_ids, part, fresh): part for part in parts}
         try:
             while todo:
                 done, _ = wait(todo, return_when=FIRST_COMPLETED)
                 for each in done:
-                    name = todo.pop(each)
-                    progress(f"{len(todo)} claims to decide; {name}")
-                    yield name, each.result()
+                    part = todo.pop(each)
+                    progress(f"{sum(map(len, todo.values()))} claims to decide; {part[0]}")
+                    yield each.result()
         except BrokenExecutor:
             raise BadInput("a process of --jobs was killed (what was decided is kept)") from None
         except BaseException:
@@ -70,6 +99,6 @@ def _at_once(
             raise
 
 
-def _by_id(name: str, fresh: bool) -> Verdict:
-    """Decide a claim by its id, which any process knows."""
-    return decided(ledger.claims()[name], fresh=fresh)
+def _by_ids(names: list[str], fresh: bool) -> dict[str, Verdict]:
+    """Decide claims by their ids, which any process knows."""
+    return {name: decided(ledger.claims()[name], fresh=fresh) for name in names}

@@ -10,16 +10,21 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 OURS = ("cap",)
+WHOLE = ("cap.checker", "cap.proofs")  # packages whose modules may be loaded by name
 LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
 
 
 @cache
 def digest(module: str) -> str:
-    """Return a digest of the module, of all our modules it imports, and of the libraries."""
+    """Return a digest of the module, of all our modules it imports, and of the libraries.
+
+    With each module counts the JSON file beside it that has its name, which it reads.
+    """
     total = hashlib.sha256(_versions().encode())
     for name in sorted(closure(module)):
         total.update(name.encode())
-        total.update(_file(name).read_bytes())
+        for file in (_file(name), _file(name).with_suffix(".json")):
+            total.update(file.read_bytes() if file.is_file() else b"")
     return total.hexdigest()
 
 
@@ -30,8 +35,17 @@ def closure(module: str) -> set[str]:
         name = todo.pop()
         if name not in found and _file(name).is_file():
             found.add(name)
-            todo += _imported(name)
+            todo += [*_imported(name), *_beside(name)]
     return found
+
+
+def _beside(module: str) -> list[str]:
+    """Return all modules of a package that counts as a whole, if this is one of them."""
+    package = next((each for each in WHOLE if f"{module}.".startswith(f"{each}.")), None)
+    if package is None:
+        return []
+    files = ROOT.joinpath(*package.split(".")).rglob("*.py")
+    return [".".join(file.relative_to(ROOT).with_suffix("").parts) for file in files]
 
 
 @cache

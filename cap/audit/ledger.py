@@ -3,7 +3,7 @@
 from functools import cache
 from importlib import import_module
 
-from cap.audit import labels
+from cap.audit import labels, tables
 from cap.audit.claim import Claim, declared_in
 from cap.errors import BadInput
 
@@ -16,17 +16,23 @@ MODULES = (
     *("decomposition", "impulse"),
     *("persistence", "basin"),
     *("particles", "tori"),
+    *("integrator", "diagnostics", "existence", "enclosure", "conclusion"),
+    *("gallery", "mirror"),
 )
 
 
 @cache
 def claims() -> dict[str, Claim]:
-    """Return all claims by their ids: place after place, and there in their modules' order."""
+    """Return all claims by their ids: place after place, and there in their modules' order.
+
+    The rows of the figures' tables come after the other claims of their places.
+    """
     found: list[Claim] = []
     for name in MODULES:
         module = f"cap.audit.claims.{name}"
         import_module(module)
         found += declared_in(module)
+    found += tables.claims()
     order = {place.label: k for k, place in enumerate(labels.stored().places)}
     found.sort(key=lambda each: order.get(each.where, len(order)))
     return {each.id: each for each in found}

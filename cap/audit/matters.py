@@ -33,14 +33,8 @@ FINDINGS = (
         "wellposed.no-accumulation",
         Outcome.REFUTED,
         "Theorem 2.5 stands when changed: with a contact law at the walls, and captures, at which "
-        "infinitely many hits accumulate, as part of the statement. Steps 4 to 6 of its proof "
-        "fall.",
-    ),
-    Finding(
-        "inclusion.rest-at-a-wall",
-        Outcome.CORRECTED,
-        "(F1) to (F3) do not determine the motion of a mass at rest at a wall, which an open set "
-        "of states reaches: without a contact law Φ is not defined.",
+        "infinitely many hits accumulate, as part of the statement: (F1) to (F3) do not determine "
+        "the motion of a mass at rest at a wall. Steps 4 to 6 of its proof fall.",
     ),
     Finding(
         "saltation.contraction-almost-everywhere",
@@ -60,6 +54,13 @@ FINDINGS = (
         Outcome.CONFIRMED,
         "Theorem 5.6 is right about the islands, and its clause |F cos ωt*| > f is not needed; its "
         "constants depend on more than it says.",
+    ),
+    Finding(
+        "existence.elliptic-fixed-point",
+        Outcome.CONFIRMED,
+        "Theorem 10.1 stands: the fixed point exists, is unique and elliptic, by other methods and "
+        "code. The proof as described leaves out that nothing else happens on the flights, and the "
+        "printed intervals do not follow from its steps; the certified ones replace them.",
     ),
     Finding(
         "melnikov.vanishing-integral",

@@ -6,7 +6,9 @@ from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 
+from cap.audit import ledger
 from cap.audit.cache import verdict
+from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.files import replacing
 
@@ -55,12 +57,16 @@ def changes(verdicts: dict[str, Verdict], *, whole: bool) -> list[str]:
 
 
 def _differences(name: str, old: Verdict, new: Verdict) -> list[str]:
-    """Numbers found in floats may differ in their last digits: there the verdict decides."""
+    """Numbers found in floats may differ in their last digits: there the verdict decides.
+
+    So for the rows of tables, what is proved there starts from a search in floats.
+    """
     lines = []
     for what in ("outcome", "strength"):
         before, now = getattr(old, what), getattr(new, what)
         if before != now:
             lines.append(f"{name}: recorded {before}, now {now}")
-    if not lines and new.strength is not Strength.NUMERICAL and old.found != new.found:
+    floats = new.strength is Strength.NUMERICAL or isinstance(ledger.claims().get(name), Row)
+    if not lines and not floats and old.found != new.found:
         lines.append(f"{name}: recorded '{old.found}', now '{new.found}'")
     return lines

@@ -251,4 +251,26 @@ STATEMENTS = (
         "tori.conjecture",
         instead="Nothing: the question has to be posed for a box of states and unequal masses.",
     ),
+    statement(
+        "thm:CAP-elliptic",
+        "existence.elliptic-fixed-point",
+        "enclosure.entries-and-trace",
+        "enclosure.enclosure-over-the-box",
+        "enclosure.determinant-is-certified",
+        instead="Theorem elliptic (elliptic.json): with the whole itinerary, and enclosures to "
+        "thirty digits.",
+    ),
+    statement(
+        "thm:CAP-KAM",
+        "existence.kam-at-the-point",
+        instead="Theorem elliptic without the condition: τ₁ = 0.113477.. != 0, invariant curves of "
+        "density one around P*.",
+    ),
+    statement(
+        "prop:hist-sigma",
+        "mirror.square-of-sigma",
+        "mirror.step-of-the-proof",
+        instead="σ = reflection after the flow from 0 to T/2: σ² = Φ, for all walls (theorem "
+        "pitchfork, pitchfork.json).",
+    ),
 )

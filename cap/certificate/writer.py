@@ -8,7 +8,6 @@ import platform
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +62,10 @@ class Rounding:
             raise TooFewDigits("rounding", f"fewer than {self.digits} digits are certain", sets)
         return [lower, upper]
 
+    def loosely(self, x: Ball, unit: Fraction = Fraction(1)) -> Pair:
+        """Return ``pair`` of ``x`` with what rounding may add: a looser arithmetic agrees."""
+        return self.pair(x + interval.symmetric(x) * interval.rounding(), unit)
+
     def matrix(self, m: Matrix[Ball], units: Units) -> list[list[Pair]]:
         """Return the pairs of the entries of a Jacobian, column order (x, v)."""
         (a, b), (c, d) = m
@@ -90,7 +93,7 @@ def provenance(bits: int, seconds: float) -> dict[str, str]:
     """Return what produced a certificate; the checker ignores it."""
     return {
         "cap": __version__,
-        "python-flint": version("python-flint"),
+        "python-flint": interval.FLINT,
         "python": platform.python_version(),
         "bits": str(bits),
         "seconds": f"{seconds:.3f}",

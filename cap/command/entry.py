@@ -10,6 +10,7 @@ it:
   that cannot be written, or too little memory, is a line and the status 2.
 - A library that is not installed is a line and the status 2.
 - Characters that the output cannot encode are escaped.
+- Where there is no home directory, libraries keep nothing: they would make a directory `~`.
 
 Nothing is imported here that takes time to load.
 """
@@ -115,6 +116,7 @@ def _guarded(target: str, words: Sequence[str]) -> int:
     try:
         with loading():
             _escape()
+            _at_home()
             module, _, name = target.partition(":")
             command: Callable[[Sequence[str]], int] = getattr(import_module(module), name)
         return _flushed(command, words)
@@ -149,6 +151,11 @@ def _escape() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
+
+
+def _at_home() -> None:
+    if os.path.expanduser("~") == "~":  # noqa: PTH111 (pathlib raises an exception)
+        os.environ["HOME"] = os.devnull
 
 
 def _unwritten(error: OSError) -> int:

@@ -196,12 +196,22 @@ def capturing(request: Request) -> Found:
 def closed_form(request: Request) -> Found:
     """Return a candidate without an orbit: these theorems start from formulas."""
     request.parameters.elastic_strings()
-    if request.orbit or request.every:
-        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    found = _nothing(request, "closed form")
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
-    start = Start(0.0, 0.0, ())
-    return Found(["In closed form: no search is needed."], [Candidate(start, "closed form")])
+    return found
+
+
+def every_motion(request: Request) -> Found:
+    """Find nothing: the theorem is about all motions."""
+    return _nothing(request, "every motion")
+
+
+def _nothing(request: Request, about: str) -> Found:
+    if request.orbit or request.every:
+        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    line = f"{about.capitalize()}: no search is needed."
+    return Found([line], [Candidate(Start(0.0, 0.0, ()), about)])
 
 
 def _newton(request: Request) -> str:

@@ -45,11 +45,17 @@ def multipliers(trace: Ball, det: Ball) -> tuple[Multiplier, Multiplier]:
     half = trace / 2
     square = half * half - det
     if square > 0:
-        root = square.sqrt()
-        larger = half + root if half > 0 else half - root
-        return larger, det / larger
+        return real_multipliers(trace, det)
     if square < 0:
         root = (-square).sqrt()
         return (half, root), (half, -root)
     sets = {"trace": trace, "determinant": det}
     raise NotProved("stability", "there may be a double multiplier", sets)
+
+
+def real_multipliers(trace: Ball, det: Ball) -> tuple[Ball, Ball]:
+    """Return the multipliers, the larger one first; the caller knows that trace² > 4 det > 0."""
+    half = trace / 2
+    root = (half * half - det).sqrt()
+    larger = half + root if half > 0 else half - root
+    return larger, det / larger

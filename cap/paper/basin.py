@@ -13,7 +13,15 @@ from cap.floats.entropy import Entropy
 from cap.floats.fate import Fate, fate
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.grid import Box, around, grid
-from cap.paper.comparison import Comparison, claim, count, number, percent
+from cap.paper.comparison import (
+    Comparison,
+    claim,
+    count,
+    number,
+    percent,
+    roughly,
+    taken_from,
+)
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures.states import fates
@@ -93,10 +101,12 @@ def _counted(paper: Fate, own: Entropy, moved: Spread) -> list[Comparison]:
         return f"{chance}; here {values.min():.3f} to {values.max():.3f}"
 
     return [
-        count("cells in Omega_NS of 3600", 814, never, chance),
+        roughly(count("cells in Omega_NS of 3600", 814, never, chance)),
         number("share of Omega_NS [%]", "22.6", 100 * never / paper.fate.size, chance),
-        number("S_b, boxes of 5 x 5", "0.189", own.mean, range_of(moved.mean)),
-        number("S_bb", "0.349", own.boundary, range_of(moved.boundary)),
+        *(roughly(row) for row in taken_from("eq:Sb-num", [
+            number("S_b, boxes of 5 x 5", "0.189", own.mean, range_of(moved.mean)),
+            number("S_bb", "0.349", own.boundary, range_of(moved.boundary)),
+        ])),
         claim("the same with another integrator's rounding", "814; 0.189; 0.349",
               f"{low:.0f} to {high:.0f}; {moved.mean.min():.3f} to {moved.mean.max():.3f}; "
               f"{moved.boundary.min():.3f} to {moved.boundary.max():.3f}",
@@ -122,7 +132,7 @@ def _finer(fine: Fate, better: Fate) -> list[Comparison]:
     )
     states, periods = f"{side} x {side} states", f"{better.periods} periods"
     shares = [100 * each.counts["never turns"] / each.fate.size for each in (fine, better)]
-    return [
+    rows = [
         number(f"share of Omega_NS [%], {states}", "22.6", shares[0], why),
         number(f"S_b, {states}, boxes of the same size", "0.189", own.mean, why),
         number(f"S_bb, {states}", "0.349", own.boundary,
@@ -132,6 +142,7 @@ def _finer(fine: Fate, better: Fate) -> list[Comparison]:
         number(f"S_bb, {states}, {periods}", "0.349", late.boundary,
                f"{longer}; S_bb still depends on the grid"),
     ]  # fmt: skip
+    return [roughly(row) for row in rows]
 
 
 def _exponent(fine: Fate) -> Comparison:

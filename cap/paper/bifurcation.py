@@ -185,7 +185,7 @@ def _rows(data: Branches) -> list[Comparison]:
                f"f = {marks.end[0][:12]}, where its speed vanishes (proved)"),
         claim("what happens at f_sc", "a fold of the symmetric branch with turns",
               "nothing: no root of eq:theta-eq is an orbit (theorem `symmetric`)", False,
-              "its formula moves right where it hits the left wall: see README"),
+              "its formula moves right where it hits the left wall: see docs/paper.md"),
         claim("twist at f = 0.4", "well separated from zero",
               f"a zero at f = {marks.twist:.12f}", abs(marks.twist - float(PAPER.f)) > 0.01,
               f"f = 0.4 is {marks.twist - float(PAPER.f):.2e} below: hence the small tau_1 at P_*"),

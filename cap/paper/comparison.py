@@ -5,23 +5,53 @@ cutting off are accepted; a count agrees if it is equal; an enclosure, if it hol
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
+from enum import StrEnum
 from fractions import Fraction
 
 MORE = 3  # digits shown beyond those of the paper
 PROVED = " (proved)"
 
 
+class Kind(StrEnum):
+    """What is compared."""
+
+    VALUE = "number"
+    WORDS = "description"
+
+
 @dataclass(frozen=True)
 class Comparison:
-    """What the paper says and what is computed; why they differ, or a remark if they agree."""
+    """What the paper says and what is computed; why they differ, or a remark if they agree.
+
+    ``imprecise``: if they differ, the paper is too rough, or is about a procedure that it does not
+    describe, rather than wrong.  ``where`` is the place that says it, if that is not the figure.
+    """
 
     what: str
     paper: str
     ours: str
     agrees: bool
     reason: str = ""
+    kind: Kind = Kind.VALUE
+    where: str = ""
+    imprecise: bool = False
+
+    @property
+    def rigorous(self) -> bool:
+        """Whether what is computed is proved."""
+        return PROVED in self.ours
+
+
+def taken_from(place: str, rows: Iterable[Comparison]) -> list[Comparison]:
+    """Return the rows, as taken from a place of the paper with this label."""
+    return [replace(row, where=place) for row in rows]
+
+
+def roughly(row: Comparison) -> Comparison:
+    """Return the row; if it does not agree, the paper is imprecise there."""
+    return replace(row, imprecise=True)
 
 
 def number(what: str, paper: str, ours: float, reason: str = "", *, note: str = "") -> Comparison:
@@ -73,7 +103,7 @@ def claim(
     what: str, paper: str, ours: str, agrees: bool, reason: str = "", *, note: str = ""
 ) -> Comparison:
     """Compare words."""
-    return _made(what, paper, ours, agrees, reason, note)
+    return replace(_made(what, paper, ours, agrees, reason, note), kind=Kind.WORDS)
 
 
 def _made(what: str, paper: str, ours: str, agrees: bool, reason: str, note: str) -> Comparison:

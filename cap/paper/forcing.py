@@ -14,7 +14,7 @@ from cap.explore.inventory import KINDS
 from cap.floats.continuation import continuation
 from cap.floats.cycles import Cycle, StroboscopicMap
 from cap.floats.search import search
-from cap.paper.comparison import Comparison, claim, count, number
+from cap.paper.comparison import Comparison, claim, count, number, roughly, taken_from
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER, Parameters
 from cap.pictures.diagrams import TYPE_COLOURS
@@ -97,12 +97,14 @@ def _counts(data: Counted) -> list[Comparison]:
             continue
         rough, full = (split(each) for each in mine[F])
         rows += [
-            claim(f"F = {F}: elliptic + saddle, grid-Newton", f"{elliptic} + {saddle}",
-                  f"{rough[0]} + {rough[1]} ({SEEDS} x {SEEDS} seeds)", rough == (elliptic, saddle),
-                  "the seeds and the damping are not said; Newton's method leads elsewhere"),
-            claim(f"F = {F}: all orbits found, elliptic + saddle", f"{elliptic} + {saddle}",
-                  f"{full[0]} + {full[1]}", full == (elliptic, saddle),
-                  "missed by the seeds: " + _missed(mine[F][1], mine[F][0])),
+            roughly(claim(
+                f"F = {F}: elliptic + saddle, grid-Newton", f"{elliptic} + {saddle}",
+                f"{rough[0]} + {rough[1]} ({SEEDS} x {SEEDS} seeds)", rough == (elliptic, saddle),
+                "the seeds and the damping are not said; Newton's method leads elsewhere")),
+            roughly(claim(
+                f"F = {F}: all orbits found, elliptic + saddle", f"{elliptic} + {saddle}",
+                f"{full[0]} + {full[1]}", full == (elliptic, saddle),
+                "missed by the seeds: " + _missed(mine[F][1], mine[F][0]))),
         ]  # fmt: skip
     rough, full = (
         np.array([split(each) for each in part]).sum(axis=0).tolist()
@@ -111,18 +113,20 @@ def _counts(data: Counted) -> list[Comparison]:
     why = "missed by the seeds"
     return [
         *rows,
-        count("elliptic orbits at all F, grid-Newton", TOTAL[0], rough[0], "as above"),
-        count("saddles at all F, grid-Newton", TOTAL[1], rough[1], "as above"),
-        count("orbits at all F", sum(TOTAL), sum(full), f"{why}, or dropped by the paper's filters "
-              f"(|v| > 0.05, 0.1 <= det <= 5), which {_passing(data)} of ours pass"),
+        roughly(count("elliptic orbits at all F, grid-Newton", TOTAL[0], rough[0], "as above")),
+        roughly(count("saddles at all F, grid-Newton", TOTAL[1], rough[1], "as above")),
+        roughly(count("orbits at all F", sum(TOTAL), sum(full),
+                f"{why}, or dropped by the paper's filters (|v| > 0.05, 0.1 <= det <= 5), which "
+                f"{_passing(data)} of ours pass")),
         claim("ratio elliptic : saddle", "1:1, one elliptic with one saddle",
               f"{full[0]} : {full[1]}", abs(full[0] - full[1]) <= 0.25 * sum(full),
               "most orbits have turns and are saddles; by trace and determinant, not trace alone, "
               + _types(data)),
-        claim("orbits at each F but 2", "1 to 3",
-              ", ".join(f"{F}: {len(o)}" for F, o in zip(data.forces, data.thorough, strict=True)),
-              all(1 <= len(o) <= 3 for F, o in
-                  zip(data.forces, data.thorough, strict=True) if F != "2"), why),
+        roughly(claim(
+            "orbits at each F but 2", "1 to 3",
+            ", ".join(f"{F}: {len(o)}" for F, o in zip(data.forces, data.thorough, strict=True)),
+            all(1 <= len(o) <= 3 for F, o in
+                zip(data.forces, data.thorough, strict=True) if F != "2"), why)),
     ]  # fmt: skip
 
 
@@ -156,7 +160,8 @@ def _words(data: Counted, run: Run) -> list[Comparison]:
     many = [F for F, found in mine.items() if len(found) > 2]
     within = sum(0.5 <= d <= 0.6 for d in dets)
     return [
-        number("F_sc at f = 0.4", "0.887", fold, note="the formula; no orbit folds there"),
+        *taken_from("eq:hist-Fsc-cross", [
+            number("F_sc at f = 0.4", "0.887", fold, note="the formula; no orbit folds there")]),
         number("F_imp = pi f/2", "0.628", math.pi * f / 2),
         claim("F = 0.65 and 0.85: orbits found below F_sc", "multiple turnings per period",
               "velocity never zero, one hit of each wall: (1,1) orbits" if free else "with turns",
@@ -165,10 +170,11 @@ def _words(data: Counted, run: Run) -> list[Comparison]:
         claim("most orbits have determinants", "in [0.5, 0.6]",
               f"{within} of {len(dets)}", 2 * within > len(dets),
               "orbits with sticks have 0, orbits that never turn 1, others anything below 1"),
-        claim("orbits proliferate", "above F = 1.3",
-              f"more than 2 at F = {', '.join(many)}", all(float(F) > 1.3 for F in many),
-              orbits_at_1()),
-        _flips(mine, run),
+        *taken_from("ssec:hist-connection", [
+            claim("orbits proliferate", "above F = 1.3",
+                  f"more than 2 at F = {', '.join(many)}", all(float(F) > 1.3 for F in many),
+                  orbits_at_1())]),
+        *taken_from("ssec:hist-pitchfork", [_flips(mine, run)]),
     ]  # fmt: skip
 
 

@@ -5,7 +5,7 @@ others hit each wall once, too, but turn or stick.  Everything here is proved.
 """
 
 from cap.paper.certified import theorem
-from cap.paper.comparison import Comparison, claim, count
+from cap.paper.comparison import Comparison, claim, count, roughly
 
 FORCES, GAPS = ("0.15", "0.35", "0.55"), ("1", "2", "3")
 PAPER_KINDS = {  # (f, R): what the paper's Newton search found
@@ -38,8 +38,8 @@ def nine(points: dict[tuple[str, str], dict[str, str]]) -> list[Comparison]:
         said = {"none": "none", "elliptic": "elliptic only", "saddle": "saddle only"}[found]
         reason = f"missed by the four seeds: {', '.join(missed)}" if missed else ""
         rows.append(
-            claim(f"(1,1) orbits at f = {f}, R = {R}", said, f"{_words(members)} (proved)",
-                  has == found and not missed, reason)
+            roughly(claim(f"(1,1) orbits at f = {f}, R = {R}", said,
+                          f"{_words(members)} (proved)", has == found and not missed, reason))
         )  # fmt: skip
     elliptic = sum("elliptic" in each.values() for each in points.values())
     only = sum(set(each.values()) == {"saddle"} for each in points.values())
@@ -66,7 +66,7 @@ def others() -> list[Comparison]:
         own = theorem("periodic", state, f=f, R=R)
         events = ", ".join(own["itinerary"])
         rows.append(
-            claim(f"another T-periodic orbit at f = {f}, R = {R}", "none",
-                  f"{own['type']} (proved): {events}", False, WHY)
+            roughly(claim(f"another T-periodic orbit at f = {f}, R = {R}", "none",
+                          f"{own['type']} (proved): {events}", False, WHY))
         )  # fmt: skip
     return rows

@@ -13,7 +13,15 @@ from cap.floats.findings import Floats
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem
-from cap.paper.comparison import Comparison, claim, count, enclosure, number, proved
+from cap.paper.comparison import (
+    Comparison,
+    claim,
+    count,
+    enclosure,
+    number,
+    proved,
+    taken_from,
+)
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures import times
@@ -33,7 +41,7 @@ def compute(run: Run) -> Result:
     """Prove the theorem `elliptic`, and compare."""
     del run
     own = theorem("elliptic", STATE)
-    rows = [*_place(own), *_linear(own), *_enclosures(own), *_hits(own)]
+    rows = [*_place(own), *_linear(own), *_enclosures(own)]
     return Result(tuple(rows), trajectory(PAPER, orbit=STATE, periods=1))
 
 
@@ -44,13 +52,28 @@ def _place(own: dict[str, Any]) -> list[Comparison]:
     words = swarm.itinerary(PAPER, STATE, 1)
     defect = np.abs(swarm.follow(PAPER, [STATE], 1).states[0] - STATE).max()
     sc = 4 * (2 + 2 - math.pi) / math.pi**2
-    return [
+    printed = [
         proved("x_*", "0.1002798898441954", own["x"], ROUNDED.format(_right(STATE[0], own["x"]))),
         proved("v_*", "0.5419433067664584", own["v"], ROUNDED.format(_right(STATE[1], own["v"]))),
-        proved("x_* (rounded)", "0.1003", own["x"]),
-        proved("v_* (rounded)", "0.5419", own["v"]),
+    ]
+    bounds = [
+        number("f_imp = 2F/pi", "0.6366197724", 2 / math.pi),
+        number("f_sc = 4 (2F + R omega^2 - F pi)/pi^2", "0.34790", sc,
+               note="the formula; but no orbit bifurcates there: see fig:continuation"),
+    ]  # fmt: skip
+    said = [
         claim("residual of Phi at P_*", "< 1e-13", f"{defect:.1e} (at the printed digits)",
               bool(defect < 1e-13), "rounding of the printed digits and of the map"),
+        claim("non-sticking fixed points", "unique",
+              f"{orbits} with one hit of each wall per period (proved)", orbits == 1,
+              "the seeds of the paper's scan led to one of them"),
+    ]  # fmt: skip
+    return [
+        *taken_from("eq:num-params", bounds),
+        *taken_from("eq:elliptic-FP", printed),
+        *taken_from("ssec:num-orbit", said),
+        proved("x_* (rounded)", "0.1003", own["x"]),
+        proved("v_* (rounded)", "0.5419", own["v"]),
         proved("hit of the right wall", "1.0991729107", own["hit_times"][0]),
         proved("hit of the left wall", "3.5160904414", own["hit_times"][1]),
         proved("right hit (rounded)", "1.099", own["hit_times"][0]),
@@ -59,12 +82,6 @@ def _place(own: dict[str, Any]) -> list[Comparison]:
         claim("turns and sticks", "none",
               f"none: least speed {own['least_speed'][0][:10]} (proved)",
               Fraction(own["least_speed"][0]) > 0),
-        claim("non-sticking fixed points", "unique",
-              f"{orbits} with one hit of each wall per period (proved)", orbits == 1,
-              "the seeds of the paper's scan led to one of them"),
-        number("f_imp = 2F/pi", "0.6366197724", 2 / math.pi),
-        number("f_sc = 4 (2F + R omega^2 - F pi)/pi^2", "0.34790", sc,
-               note="the formula; but no orbit bifurcates there: see fig:continuation"),
     ]  # fmt: skip
 
 
@@ -86,18 +103,24 @@ def _linear(own: dict[str, Any]) -> list[Comparison]:
         for j in range(2)
     ]
     determinant = float(np.linalg.det(rough))
-    return [
-        *rows,
+    invariants = [
         claim("det Phi'(P_*) by central differences, h = 1e-6", "1.0000000003",
               f"{determinant:.10f}", abs(determinant - 1) < 1e-9,
               "rounding errors of the order 1e-16/h = 1e-10",
               note="both are 1 up to rounding errors of differences, 1e-16/h"),
         proved("trace of Phi'(P_*)", "-0.4602868346", own["trace"]),
+    ]  # fmt: skip
+    angles = [
         proved("Theta_*  [rad]", "1.8030213804", own["rotation_angle"]),
         number("Theta_*  [degrees]", "103.30", math.degrees(float(own["rotation_angle"][0]))),
         proved("rotation number", "0.286959765", own["rotation_number"]),
         proved("rotation number (rounded)", "0.287", own["rotation_number"]),
-    ]  # fmt: skip
+    ]
+    return [
+        *taken_from("eq:elliptic-DPhi", rows),
+        *taken_from("eq:elliptic-trdet", invariants),
+        *taken_from("eq:elliptic-thetastar", angles),
+    ]
 
 
 def _differences(z: Floats, step: float) -> Floats:
@@ -129,26 +152,35 @@ def _enclosures(own: dict[str, Any]) -> list[Comparison]:
     )  # fmt: skip
     quarter = own["resonance_distances"]["1/4"]
     orders = math.log10(float(quarter[0]) / (0.286959765193 - 0.286959765175))
-    return [
-        *rows,
-        *(enclosure(f"enclosure of {name}", ends, pair, outside) for name, ends, pair in (
-            ("det Phi'(P_*)", ("0.999999999680", "1.000000000320"), ["1", "1"]),
-            ("the trace", ("-0.460286834683", "-0.460286834465"), own["trace"]),
-            ("Theta_*", ("1.80302138030", "1.80302138041"), own["rotation_angle"]),
-            ("the rotation number", ("0.286959765175", "0.286959765193"), own["rotation_number"]),
-        )),
+    others = (
+        ("eq:det-iv", "det Phi'(P_*)", ("0.999999999680", "1.000000000320"), ["1", "1"]),
+        ("eq:tr-iv", "the trace", ("-0.460286834683", "-0.460286834465"), own["trace"]),
+        ("eq:theta-iv", "Theta_*", ("1.80302138030", "1.80302138041"), own["rotation_angle"]),
+        ("eq:rot-iv", "the rotation number", ("0.286959765175", "0.286959765193"),
+         own["rotation_number"]),
+    )  # fmt: skip
+    theorem_of_the_box = [
         claim("box in which the fixed point is unique", "P_* +- 1e-9",
               f"{own['box']['x']} x {own['box']['v']} (proved)".replace("'", ""), inside,
               note="ours holds that of the paper"),
         proved("distance of the rotation number from 1/4", "0.0369597", quarter),
         number("that exceeds the enclosure's width by orders of magnitude", "8", orders,
                "nine", note="nine, rounded down"),
+    ]  # fmt: skip
+    twists = [
         proved("twist tau_1", "-0.42", own["twist"],
                "sign and size are wrong. Unit: |z|^2, dx dv = (i/2) dz dzbar; per action twice as "
                "much. It is small since f = 0.4 is near a zero of the twist: see fig:bifurcation"),
         number("twist tau_1 by differences, h = 1e-3", "-0.42", twist(1e-3),
                "the step does not explain the paper's number: with it the formula gives what is "
                "proved, up to 1%"),
+    ]  # fmt: skip
+    return [
+        *taken_from("eq:DPhi-iv", rows),
+        *(row for place, name, ends, pair in others
+          for row in taken_from(place, [enclosure(f"enclosure of {name}", ends, pair, outside)])),
+        *taken_from("thm:CAP-elliptic", theorem_of_the_box),
+        *taken_from("rem:CAP-twist-feasibility", twists),
     ]  # fmt: skip
 
 
@@ -172,35 +204,6 @@ def _difference(values: Floats, i: int, j: int, step: float) -> float:
     """Return the coefficient of x^i v^j from values on 5 x 5 points."""
     weights = np.outer(STENCILS[i], STENCILS[j]).ravel()
     return float(weights @ values) / (step ** (i + j) * math.factorial(i) * math.factorial(j))
-
-
-def _hits(own: dict[str, Any]) -> list[Comparison]:
-    """Compare the formulas for the lower left entry of a hit's saltation matrix at P_*."""
-    rows = []
-    F, f, w = float(PAPER.F), float(PAPER.f), float(PAPER.omega)
-    for k, wall in enumerate(("right", "left")):
-        t, speed = float(own["hit_times"][k][0]), float(own["hit_speeds"][k][0])
-        v = speed if wall == "right" else -speed
-        measured = _saltation(t)
-        table = 2 * (F * math.cos(w * t) - f * math.copysign(1, v)) / v
-        step = 2 * F * math.cos(w * t) / v
-        why = "friction changes its sign with v, so that f cancels: the entry is 2F cos(omega t)/v"
-        rows += [
-            number(f"saltation at the {wall} hit: Table 1, 2(F cos - f sgn v)/v", f"{table:.6f}",
-                   measured, why),
-            number(f"saltation at the {wall} hit: Step 2, 2F cos/v", f"{step:.6f}", measured),
-        ]  # fmt: skip
-    return rows
-
-
-def _saltation(t: float, near: float = 1e-3, step: float = 1e-6) -> float:
-    """Return the lower left entry of the saltation matrix of the hit at t, by differences."""
-    before = swarm.follow(PAPER, [STATE], (t - near) / (2 * math.pi)).states[0]
-    ends = [before + side * step * axis for axis in np.eye(2) for side in (1, -1)]
-    images = swarm.follow(PAPER, ends, 2 * near / (2 * math.pi), t - near).states
-    whole = np.stack([images[0] - images[1], images[2] - images[3]], axis=-1) / (2 * step)
-    back = np.array([[1.0, -near], [0.0, 1.0]])
-    return float((back @ whole @ back)[1, 0])
 
 
 def draw(data: Trajectory, figure: FigureBase) -> None:

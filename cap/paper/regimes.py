@@ -15,7 +15,7 @@ from cap.floats.findings import State
 from cap.floats.search import search
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.coexistence import mirrored
-from cap.paper.comparison import Comparison, claim, count, number, percent
+from cap.paper.comparison import Comparison, claim, count, number, percent, roughly, taken_from
 from cap.paper.figure import Figure, Result, Run, at
 from cap.paper.impulse_bound import Rows
 from cap.paper.rows import Row, rows
@@ -68,13 +68,16 @@ def _periodic(F: str) -> Seen:
     orbit = _window(F, state, 4)
     words = Counter(str(word) for word in orbit.words)
     found = [
-        number(f"F = {F}: x_*", printed.x, own.x),
-        number(f"F = {F}: v_*", printed.v, own.v),
-        number(f"F = {F}: trace", printed.trace, own.trace),
-        number(f"F = {F}: determinant", printed.determinant, own.determinant),
-        claim(f"F = {F}: type", "elliptic", own.kind(conserves=True),
-              own.kind(conserves=True) == "elliptic",
-              "det < 1: a sink, as the text says below; Omega_NS and KAM are not in question"),
+        *taken_from("eq:hist-orbits-FPs" if printed.hits else "", [
+            number(f"F = {F}: x_*", printed.x, own.x),
+            number(f"F = {F}: v_*", printed.v, own.v),
+            number(f"F = {F}: trace", printed.trace, own.trace),
+            number(f"F = {F}: determinant", printed.determinant, own.determinant),
+        ]),
+        roughly(claim(
+            f"F = {F}: type", "elliptic", own.kind(conserves=True),
+            own.kind(conserves=True) == "elliptic",
+            "det < 1: a sink, as the text says below; Omega_NS and KAM are not in question")),
     ]  # fmt: skip
     if printed.hits:
         right, left = printed.hits
@@ -179,8 +182,9 @@ def _generic(F: str, spans: tuple[int, int], most: int, run: Run) -> tuple[Row, 
     if settled is not None:
         words = f"{len(sinks)} sinks of period T found; most seeds end on: {settled.kind}"
         table.append(
-            claim(f"F = {F}: stable T-periodic orbit", "none found", words, not sinks,
-                  "more seeds find them; the generic orbits are transients to one of them")
+            roughly(claim(
+                f"F = {F}: stable T-periodic orbit", "none found", words, not sinks,
+                "more seeds find them; the generic orbits are transients to one of them"))
         )  # fmt: skip
     counts = Counter(str(word).split()[0] for word in shown.words)
     a, b = _hits(shown)

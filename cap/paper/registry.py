@@ -1,9 +1,12 @@
 """The figures of the paper, by their labels, in its order."""
 
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 from cap.errors import BadInput
-from cap.paper.figure import Figure
+
+if TYPE_CHECKING:
+    from cap.paper.figure import Figure
 
 _MODULES = {
     "fig:model-schematic": "sketches:MODEL",
@@ -27,14 +30,18 @@ _MODULES = {
 LABELS = tuple(_MODULES)
 
 
-def figure(label: str) -> Figure:
+def figure(label: str) -> "Figure":
     """Return a figure, by its label with or without "fig:"; `BadInput` if there is none."""
     full = label if label in _MODULES else f"fig:{label}"
     if full not in _MODULES:
         raise BadInput(f"the paper has no figure {label!r}: all, or one of {', '.join(LABELS)}")
-    module, name = _MODULES[full].split(":")
-    found: Figure = getattr(import_module(f"cap.paper.{module}"), name)
+    found: Figure = getattr(import_module(module(full)), _MODULES[full].partition(":")[2])
     return found
+
+
+def module(label: str) -> str:
+    """Return the module that computes a figure."""
+    return f"cap.paper.{_MODULES[label].partition(':')[0]}"
 
 
 def labelled(label: str) -> list[str]:

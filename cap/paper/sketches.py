@@ -17,7 +17,7 @@ from cap.floats.findings import Floats, State
 from cap.floats.fixed_point import elliptic_point
 from cap.floats.portrait import Portrait, portrait
 from cap.floats.trajectory import Trajectory, trajectory
-from cap.paper.comparison import Comparison, claim, number, percent
+from cap.paper.comparison import Comparison, claim, number, percent, roughly
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures.states import fates
@@ -200,10 +200,12 @@ def decomposition(run: Run) -> Result:
     late, turned = int((first > 2 * math.pi / float(PAPER.omega)).sum()), len(first)
     kinds = [f"{each.kind} ({each.share:.1%} of the seeds)" for each in ends.found]
     rows = (
-        claim("elliptic points in Omega_NS", "one, P_*", f"{len(points['elliptic'])}",
-              len(points["elliptic"]) == 1, "P_* and its mirror image (both proved)"),
-        claim("saddles beside the island", "one, S_*", f"{len(points['saddle'])}",
-              len(points["saddle"]) == 1, "two that hit each wall once (proved); perhaps more"),
+        roughly(claim(
+            "elliptic points in Omega_NS", "one, P_*", f"{len(points['elliptic'])}",
+            len(points["elliptic"]) == 1, "P_* and its mirror image (both proved)")),
+        roughly(claim(
+            "saddles beside the island", "one, S_*", f"{len(points['saddle'])}",
+            len(points["saddle"]) == 1, "two that hit each wall once (proved); perhaps more")),
         claim("Omega_dissip", "at least one zero of the velocity per period",
               f"of the states that turn, {percent(late, turned)} do so only after the first period",
               late == 0,

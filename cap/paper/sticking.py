@@ -13,7 +13,7 @@ from cap.floats.chatter import Chatter, chatter
 from cap.floats.findings import State
 from cap.floats.trajectory import Trajectory, trajectory
 from cap.paper.certified import theorem
-from cap.paper.comparison import Comparison, claim, count, number
+from cap.paper.comparison import Comparison, claim, count, number, taken_from
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures import times
@@ -117,8 +117,9 @@ def _captured(caught: Chatter) -> list[Comparison]:
     F, f = float(PAPER.F), float(PAPER.f)
     least, shortest = 2 * (F - f) / (F + f), float(np.diff(caught.times).min())
     return [
-        claim("time between events (conclusion)", f"at least 2(F - f)/(F + f) = {least:.4f}",
-              f"{shortest:.1e} between hits", shortest >= least, "a capture: see below"),
+        *taken_from("ssec:conclusion-summary", [
+            claim("time between events", f"at least 2(F - f)/(F + f) = {least:.4f}",
+                  f"{shortest:.1e} between hits", shortest >= least, "a capture: see below")]),
         claim("accumulation of impacts (the paper's parameters)", "ruled out for almost all states",
               f"on an open box around {NEAR_WALL} (proved): infinitely many hits before "
               f"t = {float(box['accumulation_time'][1]):.4f}", False,

@@ -31,6 +31,16 @@ Definition phi_of (d : R) : R := angle_of (S_of d) (C_of d).
 
 (** ** The solution *)
 
+Lemma S_and_W : forall d S C W phi, d <> 0 -> closed d S C W phi ->
+  S * G d = r - l /\ W = PI / 2 * S * (sin d / d).
+Proof.
+  intros d S C W phi N [_ _ _ Eb Ecc].
+  assert (EW : W = PI / 2 * S * (sin d / d)).
+  { apply Rmult_eq_reg_r with (2 * d). 2: lra.
+    replace (W * (2 * d)) with (2 * W * d) by ring. rewrite Eb. field. exact N. }
+  split. 2: exact EW. rewrite <- Ecc, EW. unfold G. field. exact N.
+Qed.
+
 Section At.
 
 Variable d : R.
@@ -61,11 +71,8 @@ Qed.
 Theorem asymmetric_unique : forall S C W phi, closed d S C W phi -> - (PI / 2) < phi < PI / 2 ->
   friction d = f /\ S = S_of d /\ C = C_of d /\ W = W_of d /\ phi = phi_of d.
 Proof.
-  intros S C W phi [Es Ec Ea Eb Ecc] H. assert (Pi := PI_RGT_0).
-  assert (EW : W = PI / 2 * S * (sin d / d)).
-  { apply Rmult_eq_reg_r with (2 * d). 2: lra.
-    replace (W * (2 * d)) with (2 * W * d) by ring. rewrite Eb. field. exact d_not_0. }
-  assert (HS : S * G d = r - l). { rewrite <- Ecc, EW. unfold G. field. exact d_not_0. }
+  intros S C W phi Cl H. assert (Pi := PI_RGT_0).
+  destruct (S_and_W d S C W phi d_not_0 Cl) as [HS EW]. destruct Cl as [Es Ec Ea _ _].
   assert (S1 : S = S_of d). { unfold S_of. rewrite <- HS. field. lra. }
   assert (P : 0 < C) by (rewrite <- Ec; apply cos_gt_0; lra).
   assert (Q := sin2_cos2 phi). unfold Rsqr in Q. rewrite Es, Ec in Q.

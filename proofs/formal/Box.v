@@ -1,12 +1,14 @@
 (** * States of period 2 pi in a box
 
     A state that [passes], with hits at s1 and s2, and returns to itself is one of the orbits of
-    OneOne.v: it is given by d = (s2 - s1 - pi)/2.  If for all states of the box the hits exist, with
-    d in an interval where [friction] is monotone, then at most one state returns. *)
+    OneOne.v, given by d = (s2 - s1 - pi)/2 and phi = (s1 + s2)/2 - pi.  If for all states of the
+    box the hits exist, with d and phi in intervals where there is one orbit at most, then at most
+    one state returns.  There is one at most where [friction] is monotone, if d is not 0; and where
+    none is but the symmetric one. *)
 
 From Coq Require Import Reals Lra Ranalysis5.
 From Coquelicot Require Import Coquelicot.
-From Cap Require Import Statement Flight Hits Image OneOne Asymmetric Dip Orbit.
+From Cap Require Import Statement Flight Hits Image OneOne Asymmetric Symmetric Dip Orbit.
 Open Scope R_scope.
 
 Section Box.
@@ -40,41 +42,66 @@ Qed.
 
 (** Where the hits of the states are known to be. *)
 
-Definition hits_known (a b : R) (d_ d' : R) : Prop := exists s1 s2, passes a b s1 s2 /\
-  d_ <= (s2 - s1 - PI) / 2 <= d' /\ - (PI / 2) < (s1 + s2) / 2 - PI < PI / 2.
+Definition hits_known (a b d_ d' phi_ phi' : R) : Prop := exists s1 s2, passes a b s1 s2 /\
+  d_ <= (s2 - s1 - PI) / 2 <= d' /\ phi_ < (s1 + s2) / 2 - PI < phi'.
 
-Lemma known_image : forall a b d_ d', hits_known a b d_ d' -> exists y z, image a b y z.
+Lemma known_image : forall a b d_ d' phi_ phi', hits_known a b d_ d' phi_ phi' ->
+  exists y z, image a b y z.
 Proof.
-  intros a b d_ d' (s1 & s2 & P & _). eexists. eexists. apply (passes_image f l r walls _ _ _ _ P).
+  intros a b d_ d' phi_ phi' (s1 & s2 & P & _). eexists. eexists.
+  apply (passes_image f l r walls _ _ _ _ P).
 Qed.
 
-Lemma fixed_asymmetric : forall a b d_ d', (forall d, d_ <= d <= d' -> d <> 0 /\ r - l < G d) ->
-  hits_known a b d_ d' -> image a b a b -> exists d, d_ <= d <= d' /\ friction l r d = f /\
-  a = start_x f l (hit2 d (phi_of l r d)) (speed2 f d (W_of l r d)) /\
-  b = start_v f (hit2 d (phi_of l r d)) (speed2 f d (W_of l r d)).
-Proof.
-  intros a b d_ d' Reg (s1 & s2 & P & Hd & Hphi) Im.
-  destruct (fixed_closes a b s1 s2 P Im) as (Cl & Ea & Eb).
-  destruct (necessary f l r _ _ _ _ Cl) as (Eq & E1 & E2 & E3 & E4).
-  set (d := (s2 - s1 - PI) / 2) in *. set (phi := (s1 + s2) / 2 - PI) in *.
-  destruct (Reg d Hd) as [N Big].
-  destruct (asymmetric_unique f l r walls d N Big _ _ _ _ Eq Hphi) as (F & _ & _ & EW & Ephi).
-  exists d. split. exact Hd. split. exact F.
-  rewrite EW in E4. rewrite Ephi in E2. rewrite <- E2, <- E4. auto.
-Qed.
+Definition one_orbit (d_ d' phi_ phi' : R) : Prop := forall d S C W phi d2 S2 C2 W2 phi2,
+  d_ <= d <= d' -> d_ <= d2 <= d' -> phi_ < phi < phi' -> phi_ < phi2 < phi' ->
+  closed f l r d S C W phi -> closed f l r d2 S2 C2 W2 phi2 -> d = d2 /\ W = W2 /\ phi = phi2.
 
-Theorem fixed_unique : forall (states : R -> R -> Prop) d_ d' s,
-  (forall d, d_ <= d <= d' -> d <> 0 /\ r - l < G d) ->
-  (forall d, d_ <= d <= d' -> 0 < s * friction' l r d) ->
-  (forall a b, states a b -> hits_known a b d_ d') ->
+Theorem fixed_unique : forall (states : R -> R -> Prop) d_ d' phi_ phi', one_orbit d_ d' phi_ phi' ->
+  (forall a b, states a b -> hits_known a b d_ d' phi_ phi') ->
   forall a b a2 b2, states a b -> states a2 b2 -> image a b a b -> image a2 b2 a2 b2 ->
   a = a2 /\ b = b2.
 Proof.
-  intros states d_ d' s Reg Mono Known a b a2 b2 H H2 Im Im2.
-  destruct (fixed_asymmetric a b d_ d' Reg (Known a b H) Im) as (d & Hd & F & -> & ->).
-  destruct (fixed_asymmetric a2 b2 d_ d' Reg (Known a2 b2 H2) Im2) as (e & He & F2 & -> & ->).
-  assert (d = e). 2: subst; auto.
-  apply (parameter_unique l r walls d_ d' Reg s Mono); auto. rewrite F, F2. reflexivity.
+  intros states d_ d' phi_ phi' One Known a b a2 b2 H H2 Im Im2.
+  destruct (Known a b H) as (s1 & s2 & P & Hd & Hphi).
+  destruct (Known a2 b2 H2) as (q1 & q2 & P2 & Hd2 & Hphi2).
+  destruct (fixed_closes a b s1 s2 P Im) as (Cl & Ea & Eb).
+  destruct (fixed_closes a2 b2 q1 q2 P2 Im2) as (Cl2 & Ea2 & Eb2).
+  destruct (necessary f l r _ _ _ _ Cl) as (Eq & _ & E2 & _ & E4).
+  destruct (necessary f l r _ _ _ _ Cl2) as (Eq2 & _ & F2 & _ & F4).
+  destruct (One _ _ _ _ _ _ _ _ _ _ Hd Hd2 Hphi Hphi2 Eq Eq2) as (Ed & EW & Ephi).
+  assert (Es : s2 = q2).
+  { refine (eq_trans E2 (eq_trans _ (eq_sym F2))). rewrite Ed, Ephi. reflexivity. }
+  assert (Eu : after2 b s1 s2 = after2 b2 q1 q2).
+  { refine (eq_trans E4 (eq_trans _ (eq_sym F4))). unfold speed2. rewrite EW, Ed. reflexivity. }
+  split.
+  - refine (eq_trans Ea (eq_trans _ (eq_sym Ea2))). f_equal; assumption.
+  - refine (eq_trans Eb (eq_trans _ (eq_sym Eb2))). f_equal; assumption.
+Qed.
+
+Lemma one_asymmetric : forall d_ d' s,
+  (forall d, d_ <= d <= d' -> d <> 0 /\ r - l < G d) ->
+  (forall d, d_ <= d <= d' -> 0 < s * friction' l r d) -> one_orbit d_ d' (- (PI / 2)) (PI / 2).
+Proof.
+  intros d_ d' s Reg Mono d S C W phi d2 S2 C2 W2 phi2 Hd Hd2 Hphi Hphi2 Cl Cl2.
+  destruct (Reg d Hd) as [N Big]. destruct (Reg d2 Hd2) as [N2 Big2].
+  destruct (asymmetric_unique f l r walls d N Big _ _ _ _ Cl Hphi) as (F1 & _ & _ & -> & ->).
+  destruct (asymmetric_unique f l r walls d2 N2 Big2 _ _ _ _ Cl2 Hphi2) as (F2 & _ & _ & -> & ->).
+  assert (E : d = d2).
+  { apply (parameter_unique l r walls d_ d' Reg s Mono); auto. rewrite F1, F2. reflexivity. }
+  rewrite E. auto.
+Qed.
+
+Lemma one_symmetric : forall d_ d' phi_ phi' s, s = 1 \/ s = -1 ->
+  (forall phi, phi_ < phi < phi' -> - (PI / 2) < phi < PI / 2 /\ s * phi < 0) ->
+  (forall d, d_ <= d <= d' -> d <> 0 -> impossible f l r s d) -> one_orbit d_ d' phi_ phi'.
+Proof.
+  intros d_ d' phi_ phi' s Hs Side Imp d S C W phi d2 S2 C2 W2 phi2 Hd Hd2 Hphi Hphi2 Cl Cl2.
+  destruct (Side phi Hphi) as [B Sg]. destruct (Side phi2 Hphi2) as [B2 Sg2].
+  assert (E := alone f l r s Hs d S C W phi walls (Imp d Hd) Cl B Sg).
+  assert (E2 := alone f l r s Hs d2 S2 C2 W2 phi2 walls (Imp d2 Hd2) Cl2 B2 Sg2).
+  rewrite E in Cl |- *. rewrite E2 in Cl2 |- *.
+  destruct (symmetric_unique f l r s Hs S C W phi Cl B Sg) as [-> ->].
+  destruct (symmetric_unique f l r s Hs S2 C2 W2 phi2 Cl2 B2 Sg2) as [-> ->]. auto.
 Qed.
 
 (** ** The hits of the states of a cell

@@ -2,13 +2,13 @@
 
 From Coq Require Import Reals Lra Lia ZArith Bool List.
 From Coquelicot Require Import Coquelicot.
-From Cap Require Import Statement OneOne Asymmetric Box Units Enclosure Data EvalOrbit EvalBox Check
+From Cap Require Import Statement OneOne Asymmetric Symmetric Box Units Enclosure Data EvalOrbit EvalBox Check
   CheckedUnits.
 Open Scope R_scope.
 
 Section Box.
 
-Variables (n : data) (h : hints).
+Variables (n : orbit_data) (h : hints).
 Hypothesis ok : good n.
 Hypothesis tested : forallb snd (box_tests n h) = true.
 
@@ -19,7 +19,7 @@ Notation l := (l n).
 Notation r := (r n).
 Notation q := (Enclosure.F.PtoP (box_bits h)).
 Notation the_setting := (eval_setting q (scaled_f n q) (scaled_l n q) (scaled_r n q)
-  (window_1 h) (window_2 h) (d_box h)).
+  (window_1 h) (window_2 h) (d_box h) (kind_ h)).
 
 Lemma edge_halves : forall a b k i x, (0 < k)%nat -> edge a b k i <= x <= edge a b k (S i) ->
   edge a b (2 * k) (2 * i) <= x <= edge a b (2 * k) (S (2 * i)) \/
@@ -41,17 +41,20 @@ Lemma cover_ok : forall depth k i j, (0 < k)%nat -> windows_ok q the_setting = t
     <= edge (value (fst (box_x_ n))) (value (snd (box_x_ n))) k (S i) ->
   edge (value (fst (box_v_ n))) (value (snd (box_v_ n))) k j <= U * b
     <= edge (value (fst (box_v_ n))) (value (snd (box_v_ n))) k (S j) ->
-  hits_known f l r a b (value (fst (d_box h))) (value (snd (d_box h))).
+  hits_known f l r a b (value (fst (d_box h))) (value (snd (d_box h)))
+    (phi_low (kind_ h)) (phi_high (kind_ h)).
 Proof.
   assert (Hl := lambda_pos n ok). assert (HU := U_pos n ok). assert (Hf := f_small n ok).
   induction depth as [ | depth IH]; intros k i j Hk HW H a b Ha Hb.
   - unfold cover in H. destruct (cell_ok _ _ _ _) eqn:E; [ | discriminate].
-    apply (cell_known q f l r (scaled_f n q) (scaled_l n q) (scaled_r n q) (window_1 h) (window_2 h) (d_box h)
+    apply (cell_known q f l r (scaled_f n q) (scaled_l n q) (scaled_r n q) (window_1 h) (window_2 h)
+      (d_box h) (kind_ h)
       _ _ a b Hf (inn_f n q) (inn_l n q) (inn_r n q) HW E).
     + replace a with (lambda * a / lambda) by (field; lra). apply inn_div. apply part_ok, Ha. apply inn_lam.
     + replace b with (U * b / U) by (field; lra). apply inn_div. apply part_ok, Hb. apply inn_U.
   - cbn [cover] in H. destruct (cell_ok _ _ _ _) eqn:E.
-    + apply (cell_known q f l r (scaled_f n q) (scaled_l n q) (scaled_r n q) (window_1 h) (window_2 h) (d_box h)
+    + apply (cell_known q f l r (scaled_f n q) (scaled_l n q) (scaled_r n q) (window_1 h) (window_2 h)
+      (d_box h) (kind_ h)
         _ _ a b Hf (inn_f n q) (inn_l n q) (inn_r n q) HW E).
       * replace a with (lambda * a / lambda) by (field; lra). apply inn_div. apply part_ok, Ha. apply inn_lam.
       * replace b with (U * b / U) by (field; lra). apply inn_div. apply part_ok, Hb. apply inn_U.
@@ -71,7 +74,8 @@ Proof.
 Qed.
 
 Lemma box_known : forall a b, within (box_x (the_claims n)) a -> within (box_v (the_claims n)) b ->
-  hits_known f l r a b (value (fst (d_box h))) (value (snd (d_box h))).
+  hits_known f l r a b (value (fst (d_box h))) (value (snd (d_box h)))
+    (phi_low (kind_ h)) (phi_high (kind_ h)).
 Proof.
   assert (Hl := lambda_pos n ok). assert (HU := U_pos n ok). assert (H := tested).
   unfold box_tests in H. cbv zeta in H. cbn [forallb snd] in H. rewrite !andb_true_iff in H.
@@ -83,10 +87,11 @@ Proof.
   - destruct Hb as [A1 A2]. simpl in A1, A2. unfold edge, Rdiv. simpl. rewrite Rinv_1. lra.
 Qed.
 
-Lemma friction_known : exists s, forall d, value (fst (d_box h)) <= d <= value (snd (d_box h)) ->
+Lemma friction_known : kind_ h = Asymmetric -> exists s, forall d, value (fst (d_box h)) <= d <= value (snd (d_box h)) ->
   d <> 0 /\ r - l < G d /\ 0 < s * friction' l r d.
 Proof.
-  assert (H := tested). unfold box_tests in H. cbv zeta in H. cbn [forallb snd] in H. rewrite !andb_true_iff in H.
+  intros K. assert (H := tested). unfold box_tests, alone_ok in H. rewrite K in H.
+  cbv zeta in H. cbn [forallb snd] in H. rewrite !andb_true_iff in H.
   destruct H as [_ [H _]]. set (a := value (fst (d_box h))) in *. set (b := value (snd (d_box h))) in *.
   assert (Main : forall d, a <= d <= b -> r - l < G d /\
     ((0 < d /\ friction' l r d < 0) \/ (d < 0 /\ 0 < friction' l r d))).
@@ -106,6 +111,32 @@ Proof.
   - exists 1. intros d Hd. destruct (Main d Hd) as [A [[B C] | [B C]]].
     + exfalso. destruct (Main 0 ltac:(lra)) as [_ [[Z _] | [Z _]]]; lra.
     + split. lra. split. exact A. lra.
+Qed.
+
+Lemma symmetric_alone : forall plus : bool,
+  kind_ h = (if plus then Symmetric_plus else Symmetric_minus) -> forall d,
+  value (fst (d_box h)) <= d <= value (snd (d_box h)) -> d <> 0 ->
+  impossible f l r (if plus then 1 else -1) d.
+Proof.
+  intros plus K d Hd N. assert (H := tested). unfold box_tests in H. cbv zeta in H.
+  cbn [forallb snd] in H. rewrite !andb_true_iff in H. destruct H as [_ [H _]].
+  destruct (edges_cover _ _ _ d (Pos2Nat.is_pos (pieces h)) Hd) as [i [Hi E]].
+  assert (M := all_below_ok _ _ i H Hi). unfold alone_ok in M.
+  assert (In := part_ok q (d_box h) _ i d E).
+  apply (impossible_ok q f l r d _ _ _ plus (inn_rho n q) (inn_f n q) In N).
+  destruct plus; rewrite K in M; exact M.
+Qed.
+
+Lemma one_in_the_box : one_orbit f l r (value (fst (d_box h))) (value (snd (d_box h)))
+  (phi_low (kind_ h)) (phi_high (kind_ h)).
+Proof.
+  assert (W := walls n ok). assert (P := PI_RGT_0). destruct (kind_ h) eqn:K.
+  - destruct (friction_known K) as [s Fk]. apply (one_asymmetric f l r W _ _ s).
+    intros d Hd. destruct (Fk d Hd) as (A & B & _). auto. intros d Hd. apply (Fk d Hd).
+  - apply (one_symmetric f l r W _ _ _ _ 1); auto.
+    intros phi H. cbn in H. lra. exact (symmetric_alone true K).
+  - apply (one_symmetric f l r W _ _ _ _ (-1)); auto.
+    intros phi H. cbn in H. lra. exact (symmetric_alone false K).
 Qed.
 
 End Box.

@@ -2,13 +2,13 @@
 
 From Coq Require Import Reals Lra Lia ZArith Bool List.
 From Coquelicot Require Import Coquelicot.
-From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Dip Orbit Elliptic Units Enclosure
+From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Numbers Units Enclosure
   Data EvalOrbit EvalBox Check CheckedUnits.
 Open Scope R_scope.
 
 Section Orbit.
 
-Variables (n : data) (h : hints).
+Variables (n : orbit_data) (h : hints).
 Variables (o : shape) (s : around I.type).
 Hypothesis tested : forallb snd (orbit_tests n h o s) = true.
 
@@ -31,12 +31,12 @@ Proof.
   apply is_pos_ok with (1 := inn_rho n p) in H5. split; try assumption; lra.
 Qed.
 
-(** ** The parameter d *)
+(** ** The orbit *)
 
-Lemma d_exists : exists d, d <> 0 /\ r - l < G d /\ friction l r d = f /\ inn d (bracket h).
+Lemma asymmetric_exists : asymmetric_ok n h = true ->
+  exists d, d <> 0 /\ r - l < G d /\ friction l r d = f /\ inn d (bracket h).
 Proof.
-  assert (W := walls n parameters_ok). take H. destruct H as [_ [H _]].
-  unfold bracket_ok in H. cbv zeta in H. rewrite !andb_true_iff, !orb_true_iff, !andb_true_iff in H.
+  assert (W := walls n parameters_ok). intros H. unfold asymmetric_ok in H. cbv zeta in H. rewrite !andb_true_iff, !orb_true_iff, !andb_true_iff in H.
   destruct H as [[[H0 H1] H2] H3].
   assert (N0 := inn_num p (fst (d_ h))). assert (N1 := inn_num p (snd (d_ h))).
   set (d0 := value (fst (d_ h))) in *. set (d1 := value (snd (d_ h))) in *.
@@ -57,6 +57,24 @@ Proof.
     - apply is_pos_ok with (1 := K0) in S0. apply is_neg_ok with (1 := K1) in S1.
       apply (parameter_exists f l r W d0 d1 Reg (-1)); lra. }
   destruct Ex as (d & Hd & E). destruct (Reg d Hd) as [A B]. exists d. auto.
+Qed.
+
+Lemma orbit_exists : exists d S C W phi, closed f l r d S C W phi /\ fits d S C W phi (the_shape n h).
+Proof.
+  assert (W := walls n parameters_ok). assert (Hr := inn_rho n p). assert (Hf := inn_f n p).
+  assert (F := f_small n parameters_ok). take H. destruct H as [_ [H _]].
+  unfold bracket_ok in H. unfold the_shape. destruct (kind_ h).
+  - destruct (asymmetric_exists H) as (d & N & Big & Fr & Dd).
+    exists d, (S_of l r d), (C_of l r d), (W_of l r d), (phi_of l r d). split.
+    exact (asymmetric f l r W d N Big Fr). exact (inn_asymmetric p l r d _ _ Hr Dd).
+  - assert (HC : inn (C_sym f) (eval_C_sym p (scaled_f n p))) by (unfold C_sym, eval_C_sym; inn_auto).
+    is_positive H (1 - C_sym f).
+    exists 0, (S_sym f 1), (C_sym f), (W_sym f l r 1), (phi_sym f 1). split.
+    apply symmetric; lra. exact (inn_symmetric p f l r _ _ 1 Hr Hf).
+  - assert (HC : inn (C_sym f) (eval_C_sym p (scaled_f n p))) by (unfold C_sym, eval_C_sym; inn_auto).
+    is_positive H (1 - C_sym f).
+    exists 0, (S_sym f (-1)), (C_sym f), (W_sym f l r (-1)), (phi_sym f (-1)). split.
+    apply symmetric; lra. exact (inn_symmetric p f l r _ _ (-1) Hr Hf).
 Qed.
 
 (** ** Hits and speeds *)
@@ -111,9 +129,9 @@ Proof.
   - unfold forth_speed. rewrite (r_speed _ _ _ _ _ _ _ orbit). exact in_u1.
 Qed.
 
-Lemma least_ok : 0 < value (fst (least_ n)) / U /\
-  (forall u, In u (low_speeds f t1 t2 u1 u2) -> value (fst (least_ n)) / U <= u) /\
-  (exists u, In u (low_speeds f t1 t2 u1 u2) /\ u <= value (snd (least_ n)) / U).
+Lemma least_ok : 0 < value (fst (least_speed_ n)) / U /\
+  (forall u, In u (low_speeds f t1 t2 u1 u2) -> value (fst (least_speed_ n)) / U <= u) /\
+  (exists u, In u (low_speeds f t1 t2 u1 u2) /\ u <= value (snd (least_speed_ n)) / U).
 Proof.
   assert (HU := U_pos n parameters_ok). assert (InU := inn_U n p).
   assert (Low3 := in_low_back). assert (Low4 := in_low_forth).
@@ -121,17 +139,17 @@ Proof.
   cbn [speeds_of nth] in Low3, Low4. cbn [speeds_of forallb existsb] in Sl, Fa.
   rewrite !andb_true_iff in Sl. rewrite !orb_true_iff in Fa.
   destruct Sl as (Sl1 & Sl2 & Sl3 & Sl4 & _).
-  assert (IL := inn_num p (fst (least_ n))). assert (IH := inn_num p (snd (least_ n))).
+  assert (IL := inn_num p (fst (least_speed_ n))). assert (IH := inn_num p (snd (least_speed_ n))).
   apply is_pos_ok with (1 := IL) in Mv.
   assert (Above : forall u V, inn u V ->
-    is_nonneg (I.sub p (I.mul p (unit_U n p) V) (num p (fst (least_ n)))) = true ->
-    value (fst (least_ n)) / U <= u).
-  { intros u V Hu H. is_nonnegative H (U * u - value (fst (least_ n))).
+    is_nonneg (I.sub p (I.mul p (unit_U n p) V) (num p (fst (least_speed_ n)))) = true ->
+    value (fst (least_speed_ n)) / U <= u).
+  { intros u V Hu H. is_nonnegative H (U * u - value (fst (least_speed_ n))).
     apply Rmult_le_reg_r with U. exact HU. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
   assert (Below : forall u V, inn u V ->
-    is_nonneg (I.sub p (num p (snd (least_ n))) (I.mul p (unit_U n p) V)) = true ->
-    u <= value (snd (least_ n)) / U).
-  { intros u V Hu H. is_nonnegative H (value (snd (least_ n)) - U * u).
+    is_nonneg (I.sub p (num p (snd (least_speed_ n))) (I.mul p (unit_U n p) V)) = true ->
+    u <= value (snd (least_speed_ n)) / U).
+  { intros u V Hu H. is_nonnegative H (value (snd (least_speed_ n)) - U * u).
     apply Rmult_le_reg_r with U. exact HU. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
   unfold low_speeds. split. apply Rdiv_lt_0_compat; assumption. split.
   - intros u [<- | [<- | [<- | [<- | []]]]].
@@ -144,7 +162,7 @@ Proof.
     + eexists. split. 2: apply (Below _ _ Low4 Fa). simpl. auto.
 Qed.
 
-Record orbit_claims : Prop := {
+Record orbit_claims_hold : Prop := {
   k_hit_1 : within (hit_1 (the_claims n)) t1;
   k_hit_2 : within (hit_2 (the_claims n)) t2;
   k_speed_1 : within (speed_1 (the_claims n)) u1;
@@ -154,7 +172,7 @@ Record orbit_claims : Prop := {
   k_x : within (box_x (the_claims n)) x0;
   k_v : within (box_v (the_claims n)) v0 }.
 
-Lemma claims_ok : orbit_claims.
+Lemma claims_ok : orbit_claims_hold.
 Proof.
   assert (Hl := lambda_pos n parameters_ok). assert (HU := U_pos n parameters_ok).
   assert (Hw := w_pos n parameters_ok). assert (Inw := inn_num p (w_ n)).

@@ -12,7 +12,7 @@ Open Scope R_scope.
 
 Section Units.
 
-Variable n : data.
+Variable n : orbit_data.
 
 Definition F : R := value (F_ n).
 Definition w : R := value (w_ n).
@@ -22,7 +22,7 @@ Definition f : R := value (f_ n) / F.
 Definition l : R := value (l_ n) / lambda.
 Definition r : R := value (r_ n) / lambda.
 
-Definition the_claims : claims := in_units lambda w (claims_of n).
+Definition the_claims : orbit_claims := orbit_in_units lambda w (orbit_claims_of n).
 
 (** ** In intervals *)
 
@@ -95,18 +95,34 @@ Proof. destruct parameters_good. apply Rdiv_lt_0_compat; nra. Qed.
 Lemma U_pos : 0 < U.
 Proof. apply Rmult_lt_0_compat. apply lambda_pos. apply parameters_good. Qed.
 
-Theorem in_given_units : elliptic_orbit 1 1 f l r the_claims ->
-  elliptic_orbit (value (F_ n)) (value (w_ n)) (value (f_ n)) (value (l_ n)) (value (r_ n)) (claims_of n).
+Lemma units_back : lambda * w * w * 1 = value (F_ n) /\ w * 1 = value (w_ n) /\
+  lambda * w * w * f = value (f_ n) /\ lambda * l = value (l_ n) /\ lambda * r = value (r_ n).
 Proof.
-  intros E. destruct parameters_good as [HF Hw _ _]. assert (Hl := lambda_pos). assert (HU := U_pos).
-  assert (H := elliptic_scaled lambda w Hl Hw f l r (claims_of n) E).
-  change (lambda * w) with U in H. fold F w.
-  replace (U * w * 1) with F in H by (unfold U, lambda; field; lra).
-  replace (w * 1) with w in H by ring.
-  replace (U * w * f) with (value (f_ n)) in H by (unfold U, lambda, f; field; lra).
-  replace (lambda * l) with (value (l_ n)) in H by (unfold l; field; lra).
-  replace (lambda * r) with (value (r_ n)) in H by (unfold r; field; lra).
-  exact H.
+  destruct parameters_good as [HF Hw _ _]. assert (Hl := lambda_pos).
+  assert (E1 : lambda * w * w = F) by (unfold lambda; field; lra).
+  rewrite E1. fold F w. unfold f, l, r.
+  split. ring. split. ring. split. field. lra. split; field; lra.
 Qed.
 
 End Units.
+
+Theorem elliptic_in_given_units : forall n : elliptic_data, good n ->
+  orbit_with 1 1 (f n) (l n) (r n) (the_claims n)
+    (elliptic 1 1 (f n) (l n) (r n) (elliptic_in_units (lambda n) (w n) (elliptic_claims_of n))) ->
+  elliptic_orbit (value (F_ n)) (value (w_ n)) (value (f_ n)) (value (l_ n)) (value (r_ n)) (elliptic_claims_of n).
+Proof.
+  intros n ok E. assert (Hl := lambda_pos n ok). assert (Hw := w_pos n ok).
+  assert (H := orbit_scaled (lambda n) (w n) Hl Hw _ _ _ _ _ _
+    (elliptic_scales (lambda n) (w n) Hl Hw (f n) (l n) (r n) (elliptic_claims_of n)) E).
+  destruct (units_back n ok) as (E1 & E2 & E3 & E4 & E5). rewrite E1, E2, E3, E4, E5 in H. exact H.
+Qed.
+
+Theorem saddle_in_given_units : forall n : saddle_data, good n ->
+  orbit_with 1 1 (f n) (l n) (r n) (the_claims n) (saddle (saddle_in_units (lambda n) (w n) (saddle_claims_of n))) ->
+  saddle_orbit (value (F_ n)) (value (w_ n)) (value (f_ n)) (value (l_ n)) (value (r_ n)) (saddle_claims_of n).
+Proof.
+  intros n ok E. assert (Hl := lambda_pos n ok). assert (Hw := w_pos n ok).
+  assert (H := orbit_scaled (lambda n) (w n) Hl Hw _ _ _ _ _ _
+    (saddle_scales (lambda n) (w n) Hl Hw (f n) (l n) (r n) (saddle_claims_of n)) E).
+  destruct (units_back n ok) as (E1 & E2 & E3 & E4 & E5). rewrite E1, E2, E3, E4, E5 in H. exact H.
+Qed.

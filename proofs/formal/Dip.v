@@ -91,11 +91,6 @@ Hypothesis order : turn <= A /\ A <= B /\ B <= low + 2 * PI.
 
 Definition lowest : R := Rmax A (Rmin low B).
 
-Lemma lowest_in : A <= lowest <= B.
-Proof.
-  unfold lowest. split. apply Rmax_l. apply Rmax_lub. lra. apply Rmin_r.
-Qed.
-
 Theorem dip : forall t, A <= t <= B -> Rmin (h lowest) (h B) <= h t.
 Proof.
   intros t Ht. destruct turn_is as (_ & _ & Bt).

@@ -105,12 +105,21 @@ Qed.
 
 (** ** The interval between two intervals *)
 
-Lemma inn_between : forall x y z X Y, inn x X -> inn z Y -> x <= y <= z -> inn y (I.join X Y).
+Lemma inn_hull : forall x y z X Y, inn x X -> inn z Y -> Rmin x z <= y <= Rmax x z ->
+  inn y (I.join X Y).
 Proof.
   intros x y z X Y Hx Hz H.
   assert (Jx := I.join_correct X Y (Xreal x) (or_introl Hx)).
   assert (Jz := I.join_correct X Y (Xreal z) (or_intror Hz)).
-  unfold inn. exact (contains_connected _ _ _ Jx Jz y H).
+  unfold inn. destruct (Rle_dec x z) as [L | L].
+  - rewrite Rmin_left, Rmax_right in H by lra. exact (contains_connected _ _ _ Jx Jz y H).
+  - rewrite Rmin_right, Rmax_left in H by lra. exact (contains_connected _ _ _ Jz Jx y H).
+Qed.
+
+Lemma inn_between : forall x y z X Y, inn x X -> inn z Y -> x <= y <= z -> inn y (I.join X Y).
+Proof.
+  intros x y z X Y Hx Hz H. apply (inn_hull x y z); try assumption.
+  rewrite Rmin_left, Rmax_right; lra.
 Qed.
 
 (** ** Polynomials *)

@@ -124,12 +124,14 @@ Definition eval_window (w : range) : window :=
 
 Record setting := { g_f : I.type; g_l : I.type; g_r : I.type; g_pi : I.type;
                     g_turn : I.type; g_sin_turn : I.type; g_1 : window; g_2 : window;
-                    g_d0 : I.type; g_d1 : I.type }.
+                    g_d0 : I.type; g_d1 : I.type; g_phi0 : I.type; g_phi1 : I.type }.
 
-Definition eval_setting (f l r : I.type) (w1 w2 dd : range) : setting :=
+Definition eval_setting (f l r : I.type) (w1 w2 dd : range) (k : kind) : setting :=
   {| g_f := f; g_l := l; g_r := r; g_pi := I.pi p; g_turn := eval_turn f; g_sin_turn := eval_sin_turn f;
      g_1 := eval_window w1; g_2 := eval_window w2;
-     g_d0 := num p (fst dd); g_d1 := num p (snd dd) |}.
+     g_d0 := num p (fst dd); g_d1 := num p (snd dd);
+     g_phi0 := match k with Symmetric_minus => I.fromZ p 0 | _ => I.neg (I.div p (I.pi p) (I.fromZ p 2)) end;
+     g_phi1 := match k with Symmetric_plus => I.fromZ p 0 | _ => I.div p (I.pi p) (I.fromZ p 2) end |}.
 
 Section Cell.
 
@@ -177,7 +179,7 @@ Definition tests3 (u1 y s q sin_q cos_q : I.type) : bool :=
   is_pos (at_lowest forth q (#2 * pi) (z - g_sin_turn g - f * forth) u2 last) && is_pos last &&
   is_pos (r - (l + z * (#2 * pi - q) - #1 + cos_q - f * (#4 * pi * pi - q * q) / #2)) &&
   is_nonneg ((q - s - pi) / #2 - g_d0 g) && is_nonneg (g_d1 g - (q - s - pi) / #2) &&
-  is_pos (s + q - pi) && is_pos (#3 * pi - (s + q)).
+  is_pos ((s + q) / #2 - pi - g_phi0 g) && is_pos (g_phi1 g - ((s + q) / #2 - pi)).
 
 Definition cell_ok (A B : I.type) : bool :=
   let s := first_in A B in
@@ -189,6 +191,11 @@ Definition cell_ok (A B : I.type) : bool :=
   tests3 (B + sin_s - f * s) y s q (I.sin p q) (I.cos p q).
 
 End Cell.
+
+(** Between which numbers phi = - arcsin S must lie. *)
+
+Definition phi_low (k : kind) : R := match k with Symmetric_minus => 0 | _ => (- (PI / 2))%R end.
+Definition phi_high (k : kind) : R := match k with Symmetric_plus => 0 | _ => (PI / 2)%R end.
 
 (** What the flights are in terms of the state and the times. *)
 
@@ -237,13 +244,13 @@ Proof.
   apply inn_add. exact HM. apply inn_div. apply inn_sub; assumption. apply HS, Wc.
 Qed.
 
-Theorem cell_known : forall f l r Fi L Ri w1 w2 dd A B a b, 0 < f < 1 -> inn f Fi -> inn l L -> inn r Ri ->
-  windows_ok (eval_setting Fi L Ri w1 w2 dd) = true -> cell_ok (eval_setting Fi L Ri w1 w2 dd) A B = true ->
-  inn a A -> inn b B ->
-  hits_known f l r a b (value (fst dd)) (value (snd dd)).
+Theorem cell_known : forall f l r Fi L Ri w1 w2 dd k A B a b, 0 < f < 1 ->
+  inn f Fi -> inn l L -> inn r Ri -> windows_ok (eval_setting Fi L Ri w1 w2 dd k) = true ->
+  cell_ok (eval_setting Fi L Ri w1 w2 dd k) A B = true -> inn a A -> inn b B ->
+  hits_known f l r a b (value (fst dd)) (value (snd dd)) (phi_low k) (phi_high k).
 Proof.
-  intros f l r Fi L Ri w1 w2 dd A B a b f_small Hf Hl Hr HW HC Ha Hb.
-  set (g := eval_setting Fi L Ri w1 w2 dd) in *.
+  intros f l r Fi L Ri w1 w2 dd k A B a b f_small Hf Hl Hr HW HC Ha Hb.
+  set (g := eval_setting Fi L Ri w1 w2 dd k) in *.
   set (a1 := value (fst w1)). set (b1 := value (snd w1)).
   set (a2 := value (fst w2)). set (b2 := value (snd w2)). set (m1 := (a1 + b1) / 2).
   set (m2 := (a2 + b2) / 2).
@@ -274,6 +281,11 @@ Proof.
   { intros t H. exact (inn_sin p _ _ H). }
   assert (D1 : inn (value (fst dd)) (g_d0 g)) by exact (inn_num p (fst dd)).
   assert (D2 : inn (value (snd dd)) (g_d1 g)) by exact (inn_num p (snd dd)).
+  assert (Half : inn (PI / 2) (I.div p (I.pi p) (I.fromZ p 2))) by inn_auto.
+  assert (P1 : inn (phi_low k) (g_phi0 g)).
+  { destruct k; [exact (inn_neg _ _ Half) | exact (inn_neg _ _ Half) | exact (inn_Z p 0)]. }
+  assert (P2 : inn (phi_high k) (g_phi1 g)).
+  { destruct k; [exact Half | exact (inn_Z p 0) | exact Half]. }
   clearbody g.
   unfold windows_ok in HW. rewrite !andb_true_iff in HW.
   destruct HW as [[[[[[O1 O2] O3] O4] O5] O6] O7].
@@ -386,7 +398,7 @@ Proof.
   - destruct (At s q Asq) as (O & Hs & Hq & _).
     is_nonnegative Dl ((q - s - PI) / 2 - value (fst dd)).
     is_nonnegative Dh (value (snd dd) - (q - s - PI) / 2).
-    is_positive Pl (s + q - PI). is_positive Ph (3 * PI - (s + q)).
+    is_positive Pl ((s + q) / 2 - PI - phi_low k). is_positive Ph (phi_high k - ((s + q) / 2 - PI)).
     exists s, q. split. exact P. split. lra. lra.
 Qed.
 

@@ -4,7 +4,7 @@
     evaluated; each evaluation contains the number. *)
 
 From Coq Require Import Reals Lra ZArith Bool List.
-From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Dip Orbit Elliptic Moeckel Enclosure Data.
+From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Numbers Moeckel Enclosure Data.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -57,6 +57,28 @@ Definition eval_friction' : I.type :=
   let C := I.sqrt p (#1 - S * S) in
   #2 / pi * (cd * (S * (rho * G' / (G * G)) / C) - sd * C).
 
+(** Around d = 0, where sin d/d is a value of the cosine. *)
+
+Definition eval_G_near : I.type :=
+  pi * pi / #2 * I.cos p (I.join #0 D) - #2 * cd - #2 * D * sd.
+
+Variable f : I.type.
+
+Definition eval_C_sym : I.type := pi * f / #2.
+
+Definition eval_symmetric (s : Z) : shape :=
+  let C := eval_C_sym in
+  let S := #s * I.sqrt p (#1 - C * C) in
+  {| s_d := #0; s_sin := #0; s_cos := #1; s_S := S; s_C := C; s_W := (rho + #2 * S) / pi;
+     s_phi := - I.atan p (S / C) |}.
+
+Definition eval_C_at : I.type := pi * f / (#2 * cd).
+
+Definition eval_impossible (plus : bool) : bool :=
+  let C := eval_C_at in
+  let miss := I.sqrt p (#1 - C * C) * eval_G_near - rho in
+  is_pos cd && if plus then is_pos miss || is_neg miss else is_nonneg eval_G_near.
+
 End Closed.
 
 Lemma inn_G : forall d D, inn d D -> inn (G d) (eval_G D).
@@ -87,6 +109,34 @@ Proof.
   unfold fits, eval_asymmetric, phi_of, angle_of, C_of, W_of.
   cbn [s_d s_sin s_cos s_S s_C s_W s_phi].
   repeat (lazymatch goal with |- _ /\ _ => split end); inn_auto.
+Qed.
+
+Lemma inn_symmetric : forall f l r rho Fi s, inn (r - l) rho -> inn f Fi ->
+  fits 0 (S_sym f (IZR s)) (C_sym f) (W_sym f l r (IZR s)) (phi_sym f (IZR s))
+    (eval_symmetric rho Fi s).
+Proof.
+  intros f l r rho Fi s Hr Hf.
+  assert (HC : inn (C_sym f) (eval_C_sym Fi)) by (unfold C_sym, eval_C_sym; inn_auto).
+  unfold fits, eval_symmetric, phi_sym, angle_of, W_sym, S_sym. cbv zeta.
+  cbn [s_d s_sin s_cos s_S s_C s_W s_phi]. rewrite sin_0, cos_0.
+  repeat (lazymatch goal with |- _ /\ _ => split end); inn_auto.
+Qed.
+
+Lemma impossible_ok : forall f l r d rho Fi D plus, inn (r - l) rho -> inn f Fi -> inn d D -> d <> 0 ->
+  eval_impossible rho D Fi plus = true -> impossible f l r (if plus then 1 else -1) d.
+Proof.
+  intros f l r d rho Fi D plus Hr Hf Hd N H. unfold eval_impossible in H. cbv zeta in H.
+  apply andb_prop in H. destruct H as [Hc H]. is_positive Hc (cos d).
+  assert (HG : inn (G d) (eval_G_near D)).
+  { destruct (sinc_is_cos d N) as [c [Hb E]].
+    assert (Hi : inn c (I.join (I.fromZ p 0) D)) by (apply (inn_hull 0 c d); inn_auto).
+    unfold G, eval_G_near. rewrite E. replace (PI ^ 2 / 2) with (PI * PI / 2) by field. inn_auto. }
+  assert (HC : inn (C_at f d) (eval_C_at D Fi)) by (unfold C_at, eval_C_at; inn_auto).
+  split. exact Hc. destruct plus.
+  - split; [ | lra]. intros _ E. rewrite orb_true_iff in H. destruct H as [H | H].
+    is_positive H (sqrt (1 - C_at f d * C_at f d) * G d - (r - l)). lra.
+    apply is_neg_ok with (x := sqrt (1 - C_at f d * C_at f d) * G d - (r - l)) in H; [lra | inn_auto].
+  - split; [lra | ]. intros _. is_nonnegative H (G d). exact H.
 Qed.
 
 (** ** The hits and the state *)

@@ -141,21 +141,6 @@ Proof.
   split. lra. split. exact Lv. split. rewrite Ev. ring. exact Rv.
 Qed.
 
-(** Every piece of it, from an instant off the walls to another, is a motion. *)
-
-Lemma motion_of_laws : forall x v a b, (forall t, laws x v t) ->
-  l < x a < r -> l < x b < r -> motion a b x v.
-Proof.
-  intros x v a b H Ha Hb.
-  destruct (H a) as [_ [Fa _]]. destruct (H b) as [_ [Fb _]].
-  destruct (Fa Ha) as [Dxa [Cva _]]. destruct (Fb Hb) as [Dxb [Cvb _]].
-  split; auto.
-  - apply at_right_of_continuous, (ex_derive_continuous x). eexists. exact Dxa.
-  - apply at_right_of_continuous, Cva.
-  - apply at_left_of_continuous, (ex_derive_continuous x). eexists. exact Dxb.
-  - apply at_left_of_continuous, Cvb.
-Qed.
-
 End Flight.
 
 Lemma T_1 : T 1 = 2 * PI.

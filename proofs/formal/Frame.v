@@ -70,9 +70,6 @@ Definition beta : C := (0, - 1 / (2 * wi)).
 Lemma lambda_nu : (lambda * nu = 1)%C.
 Proof. assert (Q := f_circle _ _ _ _ _ _ Fr). apply C_eq; simpl; lra. Qed.
 
-Lemma lambda_bar : bar lambda = nu.
-Proof. reflexivity. Qed.
-
 Lemma alpha_beta : (alpha + omega * beta = 1 /\ bar alpha + omega * bar beta = 0)%C.
 Proof.
   assert (N := f_wi _ _ _ _ _ _ Fr). split; apply C_eq; simpl; field; exact N.

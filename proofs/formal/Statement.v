@@ -148,24 +148,21 @@ Definition Moser_twist_theorem : Prop := forall X V x v Theta tau,
   let step a b y z := y = X a b /\ z = V a b in
   stable step x v /\ invariant_curves step x v.
 
-(** ** The theorem: an elliptic orbit with one hit of each wall per period *)
+(** ** The theorems: orbits with one hit of each wall per period, elliptic ones and saddles *)
 
 Record interval := { lo : R; hi : R }.
 
 Definition within (i : interval) (y : R) : Prop := lo i <= y <= hi i.
 
-Definition within_jet (i : jet interval) (j : jet R) : Prop :=
-  within (c00 i) (c00 j) /\ within (c10 i) (c10 j) /\ within (c01 i) (c01 j) /\
-  within (c20 i) (c20 j) /\ within (c11 i) (c11 j) /\ within (c02 i) (c02 j) /\
-  within (c30 i) (c30 j) /\ within (c21 i) (c21 j) /\ within (c12 i) (c12 j) /\
-  within (c03 i) (c03 j).
-
-Record claims := { box_x : interval; box_v : interval; least_speed : interval;
+Record orbit_claims := { box_x : interval; box_v : interval; least_speed : interval;
   hit_1 : interval; hit_2 : interval; speed_1 : interval; speed_2 : interval;
-  forcing_1 : interval; forcing_2 : interval; taylor_x : jet interval; taylor_v : jet interval;
-  trace : interval; angle : interval; rotation : interval; twist : interval }.
+  forcing_1 : interval; forcing_2 : interval; trace : interval }.
 
-Definition elliptic_orbit (F w f l r : R) (c : claims) : Prop :=
+(** There is such an orbit, with these numbers; of the map (X, V) around it, its fixed point (x, v)
+    and the Taylor polynomials there, [more] holds. *)
+
+Definition orbit_with (F w f l r : R) (c : orbit_claims)
+    (more : (R -> R -> R) -> (R -> R -> R) -> R -> R -> jet R -> jet R -> Prop) : Prop :=
   let T := T w in let image := image F w f l r 1 in
   exists (x v : R -> R) (t1 t2 : R),
 
@@ -186,20 +183,51 @@ Definition elliptic_orbit (F w f l r : R) (c : claims) : Prop :=
      (exists y z, image a b y z) /\ (image a b a b -> a = x 0 /\ b = v 0)) /\
   within (box_x c) (x 0) /\ within (box_v c) (v 0) /\
 
-  (* around it the map is (X, V): smooth, area-preserving, with these Taylor polynomials *)
+  (* around it the map is (X, V): smooth and area-preserving *)
   exists (X V : R -> R -> R) (jx jv : jet R),
   locally_2d (fun a b => image a b (X a b) (V a b)) (x 0) (v 0) /\
   X (x 0) (v 0) = x 0 /\ V (x 0) (v 0) = v 0 /\
   smooth X (x 0) (v 0) /\ smooth V (x 0) (v 0) /\ preserves_area X V (x 0) (v 0) /\
   expands X (x 0) (v 0) jx /\ expands V (x 0) (v 0) jv /\
-  within_jet (taylor_x c) jx /\ within_jet (taylor_v c) jv /\
   c10 jx * c01 jv - c01 jx * c10 jv = 1 /\ within (trace c) (c10 jx + c01 jv) /\
+  more X V (x 0) (v 0) jx jv.
 
-  (* it is elliptic, and this is its normal form *)
+(** An elliptic orbit, with its normal form. *)
+
+Definition within_jet (i : jet interval) (j : jet R) : Prop :=
+  within (c00 i) (c00 j) /\ within (c10 i) (c10 j) /\ within (c01 i) (c01 j) /\
+  within (c20 i) (c20 j) /\ within (c11 i) (c11 j) /\ within (c02 i) (c02 j) /\
+  within (c30 i) (c30 j) /\ within (c21 i) (c21 j) /\ within (c12 i) (c12 j) /\
+  within (c03 i) (c03 j).
+
+Record elliptic_claims := { of_orbit :> orbit_claims; taylor_x : jet interval; taylor_v : jet interval;
+  angle : interval; rotation : interval; twist : interval }.
+
+Definition elliptic (F w f l r : R) (c : elliptic_claims) (X V : R -> R -> R) (x v : R) (jx jv : jet R) : Prop :=
+  within_jet (taylor_x c) jx /\ within_jet (taylor_v c) jv /\
   exists Theta tau, c10 jx + c01 jv = 2 * cos Theta /\ 0 < Rabs Theta < PI /\
   within (angle c) Theta /\ within (rotation c) (Rabs Theta / (2 * PI)) /\ nonresonant Theta /\
-  normal_form X V (x 0) (v 0) Theta tau /\ within (twist c) tau /\ tau <> 0 /\
-  (forall tau', normal_form X V (x 0) (v 0) Theta tau' -> tau' = tau) /\
+  normal_form X V x v Theta tau /\ within (twist c) tau /\ tau <> 0 /\
+  (forall tau', normal_form X V x v Theta tau' -> tau' = tau) /\
 
   (* so it is stable if Moser's theorem holds *)
-  (Moser_twist_theorem -> stable image (x 0) (v 0) /\ invariant_curves image (x 0) (v 0)).
+  (Moser_twist_theorem -> let image := image F w f l r 1 in
+     stable image x v /\ invariant_curves image x v).
+
+Definition elliptic_orbit (F w f l r : R) (c : elliptic_claims) : Prop :=
+  orbit_with F w f l r c (elliptic F w f l r c).
+
+(** A saddle: the derivative has real eigenvalues m and 1/m, |m| > 1. *)
+
+Record saddle_claims := { of_saddle :> orbit_claims; state_x : interval; state_v : interval;
+  x_x : interval; x_v : interval; v_x : interval; v_v : interval;
+  outer : interval; inner : interval }.
+
+Definition saddle (c : saddle_claims) (X V : R -> R -> R) (x v : R) (jx jv : jet R) : Prop :=
+  within (state_x c) x /\ within (state_v c) v /\
+  within (x_x c) (c10 jx) /\ within (x_v c) (c01 jx) /\
+  within (v_x c) (c10 jv) /\ within (v_v c) (c01 jv) /\
+  exists m, c10 jx + c01 jv = m + / m /\ 1 < Rabs m /\ within (outer c) m /\ within (inner c) (/ m).
+
+Definition saddle_orbit (F w f l r : R) (c : saddle_claims) : Prop :=
+  orbit_with F w f l r c (saddle c).

@@ -91,15 +91,22 @@ def test_dependencies_are_followed():
     assert "cap.audit.claims.tori" not in found
 
 
-def test_a_digest_depends_on_every_source(monkeypatch, tmp_path):
-    """One letter in a module that is imported changes it."""
+def test_modules_that_are_loaded_by_name_count():
+    """With the checker all of its theorems, with a proof all others."""
+    found = dependencies.closure("cap.audit.claims.kam")
+    assert {"cap.checker.theorems.capture", "cap.proofs.elliptic", "cap.proofs.theorems"} <= found
+
+
+@pytest.mark.parametrize("name", ["b.py", "b.json"])
+def test_a_digest_depends_on_every_source(monkeypatch, tmp_path, name):
+    """One letter in a module that is imported changes it, or in the data beside it."""
     (tmp_path / "cap").mkdir()
     (tmp_path / "cap" / "a.py").write_text("from cap import b\n")
     (tmp_path / "cap" / "b.py").write_text("x = 1\n")
     monkeypatch.setattr(dependencies, "ROOT", tmp_path)
     digests = []
     for text in ("x = 1\n", "x = 2\n"):
-        (tmp_path / "cap" / "b.py").write_text(text)
+        (tmp_path / "cap" / name).write_text(text)
         dependencies._imported.cache_clear()
         dependencies.digest.cache_clear()
         digests.append(dependencies.digest("cap.a"))

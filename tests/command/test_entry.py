@@ -190,3 +190,13 @@ def test_a_full_disk(monkeypatch, words, buffered):
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, check=False, cwd=ROOT)
     assert done.returncode == 2
     assert done.stderr == b"error: output cannot be written: No space left on device\n"
+
+
+def test_without_a_home(monkeypatch):
+    """Libraries are told a home where nothing can be kept, as `~` would be a directory's name."""
+    monkeypatch.setenv("HOME", "~")
+    assert entry.run("cap.command.verifier:main", ["nothing.json"]) == 1
+    assert os.environ["HOME"] == os.devnull
+    monkeypatch.setenv("HOME", "/somewhere")
+    entry.run("cap.command.verifier:main", ["nothing.json"])
+    assert os.environ["HOME"] == "/somewhere"

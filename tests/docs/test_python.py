@@ -6,6 +6,12 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 
 
+def test_the_pages():
+    """CI makes the pages of all modules, where a warning is an error."""
+    assert 'python docs/api.py "' in (ROOT / ".ci/run").read_text()
+    assert 'simplefilter("error")' in (ROOT / "docs/api.py").read_text()
+
+
 def test_the_examples(monkeypatch):
     """All of them, in their order, in the root of the repository."""
     monkeypatch.chdir(ROOT)

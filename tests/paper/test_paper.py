@@ -116,7 +116,7 @@ DIFFER = {  # and those that it gets wrong
     "fig:coexist-main": ["T-periodic orbits at F = 3"],
     "fig:hist-gallery-high": ["F = 6: largest |v|", "F = 50: largest |v| in 1 T"],
     "fig:hist-cont": ["F = 0.65 and 0.85: orbits found below F_sc"],
-    "fig:hist-chatter": ["(b) the two orbits", "time between events (conclusion)"],
+    "fig:hist-chatter": ["(b) the two orbits", "time between events"],
     "fig:multi-particle": ["a collision preserves sum dv_i dx_i (Theorem multiparticle)"],
 }
 

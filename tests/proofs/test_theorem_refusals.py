@@ -10,7 +10,7 @@ from conftest import ORBITS, STARTS
 from oracle import compared, oracle
 from support import certified
 
-from cap.errors import NotProved, TooFewDigits
+from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from cap.proofs import elliptic, saddle
@@ -42,6 +42,16 @@ def test_false_statements_are_refused(digits):
         more = Start.non_sticking(x, v, (*times, 6.0))
         refused(theorem, more, "event 3", grazes.format("r"))
         refused(theorem, star, "event 2", grazes.format("l"), replace(PAPER, f=Fraction(7, 10)))
+
+
+@pytest.mark.parametrize("theorem", [elliptic, saddle])
+def test_they_are_about_hits(theorem):
+    """A guess with a turning, of two periods, or without events: one line, before any proof."""
+    star = STARTS["elliptic"]
+    turning = replace(star, events=(*star.events, ("turn left", 5.0)))
+    for start in (turning, replace(star, periods=2), replace(star, events=())):
+        with pytest.raises(BadInput, match="hits only"):
+            theorem.prove(Setting(PAPER, start, 10))
 
 
 @pytest.mark.parametrize(("name", "places"), [("second saddle", 20), ("saddle", 35)])

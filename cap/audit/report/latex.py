@@ -16,18 +16,21 @@ _SPECIAL = {
     '"': r"\textquotedbl{}",
     "`": r"\textasciigrave{}",
     "−": "$-$",
+    "…": r"\dots{}",
 }
 _LETTERS = (
     ("αβγδεζηθκλμ", "alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu"),
     ("νξπρστφχψω", "nu xi pi rho sigma tau varphi chi psi omega"),
     ("ΓΔΘΛΣΦΨΩℓ", "Gamma Delta Theta Lambda Sigma Phi Psi Omega ell"),
     ("∂∫∮∞∧∪±∓·×≡≈♯‖", "partial int oint infty wedge cup pm mp cdot times equiv approx sharp Vert"),
+    ("∘", "circ"),
 )
 _COMMANDS = {
     sign: name for signs, names in _LETTERS for sign, name in zip(signs, names.split(), strict=True)
 }
 _MARKS = {"\u0303": r"\tilde", "\u0304": r"\bar", "\u0302": r"\hat", "\u0308": r"\""}
 _PLACES = {"<super>": "textsuperscript", "<sub>": "textsubscript"}
+_BREAK = r"\1\\allowbreak{}"
 _CLUSTER = re.compile("(.)([\u0300-\u036f]*)", re.DOTALL)
 
 
@@ -100,9 +103,7 @@ def _findings(report: Report) -> list[str]:
     lines = [r"\section*{The ten that matter most}", r"\begin{enumerate}"]
     for finding, entry in report.findings():
         words = written(consequence(finding, entry))
-        lines.append(
-            rf"\item \texttt{{{entry.claim.id}}}, \emph{{{entry.verdict.outcome}}}. {words}"
-        )
+        lines.append(rf"\item {_typed(entry.claim.id)}, \emph{{{entry.verdict.outcome}}}. {words}")
     return [*lines, r"\end{enumerate}", ""]
 
 
@@ -117,17 +118,22 @@ def _statements(report: Report) -> list[str]:
 
 def _entry(entry: Entry) -> list[str]:
     claim, verdict = entry.claim, entry.verdict
-    head = rf"\texttt{{{claim.id}}}: \emph{{{verdict.outcome}}} ({verdict.strength})"
+    head = rf"{_typed(claim.id)}: \emph{{{verdict.outcome}}} ({verdict.strength})"
     parts = [
         ("Stated", written(claim.stated)),
         ("Found", written(verdict.found)),
         ("Evidence", written(verdict.evidence)),
-        ("Proof", verdict.proof and rf"\texttt{{{written(f'proofs/audit/{verdict.proof}')}}}"),
-        ("Run", r"; ".join(rf"\texttt{{{written(each)}}}" for each in entry.commands)),
+        ("Proof", verdict.proof and _typed(f"proofs/audit/{verdict.proof}")),
+        ("Run", "; ".join(map(_typed, entry.commands))),
     ]
     rows = [rf"\textit{{{name}.}} {words}" for name, words in parts if words]
     place = written(f"{entry.place}, {claim.kind}.")
     return [rf"\bigskip\textbf{{{head}}}", "", f"{place} {written(claim.says)}", "", *_apart(rows)]
+
+
+def _typed(text: str) -> str:
+    """Return what is to be typed, which may be broken after its signs."""
+    return rf"\texttt{{{re.sub(r'([-/.])', _BREAK, written(text))}}}"
 
 
 def _apart(rows: list[str]) -> list[str]:

@@ -7,6 +7,7 @@ from functools import cached_property
 from cap.audit import labels, ledger
 from cap.audit.claim import Claim
 from cap.audit.matters import FINDINGS, Finding
+from cap.audit.tables import Row
 from cap.audit.theorems import STATEMENTS, Statement
 from cap.audit.verdict import Outcome, Verdict
 
@@ -50,6 +51,8 @@ class Entry:
     def commands(self) -> list[str]:
         """What to run to decide the claim again."""
         own = [f"python -m cap.audit --only {self.claim.id} --fresh"]
+        if isinstance(self.claim, Row):
+            own.append(f"python -m cap.explore --paper {self.claim.table}")
         name = self.verdict.certificate
         return [*own, f"python -m cap.verify certificates/{name}"] if name else own
 

@@ -1,0 +1,21 @@
+"""Numbers that the paper prints, as they stand in the tables of its figures."""
+
+from fractions import Fraction
+
+from cap.audit.means.need import need
+from cap.audit.tables import listed
+
+
+def stated(what: str, table: str = "fig:orbit") -> str:
+    """Return what the paper states in a row of a table."""
+    found = [paper for name, paper, *_ in listed().get(table, []) if name == what]
+    need(len(found) == 1, f"the table of {table} has no row {what!r}")
+    return found[0]
+
+
+def printed(what: str, table: str = "fig:orbit") -> tuple[Fraction, Fraction]:
+    """Return the ends of an interval that is printed."""
+    text = stated(what, table)
+    need(text.startswith("[") and text.endswith("]"), f"{text} is no interval")
+    low, high = (Fraction(end.strip()) for end in text[1:-1].split(","))
+    return low, high

@@ -1,0 +1,168 @@
+"""The tables of the paper's figures as claims: each row is one, decided when its table is computed.
+
+The numbers of the paper stand in `cap.paper`, and nowhere else; ``tables.json`` lists the rows, so
+that claims can be named without computing.  ``--record`` writes it, and a table whose rows are not
+those of the list decides nothing.
+"""
+
+import json
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass, replace
+from functools import cache
+from pathlib import Path
+
+from cap.audit import cache as kept
+from cap.audit.claim import Claim, Kind
+from cap.audit.elsewhere import DECIDED_BY
+from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.errors import NotProved
+from cap.files import replacing
+from cap.paper.comparison import PROVED, Comparison
+from cap.paper.comparison import Kind as Compared
+from cap.paper.registry import LABELS, figure, module
+
+LONGEST = 60  # end of an id
+STORED = Path(__file__).with_name("tables.json")
+FLOATS = (
+    "In doubles, by closed forms from event to event, located up to rounding; what depends on "
+    "chance, seeds or rounding says so"
+)
+BALLS = "Proved when the table is computed"
+_KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
+
+
+@dataclass(frozen=True)
+class Row(Claim):
+    """A claim that a row of a table decides."""
+
+    table: str = ""
+
+    @property
+    def module(self) -> str:
+        """The module that computes the table."""
+        return module(self.table)
+
+
+@cache
+def listed() -> dict[str, list[list[str]]]:
+    """Return what, the paper's value, the place and the kind of each row, by tables."""
+    if not STORED.is_file():
+        return {}
+    found: dict[str, list[list[str]]] = json.loads(STORED.read_text(encoding="utf-8"))
+    return found
+
+
+def claims() -> tuple[Row, ...]:
+    """Return the claims of all tables; not the rows that another claim decides."""
+    return tuple(
+        _claim(label, *entry)
+        for label, entries in listed().items()
+        for entry in entries
+        if (label, entry[0]) not in DECIDED_BY
+    )
+
+
+def _claim(label: str, what: str, paper: str, where: str, kind: str) -> Row:
+    name = f"{label.replace(':', '-').lower()}.{_slug(what)}"
+    says = f"In the table of {label}: {what}."
+    decide = _decided_by(label, what)
+    return Row(name, where, Kind(kind), says, paper, decide, table=label)
+
+
+def _slug(text: str) -> str:
+    """Return whole words of a text, as the end of an id."""
+    words = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+    return words if len(words) <= LONGEST else words[: LONGEST + 1].rpartition("-")[0]
+
+
+def _decided_by(label: str, what: str) -> Callable[[], Verdict]:
+    return lambda: verdict({row.what: row for row in rows(label)}[what])
+
+
+def verdict(row: Comparison) -> Verdict:
+    """Return what a comparison says of the paper.
+
+    A number that is another one is corrected, words that are not so are refuted; what the paper
+    says too roughly, or of a procedure that it does not give, is imprecise.
+    """
+    outcome = Outcome.REFUTED if row.kind is Compared.WORDS else Outcome.CORRECTED
+    if row.agrees:
+        outcome = Outcome.CONFIRMED
+    elif row.imprecise:
+        outcome = Outcome.IMPRECISE
+    how = BALLS if row.rigorous else FLOATS
+    return Verdict(
+        outcome=outcome,
+        strength=Strength.PROVED if row.rigorous else Strength.NUMERICAL,
+        found=row.ours.replace(PROVED, ""),
+        evidence=f"{row.reason}. {how}." if row.reason else f"{how}.",
+    )
+
+
+def rows(label: str, *, fresh: bool = False) -> tuple[Comparison, ...]:
+    """Return the rows of a table, computed once in a process, or kept on disk.
+
+    Raises `NotProved` if they cannot be computed, or are not those that are listed.
+    """
+    if label not in _FOUND:
+        _FOUND[label] = _rows(label, fresh)
+    found = _FOUND[label]
+    if isinstance(found, str):
+        raise NotProved("audit", found)
+    return found
+
+
+_FOUND: dict[str, tuple[Comparison, ...] | str] = {}
+
+
+def _rows(label: str, fresh: bool) -> tuple[Comparison, ...] | str:
+    try:
+        found = None if fresh else _known(label)
+        if found is None:
+            found = computed(label)
+            kept.write(label, module(label), [asdict(row) for row in found])
+    except Exception as failure:  # noqa: BLE001 (a table that cannot be computed is no crash)
+        return f"the table of {label}: {type(failure).__name__}: {failure}"
+    if _listing(label, found) != listed().get(label):
+        return f"the table of {label} has other rows than tables.json: look, and use --record"
+    return found
+
+
+def computed(label: str) -> tuple[Comparison, ...]:
+    """Compute a table."""
+    from cap.paper.figure import Run  # noqa: PLC0415 (matplotlib, where a table is computed)
+
+    return figure(label).compute(Run()).rows
+
+
+def _known(label: str) -> tuple[Comparison, ...] | None:
+    entry = kept.read(label, module(label))
+    if not isinstance(entry, list):
+        return None
+    found = (Comparison(**each) for each in entry)
+    return tuple(replace(row, kind=Compared(row.kind)) for row in found)
+
+
+def _listing(label: str, found: Iterable[Comparison]) -> list[list[str]]:
+    return [[row.what, row.paper, row.where or label, str(_KINDS[row.kind])] for row in found]
+
+
+def record(progress: Callable[[str], None], *, fresh: bool) -> None:
+    """List the rows of all tables anew."""
+    new = {}
+    for label in LABELS:
+        progress(f"the table of {label}")
+        found = None if fresh else _known(label)
+        found = computed(label) if found is None else found
+        kept.write(label, module(label), [asdict(row) for row in found])
+        _FOUND[label] = found
+        new[label] = _listing(label, found)
+    lines = [f'"{label}": {_lines(entries)}' for label, entries in new.items()]
+    with replacing(STORED) as file:
+        file.write(("{\n" + ",\n".join(lines) + "\n}\n").encode())
+    listed.cache_clear()
+
+
+def _lines(entries: list[list[str]]) -> str:
+    return "[\n " + ",\n ".join(json.dumps(each, ensure_ascii=False) for each in entries) + "\n]"
