@@ -30,7 +30,7 @@ from cap.maps.basin import Basin
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
-from cap.proofs.orbit import EVENTS, KRAWCZYK, turning_factors
+from cap.proofs.orbit import EVENTS, turning_factors
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
 
@@ -40,7 +40,7 @@ def prove(setting: Setting) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return proof_of("periodic", setting, EVENTS, conclusion, KRAWCZYK)
+    return proof_of("periodic", setting, EVENTS, conclusion)
 
 
 def conclusion(orbit: Located) -> Callable[[Around], Content]:

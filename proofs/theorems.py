@@ -1,28 +1,21 @@
-"""What can be proved, and how: each theorem with its search and its proof, up to the checker."""
+"""What can be proved, and how: each theorem with its search and its proof, up to the checker.
+
+The proof of a theorem is in ``proofs/NAME.py``, which is imported when it is asked for: it takes
+longer to load all of them than to prove one.
+"""
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from importlib import import_module
 from typing import Any
 
 from cap.certificate import writer as certificate
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.floats.candidates import Search
-from cap.proofs import (
-    branch,
-    capture,
-    elliptic,
-    impulse,
-    periodic,
-    persistence,
-    pitchfork,
-    saddle,
-    symmetric,
-)
 from cap.proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
@@ -31,57 +24,68 @@ GUARDS = (15, 30, 60)  # digits computed beyond those claimed
 
 @dataclass(frozen=True)
 class Theorem:
-    """What a theorem says, its proof, and the search for the orbits that it may be about."""
+    """What a theorem says, where its proof is, and the search for orbits that it may be about."""
 
+    name: str
     summary: str
-    prove: Callable[[Setting], Proof]
     search: Search
+
+    def prove(self, setting: Setting) -> Proof:
+        """Prove the theorem up to the size of its box; return the rest of the proof."""
+        proof: Proof = import_module(f"cap.proofs.{self.name}").prove(setting)
+        return proof
 
 
 THEOREMS = {
-    "elliptic": Theorem(
-        "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves",
-        elliptic.prove,
-        candidates.non_sticking,
-    ),
-    "saddle": Theorem(
-        "a hyperbolic non-sticking T-periodic orbit exists", saddle.prove, candidates.non_sticking
-    ),
-    "periodic": Theorem(
-        "an nT-periodic orbit exists, with any events; its type; the basin of a sink",
-        periodic.prove,
-        candidates.cyclic,
-    ),
-    "persistence": Theorem(
-        "an elliptic orbit survives as a sink with inelastic walls and viscous friction",
-        persistence.prove,
-        candidates.continued,
-    ),
-    "capture": Theorem(
-        "infinitely many impacts with a wall accumulate, for all orbits from a box",
-        capture.prove,
-        candidates.capturing,
-    ),
-    "symmetric": Theorem(
-        "symmetric orbits that never turn, one hit of each wall per period; where they bifurcate",
-        symmetric.prove,
-        candidates.closed_form,
-    ),
-    "pitchfork": Theorem(
-        "the asymmetric orbits that never turn, one hit of each wall per period, are born",
-        pitchfork.prove,
-        candidates.closed_form,
-    ),
-    "branch": Theorem(
-        "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
-        branch.prove,
-        candidates.closed_form,
-    ),
-    "impulse": Theorem(
-        "for f > 2F/pi every motion comes to rest, within an explicit time; 2F/pi is sharp",
-        impulse.prove,
-        candidates.every_motion,
-    ),
+    theorem.name: theorem
+    for theorem in (
+        Theorem(
+            "elliptic",
+            "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves",
+            candidates.non_sticking,
+        ),
+        Theorem(
+            "saddle",
+            "a hyperbolic non-sticking T-periodic orbit exists",
+            candidates.non_sticking,
+        ),
+        Theorem(
+            "periodic",
+            "an nT-periodic orbit exists, with any events; its type; the basin of a sink",
+            candidates.cyclic,
+        ),
+        Theorem(
+            "persistence",
+            "an elliptic orbit survives as a sink with inelastic walls and viscous friction",
+            candidates.continued,
+        ),
+        Theorem(
+            "capture",
+            "infinitely many impacts with a wall accumulate, for all orbits from a box",
+            candidates.capturing,
+        ),
+        Theorem(
+            "symmetric",
+            "symmetric orbits that never turn, one hit of each wall per period; where they "
+            "bifurcate",
+            candidates.closed_form,
+        ),
+        Theorem(
+            "pitchfork",
+            "the asymmetric orbits that never turn, one hit of each wall per period, are born",
+            candidates.closed_form,
+        ),
+        Theorem(
+            "branch",
+            "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
+            candidates.closed_form,
+        ),
+        Theorem(
+            "impulse",
+            "for f > 2F/pi every motion comes to rest, within an explicit time; 2F/pi is sharp",
+            candidates.every_motion,
+        ),
+    )
 }
 
 

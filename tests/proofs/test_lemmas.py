@@ -95,7 +95,7 @@ def proved_point():
 
 def with_trace(point, trace):
     """Return the point as if its Jacobian had this trace."""
-    orbit = replace(point.orbit, monodromy=((trace, Ball(-1)), (Ball(1), Ball(0))))
+    orbit = point.orbit._replace(monodromy=((trace, Ball(-1)), (Ball(1), Ball(0))))
     return replace(point, orbit=orbit)
 
 
