@@ -33,6 +33,7 @@ from typing import Any, NamedTuple
 
 from cap.certificate import writer as certificate
 from cap.errors import NotProved, TooFewDigits
+from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import Itinerary
@@ -47,6 +48,8 @@ from cap.release.unimodal import Critical, cover, critical, kneading_sequence, n
 from cap.sets import interval
 from cap.sets.interval import Ball
 
+SUMMARY = "after sticks an interval is mapped into itself: a unimodal map and its entropy"
+SEARCH = candidates.releasing
 COARSE = 80  # bits, for the cells and the basin
 MOST_SYMBOLS = 6000
 FIRST, STEP = 24, 8  # numbers of symbols after which the slopes are computed

@@ -28,12 +28,15 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.errors import BadInput, NotProved, TooFewDigits
+from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import interval
 from cap.sets.interval import Ball
 
+SUMMARY = "T-periodic orbits that touch no wall: a segment, with an open set that it attracts"
+SEARCH = candidates.closed_form
 PLACES = 8  # of the numbers that describe the basin
 
 
