@@ -48,7 +48,7 @@ def parser() -> Parser:
         nargs=2,
         metavar=("X", "V"),
         help="prove the orbit to which Newton's method leads from this state at t = 0 (capture: of "
-        "this state)",
+        "this state; attractor: the critical point near X)",
     )
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")

@@ -13,10 +13,14 @@ M Kummer's function, increase with z, so their values at the ends of a ball encl
 """
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from cap.sets.elementary import composed
 from cap.sets.interval import Ball, hull, lower, upper
+from cap.sets.taylor_model import TaylorModel
+
+Series = Callable[[Ball, int], list[Ball]]
 
 
 def of_floats(mu: float, d: float) -> tuple[float, float, float]:
@@ -30,10 +34,28 @@ def of_floats(mu: float, d: float) -> tuple[float, float, float]:
 
 
 def relax(mu: Any, d: Any) -> tuple[Any, Any, Any]:
-    """Return (D, h, k) for balls, or jets or Taylor models over balls; μ may be of either type."""
+    """Return (D, h, k) for balls, jets, Taylor models or jets over these; μ may be of any type."""
     z = -mu * d
-    decay, first, second = (composed(z, taylor) for taylor in (_exp, _phi1, _phi2))
+    series = (_EXP, _PHI1, _PHI2)
+    decay, first, second = (composed(z, taylor) for taylor in series)
     return decay, d * first, d * d * second
+
+
+def _over_models(taylor: Series) -> Callable[[Any, int], list[Any]]:
+    """Return a series whose argument may be a Taylor model, too, as in jets over these.
+
+    Its k-th coefficient a_k is then a composition, with the series a_k⁽ᵐ⁾/m! = binom(k+m, k) a_k+m.
+    """
+
+    def raised(k: int) -> Series:
+        return lambda c, n: [a * math.comb(k + m, k) for m, a in enumerate(taylor(c, k + n)[k:])]
+
+    def series(c: Any, order: int) -> list[Any]:
+        if isinstance(c, TaylorModel):
+            return [c.series(raised(k)) for k in range(order + 1)]
+        return taylor(c, order)
+
+    return series
 
 
 def _exp(c: Ball, order: int) -> list[Ball]:
@@ -53,3 +75,6 @@ def _kummer(c: Ball, n: int, b: int) -> Ball:
     """Return an enclosure of M(n+1, n+b, z) for all z in the ball."""
     low, high = (end.hypgeom_1f1(n + 1, n + b) for end in (lower(c), upper(c)))
     return hull(low, high)
+
+
+_EXP, _PHI1, _PHI2 = map(_over_models, (_exp, _phi1, _phi2))
