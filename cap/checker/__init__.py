@@ -8,7 +8,7 @@ theorem.  Only the theorem that a certificate names is loaded, with what it need
 
 lists these files in the order to read them.  Each begins with the mathematics that it implements.
 
-    kernel      rejection, strict reading, shapes; intervals, elementary functions, jets; certificate
+    kernel      rejection, strict reading, shapes; intervals, elementary functions, jets
     flow        mechanics, hits; losses, stops, capture; fixed points, the normal form
     one_one     the orbits with one hit of each wall per period, in closed form
     theorems    one file each: statement, tables of claims and hints, citations, proof, words
