@@ -14,9 +14,9 @@ the work on speed of November, the peer the same:
     in all            232     166      87   1.91      312     225     114   1.97
     jet               405     256     262   0.98      480     291     319   0.91
 
-Ours gives more for this: any itinerary, walls, parameters and scalars, the least speed, and jets
-that are three to five times narrower.  What is enclosed did not change by the work on speed but for
-the jets, which became so narrow by it.
+Ours serves any itinerary, walls, parameters and scalars, encloses the least speed too, and its jets
+are two to six times narrower beyond order 0: that they became by the work on speed, while the other
+enclosures stayed the same, up to 3% of the rounding errors.
 """
 
 import sys

@@ -35,8 +35,9 @@ SIDES = {"r": 1, "l": -1, "right": 1, "left": -1}
 class State(NamedTuple, Generic[E]):
     """A box of states (x, v) at a moment.
 
-    ``wall`` is 1 or -1 if the mass is exactly at r or l, else 0: then x is taken to be that wall,
-    which it must meet.  A velocity that is exactly 0 is ``Ball(0)``; any other must have a sign.
+    ``wall`` is 1 or -1 if the mass is exactly at r or l, else 0.  At a wall the enclosure of the
+    wall is used in the place of x, which must overlap it.  A velocity that is exactly 0 is
+    ``Ball(0)``; any other must have a sign.
     """
 
     at: Moment[Ball]
@@ -50,10 +51,10 @@ class Orbit(NamedTuple, Generic[E]):
 
     ``s`` is the sign of the first flight, 0 if the mass rests.  ``events`` are in order of time.
     ``end`` encloses the states at the end, and ``monodromy`` their derivative in the initial state,
-    at every state of the box.  A coordinate that is the same in the whole box, as x at a wall or v
-    = 0, has the column 0.  (In such a v the map need not be differentiable: the derivatives from
-    the two sides may differ, by the factor of a turning.)  ``least_speed`` encloses the least |v|
-    of orbits that neither turn nor rest, without viscosity.
+    at every state of the box.  A coordinate that is the same in the whole box, as x at a wall, or
+    v = 0, has the column 0.  (At v = 0 the map need not be differentiable in v: the derivatives
+    from the two sides may differ, by the factor of a turning.)  ``least_speed`` encloses the least
+    |v| of orbits that neither turn nor rest, without viscosity.
     """
 
     s: int

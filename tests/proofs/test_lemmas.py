@@ -129,10 +129,9 @@ def test_the_claims_on_an_orbit_contain_both_ends_of_wide_enclosures():
     with interval.workprec(SETTING.bits):
         osc, point = proved_point()
         wide = interval.around(Fraction(0), Fraction(1, 2 * 10**7))
-        orbit = replace(
-            point.orbit,
+        orbit = point.orbit._replace(
             events=tuple(
-                replace(h, time=h.time + wide, velocity=h.velocity + wide, cos=h.cos + wide)
+                h._replace(time=h.time + wide, velocity=h.velocity + wide, cos=h.cos + wide)
                 for h in point.orbit.hits
             ),
             monodromy=tuple(tuple(e + wide for e in row) for row in point.orbit.monodromy),
