@@ -14,9 +14,9 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker import forms
-from cap.checker.kernel.certificate import MAX_WORK, work
-from cap.checker.theorem import check
+from cap.checker.flow.itinerary import MAX_WORK, work
+from cap.checker.theorems import branch
+from cap.checker.verdict import check
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from cap.proofs import theorems
@@ -91,7 +91,7 @@ def test_worst_branch(benchmark):
     """On the cells of a stored certificate."""
     certificate = stored("branch-2")
     pieces = len(certificate["claims"]["cells"]) + len(certificate["hints"]["twist_zeros"])
-    certificate["hints"]["bits"] = str(isqrt(forms.MAX_WORK // pieces))
+    certificate["hints"]["bits"] = str(isqrt(branch.MAX_WORK // pieces))
     checked(benchmark, certificate)
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from cap import proofs
 from cap.checker.kernel.certificate import Certificate, read
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.shapes import Enclosure
 from cap.formal import coq
 from cap.formal.theorem import theorem
 

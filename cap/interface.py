@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Any
 
 from cap.certificate import report, writer
-from cap.checker.kernel import reading
+from cap.certificate.latex import macros
+from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.checker.verdict import check, words
 from cap.command.console import quoted
 from cap.command.prover_options import Asked, parser
 from cap.command.verifier import content, why
@@ -248,7 +248,7 @@ def _mapped(value: Any, leaf: Callable[[Any], Any]) -> Any:
 
 
 def _exact(claim: Any) -> Any:
-    if isinstance(claim, reading.Enclosure):
+    if isinstance(claim, shapes.Enclosure):
         return Enclosure(claim.lower, claim.upper, str(claim))
     return claim
 

@@ -46,11 +46,11 @@ from typing import NamedTuple
 from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.certificate.writer import NONE
 from cap.errors import BadInput, NotProved
+from cap.floats import candidates
 from cap.maps.twist import regular_twist
 from cap.one_one.closed_form import asymmetric
 from cap.one_one.transport import period_jet
 from cap.proofs.branch_curve import Bracket, Curve, Part, decimals
-from cap.proofs.citation import MOSER, cited
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.proofs.pitchfork import lemma_2_parabolic, parameters
@@ -59,6 +59,9 @@ from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
 
+SUMMARY = "these orbits for all f of a range: trace, resonances, twist, end, invariant curves"
+SEARCH = candidates.closed_form
+
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow
 LONGEST = Fraction(1, 100)  # to this length
@@ -66,45 +69,6 @@ SMALLEST = Fraction(1, 10**9)  # the shortest cell
 ORDER = 6  # of the Taylor models
 BITS = 120
 SHARP = 20  # values are so many times the error of their model; the checker grants a tenth
-
-CITED = cited(
-    *MOSER,
-    (
-        "H1",
-        "for every f in f_range, both orbits of the pair hit each wall once in a period, "
-        "transversely, and never turn or stick",
-        "f_range, cells",
-    ),
-    (
-        "H2",
-        "the map from one hit of r to the next, in time and energy, to which Phi is conjugate, is "
-        "exact symplectic near the fixed point: flights and hits preserve dx^dv, and a disk is "
-        "simply connected",
-        "f_range, cells",
-    ),
-    (
-        "H3",
-        "this map is real analytic near the fixed point: the hit times are, by the implicit "
-        "function theorem",
-        "f_range, cells",
-    ),
-    (
-        "H4",
-        "trace > -2 is assumed and trace < 2 is proved: the eigenvalues of the Jacobian are "
-        "exp(+-i Theta), 0 < |Theta| < pi",
-        "cells, resonances",
-    ),
-    (
-        "H5",
-        "no resonance of order at most four, for f outside the exceptions",
-        "resonances, exceptions",
-    ),
-    (
-        "H6",
-        "the first Birkhoff twist coefficient does not vanish, for f outside the exceptions",
-        "cells, twist_zeros, exceptions",
-    ),
-)
 
 
 def prove(setting: Setting) -> Proof:
@@ -125,7 +89,7 @@ def prove(setting: Setting) -> Proof:
         "resonances": [decimals(ends) for ends in resonances.values()],
         "twist_zeros": [decimals(ends) for ends in zeros],
     }
-    proved = assembled("branch", setting, parameters(setting), (claims, hints), CITED)
+    proved = assembled("branch", setting, parameters(setting), (claims, hints))
     return lambda _part: proved
 
 

@@ -27,43 +27,22 @@ from typing import Any
 
 from cap.certificate import writer as certificate
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.model import Oscillator
 from cap.flow.strobe import strobe
 from cap.maps import normal_form
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
-from cap.proofs.citation import MOSER, cited
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
-from cap.proofs.orbit import HITS, KRAWCZYK_OF_HITS, need_hits
+from cap.proofs.orbit import HITS, need_hits
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
 
-CITED = cited(
-    *MOSER,
-    (
-        "H1",
-        "the orbit has finitely many hits, all transverse, no turning and no sticking",
-        "hit_times, hit_speeds, least_speed",
-    ),
-    (
-        "H2",
-        "Phi is exact symplectic near the fixed point: flights and hits preserve dx^dv, and a "
-        "disk is simply connected",
-        "box",
-    ),
-    (
-        "H3",
-        "Phi is real analytic near the fixed point: the hit times are, by the implicit function "
-        "theorem",
-        "hit_speeds",
-    ),
-    ("H4", "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi", "trace"),
-    ("H5", "no resonance of order at most four", "rotation_number, resonance_distances"),
-    ("H6", "the first Birkhoff twist coefficient does not vanish", "twist"),
-)
+SUMMARY = "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves"
+SEARCH = candidates.non_sticking
 
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 
@@ -74,7 +53,7 @@ def prove(setting: Setting) -> Proof:
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
     need_hits("elliptic", setting)
-    return proof_of("elliptic", setting, HITS, conclusion, KRAWCZYK_OF_HITS, CITED)
+    return proof_of("elliptic", setting, HITS, conclusion)
 
 
 def conclusion(orbit: Located) -> Callable[[Around], Content]:

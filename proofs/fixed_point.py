@@ -18,6 +18,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from cap.certificate.writer import FORMAT, Pair, Rounding, Units, window
+from cap.checker.theorems import load
 from cap.errors import NotProved
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
@@ -137,9 +138,7 @@ class Form(NamedTuple):
     parameters: Callable[[Parameters], dict[str, str]]
 
 
-def proof_of(
-    theorem: str, setting: Setting, form: Form, conclusion: Conclusion, *cites: dict[str, Any]
-) -> Proof:
+def proof_of(theorem: str, setting: Setting, form: Form, conclusion: Conclusion) -> Proof:
     """Prove a theorem on P* up to the size of its box; return the rest of the proof.
 
     Raises `NotProved` with the step that failed and the sets at which it did.
@@ -156,7 +155,7 @@ def proof_of(
             around = Around(part, proved, box)
             claims, hints = conclude(around)
             content = form.claims(orbit, around) | claims, _hints(orbit, around, form) | hints
-            return assembled(theorem, setting, parameters, content, *cites)
+            return assembled(theorem, setting, parameters, content)
 
     return certified
 
@@ -182,9 +181,8 @@ def assembled(
     setting: Setting,
     parameters: dict[str, str],
     content: Content,
-    *cites: dict[str, Any],
 ) -> dict[str, Any]:
-    """Return a certificate from its claims and hints."""
+    """Return a certificate from its claims and hints; what it cites is the checker's list."""
     claims, hints = content
     return {
         "format": FORMAT,
@@ -193,7 +191,7 @@ def assembled(
         "digits": str(setting.digits),
         "claims": claims,
         "hints": hints,
-        "cites": list(cites),
+        "cites": list(load(theorem).CITES),
     }
 
 

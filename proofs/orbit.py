@@ -12,20 +12,11 @@ from cap.errors import BadInput
 from cap.flow.model import Oscillator
 from cap.flow.strobe import Orbit
 from cap.parameters import Parameters
-from cap.proofs.citation import krawczyk
 from cap.proofs.fixed_point import Around, Form, Located, Setting
 from cap.sets import matrix
 from cap.sets.interval import Ball
 
 TURNS = {"turn right": -1, "turn left": 1}  # and the sign of the velocity before
-KRAWCZYK = krawczyk(
-    "Phi^n, n the period, is continuously differentiable on the box: all hits and stops are "
-    "transverse, and every stick and capture ends at a fixed time"
-)
-KRAWCZYK_OF_HITS = krawczyk(
-    "Phi is continuously differentiable on the box: "
-    "all hits are transverse and no velocity vanishes"
-)
 
 
 def of_hits(orbit: Located, around: Around) -> dict[str, Any]:

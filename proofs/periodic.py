@@ -24,15 +24,19 @@ from fractions import Fraction
 from typing import Any
 
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.maps import basin
 from cap.maps.basin import Basin
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
-from cap.proofs.orbit import EVENTS, KRAWCZYK, turning_factors
+from cap.proofs.orbit import EVENTS, turning_factors
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
+
+SUMMARY = "an nT-periodic orbit exists, with any events; its type; the basin of a sink"
+SEARCH = candidates.cyclic
 
 
 def prove(setting: Setting) -> Proof:
@@ -40,7 +44,7 @@ def prove(setting: Setting) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    return proof_of("periodic", setting, EVENTS, conclusion, KRAWCZYK)
+    return proof_of("periodic", setting, EVENTS, conclusion)
 
 
 def conclusion(orbit: Located) -> Callable[[Around], Content]:

@@ -25,8 +25,9 @@ from functools import cache
 from typing import Any
 
 from cap.certificate import writer as certificate
-from cap.checker.kernel.certificate import MAX_WORK, work
+from cap.checker.flow.itinerary import MAX_WORK, work
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Constants
 from cap.flow.strobe import oscillator
@@ -35,19 +36,14 @@ from cap.maps.family import Cell, Pair
 from cap.maps.fixed_point import FixedPoint, Itinerary, Start, refined
 from cap.parameters import Parameters
 from cap.proofs import periodic
-from cap.proofs.citation import krawczyk
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import EVENTS, need_hits
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
 
-KRAWCZYK = krawczyk(
-    "Phi is continuously differentiable on box, and on each box of range for all its epsilon and "
-    "mu: all hits are transverse and no velocity vanishes",
-    "K(box) lies in the interior of the box, and so does K of each box of range, formed with all "
-    "its epsilon and mu",
-    "box, range",
-)
+SUMMARY = "an elliptic orbit survives as a sink with inelastic walls and viscous friction"
+SEARCH = candidates.continued
+
 BITS = 64  # enough for boxes of a thousandth
 LONGEST = 40  # decimals of a node
 PLACES = 9  # decimals of the hints
@@ -107,7 +103,7 @@ def prove(setting: Setting) -> Proof:
     failed and the sets at which it did.
     """
     need_hits("persistence", setting)
-    return proof_of("persistence", setting, EVENTS, conclusion, KRAWCZYK)
+    return proof_of("persistence", setting, EVENTS, conclusion)
 
 
 def conclusion(orbit: Located) -> Callable[[Around], Content]:

@@ -18,30 +18,16 @@ from collections.abc import Callable
 
 from cap.certificate.writer import Pair
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import real_multipliers
-from cap.proofs.citation import cited
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
-from cap.proofs.orbit import HITS, KRAWCZYK_OF_HITS, need_hits
+from cap.proofs.orbit import HITS, need_hits
 from cap.sets import matrix
 from cap.sets.interval import Ball
 
-HADAMARD_PERRON = cited(
-    "Hadamard-Perron",
-    "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
-    "Theorem 6.2.8",
-    (
-        "smooth",
-        "Phi is real analytic near the fixed point: all hits are transverse and no velocity "
-        "vanishes",
-        "hit_speeds, least_speed",
-    ),
-    (
-        "hyperbolic",
-        "one eigenvalue of the Jacobian lies outside the unit circle and one inside",
-        "multipliers",
-    ),
-)
+SUMMARY = "a hyperbolic non-sticking T-periodic orbit exists"
+SEARCH = candidates.non_sticking
 
 
 def prove(setting: Setting) -> Proof:
@@ -50,7 +36,7 @@ def prove(setting: Setting) -> Proof:
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
     need_hits("saddle", setting)
-    return proof_of("saddle", setting, HITS, conclusion, KRAWCZYK_OF_HITS, HADAMARD_PERRON)
+    return proof_of("saddle", setting, HITS, conclusion)
 
 
 def conclusion(orbit: Located) -> Callable[[Around], Content]:

@@ -49,24 +49,17 @@ from typing import Any
 
 from cap.certificate.writer import NONE
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.one_one.closed_form import Orbit, birth, friction, symmetric
-from cap.proofs.citation import cited
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 
+SUMMARY = "symmetric orbits that never turn, one hit of each wall per period; where they bifurcate"
+SEARCH = candidates.closed_form
+
 SIGNS = {"plus": 1, "minus": -1}
-MOORE = cited(
-    "Moore",
-    "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1",
-    (
-        "inclusion",
-        "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: X contains exactly one zero "
-        "of Psi",
-        "paper_roots",
-    ),
-)
 
 
 def prove(setting: Setting) -> Proof:
@@ -81,7 +74,7 @@ def prove(setting: Setting) -> Proof:
         }
     hints = {"bits": str(setting.checker_bits)}
     parameters = setting.parameters.elastic_strings()
-    proved = assembled("symmetric", setting, parameters, (claims, hints), MOORE)
+    proved = assembled("symmetric", setting, parameters, (claims, hints))
     return lambda _part: proved
 
 

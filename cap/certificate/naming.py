@@ -11,13 +11,11 @@ the order of their twists, have the same name.
 
 from collections.abc import Mapping
 from fractions import Fraction
-from hashlib import sha256
 from pathlib import Path
 
 from cap.certificate.writer import stored
-from cap.checker.forms import FOR_ALL_F
-from cap.checker.forms import THEOREMS as CLOSED_FORMS
 from cap.checker.kernel.certificate import Certificate
+from cap.checker.theorems import load
 from cap.errors import BadInput
 from cap.parameters import PAPER, Parameters
 
@@ -34,6 +32,8 @@ def name(theorem: str, parameters: Parameters, about: Mapping[str, str]) -> str:
     words = [theorem, *(f"{key}={value}" for key, value in {**changed, **about}.items())]
     told = "-".join(words).replace("/", "_")
     if len(told) > LONGEST:
+        from hashlib import sha256  # noqa: PLC0415 (slow to load, and few names are so long)
+
         told = f"{theorem}-{sha256(told.encode()).hexdigest()[:16]}"
     return f"{told}.json"
 
@@ -58,19 +58,19 @@ def free(path: Path, theorem: str, parameters: Parameters, state: State) -> None
 
 def _told(theorem: str, parameters: Parameters) -> dict[str, str]:
     """Return the parameters that a certificate has."""
-    strings = parameters.strings()
-    return {key: strings[key] for key in strings if key != "f" or theorem not in FOR_ALL_F}
+    strings, about = parameters.strings(), load(theorem).PARAMETERS
+    return {key: strings[key] for key in strings if key != "f" or "f" in about}
 
 
 def _is_about(old: Certificate, theorem: str, p: Parameters, state: State) -> bool:
     """Return whether a certificate has this theorem and these parameters, and holds the state.
 
-    What starts from closed forms is about no one state.
+    What has no box is about no one state.
     """
     same = all(getattr(old.parameters, key) == getattr(p, key) for key in _told(theorem, p))
-    if old.theorem != theorem or not same or theorem in CLOSED_FORMS:
+    if old.theorem != theorem or not same or "box" not in old.claims:
         return old.theorem == theorem and same
-    where = old.claims if "x" in old.claims else old.claims.get("box", {})
+    where = old.claims if "x" in old.claims else old.claims["box"]
     units = {"x": p.R, "v": p.R * p.omega}
     return all(
         where[key].lower - NEAR * units[key] <= z <= where[key].upper + NEAR * units[key]

@@ -4,16 +4,30 @@ from collections.abc import Iterator
 from typing import Any
 
 from cap.certificate.writer import NONE
+from cap.checker.kernel.shapes import Table
+
+Row = tuple[str, list[str]]
 
 
-def rows(names: dict[str, str], claims: dict[str, Any]) -> list[tuple[str, list[str]]]:
-    """Return labels and pairs of those of the claims that there are."""
-    present = ((key, name) for key, name in names.items() if claims.get(key, NONE) != NONE)
-    return [row for key, name in present for row in labelled(key, name, claims)]
+def rows(table: Table, claims: dict[str, Any]) -> list[Row]:
+    """Return labels and enclosures of those of the claims that have a label.
+
+    A label that is the name of a claim stands for its words, one for each enclosure.
+    """
+    found = list[Row]()
+    for field in table:
+        value = claims.get(field.name, NONE)
+        if field.label in claims and field.label != field.name:
+            found += zip(claims[field.label], value, strict=True)
+        elif field.label and value != NONE:
+            found += _flat(field.label, value)
+    return found
 
 
-def aligned(rows: list[tuple[str, list[str]]]) -> Iterator[str]:
+def aligned(rows: list[Row]) -> Iterator[str]:
     """Give a line for each label and enclosure, aligned at the decimal points."""
+    if not rows:
+        return
     whole, part = (max(len(side) for _, pair in rows for side in _sides(pair, n)) for n in (0, 1))
     width = max(len(label) for label, _ in rows)
     for label, pair in rows:
@@ -30,26 +44,16 @@ def _sides(pair: list[str], side: int) -> list[str]:
     return [halves[side] for halves in split]
 
 
-def labelled(key: str, name: str, claims: dict[str, Any]) -> Iterator[tuple[str, list[str]]]:
-    """Give (label, pair) for each enclosure in the claim of a name; events by their words."""
-    if key == "event_times" and key in claims:
-        yield from zip(claims["itinerary"], claims[key], strict=True)
-    else:
-        yield from _flatten(name, claims.get(key, []))
-
-
-def _flatten(label: str, value: Any) -> Iterator[tuple[str, list[str]]]:
-    """Give (label, pair) for each enclosure in a claim."""
+def _flat(label: str, value: Any) -> Iterator[Row]:
+    """Give a label for each enclosure in a claim; words in it belong to the label."""
     if isinstance(value, dict):
-        for key, pair in value.items():
-            yield f"{label} {key}", pair
+        words = [part for part in value.values() if isinstance(part, str)]
+        sets = {key: part for key, part in value.items() if not isinstance(part, str)}
+        for key, part in sets.items():
+            yield from _flat(" ".join([label, *(words or [key])]), part)
     elif value and isinstance(value[0], str):
         yield label, value
     else:
         for number, inner in enumerate(value, start=1):
-            named = (
-                f"tau_{number + 1} per |z|^{2 * number + 2}"
-                if label == "tau"
-                else f"{label} {number}"
-            )
-            yield from _flatten(named, inner)
+            named = isinstance(inner, dict) and any(isinstance(q, str) for q in inner.values())
+            yield from _flat(label if named else f"{label} {number}", inner)

@@ -11,7 +11,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from cap.certificate import naming
-from cap.checker.forms import FOR_ALL_F
+from cap.checker.theorems import load
 from cap.command.console import Parser, program, quoted
 from cap.command.option import choice, integer
 from cap.errors import BadInput
@@ -176,7 +176,7 @@ def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Re
         if options.e is not None:
             raise BadInput("--epsilon Q means --e 1-Q: give one of them")
         given["e"] = str(1 - exact(options.epsilon))
-    if options.theorem in FOR_ALL_F:
+    if "f" not in load(options.theorem).PARAMETERS:
         if options.f is not None:
             raise BadInput(
                 f"the theorem {options.theorem} holds for more than one f: leave out --f"

@@ -1,5 +1,7 @@
 """The command ``python -m cap.verify [--explain] [--latex] FILE...``: verdicts on certificates.
 
+``python -m cap.verify --reading THEOREM`` lists the files that prove a theorem.
+
 For each file one line, ``VERIFIED: <the theorem> ("FILE")`` or ``REJECTED: "FILE": <the reason>``,
 with the name in quotation marks and what is not printable in it escaped.
 Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line.  A
@@ -18,8 +20,8 @@ from pathlib import Path
 
 from cap.checker.kernel.certificate import MAX_BYTES
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.checker.theorems import NAMES
+from cap.checker.verdict import check, words
 from cap.command.console import Parser, printable, program, quoted, say
 
 
@@ -27,6 +29,10 @@ def main(words: Sequence[str]) -> int:
     """Verify the files named one after the other; return 1 if any is rejected, else 0."""
     parser = _parser()
     options = parser.parse_args(words)
+    if options.reading:
+        return _reading(options.reading)
+    if not options.files:
+        parser.error("the following arguments are required: FILE")
     if options.formal and (options.explain or options.latex):
         parser.error("--formal goes with neither --explain nor --latex")
     if options.formal:
@@ -45,7 +51,14 @@ def _parser() -> Parser:
         "other code than those that made the certificate.",
         epilog="Example: python -m cap.verify --explain certificates/elliptic.json",
     )
-    parser.add_argument("files", nargs="+", metavar="FILE", help="a certificate")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="a certificate")
+    parser.add_argument(
+        "--reading",
+        metavar="THEOREM",
+        choices=NAMES,
+        help="list the files that prove this theorem, in the order to read them, with their lines "
+        f"of code and of mathematics; one of: {', '.join(NAMES)}",
+    )
     parser.add_argument("--explain", action="store_true", help="print every step of the proof")
     parser.add_argument(
         "--formal",
@@ -68,6 +81,15 @@ def _parser() -> Parser:
     return parser
 
 
+def _reading(theorem: str) -> int:
+    """Say what a referee of a theorem has to read; return 0."""
+    from cap.command.reading import pages, told  # noqa: PLC0415 (for people, if they ask)
+
+    for line in told(pages(theorem)):
+        say(line, sys.stdout)
+    return 0
+
+
 def _digits(text: str) -> int:
     """Return a number of digits."""
     if not (text.isascii() and text.isdigit() and len(text) <= 4 and 2 <= int(text) <= 1000):
@@ -81,6 +103,8 @@ def _verify(name: str, options: argparse.Namespace) -> bool:
     try:
         certificate = check(content(Path(name)), steps.append)
         if options.latex:
+            from cap.certificate.latex import macros  # noqa: PLC0415 (for people, if they ask)
+
             definitions += macros(certificate, Path(name).stem, options.latex_digits)
         verdict, verified = f"VERIFIED: {words(certificate)} ({quoted(name)})", True
     except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from cap.checker.kernel.certificate import Certificate
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.formal.hints import BOX_BITS, DEPTH, PIECES, Hints, hints
 from cap.formal.syntax import JET, interval, jet, number, pair_of_numbers, real, record

@@ -11,7 +11,7 @@ from cap.audit.means.orbits import States, at, before_a_stop, hits_only, until
 from cap.audit.means.paper_equation import Equation
 from cap.audit.means.quadrature import over_the_line
 from cap.audit.verdict import Outcome
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.floats import swarm
 from cap.parameters import PAPER

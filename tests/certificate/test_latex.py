@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from cap import verify
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 
 STORED = Path(__file__).parents[2] / "certificates"
 

@@ -7,8 +7,7 @@ import pytest
 from support import proving
 
 from cap import verify
-from cap.checker.statement import words
-from cap.checker.theorem import check
+from cap.checker.verdict import check, words
 from cap.command.console import printable, quoted
 from cap.explore import __main__ as explore
 

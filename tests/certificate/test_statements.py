@@ -17,13 +17,12 @@ from checker.forge_impact import PAPER, forge_symmetric
 from checker.test_checker_capture import CASES
 
 from cap.certificate import report
-from cap.checker import terms
-from cap.checker.flow.fixed_point import in_order
+from cap.checker.flow.capture import captures
+from cap.checker.flow.events import in_order
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.reading import enclosure
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.statement import words
-from cap.checker.theorem import check
+from cap.checker.kernel.shapes import enclosure
+from cap.checker.verdict import check, words
 from cap.explore.commands import COMMANDS
 from cap.floats import swarm
 from cap.floats.candidates import Request
@@ -121,17 +120,17 @@ CAPTURED = {
 def test_what_a_capture_stands_for_is_said_once(name):
     """In both sentences, in a period and until a release, with one capture and with two."""
     certificate = CAPTURED[name]()
-    captures = [w for w in certificate["claims"]["itinerary"] if w.startswith("capture")]
-    assert len(captures) == {"periodic": 2, "once": 1, "twice": 2}[name]
+    named = [w for w in certificate["claims"]["itinerary"] if w.startswith("capture")]
+    assert len(named) == {"periodic": 2, "once": 1, "twice": 2}[name]
     for sentence in map(" ".join, map(str.split, told(certificate))):
-        assert sentence.count(terms.captures(captures)) == 1
+        assert sentence.count(captures(named)) == 1
         assert "exactly these events" in sentence
         assert "infinitely many hits of this wall" in sentence
 
 
 def test_without_a_capture_nothing_is_said_of_it():
     """The words stand where they are needed only."""
-    assert terms.captures(["hit r", "turn right", "stick", "release left"]) == ""
+    assert captures(["hit r", "turn right", "stick", "release left"]) == ""
     assert not any("infinitely" in sentence for sentence in told(stored("periodic-1")))
 
 

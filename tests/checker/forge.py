@@ -11,10 +11,10 @@ from fractions import Fraction
 
 from mpmath import mp, mpf
 
-from cap.checker.citations import CITES
 from cap.checker.flow.normal_form import elliptic_frame, in_complex_coordinate, twists
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
+from cap.checker.theorems import load
 
 ORBITS = {
     "elliptic": ("0.10027988984419", "0.54194333067646"),
@@ -245,7 +245,7 @@ def forge(  # noqa: PLR0913
         "digits": str(digits),
         "claims": claims,
         "hints": hints,
-        "cites": CITES[theorem],
+        "cites": list(load(theorem).CITES),
         "provenance": {"tool": "forge"},
     }
 

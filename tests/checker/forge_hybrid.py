@@ -11,7 +11,7 @@ from itertools import pairwise, product
 
 from mpmath import mp, mpf
 
-from cap.checker.citations import CITES
+from cap.checker.theorems import load
 from checker.forge import _decimal
 from checker.hybrid import Flow
 
@@ -210,7 +210,7 @@ def envelope(theorem, p, digits, claims, hints):
         "digits": str(digits),
         "claims": claims,
         "hints": hints,
-        "cites": CITES[theorem],
+        "cites": list(load(theorem).CITES),
         "provenance": {"tool": "forge_hybrid"},
     }
 

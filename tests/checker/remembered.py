@@ -16,7 +16,7 @@ def orbits_computed_once():
     known, computed = {}, PeriodMap.over
 
     def over(phi, box, m, order):
-        key = content((tuple(phi), box, m, order))
+        key = content((type(phi).__name__, *vars(phi).values(), box, m, order))
         if key not in known:
             known[key] = computed(phi, box, m, order)
         return known[key]

@@ -10,7 +10,7 @@ import jsonschema
 import pytest
 
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from checker.altered import SCHEMA, changed, encode, leaves
 
 

@@ -8,10 +8,10 @@ from fractions import Fraction
 import pytest
 from mpmath import mp
 
+from cap.certificate.latex import macros
 from cap.checker.kernel.certificate import read
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
 from cap.checker.theorems.branch import LOW_ORDER, RATIOS, united
+from cap.checker.verdict import check, words
 from checker.altered import changed, decimal, encode, rejected, verify
 from checker.forge import Flow, _twists
 from checker.forge_impact import WALLS, System, _mp, forge_branch

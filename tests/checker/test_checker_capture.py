@@ -10,13 +10,13 @@ import pytest
 from mpmath import mp, mpf
 from support import number, rational, rounds, seeded
 
+from cap.certificate.latex import macros
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.checker.verdict import check, words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_capture import PAPER, forcing, forge_capture, lemma
 from checker.hybrid import Flow
-from checker.parts import Event, Interval, Mechanics, Parameters, capture, ratio
+from checker.parts import Event, Interval, Lossy, Parameters, capture, ratio
 
 LOSSY = PAPER | {"e": "4/5", "mu": "1/10"}
 CASES = {
@@ -202,17 +202,17 @@ def test_the_hit_before_a_capture(l, speed, word, why):
     """With e = 1/100, a hit of the speed 2 at 1/10 is captured, unless the other wall is near."""
     parameters = PAPER | {"l": l, "e": "1/100", "mu": "0"}
     state = [Interval.enclosing(q, q, 64) for q in (Fraction(9, 10), Fraction(1))]
-    M = Mechanics(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
+    M = Lossy(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
     moment = M.moment(M.constant(M.number(Fraction(1, 10))))
     before = Event(word, moment, M.F, M.constant(M.number(Fraction(speed))))
     window = Fraction(0), Fraction(1, 2)
     if why is None:
-        event, rest = capture(M, before, 1, "capture r", window)
+        event, rest = capture(M, before, "capture r", window)
         assert event.moment.t.value.upper < Fraction(1, 5)
         assert rest.sides == (-1,)
     else:
         with pytest.raises(Rejected, match=why):
-            capture(M, before, 1, "capture r", window)
+            capture(M, before, "capture r", window)
 
 
 def some_system(rng):
@@ -233,7 +233,7 @@ def some_system(rng):
 
 def in_time(parameters, window, *sets):
     """Return the mechanics at these parameters, over a box."""
-    return Mechanics(Parameters(**parameters), sets, [q.midpoint() for q in sets], 2)
+    return Lossy(Parameters(**parameters), sets, [q.midpoint() for q in sets], 2)
 
 
 def short(low, high):
@@ -260,16 +260,16 @@ def test_the_lemma_for_random_systems(side):
         M = in_time(parameters, (a, b), short(x, x), short(-u, u / 2))
         moment = M.moment(M.constant(short(a, a + u)))
         hit = Event(f"hit {walls[side]}", moment, M.F, M.constant(short(u / 2, u)))
-        event, rest = capture(M, hit, side, word, (a, b))
+        event, rest = capture(M, hit, word, (a, b))
         assert event.moment.t.value.lo == moment.t.value.lo
         assert 0 <= event.moment.t.value.upper - rational(late[0]) < Fraction(1, 10**6)
         assert 0 <= ratio(M, event.forcing * side).upper - rational(late[1]) < Fraction(1, 10**6)
         assert rest.since.lower <= b <= rest.since.upper
         assert rest.x.value.lower <= parameters[walls[side]] <= rest.x.value.upper
         with pytest.raises(Rejected, match="begins after the hit before it"):
-            capture(M, hit, side, word, (a + little, b))
+            capture(M, hit, word, (a + little, b))
         if side > 0:
-            event, _ = capture(M, None, side, word, (a, b))
+            event, _ = capture(M, None, word, (a, b))
             assert event.moment.t.value.lo == 0
             assert 0 <= event.moment.t.value.upper - rational(high[0]) < Fraction(1, 10**6)
 

@@ -8,7 +8,7 @@ import pytest
 
 from checker.altered import changed, decimal, leaves, rejected, verify
 from checker.forge import ORBITS, PARAMETERS, forge
-from checker.parts import Proof
+from checker.parts import Theorem
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 
@@ -90,7 +90,7 @@ def test_each_comparison_uses_its_unit():
 @pytest.fixture
 def uncompared(monkeypatch):
     """No claim is compared with what is computed: only what follows from the claims can fail."""
-    monkeypatch.setattr(Proof, "compare", lambda *_: None)
+    monkeypatch.setattr(Theorem, "compare", lambda *_: None)
 
 
 def replaced(certificate, claims):

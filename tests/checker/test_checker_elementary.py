@@ -12,13 +12,13 @@ import pytest
 from mpmath import mp
 from support import rounds, seeded
 
+from cap.checker.flow.exponential import phi
 from cap.checker.kernel.elementary import (
     _arctan_of_inverse,
     _cos_sin_at,
     _sine_series,
     arccos,
     cos_sin,
-    phi,
     pi,
 )
 from cap.checker.kernel.interval import Interval

@@ -16,7 +16,7 @@ from checker.parts import (
     Interval,
     Jet,
     Losses,
-    Mechanics,
+    Lossy,
     Parameters,
     Pitchfork,
     Rejected,
@@ -89,14 +89,14 @@ def flight(x, v, t, e, mu):
     """Give the state, the speed and its least value on flights, and what hits and turns lose."""
     for losses in (None, Losses(ends(e), ends(mu))):
         for s in (1, -1):
-            M = Mechanics(SYSTEM, [x, v * s], [x.midpoint(), v.midpoint() * s], 2, 1, losses)
+            M = Lossy(SYSTEM, [x, v * s], [x.midpoint(), v.midpoint() * s], 2, 1, losses)
             start = M.launch()
             when = M.moment(M.constant(t))
             place, speed = M.place(start, when), M.speed(start, when)
             for q in (place, speed, when.cos, when.sin):
                 yield from (q.value, q.slope(0), q.slope(1))
             yield M.least_speed(start, when)
-            yield M.P.value
+            yield M.amplitude.value
             later = M.flight(-s, when, place, speed, M.minima[-s])
             for q in (later.A, later.X, later.C):
                 yield from (q.value, q.slope(1))

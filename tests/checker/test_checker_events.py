@@ -8,12 +8,14 @@ import pytest
 from mpmath import mp, mpf
 from support import rational, seeded
 
-from cap.checker.flow.itinerary import WORDS, PeriodMap, follow
-from cap.checker.flow.mechanics import Losses, Mechanics, Parameters
-from cap.checker.kernel.elementary import phi
+from cap.checker.flow.events import WORDS, LossyMap
+from cap.checker.flow.exponential import phi
+from cap.checker.flow.losses import Losses, Lossy, composed
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Jet, composed, inverse
+from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.series import reciprocal
+from cap.checker.kernel.theorem import Parameters
 from checker.altered import rejected
 from checker.forge_hybrid import PERIODIC, forge_periodic, valid
 from checker.hybrid import Flow
@@ -31,7 +33,7 @@ def mechanics(parameters, x, v, losses=None, periods=1):
     """Return the mechanics for one orbit."""
     p = Parameters(**{k: Fraction(q) for k, q in parameters.items()})
     state = [point(x), point(v)]
-    return Mechanics(p, state, state, 2, periods, losses)
+    return Lossy(p, state, state, 2, periods, losses)
 
 
 @pytest.mark.parametrize("z", ["0", "-1/1000", "-3", "2/7", "-40", "-190"])
@@ -65,7 +67,7 @@ def test_the_exponential_over_an_interval():
 def test_composition_and_inverse_of_jets():
     """1/(2 + x + 3 v) times its inverse is 1; exp composed with a jet has exp's series."""
     jet = Jet(4, {(0, 0): point(2), (1, 0): point(1), (0, 1): point(3)})
-    for power, c in (jet * inverse(jet)).coefficients.items():
+    for power, c in (jet * reciprocal(jet)).coefficients.items():
         assert c.lower <= int(not any(power)) <= c.upper
     x = Jet(3, {(0, 0): point(0), (1, 0): point(2)})
     exp = composed([point(1)] * 4, x)
@@ -147,7 +149,7 @@ def passage(parameters, x, v, words, windows, periods=1):
     """Follow one orbit."""
     p = Parameters(**{k: Fraction(q) for k, q in parameters.items()})
     windows = [(Fraction(a), Fraction(b)) for a, b in windows]
-    return PeriodMap(p, words, windows, periods).over([point(x), point(v)], [point(x), point(v)], 2)
+    return LossyMap(p, words, windows, periods).over([point(x), point(v)], [point(x), point(v)], 2)
 
 
 FREE = {"F": "1", "omega": "1", "f": "1/2", "l": "-9", "r": "9", "e": "1", "mu": "0"}
@@ -219,7 +221,8 @@ def test_a_stick_and_its_release():
     """The release is at arccos(-9/10), to the left; what follows forgets the velocity."""
     M = mechanics(STICKY, "0", "0.5")
     windows = [(Fraction(16, 10), Fraction(175, 100)), (Fraction(2), Fraction(3))]
-    events, flight = follow(M, M.launch(), ["stick", "release left"], windows)
+    phi = LossyMap(None, ["stick", "release left"], windows)
+    events, flight = phi.follow(M, M.launch())
     with mp.workdps(40):
         assert abs(rational(mp.acos(mpf(-9) / 10)) - events[1].moment.t.value.lower) < 1e-30
     assert events[1].forcing.lower <= Fraction(-9, 10) <= events[1].forcing.upper
@@ -253,7 +256,7 @@ def test_every_word_of_an_itinerary_counts(name):
     p = Parameters(**{k: Fraction(q) for k, q in certificate["parameters"].items()})
     windows = [tuple(map(Fraction, w)) for w in hints["events"]]
     state, words = [point(q) for q in hints["centre"]], claims["itinerary"]
-    PeriodMap(p, words, windows).over(state, state, 2)
+    LossyMap(p, words, windows).over(state, state, 2)
     rng = seeded(5)
     for n, right in enumerate(words):
         changes = [(w, windows[n : n + 1]) for w in WORDS if w != right]
@@ -262,4 +265,4 @@ def test_every_word_of_an_itinerary_counts(name):
         altered.append((words[: n + 1] + words[n:], windows[: n + 1] + windows[n:]))
         for other, times in rng.sample(altered, len(altered)):
             with pytest.raises(Rejected):
-                PeriodMap(p, other, times).over(state, state, 2)
+                LossyMap(p, other, times).over(state, state, 2)

@@ -9,7 +9,17 @@ from mpmath import mp, mpf
 from support import number, rational
 
 from checker.hybrid import Flow
-from checker.parts import Interval, Mechanics, Parameters, Rejected, least, slope_of_gap, stick
+from checker.parts import (
+    Interval,
+    Mechanics,
+    Parameters,
+    Rejected,
+    Zero,
+    least,
+    rest_of,
+    slope,
+    stick,
+)
 from checker.test_checker_events import BITS, STICKY, UNIT, mechanics, passage, point
 
 F = Fraction
@@ -67,12 +77,13 @@ def test_the_slope_at_an_event(mu, s):
     with mp.workdps(40):
         flow, start = Flow(parameters), (mpf(0), mpf(1) / 3, mpf(s) / 2)
         for a, b in ((low, high), (low, low)):
-            values = {wall: slope_of_gap(M, s, arc, over(a, b), wall) for wall in (None, point(9))}
+            zeros = {None: rest_of(M, s), point(9): Zero.at(M, point(9))}
+            values = {wall: slope(M, arc, over(a, b), zero) for wall, zero in zeros.items()}
             for n in range(5):
                 t = number(a + (b - a) * n / 4)
                 v = flow.state(start, s, t)[1]
-                exact = {None: flow.force(t) - s * flow.f - flow.mu * v, point(9): v}
-                for value, truth in zip(values.values(), exact.values(), strict=True):
+                exact = flow.force(t) - s * flow.f - flow.mu * v, v
+                for value, truth in zip(values.values(), exact, strict=True):
                     assert value.lower <= rational(truth) <= value.upper
             widths = [float(v.upper - v.lower) for v in values.values()]
             assert max(widths) < (30 if a < b else 1e-30)

@@ -11,6 +11,7 @@ from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.one_one import closed_form as impact
+from cap.checker.one_one.pairs import over_cells, over_intervals, slowest
 from cap.checker.one_one.taylor_model import TaylorModel
 from cap.checker.one_one.twist import period_map, regularised_twist
 from checker.forge import Flow, _mp, _twists
@@ -38,7 +39,7 @@ def test_a_pair_is_a_periodic_orbit(walls, delta):
     """The flow, by Newton's method on the hits, closes up after a period with this trace."""
     with mp.workdps(60):
         system, rho = System(walls), number(Fraction(2))
-        pair = impact.over_intervals(rho).at(number(delta))
+        pair = over_intervals(rho).at(number(delta))
         orbit = system.pair(_mp(delta))
         flow = Flow(walls | {"f": "1"})
         flow.f = orbit.alpha * system.F
@@ -53,14 +54,14 @@ def test_a_pair_is_a_periodic_orbit(walls, delta):
             t_0 = t.coefficients[0, 0] * system.omega
             assert near(cos.constant, mp.cos(t_0))
             assert near(sin.constant, mp.sin(t_0))
-        assert near(impact.slowest(pair), flow.slowest / system.speed)
+        assert near(slowest(pair), flow.slowest / system.speed)
 
 
 @pytest.mark.parametrize("delta", ["0.1", "0.2", "0.34", "0.38", "0.45"])
 def test_the_twist_is_that_of_the_normal_form(delta):
     """N = (1 + trace) tau_1, with tau_1 from the map of (x, v) and the general normal form."""
     with mp.workdps(50):
-        pairs = impact.over_intervals(number(2))
+        pairs = over_intervals(number(2))
         N = regularised_twist(pairs, pairs.at(number(delta)))
         orbit = System(WALLS).pair(_mp(delta))
         flow = Flow(PAPER)
@@ -76,7 +77,7 @@ def test_the_twist_of_the_paper_orbit():
         system = System(WALLS)
         delta = mp.findroot(lambda d: system.pair(d).alpha - mpf(2) / 5, 0.3623)
         q = Fraction(int(mp.nint(mp.ldexp(delta, 120))), 2**120)
-        pairs = impact.over_intervals(number(2))
+        pairs = over_intervals(number(2))
         pair = pairs.at(number(q))
         tau = regularised_twist(pairs, pair) / (pair.trace.constant + 1)
         assert near(tau, mpf("0.1134779770"), "1e-10")
@@ -84,7 +85,7 @@ def test_the_twist_of_the_paper_orbit():
 
 def test_the_map_preserves_area():
     """The Jacobian in E and t has the determinant 1 and the trace of the closed form."""
-    pairs = impact.over_intervals(number(2))
+    pairs = over_intervals(number(2))
     pair = pairs.at(number("0.3"))
     E, t = period_map(pairs, pair)
     (a, b), (c, d) = ((w.coefficients[1, 0], w.coefficients[0, 1]) for w in (E, t))
@@ -98,10 +99,10 @@ def test_the_map_preserves_area():
 def test_over_a_cell_everything_is_enclosed(ends):
     """Taylor models over a cell contain the values at its points, and are not much wider."""
     low, high = map(Fraction, ends)
-    pairs = impact.over_cells(number(2))
+    pairs = over_cells(number(2))
     over = pairs.at(TaylorModel.variable(low, high, BITS), 1)
     cell_twist = regularised_twist(pairs, over).range()
-    thin, values = impact.over_intervals(number(2)), []
+    thin, values = over_intervals(number(2)), []
     for k in range(5):
         pair = thin.at(number(low + (high - low) * k / 4), 1)
         for name in ("S", "C", "alpha", "W", "trace"):
@@ -119,7 +120,7 @@ def test_over_a_cell_everything_is_enclosed(ends):
 def test_the_slope_of_the_least_speed(delta):
     """L' over a short cell, against differences of the least speed of the flow."""
     half, q = Fraction(1, 10**9), Fraction(delta)
-    pair = impact.over_cells(number(2)).at(TaylorModel.variable(q - half, q + half, BITS), 1)
+    pair = over_cells(number(2)).at(TaylorModel.variable(q - half, q + half, BITS), 1)
     slope, h = steepness(pair), mpf("1e-12")
     with mp.workdps(40):
         system = System(WALLS)

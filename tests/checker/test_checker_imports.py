@@ -5,24 +5,30 @@ from __future__ import annotations
 import pkgutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 import cap.checker
+from cap.checker.theorems import NAMES
 
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
+STORED = Path(__file__).parents[2] / "certificates"
+FLOW = {"kernel", "flow", "theorems", "verdict"}
+ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
+MORE = {"persistence": {"periodic"}}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
+
+
+def printed(code):
+    """Return the lines that the code prints in a new interpreter."""
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
 
 
 def loaded(code):
     """Return the modules loaded in a new interpreter by the code."""
-    out = subprocess.run(
-        [sys.executable, "-c", f"{code}; import sys; print(*sys.modules)"],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return set(out.stdout.split())
+    return set(printed(f"{code}; import sys; print(*sys.modules)")[-1].split())
 
 
 def test_the_checker_loads_only_itself():
@@ -40,6 +46,27 @@ def test_the_command_line_adds_only_itself():
     own = {"cap.verify", "cap.command.verifier", "cap.command.entry", "cap.command.console"}
     assert ours <= {"cap", "cap.command", "cap.checker", *own, *MODULES}
     assert not {m.split(".")[0] for m in modules} & FOREIGN
+
+
+@pytest.mark.parametrize("theorem", NAMES)
+def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem):
+    """Of the theorems itself, and that of which it is a special case; the list for referees has
+    just what was loaded.
+    """
+    path = next(p for p in sorted(STORED.glob("*.json")) if p.stem.split("-")[0] == theorem)
+    modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
+    used = {m.removeprefix("cap.checker.") for m in modules if m.startswith("cap.checker.")}
+    assert {m.partition(".")[0] for m in used} == ROOMS.get(theorem, FLOW)
+    theorems = {m.partition(".")[2] for m in used if m.startswith("theorems.")}
+    assert theorems == {theorem} | MORE.get(theorem, set())
+    lines = printed(f"from cap import verify; verify.main(['--reading', {theorem!r}])")
+    files = [line.split()[-1] for line in lines if line.endswith(".py")]
+    listed = [
+        file.removesuffix(".py").removesuffix("/__init__").replace("/", ".") for file in files
+    ]
+    assert sorted(listed) == sorted(used - ROOMS.get(theorem, FLOW) | {"theorems", "verdict"})
+    counts = [list(map(int, line.split()[:2])) for line in lines[1:]]
+    assert counts[-1] == [sum(n) for n in zip(*counts[:-1], strict=True)]
 
 
 @pytest.mark.parametrize("module", MODULES)

@@ -7,9 +7,9 @@ from fractions import Fraction
 import pytest
 from mpmath import mp, workdps
 
-from cap.checker.flow.fixed_point import Proof
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.certificate.latex import macros
+from cap.checker.kernel.theorem import Theorem
+from cap.checker.verdict import check, words
 from checker.altered import changed, encode, rejected, verify
 from checker.forge import _decimal
 from checker.tampered import accepted, fits_the_schema, malformed, survivors
@@ -113,7 +113,7 @@ def test_friction_is_below_the_forcing():
 
 def test_a_margin_that_touches_zero(monkeypatch):
     """The claim itself must say that f > 2F/pi."""
-    monkeypatch.setattr(Proof, "compare", lambda *_: None)
+    monkeypatch.setattr(Theorem, "compare", lambda *_: None)
     rejected(changed(forge(), "claims", "margin", ["0", "1"]), "margin claimed is not positive")
     assert accepted(changed(forge(), "claims", "margin", ["1/100", "1"]))
 

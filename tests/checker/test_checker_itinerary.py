@@ -7,9 +7,9 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.flow.itinerary import PeriodMap
-from cap.checker.flow.mechanics import Parameters
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.theorem import Parameters
 from checker.altered import changed, rejected
 from checker.forge import PARAMETERS
 

@@ -16,7 +16,7 @@ from checker.forge_impact import (
     forge_pitchfork,
     forge_symmetric,
 )
-from checker.parts import Interval, Proof, home, over_intervals, regularised_twist
+from checker.parts import Interval, Theorem, home, over_intervals, regularised_twist
 
 pytestmark = pytest.mark.usefixtures("pairs_computed_once")
 
@@ -32,7 +32,7 @@ def decimals(value, places=40):
 @pytest.fixture
 def uncompared(monkeypatch):
     """No claim is compared with what is computed: only what follows from the claims can fail."""
-    monkeypatch.setattr(Proof, "compare", lambda *_: None)
+    monkeypatch.setattr(Theorem, "compare", lambda *_: None)
 
 
 # symmetric orbits

@@ -6,10 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker import forms
-from cap.checker.kernel.certificate import read, read_hints, read_parameters
+from cap.checker.flow.itinerary import limit_work
+from cap.checker.kernel.certificate import read, read_parameters
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.kernel.shapes import tabled
+from cap.checker.theorems import branch, load
+from cap.checker.verdict import check
 from checker.altered import changed, encode, rejected
 
 STORED = Path(__file__).parents[2] / "certificates"
@@ -33,7 +35,9 @@ def hinted(theorem, bits, events, order=None, cells=None):
     if cells:
         cell = {key: POINT[key] for key in ("centre", "preconditioner")}
         hints["cells"] = [cell | {"events": hints["events"]}] * cells
-    return read_hints(theorem, hints)["bits"]
+    read_hints = tabled(hints, load(theorem).HINTS, "hints")
+    limit_work(read_hints)
+    return read_hints["bits"]
 
 
 LARGEST = [  # events (bits (order + 1)^2 + 1024 cells) is at most 786432, or just that
@@ -77,7 +81,7 @@ def test_cells_of_a_branch_are_bounded(zeros):
         several = certificate[part]["twist_zeros"] * zeros
         certificate = changed(certificate, part, "twist_zeros", several)
     pieces = len(certificate["claims"]["cells"]) + zeros
-    most = int((forms.MAX_WORK / pieces) ** 0.5)
+    most = int((branch.MAX_WORK / pieces) ** 0.5)
     assert read(encode(changed(certificate, "hints", "bits", str(most)))).hints["bits"] == most
     rejected(changed(certificate, "hints", "bits", str(most + 1)), "too much")
     cells = certificate["claims"]["cells"]
@@ -93,18 +97,18 @@ def test_parameters_are_not_too_large(name, sign):
     """They would have more bits than the precision: 10^30 is read, more is not."""
     parameters = stored("capture")["parameters"] | {"f": "0"}
     most = ("-" if sign == "-1" else "") + "1" + "0" * 30
-    read_parameters("capture", parameters | {name: most})
+    read_parameters(load("capture"), parameters | {name: most})
     with pytest.raises(Rejected, match="in size"):
-        read_parameters("capture", parameters | {name: most + ".1"})
+        read_parameters(load("capture"), parameters | {name: most + ".1"})
 
 
 @pytest.mark.parametrize("name", ["F", "omega", "r"])
 def test_parameters_are_not_too_small(name):
     """Their inverses would be as large: F, omega and R = r = 10^-30 are read, less is not."""
     parameters = stored("capture")["parameters"] | {"f": "0", "l": "0"}
-    read_parameters("capture", parameters | {name: "0." + "0" * 29 + "1"})
+    read_parameters(load("capture"), parameters | {name: "0." + "0" * 29 + "1"})
     with pytest.raises(Rejected, match="in size"):
-        read_parameters("capture", parameters | {name: "0." + "0" * 30 + "9"})
+        read_parameters(load("capture"), parameters | {name: "0." + "0" * 30 + "9"})
 
 
 @pytest.mark.slow
@@ -112,7 +116,7 @@ def test_the_worst_takes_well_under_a_minute():
     """As many bits as are read for pairs on 111 cells: of the worst known, the longest proof."""
     certificate = stored("branch-2")
     pieces = len(certificate["claims"]["cells"]) + len(certificate["hints"]["twist_zeros"])
-    bits = int((forms.MAX_WORK / pieces) ** 0.5)
+    bits = int((branch.MAX_WORK / pieces) ** 0.5)
     began = time.process_time()
     check(encode(changed(certificate, "hints", "bits", str(bits))), lambda _: None)
     assert time.process_time() - began < 60

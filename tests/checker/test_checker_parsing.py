@@ -8,10 +8,13 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.reading import MAX_BYTES, bounded, enclosure, number, parsed
+from cap.checker.kernel.reading import MAX_BYTES, number, parsed
 from cap.checker.kernel.rejection import Rejected
-from checker.altered import encode
+from cap.checker.kernel.shapes import Whole, enclosure
+from checker.altered import encode, rejected, verify
 from checker.forge import forge
+
+pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 
 
 @pytest.fixture(scope="module")
@@ -83,9 +86,9 @@ def test_an_enclosure_may_be_a_point():
 def test_small_integers_out_of_bounds_reject(literal):
     """Only plain integers in the bounds; both bounds are allowed."""
     with pytest.raises(Rejected):
-        bounded(literal, 6, 1000, "digits")
-    assert bounded("6", 6, 1000, "digits") == 6
-    assert bounded("1000", 6, 1000, "digits") == 1000
+        Whole(6, 1000)(literal, "digits")
+    assert Whole(6, 1000)("6", "digits") == 6
+    assert Whole(6, 1000)("1000", "digits") == 1000
 
 
 @pytest.mark.parametrize(
@@ -178,12 +181,12 @@ def test_every_field_is_needed_and_no_other_is_allowed(good):
             change(at(bad, path))
             if bad != good:
                 with pytest.raises(Rejected):
-                    read(encode(bad))
+                    verify(bad)
         if path and isinstance(path[-1], str):
             bad = copy.deepcopy(good)
             del at(bad, path[:-1])[path[-1]]
             with pytest.raises(Rejected):
-                read(encode(bad))
+                verify(bad)
 
 
 @pytest.mark.parametrize("junk", [1, 1.5, True, None, [], {}, "", "x", "NaN", ["1", "2"], "1e3"])
@@ -195,7 +198,7 @@ def test_every_leaf_is_checked(good, junk):
         bad = copy.deepcopy(good)
         at(bad, path[:-1])[path[-1]] = junk
         with pytest.raises(Rejected):
-            read(encode(bad))
+            verify(bad)
 
 
 BROKEN = {
@@ -206,7 +209,7 @@ BROKEN = {
     "digits large": (("digits",), "1001", "digits"),
     "bits small": (("hints", "bits"), "63", "bits is not between"),
     "bits large": (("hints", "bits"), "8193", "bits is not between"),
-    "order even": (("hints", "order"), "4", "odd"),
+    "order even": (("hints", "order"), "4", "order"),
     "order small": (("hints", "order"), "1", "order"),
     "order large": (("hints", "order"), "11", "order"),
     "no hits": (("hints", "hit_times"), [], "1 to 64"),
@@ -236,5 +239,4 @@ def test_each_rule_of_the_format(good, name):
     path, value, why = BROKEN[name]
     bad = copy.deepcopy(good)
     at(bad, path[:-1])[path[-1]] = value
-    with pytest.raises(Rejected, match=why):
-        read(encode(bad))
+    rejected(bad, why)

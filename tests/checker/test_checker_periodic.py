@@ -9,8 +9,8 @@ import pytest
 
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.reading import Enclosure
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.shapes import Enclosure
 from cap.checker.theorems.periodic import Periodic, norm, real
 from checker.altered import changed, decimal, encode, leaves, rejected, verify
 from checker.forge_hybrid import PERIODIC, valid

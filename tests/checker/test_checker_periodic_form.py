@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.certificate.latex import macros
+from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected
 from checker.forge_hybrid import PERIODIC, valid
 
@@ -45,8 +45,8 @@ def test_losses_do_not_belong_to_the_old_theorems(good):
         (("claims", "period"), "0", "between 1 and 16"),
         (("claims", "period"), "17", "between 1 and 16"),
         (("claims", "period"), ["1"], "string"),
-        (("claims", "type"), "sink", "unknown"),
-        (("claims", "type"), {}, "unknown"),
+        (("claims", "type"), "sink", "none of"),
+        (("claims", "type"), {}, "none of"),
         (("claims", "multipliers"), [["0", "1"]], "list of 2"),
         (("claims", "multipliers", 0), {"re": ["0", "1"]}, "missing"),
         (("claims", "turning_factors"), [], "list of 2"),

@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.statement import macros, words
+from cap.certificate.latex import macros
+from cap.checker.verdict import words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_hybrid import forge_periodic, forge_persistence
 from checker.parts import Enclosure, Persistence, Rejected, check, read

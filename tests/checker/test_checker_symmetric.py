@@ -6,9 +6,9 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.flow.fixed_point import Proof
-from cap.checker.statement import macros, words
-from cap.checker.theorem import check
+from cap.certificate.latex import macros
+from cap.checker.kernel.theorem import Theorem
+from cap.checker.verdict import check, words
 from checker.altered import changed, encode, rejected, verify
 from checker.forge_impact import PAPER, WALLS, forge_pitchfork, forge_symmetric
 from checker.tampered import accepted, fits_the_schema, malformed, survivors
@@ -142,7 +142,7 @@ def test_types(symmetric):
 
 def test_a_trace_that_touches(symmetric, monkeypatch):
     """2 and -2 decide nothing."""
-    monkeypatch.setattr(Proof, "compare", lambda *_: None)
+    monkeypatch.setattr(Theorem, "compare", lambda *_: None)
     for kind, trace, fine in (
         ("elliptic", ["-2", "0"], False),
         ("elliptic", ["0", "2"], False),

@@ -11,7 +11,7 @@ from support import rounds, seeded
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.one_one.series import cos_sinc, reciprocal, square_root
+from cap.checker.kernel.series import cos_sinc, reciprocal, square_root
 from cap.checker.one_one.taylor_model import ORDER, TaylorModel
 
 BITS = 100

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.statement import words
+from cap.checker.verdict import words
 from checker.altered import encode, leaves
 from checker.forge import forge
 from checker.forge_capture import forge_capture

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")
 

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker.flow.itinerary import WORDS
-from cap.checker.kernel.certificate import TYPES
+from cap.checker.flow.events import WORDS
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.theorems.periodic import TYPES
+from cap.checker.verdict import check
 from checker.test_tampering import changed, enclosures, get, leaves, text
 
 pytestmark = pytest.mark.usefixtures("orbits_computed_once")

@@ -14,7 +14,7 @@ from support import proving
 
 from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.floats import candidates
 from cap.floats.periodic import Guess
 from cap.proofs import theorems
@@ -123,7 +123,7 @@ def test_other_parameters(capsys, tmp_path, words):
         (("elliptic", "--digits", "3"), "--digits"),
         (("elliptic", "--digits", "-5"), "--digits"),
         (("elliptic", "--digits", "10000000"), "--digits"),
-        (("elliptic", "--order", "4"), "invalid choice"),
+        (("elliptic", "--order", "4"), "must be one of"),
         (("theorem",), "say what to prove"),
         ((), "say what to prove"),
         (("elliptic", "--unknown"), "unrecognized"),

@@ -11,7 +11,7 @@ from oracle_flow import System, orbit
 from support import among, number, proving, rational, seeded
 
 from cap.certificate.report import theorem as told
-from cap.checker.theorem import check
+from cap.checker.verdict import check
 from cap.parameters import Parameters
 from cap.proofs import persistence
 

@@ -10,7 +10,7 @@ from cap.audit.means.need import need
 from cap.audit.means.paper_equation import Equation, psi
 from cap.audit.means.stored import stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.shapes import Enclosure
 from cap.sets import interval
 from cap.sets.interval import Ball
 

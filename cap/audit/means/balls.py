@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 from cap.audit.verdict import Verdict, confirmed, corrected
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.sets import interval
 from cap.sets.interval import Ball

@@ -29,7 +29,7 @@ def stored(name: str) -> Stored:
 def sentence(name: str) -> str:
     """Return the theorem of a stored certificate in the checker's words; it is checked first."""
     from cap.checker.kernel.certificate import read  # noqa: PLC0415
-    from cap.checker.statement import words  # noqa: PLC0415
+    from cap.checker.verdict import words  # noqa: PLC0415
 
     stored(name)
     return words(read((FOLDER / name).read_bytes()))
@@ -38,7 +38,7 @@ def sentence(name: str) -> str:
 @cache
 def _accepted(name: str) -> Stored:
     from cap.checker.kernel.rejection import Rejected  # noqa: PLC0415 (the checker, where it is needed)
-    from cap.checker.theorem import check  # noqa: PLC0415
+    from cap.checker.verdict import check  # noqa: PLC0415
 
     path = FOLDER / name
     need(path.is_file(), f"there is no certificate {name}")

@@ -34,23 +34,36 @@ g > 0, k < 1, q^2 < 2 rise R and t + (1/rise + 1/sqrt(rise g)) e q/(1 - k) <= t_
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
-from cap.checker.flow.events import Event, Rest, span
-from cap.checker.flow.mechanics import Ends, Mechanics
+from cap.checker.flow.hits import SIDES, Event
+from cap.checker.flow.losses import Lossy
+from cap.checker.flow.mechanics import Ends
+from cap.checker.flow.stops import Rest, span
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 
+_MEANING = (
+    "; here 'capture' and a wall stand for infinitely many hits of this wall, one turn before each "
+    "(but perhaps none before the first, if no event comes before) and nothing else, which "
+    "accumulate in finite time, from which on the mass rests at the wall until its release"
+)
 
-def capture(
-    M: Mechanics, before: Event | None, side: int, word: str, window: Ends
-) -> tuple[Event, Rest]:
+
+def captures(itinerary: Sequence[str]) -> str:
+    """Return in words what captures among these events stand for; nothing without any."""
+    return _MEANING if any(word.startswith("capture") for word in itinerary) else ""
+
+
+def capture(M: Lossy, before: Event | None, word: str, window: Ends) -> tuple[Event, Rest]:
     """Prove that hits of the wall on this side, and turns between, accumulate within [t_a, t_d].
 
     ``before`` is the hit of this wall that the mass leaves, or None: then the mass is in the box at
     the time 0, and the claim is made for orbits from its interior.  On return, the mass rests at
     the wall from the accumulation on at least until t_d, held by a force.
     """
+    side = SIDES[word.split()[1]]
     towards = span(M, window) * side
     need((towards - M.f).is_positive(), "the force may be too weak to hold the mass at the wall")
     k = ratio(M, towards)
@@ -81,12 +94,12 @@ def capture(
     return Event(word, moment, towards * side), rest
 
 
-def ratio(M: Mechanics, towards: Interval) -> Interval:
+def ratio(M: Lossy, towards: Interval) -> Interval:
     """Return k = e sqrt((b_2 - f)/(b_1 + f)) from the enclosure [b_1, b_2] of b."""
     return M.e.value * ((_high(towards) - M.f) / (_low(towards) + M.f)).sqrt()
 
 
-def _weight(M: Mechanics, towards: Interval, q: Interval) -> Interval:
+def _weight(M: Lossy, towards: Interval, q: Interval) -> Interval:
     """Return g = b_1 - f - mu q."""
     g = _low(towards) - M.f - M.mu.value * q
     need(g.is_positive(), "the mass may be held off the wall by the viscosity")

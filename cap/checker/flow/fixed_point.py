@@ -20,23 +20,33 @@ Here Phi is the map of the theorem: over one period, or over n of them.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
-from fractions import Fraction
-from typing import Any
+from abc import abstractmethod
+from collections.abc import Sequence
+from typing import Any, ClassVar
 
-from cap.checker.flow.itinerary import Passage, PeriodMap
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap, limit_work
 from cap.checker.flow.mechanics import Ends
-from cap.checker.kernel.certificate import Certificate
-from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.citation import NEUMAIER, Citation, cite
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import lift
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, enclosure, region
+from cap.checker.kernel.theorem import BITS, Theorem
 
+STATE = {"x": region, "v": region}
+WINDOWS = Many(enclosure, 1, MAX_EVENTS)
+CENTRE, INVERSE = [number] * 2, [[number] * 2] * 2
 Point = tuple[Interval, Interval]
+Matrix = list[list[Interval]]
 
 KRAWCZYK_ORDER = 4  # of the jets over the box: the higher, the larger the box may be
+
+
+def krawczyk_theorem(smooth: str, inclusion: str, by: str = "box") -> Citation:
+    """Return the citation of Krawczyk's theorem."""
+    hypotheses = ("smooth", smooth, by), ("inclusion", inclusion, by)
+    return cite("Krawczyk", NEUMAIER, *hypotheses)
 
 
 def krawczyk(
@@ -65,62 +75,50 @@ def krawczyk(
     return K[0], K[1]
 
 
-class Proof(ABC):
-    """The proof of one certificate.  Each step either succeeds or rejects, and is then reported."""
+class FixedPoint(Theorem):
+    """A theorem about a fixed point."""
 
-    def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
-        self.certificate, self.step = certificate, step
-        self.p, self.claims = certificate.parameters, certificate.claims
-        self.hints = certificate.hints
-        self.R, self.omega = self.p.r - self.p.l, self.p.omega
+    # fmt: off
+    HINTS: ClassVar[Table] = (
+        BITS,
+        Field("centre", CENTRE, "", "m", "a point near P*, in the box"),
+        Field("radius", number, "", "", "S = m +- radius (R, R omega): P* lies in K(S)"),
+        Field("preconditioner", INVERSE, "", "C", "near (Phi'(m) - 1)^-1"),
+    )
+    CLAIMS: ClassVar[Table] = (
+        Field("box", STATE, "", "", "a set that contains exactly one fixed point P* of Phi"),
+        Field("x", Quantity("R"), "x", "x", "P*"),
+        Field("v", Quantity("R omega"), "v", "v", "P*"),
+        Field("hit_speeds", Many(Quantity("R omega"), 0, MAX_EVENTS), "hit speed", "|v_k|",
+              "|v| before each hit"),
+        Field("jacobian", [[Quantity(), Quantity("omega^-1")], [Quantity("omega"), Quantity()]],
+              "Jacobian", r"D\Phi(P^*)", "rows of Phi'(P*), column order (x, v)"),
+        Field("trace", Quantity(), "trace", r"\operatorname{tr} D\Phi(P^*)", "of Phi'(P*)"),
+        Field("determinant", Quantity(), "determinant", r"\det D\Phi(P^*)", "of Phi'(P*)"),
+    )
+    # fmt: on
 
-    @abstractmethod
-    def prove(self) -> None:
-        """Prove the theorem, or reject."""
-
-    def number(self, q: Fraction) -> Interval:
-        """Return an enclosure of a rational number at the precision of the certificate."""
-        return Interval.enclosing(q, q, self.hints["bits"])
-
-    def pi(self) -> Interval:
-        """Return an enclosure of pi."""
-        return pi(self.hints["bits"])
-
-    def confirm(self, name: str, computed: Any, unit: Any) -> None:
-        """Compare a claim, or a list of claims, with what is computed; no unit: no width rule."""
-        self.compare(name, self.claims[name], computed, unit)
-
-    def compare(self, name: str, claim: Any, computed: Any, unit: Any) -> None:
-        """Check that the enclosure claimed contains the computed one and keeps the width rule."""
-        if isinstance(claim, list):
-            units = unit if isinstance(unit, list) else [unit] * len(claim)
-            for n, parts in enumerate(zip(claim, computed, units, strict=True)):
-                self.compare(f"{name}[{n}]", *parts)
-            return
-        contained = computed.lies_in(claim.lower, claim.upper)
-        need(contained, f"{name} does not contain the enclosure computed")
-        if unit is not None:
-            self.narrow(name, claim, unit)
-
-    def narrow(self, name: str, claim: Enclosure, unit: Fraction) -> None:
-        """Check that an enclosure is as narrow as the digits that are claimed."""
-        size = max(abs(claim.lower), abs(claim.upper), unit)
-        narrow = (claim.upper - claim.lower) * 10**self.certificate.digits <= size
-        need(narrow, f"{name} is wider than its digits allow")
-
-
-class FixedPoint(Proof):
-    """The proof of a theorem about a fixed point."""
-
-    orbit_order = 2  # of the jets at P*: the Jacobian in mean value form
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+        """Bound the time."""
+        limit_work(hints)
 
     def prove(self) -> None:
         """Prove the theorem."""
         self.existence()
         fixed_point = self.localisation()
         orbit = self.near(fixed_point, fixed_point, self.orbit_order)
-        self.orbit(fixed_point, orbit)
+        jacobian = [[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)]
+        self.confirm(x=fixed_point[0], v=fixed_point[1], jacobian=jacobian)
+        self.confirm(hit_speeds=[h.hit_speed for h in orbit.hits])
+        self.confirm(trace=jacobian[0][0] + jacobian[1][1])
+        self.orbit(orbit, jacobian)
         self.conclude(fixed_point, orbit)
+
+    @property
+    def orbit_order(self) -> int:
+        """The order of the jets at P*: 2 gives the Jacobian in mean value form."""
+        return 2
 
     @property
     @abstractmethod
@@ -128,27 +126,32 @@ class FixedPoint(Proof):
         """The map, with its itinerary and time windows."""
 
     @abstractmethod
-    def orbit(self, fixed_point: Point, orbit: Passage) -> None:
-        """Compare the claims about P* with what is computed."""
+    def orbit(self, orbit: Passage, jacobian: Matrix) -> None:
+        """Compare what else is claimed about the orbit of P* with what is computed."""
 
     @abstractmethod
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:
         """Prove what the theorem says about the fixed point and its orbit."""
 
+    @property
+    def box(self) -> list[Ends]:
+        """The box claimed."""
+        return [self.claims["box"][z][:2] for z in ("x", "v")]
+
     def existence(self) -> None:
         """Prove that Phi has exactly one fixed point in the box claimed."""
-        self.krawczyk([ends(self.claims["box"][z]) for z in ("x", "v")])
+        self.krawczyk(self.box)
         self.step(f"all orbits from the box have the itinerary: {', '.join(self.phi.itinerary)}")
         self.step("K(box) lies in the interior of the box: exactly one fixed point")
 
     def localisation(self) -> Point:
         """Return K(S), which contains the fixed point."""
         radius, scales = self.hints["radius"], (self.R, self.R * self.omega)
+        need(radius > 0, "radius is not positive")
         centre = zip(self.hints["centre"], scales, strict=True)
         small = [(m - radius * scale, m + radius * scale) for m, scale in centre]
-        for (low, high), name in zip(small, ("x", "v"), strict=True):
-            box = self.claims["box"][name]
-            need(box.lower <= low and high <= box.upper, "S is not in the box")
+        sides = zip(small, self.box, strict=True)
+        need(all(z[0] <= s[0] and s[1] <= z[1] for s, z in sides), "S is not in the box")
         result = self.krawczyk(small)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains P*")
         return result
@@ -157,9 +160,18 @@ class FixedPoint(Proof):
         """Return K(region) if it lies in the interior of the region."""
         return krawczyk(self.phi, region, self.hints, self.hints["bits"], KRAWCZYK_ORDER)
 
+    def is_in_the_box(self, rectangle: Sequence[Interval]) -> bool:
+        """Return whether a rectangle lies in the box claimed."""
+        return all(z.lies_in(*side) for z, side in zip(rectangle, self.box, strict=True))
+
     def near(self, box: Sequence[Interval], point: Point, order: int) -> Passage:
         """Return the orbits of a box around an enclosure of a point."""
         return self.phi.over(box, [z.midpoint() for z in point], order)
+
+    def told(self, sentence: str, **more: object) -> str:
+        """Return a sentence with the box, and with the numbers claimed."""
+        box = " x ".join(str(self.claims["box"][z]) for z in ("x", "v"))
+        return super().told(sentence, box=box, **more)
 
 
 def ends(claim: Enclosure) -> Ends:
@@ -170,17 +182,3 @@ def ends(claim: Enclosure) -> Ends:
 def contains(claim: Enclosure, q: int) -> bool:
     """Return whether an enclosure contains a number."""
     return claim.lower <= q <= claim.upper
-
-
-def in_order(words: Sequence[str], times: Sequence[Enclosure]) -> None:
-    """Check that the times claimed are in the order of the events, from 0 on.
-
-    The enclosure for a capture may begin before its hit, but after the event before that.
-    """
-    for n, (word, t) in enumerate(zip(words, times, strict=True)):
-        captured = word.startswith("capture")
-        before = times[: max(0, n - captured)]
-        later = not before or before[-1].upper < t.lower
-        need(later, f"the time of event {n + 1} is not after that of the event before")
-        need(t.lower >= 0, "the time of the first event may be negative")
-        need(n == 0 or times[n - 1].upper <= t.upper, "a capture may end before its hit")

@@ -1,27 +1,22 @@
-"""A mass between two walls: x'' = F cos(w t) - f sgn x' - mu x', l < x < r; v -> -e v at a wall.
+"""A mass between two walls: x'' = F cos wt - f sgn x', l < x < r, and elastic hits: v -> -v.
 
-*Flights.*  While the velocity has the sign s = +-1, x'' = F cos wt - s f - mu x'.  A solution of
-x'' = F cos wt - mu x' is, with P = F/(mu^2 + w^2),
+*Flights.*  While the velocity has the sign s = +-1, x'' = F cos wt - s f.  A solution of x'' = F
+cos wt is, with P = F/w^2,
 
-    x_p(t) = P ((mu/w) sin wt - cos wt),      v_p(t) = P (mu cos wt + w sin wt).
+    x_p(t) = -P cos wt,      v_p(t) = P w sin wt.
 
-Let h(d) be the integral of e^(-mu u) over [0, d], and k(d) that of h.  The flight that starts at
-t_0 from (x_0, v_0) is, with d = t - t_0, A = v_0 - v_p(t_0), X = x_0 - x_p(t_0), C = mu A + s f,
+The flight that starts at t_0 from (x_0, v_0) is, with d = t - t_0, A = v_0 - v_p(t_0), X = x_0 -
+x_p(t_0), C = s f,
 
-    x(t) = x_p(t) + X + A d - C k(d),      v(t) = v_p(t) + A - C h(d),
+    x(t) = x_p(t) + X + A d - C d^2/2,      v(t) = v_p(t) + A - C d.
 
-for k' = h, h' = 1 - mu h, so that x' = v and v' = v_p' - C + mu C h = (F cos wt - mu v_p) - s f -
-mu (A - C h); and at t_0 this is (x_0, v_0).  There is no division by mu: with phi_n as in
-``elementary``,
+With losses (``losses``) there is viscosity -mu x' besides, and d^2/2 and d become other functions.
 
-    h(d) = d phi_1(-mu d),      k(d) = d^2 phi_2(-mu d),      h = d, k = d^2/2 for mu = 0,
-
-so mu may be a variable of the jets, over an interval that contains 0; and so may e.
-
-*The sign of the velocity.*  p(t) = e^(mu t) s v(t) has p' = e^(mu t) (s F cos wt - f).  Since f <
-F, p' has simple zeros, and p its local minima at those with s sin wt < 0: at the times (2 pi k -
-theta)/w for s = 1 and (2 pi k + pi - theta)/w for s = -1, where theta = arccos(f/F).  So s v > 0 on
-[a, b] if it is so at a, at b, and at those of these times that lie in (a, b).
+*The sign of the velocity.*  p(t) = e^(mu t) s v(t), here mu = 0, has p' = e^(mu t) (s F cos wt -
+f).  Since f < F, p' has simple zeros, and p its local minima at those with s sin wt < 0: at the
+times (2 pi k - theta)/w for s = 1 and (2 pi k + pi - theta)/w for s = -1, where theta =
+arccos(f/F).  So s v > 0 on [a, b] if it is so at a, at b, and at those of these times that lie in
+(a, b).
 
 *A flight that begins with v = 0*, after a turn or a release: s F cos wt > f just after its
 beginning, for at a turn this holds, and a release is at one of these times.  So p increases from
@@ -36,40 +31,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import arccos, phi, pi
+from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import (
-    Centred,
-    Jet,
-    RealJet,
-    composed,
-    cos_sin_jet,
-    inverse,
-    lift,
-    raised,
-)
+from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.theorem import Parameters
 
 Ends = tuple[Fraction, Fraction]
-
-
-class Parameters(NamedTuple):
-    """The exact parameters of x'' = F cos(omega t) - f sgn x' - mu x', l < x < r, v -> -e v."""
-
-    F: Fraction
-    omega: Fraction
-    f: Fraction
-    l: Fraction
-    r: Fraction
-    e: Fraction = Fraction(1)
-    mu: Fraction = Fraction(0)
-
-
-class Losses(NamedTuple):
-    """A set of restitutions e and viscosities mu, by the ends of two intervals."""
-
-    e: Ends
-    mu: Ends
+Box = Sequence[Interval]
 
 
 class Moment(NamedTuple):
@@ -78,6 +47,9 @@ class Moment(NamedTuple):
     t: Centred
     cos: Centred
     sin: Centred
+
+
+Minima = list[Moment]
 
 
 class Flight(NamedTuple):
@@ -92,44 +64,26 @@ class Flight(NamedTuple):
     C: Centred
     start: Moment
     at_rest: bool
-    minima: list[Moment]
+    minima: Minima
 
 
 class Mechanics:
     """The mechanics at given parameters, over a box of initial states with a centre m.
 
-    Every method holds for all orbits from the box and all losses, and rejects if it does not
-    succeed.
+    Every method holds for all orbits from the box, and rejects if it does not succeed.
     """
 
-    def __init__(
-        self,
-        p: Parameters,
-        box: Sequence[Interval],
-        m: Sequence[Interval],
-        order: int,
-        periods: int = 1,
-        losses: Losses | None = None,
-    ) -> None:
+    def __init__(self, p: Parameters, box: Box, m: Box, order: int, periods: int = 1) -> None:
         self.bits = box[0].bits
         self.omega, self.f, self.F = (self.number(q) for q in (p.omega, p.f, p.F))
         self.walls = {1: self.number(p.r), -1: self.number(p.l)}
         self.period = pi(self.bits) * 2 / self.omega
         self.horizon = self.period * periods
         self.order = order
-        sets = [Interval.enclosing(*q, self.bits) for q in losses or ()]
-        box, m = [*box, *sets], [*m, *(q.midpoint() for q in sets)]
         self.offsets = [z - c for z, c in zip(box, m, strict=True)]
-        variables = [self._variable(n, *q) for n, q in enumerate(zip(box, m, strict=True))]
-        self.x, self.v = variables[:2]
-        exact = [self.constant(self.number(q)) for q in (p.e, p.mu)]
-        self.e, self.mu = variables[2:] or exact
-        self.is_viscous = p.mu > 0 or losses is not None
-        square = self.omega.square()
-        self.P = self.constant(self.number(p.F / p.omega**2))
-        if self.is_viscous:
-            constants = self.constant(square), self.constant(self.F)
-            self.P = lift(lambda mu, w, F: F * inverse(mu * mu + w), self.mu, *constants)
+        self.variables = [self._variable(n, *q) for n, q in enumerate(zip(box, m, strict=True))]
+        self.x, self.v = self.variables[:2]
+        self.P = self.number(p.F / p.omega**2)
         self.minima = self._minima(p.f / p.F, periods)
 
     def _variable(self, n: int, box: Interval, m: Interval) -> Centred:
@@ -139,18 +93,16 @@ class Mechanics:
         jets = (Jet(self.order, {origin: z, unit: z.integer(1)}) for z in (m, box))
         return self.centred(*jets)
 
-    def _minima(self, ratio: Fraction, periods: int) -> dict[int, list[Moment]]:
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
         cos, half_turn = self.number(ratio), pi(self.bits)
         sin, theta = self.number(1 - ratio**2).sqrt(), arccos(cos)
-        turns = {1: [2 * k for k in range(1, periods + 1)], -1: [2 * k + 1 for k in range(periods)]}
-        return {
-            s: [
-                self.instant((half_turn * k - theta) / self.omega, cos * s, sin * -s)
-                for k in turns[s]
-            ]
-            for s in turns
-        }
+
+        def minimum(k: int, s: int) -> Moment:
+            return self.instant((half_turn * k - theta) / self.omega, cos * s, sin * -s)
+
+        rising = [minimum(2 * k, 1) for k in range(1, periods + 1)]
+        return {1: rising, -1: [minimum(2 * k + 1, -1) for k in range(periods)]}
 
     def number(self, q: Fraction) -> Interval:
         """Return an enclosure of a rational number."""
@@ -179,63 +131,58 @@ class Mechanics:
         """Return the moment of a time that is a multiple of the period."""
         return self.instant(t, t.integer(1), t.integer(0))
 
-    # formulas for jets
+    # formulas for jets; ``losses`` are what they depend on with losses: nothing here
 
-    def x_p(self, mu: RealJet, P: RealJet, cos: RealJet, sin: RealJet) -> RealJet:
+    @property
+    def losses(self) -> tuple[Centred, ...]:
+        """What the formulas depend on besides the flight and the time."""
+        return ()
+
+    def x_p(self, cos: RealJet, sin: RealJet, *losses: RealJet) -> RealJet:  # noqa: ARG002
         """Return x_p(t)."""
-        if not self.is_viscous:
-            return cos * -P.constant
-        return P * (mu * sin * (mu.constant.integer(1) / self.omega) - cos)
+        return cos * -self.P
 
-    def v_p(self, mu: RealJet, P: RealJet, cos: RealJet, sin: RealJet) -> RealJet:
+    def v_p(self, cos: RealJet, sin: RealJet, *losses: RealJet) -> RealJet:  # noqa: ARG002
         """Return v_p(t)."""
-        if not self.is_viscous:
-            return sin * (P.constant * self.omega)
-        return P * (mu * cos + sin * self.omega)
+        return sin * (self.P * self.omega)
 
-    def integral(self, n: int, d: RealJet, mu: RealJet) -> RealJet:
-        """Return h(d) for n = 1, k(d) for n = 2."""
-        power = d if n == 1 else d * d
-        if not self.is_viscous:
-            return power if n == 1 else power * self.number(Fraction(1, 2))
-        z = -(d * mu)
-        return power * composed([phi(n, z.constant, k) for k in range(d.order + 1)], z)
+    def integral(self, n: int, d: RealJet, *losses: RealJet) -> RealJet:  # noqa: ARG002
+        """Return d for n = 1, d^2/2 for n = 2."""
+        return d if n == 1 else d * d * self.number(Fraction(1, 2))
 
     def position(self, arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
-        """Return x(t) on a flight A, X, C, t_0, mu, P; ``when`` is t, cos wt, sin wt."""
-        (A, X, C, start, mu, P), (t, cos, sin) = arc, when
+        """Return x(t) on a flight A, X, C, t_0; ``when`` is t, cos wt, sin wt."""
+        (A, X, C, start, *losses), (t, cos, sin) = arc, when
         d = t - start
-        return X + A * d - C * self.integral(2, d, mu) + self.x_p(mu, P, cos, sin)
+        return X + A * d - C * self.integral(2, d, *losses) + self.x_p(cos, sin, *losses)
 
     def velocity(self, arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
         """Return v(t) on a flight."""
-        (A, _, C, start, mu, P), (t, cos, sin) = arc, when
-        return A - C * self.integral(1, t - start, mu) + self.v_p(mu, P, cos, sin)
+        (A, _, C, start, *losses), (t, cos, sin) = arc, when
+        return A - C * self.integral(1, t - start, *losses) + self.v_p(cos, sin, *losses)
+
+    def drag(self, A: Centred, s: int) -> Centred:  # noqa: ARG002
+        """Return C on a flight."""
+        return self.constant(self.f * s)
+
+    def reflected(self, speed: Centred, s: int) -> Centred:
+        """Return the velocity after a hit, from the speed before it."""
+        return lift(lambda u: u * -s, speed)
 
     # flights over the box
 
     def flight(
-        self,
-        s: int,
-        start: Moment,
-        x: Centred,
-        v: Centred,
-        minima: list[Moment],
-        *,
-        at_rest: bool = False,
+        self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
     ) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
-        at = self.mu, self.P, start.cos, start.sin
+        at = start.cos, start.sin, *self.losses
         A = lift(lambda v, *q: v - self.v_p(*q), v, *at)
         X = lift(lambda x, *q: x - self.x_p(*q), x, *at)
-        C = self.constant(self.f * s)
-        if self.is_viscous:
-            C = lift(lambda a, mu, c: a * mu + c, A, self.mu, C)
-        return Flight(s, A, X, C, start, at_rest, minima)
+        return Flight(s, A, X, self.drag(A, s), start, at_rest, minima)
 
     def arc(self, flight: Flight) -> tuple[Centred, ...]:
         """Return what determines x(t) on a flight."""
-        return flight.A, flight.X, flight.C, flight.start.t, self.mu, self.P
+        return flight.A, flight.X, flight.C, flight.start.t, *self.losses
 
     def launch(self) -> Flight:
         """Return the first flight; the box must lie between the walls and away from v = 0."""

@@ -40,6 +40,11 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet, RealJet, substituted
 from cap.checker.kernel.rejection import need
 
+NORMAL_FORM = (
+    "in a complex coordinate z around it, with dx^dv = (i/2) dz^dz^- there (so that positive "
+    "angles turn from x to v), Phi is z -> z exp(i (Theta + tau_1 |z|^2)) + O(|z|^4)"
+)
+
 
 class Complex(NamedTuple):
     """The set of x + iy for x in re and y in im."""

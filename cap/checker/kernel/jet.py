@@ -17,8 +17,6 @@ Both enclosures of c_ij hold, so their intersection does: that is ``tightened``.
 *Cosine and sine of a jet* c + h, h without constant term: h^k has no terms of degree below k, and
 
     cos(c + h) = sum of cos^(k)(c) h^k / k!,    cos, -sin, -cos, sin, cos, ...
-
-and ``composed`` is the same for any function that is given by its derivatives at c.
 """
 
 from __future__ import annotations
@@ -143,35 +141,6 @@ def cos_sin_jet(angle: RealJet) -> tuple[RealJet, RealJet]:
         term = term * h * (one / k)
         cos_jet, sin_jet = cos_jet + term * cos, sin_jet + term * sin
     return cos_jet, sin_jet
-
-
-def composed(derivatives: Sequence[Interval], jet: RealJet) -> RealJet:
-    """Return g(jet) from g and its derivatives at the constant term, as many as the order."""
-    h = Jet(jet.order, {p: c for p, c in jet.coefficients.items() if any(p)})
-    one, origin = derivatives[0].integer(1), jet.origin
-    term, total = Jet(jet.order, {origin: one}), Jet(jet.order, {origin: derivatives[0]})
-    for k in range(1, jet.order + 1):
-        term = term * h * (one / k)  # h^k / k!
-        total = total + term * derivatives[k]
-    return total
-
-
-def inverse(jet: RealJet) -> RealJet:
-    """Return 1/jet."""
-    derivatives = [jet.constant.integer(1) / jet.constant]
-    for k in range(1, jet.order + 1):
-        derivatives.append(derivatives[-1] / jet.constant * -k)
-    return composed(derivatives, jet)
-
-
-def slope_along(jet: RealJet, p: Interval, q: Interval) -> RealJet:
-    """Return the derivative of a jet of two variables in the direction (p, q), one order less."""
-    total = Jet[Interval](jet.order - 1, {})
-    for (i, j), c in jet.coefficients.items():
-        for power, factor in (((i - 1, j), p * i), ((i, j - 1), q * j)):
-            if min(power) >= 0:
-                total = total + Jet(total.order, {power: c * factor})
-    return total
 
 
 class Centred:

@@ -1,60 +1,22 @@
 """The strict reading of JSON: bytes -> objects, lists and strings -> exact numbers, or a rejection.
 
-A shape is built of dictionaries, lists and readers at the leaves; a value must match it exactly:
-the same keys, the same lengths.  Numbers are exact rationals.  Nothing is evaluated whose size was
-not bounded before.
+Numbers are exact rationals.  Nothing is evaluated whose size was not bounded before.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NoReturn
 
 from cap.checker.kernel.rejection import Rejected, need
 
 MAX_BYTES = 1 << 20
 MAX_CHARACTERS = 4000
 MAX_DEPTH = 16
-_INTEGER = "-?(?:0|[1-9][0-9]*)"
-_NUMBER = re.compile(f"{_INTEGER}(?:\\.[0-9]+|/[1-9][0-9]*)?")
-
-
-class Enclosure(NamedTuple):
-    """The closed interval [lower, upper], with the two strings that state it."""
-
-    lower: Fraction
-    upper: Fraction
-    text: tuple[str, str]
-
-    def __str__(self) -> str:
-        """Return the enclosure exactly as it is stated."""
-        return f"[{self.text[0]}, {self.text[1]}]"
-
-
-def matched(value: Any, shape: Any, where: str) -> Any:
-    """Return the value with its leaves read; it must have exactly the given shape."""
-    if isinstance(shape, dict):
-        need(isinstance(value, dict), f"{where} is not an object")
-        need(value.keys() == shape.keys(), f"{where} has missing or unknown fields")
-        return {key: matched(value[key], part, f"{where}.{key}") for key, part in shape.items()}
-    if isinstance(shape, list):
-        need(
-            isinstance(value, list) and len(value) == len(shape),
-            f"{where} is not a list of {len(shape)}",
-        )
-        return [
-            matched(v, part, f"{where}[{n}]")
-            for n, (v, part) in enumerate(zip(value, shape, strict=True))
-        ]
-    return shape(value, where)
-
-
-def anything(value: Any, _: str) -> Any:
-    """Return the value as it is."""
-    return value
+NUMBER = r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+|/[1-9][0-9]*)?"
+_NUMBER = re.compile(NUMBER)
 
 
 def text(value: Any, where: str) -> str:
@@ -62,16 +24,6 @@ def text(value: Any, where: str) -> str:
     if not isinstance(value, str):
         raise Rejected(f"{where} is not a string")
     return value
-
-
-def exactly(expected: str) -> Callable[[Any, str], str]:
-    """Return a reader that accepts this string alone."""
-
-    def reader(value: Any, where: str) -> str:
-        need(value == expected, f"{where} is not {expected}")
-        return expected
-
-    return reader
 
 
 def number(value: Any, where: str) -> Fraction:
@@ -84,49 +36,6 @@ def number(value: Any, where: str) -> Fraction:
         return Fraction(int(whole + decimals), 10 ** len(decimals))
     numerator, _, denominator = literal.partition("/")
     return Fraction(int(numerator), int(denominator or "1"))
-
-
-def enclosure(value: Any, where: str) -> Enclosure:
-    """Return a pair of numbers with lower <= upper."""
-    lower, upper = matched(value, [number, number], where)
-    need(lower <= upper, f"{where} has lower > upper")
-    return Enclosure(lower, upper, (value[0], value[1]))
-
-
-def within(least: int, most: int) -> Callable[[Any, str], int]:
-    """Return a reader of integers between least and most."""
-    return lambda value, where: bounded(text(value, where), least, most, where)
-
-
-def one_of(words: Sequence[str]) -> Callable[[Any, str], str]:
-    """Return a reader that accepts these strings."""
-
-    def reader(value: Any, where: str) -> str:
-        need(value in words, f"{where} is none of: {', '.join(words)}")
-        return str(value)
-
-    return reader
-
-
-def length(value: Any, least: int, most: int, where: str) -> int:
-    """Return the length of a list, which must lie between least and most."""
-    listed = isinstance(value, list) and least <= len(value) <= most
-    need(listed, f"{where} is not a list of {least} to {most}")
-    return len(value)
-
-
-def part(value: Any, key: str, where: str) -> Any:
-    """Return what an object has at a key."""
-    need(isinstance(value, dict), f"{where} is not an object")
-    need(key in value, f"{where}.{key} is missing")
-    return value[key]
-
-
-def bounded(literal: str, least: int, most: int, name: str) -> int:
-    """Return an integer between least and most."""
-    need(re.fullmatch("0|[1-9][0-9]{0,5}", literal) is not None, f"{name} is not a small integer")
-    need(least <= int(literal) <= most, f"{name} is not between {least} and {most}")
-    return int(literal)
 
 
 def parsed(data: bytes) -> object:

@@ -1,8 +1,8 @@
 """The first twist of a pair: the map over a period in impact coordinates, to third order.
 
-*The map.*  Units and names are those of ``impact``.  A hit is given by E = u^2/2 and t; just before
-the right wall dx^dv = -u dt^du = dE^dt: (E, t) preserve area and orientation.  A flight from (t, u)
-lasts the time d for which
+*The map.*  Units and names are those of ``closed_form``.  A hit is given by E = u^2/2 and t; just
+before the right wall dx^dv = -u dt^du = dE^dt: (E, t) preserve area and orientation.  A flight
+from (t, u) lasts the time d for which
 
     H(d) = (u - s sin t) d - s (cos(t + d) - cos t) - alpha d^2/2 - rho = 0,
 
@@ -51,8 +51,8 @@ from typing import Generic, NamedTuple
 
 from cap.checker.kernel.jet import Jet, substituted
 from cap.checker.kernel.rejection import need
-from cap.checker.one_one.closed_form import Pair, Pairs
-from cap.checker.one_one.series import K, divided, nilpotent, plus, square_root
+from cap.checker.kernel.series import K, divided, nilpotent, plus, square_root
+from cap.checker.one_one.pairs import Pair, Pairs
 
 _ORDER = 3
 

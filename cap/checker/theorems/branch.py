@@ -1,6 +1,6 @@
 """The theorem about the branch: the pairs of (1,1) orbits for a whole range of f.
 
-By ``impact`` there is one pair for each delta in (0, pi/2) with S < 1, and f = F alpha strictly
+By ``pairs`` there is one pair for each delta in (0, pi/2) with S < 1, and f = F alpha strictly
 decreases with delta.  Cells cover [0, D].  On every cell, by Taylor models,
 
 1. trace' < 0; on the first cell, where trace is even in delta, trace'' < 0; so trace decreases;
@@ -24,31 +24,66 @@ orbits of a pair conjugate: they have the same trace and the same tau_1.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 from math import gcd
 from typing import Any, NamedTuple
 
-from cap.checker.kernel.certificate import Certificate
+from cap.checker.kernel.choices import OrNone, Taken
+from cap.checker.kernel.citation import MOSER, cite
 from cap.checker.kernel.elementary import arccos, cos_sin, pi
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.one_one import closed_form as impact
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word, enclosure, region
+from cap.checker.kernel.theorem import BITS, FOR_ALL_F, Certificate
+from cap.checker.one_one import pairs
+from cap.checker.one_one.closed_form import birth
+from cap.checker.one_one.scaled import SYSTEM_FOR_ALL_F, Scaled
 from cap.checker.one_one.taylor_model import TaylorModel
 from cap.checker.one_one.twist import regularised_twist
-from cap.checker.theorems.symmetric import Scaled
 
+MAX_CELLS = 512
+MAX_WORK = 1 << 27  # bits^2 times cells and zeros of the twist
+MAX_RESONANCES = 16
+MAX_ZEROS = 64
 _MOST = 8  # the largest denominator of the rotation numbers
-_CELL_DIGITS = 6
-_TWIST_DIGITS = 1
+CELL_DIGITS = 6
+TWIST_DIGITS = 1
 RATIOS = sorted(
     Fraction(p, q) for q in range(2, _MOST + 1) for p in range(1, q // 2 + 1) if gcd(p, q) == 1
 )
 LOW_ORDER = [q for q in RATIOS if q.denominator <= 4 and q < Fraction(1, 2)]
 Ends = tuple[Fraction, Fraction]
+RESONANCE = {"ratio": Word([str(q) for q in RATIOS]), "f": Quantity("F")}
+CELL = {
+    "delta": region,
+    "f": Taken("F", CELL_DIGITS),
+    "trace": Taken("", CELL_DIGITS),
+    "least_speed": Taken("R omega", CELL_DIGITS),
+    "twist": OrNone(Word(("+", "-"))),
+    "regular_twist": OrNone(Taken(None, TWIST_DIGITS)),
+}
+# fmt: off
+MOSER_ON_A_BRANCH = cite(
+    *MOSER,
+    ("H1", "for every f in f_range, both orbits of the pair hit each wall once in a period, "
+     "transversely, and never turn or stick", "f_range, cells"),
+    ("H2", "the map from one hit of r to the next, in time and energy, to which Phi is conjugate, "
+     "is exact symplectic near the fixed point: flights and hits preserve dx^dv, and a disk is "
+     "simply connected", "f_range, cells"),
+    ("H3", "this map is real analytic near the fixed point: the hit times are, by the implicit "
+     "function theorem", "f_range, cells"),
+    ("H4", "trace > -2 is assumed and trace < 2 is proved: the eigenvalues of the Jacobian are "
+     "exp(+-i Theta), 0 < |Theta| < pi", "cells, resonances"),
+    ("H5", "no resonance of order at most four, for f outside the exceptions",
+     "resonances, exceptions"),
+    ("H6", "the first Birkhoff twist coefficient does not vanish, for f outside the exceptions",
+     "cells, twist_zeros, exceptions"),
+)
+# fmt: on
 
 
 class Values(NamedTuple):
@@ -61,6 +96,49 @@ class Values(NamedTuple):
 
 class Branch(Scaled):
     """The pairs of (1,1) orbits, from their birth on."""
+
+    PARAMETERS = FOR_ALL_F
+    # fmt: off
+    HINTS = (
+        BITS,
+        Field("end", OrNone([number] * 2), "", "", "[lower, upper], upper = D: L(lower) > 0 > "
+              'L(upper); "none" if f_end is'),
+        Field("resonances", Many(enclosure, 0, MAX_RESONANCES), "", "", "as in the claims: "
+              "between the ends of each, in (0, delta_0], trace crosses 2 cos(2 pi p/q)"),
+        Field("twist_zeros", Many(enclosure, 0, MAX_ZEROS), "", "", "ascending: at the ends of "
+              "each, in (0, delta_0], N has opposite signs, and in between the trace is not -1"),
+    )
+    CLAIMS = (
+        Field("f_start", Quantity("F"), "born at", "f_0", "F alpha(0)"),
+        Field("f_end", OrNone(Quantity("F")), "least speed vanishes at", r"f_{\mathrm{end}}",
+              'f where L = 0; "none" if L(D) > 0'),
+        Field("trace_end", OrNone(Quantity()), "  with trace", r"\operatorname{tr} D\Phi",
+              'the trace there; "none" if f_end is'),
+        Field("f_range", region, "", "", "for every f in it there is exactly one pair, and it is "
+              "genuine; below F alpha(0), not below F alpha(delta_0)"),
+        Field("resonances", Many(RESONANCE, 0, MAX_RESONANCES), "trace = 2 cos(2 pi p/q), p/q =",
+              "f_{p/q}", "all p/q in lowest terms, 0 < p/q <= 1/2, q <= 8, ascending, for which "
+              "trace = 2 cos(2 pi p/q) at a delta < delta_0, with that f"),
+        Field("twist_zeros", Many(Taken("F", CELL_DIGITS), 0, MAX_ZEROS), "twist vanishes at",
+              r"f_{\tau_1 = 0}", "f descending: in each there is an f with tau_1 = 0"),
+        Field("exceptions", Many(region, 0, MAX_CELLS + MAX_RESONANCES), "but perhaps not in", "",
+              "ascending, disjoint: the f in f_range with trace > -2 for which Moser's theorem may "
+              "fail; larger by at most 10^-6 F if not cut"),
+        Field("cells", Many(CELL, 1, MAX_CELLS), "", "", "delta from 0 to D < pi/2, each cell "
+              "beginning where the last one ends; what f, trace and least speed take on it; the "
+              'sign of N and what N takes, or "none"'),
+    )
+    # fmt: on
+    CITES = (MOSER_ON_A_BRANCH,)
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
+        """Bound the time."""
+        needed = hints["bits"] ** 2 * (len(claims["cells"]) + len(hints["twist_zeros"]))
+        need(needed <= MAX_WORK, f"bits and cells are too much: {needed} > {MAX_WORK}")
+        for name in ("resonances", "twist_zeros"):
+            count = len(hints[name])
+            need(len(claims[name]) == count, f"claims.{name} is not a list of {count}")
 
     def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
         super().__init__(certificate, step)
@@ -96,21 +174,25 @@ class Branch(Scaled):
 
     def evaluated(self, delta: Fraction) -> Values:
         """Return f, trace and L at one delta."""
-        pair = impact.over_intervals(self.rho).at(self.number(delta))
-        L = impact.slowest(pair) * self.number(self.p.F / self.omega)
+        pair = pairs.over_intervals(self.rho).at(self.number(delta))
+        L = pairs.slowest(pair) * self.number(self.p.F / self.omega)
         f = pair.alpha.constant * self.number(self.p.F)
         return Values(f, pair.trace.constant, L)
 
     def f_start(self) -> None:
         """Compare the claim where the branch begins."""
-        c = impact.birth(self.rho)
-        need(c is not None, "R omega^2/F is not below (pi^2 - 4)/2: no pair is born")
-        self.confirm("f_start", self.at(Fraction(0)).f, self.p.F)
+        need(birth(self.rho) is not None, "R omega^2/F is not below (pi^2 - 4)/2: no pair is born")
+        self.confirm(f_start=self.at(Fraction(0)).f)
         self.step("the pair is born at f_start")
 
     def end(self) -> Fraction:
         """Return the greatest delta in view with L > 0, and compare the claims of the end."""
         bracket, claims = self.hints["end"], self.claims
+        for name in ("f_end", "trace_end"):
+            there = claims[name] is not None
+            need(
+                there == (bracket is not None), f"claims.{name} is there, or not, against the hint"
+            )
         if bracket is None:
             need(self.at(self.last).least_speed.is_positive(), "the least speed may vanish")
             self.step("the least speed is positive on all cells")
@@ -120,10 +202,9 @@ class Branch(Scaled):
         need(self.at(low).least_speed.is_positive(), "the least speed vanishes before the bracket")
         slow = (-self.at(high).least_speed).is_positive()
         need(slow, "the least speed does not vanish in the bracket")
-        for name, values, unit in (("f_end", 0, self.p.F), ("trace_end", 1, Fraction(1))):
-            ends = self.at(high)[values], self.at(low)[values]
-            self.spans(name, claims[name], ends, unit, self.certificate.digits)
-            self.narrow(name, claims[name], unit)
+        first, last = self.at(high), self.at(low)
+        self.spans("f_end", claims["f_end"], (first.f, last.f))
+        self.spans("trace_end", claims["trace_end"], (first.trace, last.trace))
         self.step("the least speed vanishes at f_end")
         return Fraction(low)
 
@@ -138,13 +219,20 @@ class Branch(Scaled):
         self.step("every f in f_range has one genuine pair")
 
     def spans(
-        self, name: str, claim: Enclosure, ends: tuple[Interval, Interval], unit: Any, digits: int
+        self, name: str, claim: Enclosure, ends: tuple[Interval, Interval], digits: int = 0
     ) -> None:
-        """Check that a claim is [first, last], rounded outwards at so many digits."""
+        """Check that a claim is [first, last], rounded outwards at so many digits.
+
+        With 0 digits it is an enclosure of a number, and has the digits of the certificate.
+        """
         first, last = ends
+        if not digits:
+            self.narrow(name, claim)
         contained = claim.lower <= first.lower and last.upper <= claim.upper
         need(contained, f"{name} does not contain what is taken")
-        room = max(abs(claim.lower), abs(claim.upper), unit) / Fraction(10) ** digits
+        unit = self.unit(claim.unit) if claim.unit else Fraction(0)
+        size = max(abs(claim.lower), abs(claim.upper), unit)
+        room = size / 10 ** (digits or self.certificate.digits)
         close = first.upper - claim.lower <= room and claim.upper - last.lower <= room
         need(close, f"{name} is wider than what is taken")
 
@@ -167,9 +255,7 @@ class Branch(Scaled):
             level = self.level(ratio)
             crossed = self.at(high).trace.is_before(level) and level.is_before(self.at(low).trace)
             need(crossed, f"{name}: the trace does not cross its value in the bracket")
-            ends, digits = (self.at(high).f, self.at(low).f), self.certificate.digits
-            self.spans(name, claim["f"], ends, self.p.F, digits)
-            self.narrow(name, claim["f"], self.p.F)
+            self.spans(name, claim["f"], (self.at(high).f, self.at(low).f))
         self.step(f"the rotation numbers met, up to denominator {_MOST}: {', '.join(listed)}")
 
     def level(self, ratio: Fraction) -> Interval:
@@ -187,21 +273,21 @@ class Branch(Scaled):
         """Prove that trace and least speed decrease on a cell, and the sign of N."""
         low, high = claim["delta"].lower, claim["delta"].upper
         x = TaylorModel.variable(low, high, self.hints["bits"])
-        pairs = impact.over_cells(self.rho)
-        pair = pairs.at(x, 1 if n else 2)
+        over = pairs.over_cells(self.rho)
+        pair = over.at(x, 1 if n else 2)
         falling = -pair.trace.coefficients[1 if n else 2,].range()
         need(falling.is_positive(), f"cells[{n}]: the trace may not decrease")
         need((-steepness(pair)).is_positive(), f"cells[{n}]: the least speed may not decrease")
         u_2 = pair.speeds[1].constant.range() * self.number(self.p.F / self.omega)
         first = self.at(low).least_speed.is_before(u_2)
         need(first, f"cells[{n}]: the least speed may be that at a hit")
-        for name, unit in (("f", self.p.F), ("trace", 1), ("least_speed", self.R * self.omega)):
+        for name in ("f", "trace", "least_speed"):
             ends = getattr(self.at(high), name), getattr(self.at(low), name)
-            self.spans(f"cells[{n}].{name}", claim[name], ends, unit, _CELL_DIGITS)
+            self.spans(f"cells[{n}].{name}", claim[name], ends, CELL_DIGITS)
         named = (claim["twist"] is None) == (claim["regular_twist"] is None)
         need(named, f"cells[{n}]: of sign and value of the twist one is missing")
         if claim["twist"] is not None:
-            N = regularised_twist(pairs, pair).range()
+            N = regularised_twist(over, pair).range()
             signed = (N if claim["twist"] == "+" else -N).is_positive()
             need(signed, f"cells[{n}]: the twist may not have the sign claimed")
             self.twist_value(f"cells[{n}].regular_twist", claim["regular_twist"], N)
@@ -210,7 +296,7 @@ class Branch(Scaled):
         """Compare the claim on N, per |z|^2: areas are in units F^2/omega^3."""
         N = N * self.number(self.p.omega**3 / self.p.F**2)
         ends = (Interval(end, end, N.bits) for end in (N.lo, N.hi))
-        self.spans(name, claim, (next(ends), next(ends)), Fraction(0), _TWIST_DIGITS)
+        self.spans(name, claim, (next(ends), next(ends)), TWIST_DIGITS)
         need(claim.lower > 0 or claim.upper < 0, f"{name} contains 0")
 
     def twist_zeros(self) -> None:
@@ -224,7 +310,7 @@ class Branch(Scaled):
             apart = traces[1].is_positive() or (-traces[0]).is_positive()
             need(apart, f"twist_zeros[{n}]: the trace may be -1")
             ends = self.at(high).f, self.at(low).f
-            self.spans(f"twist_zeros[{n}]", claim, ends, self.p.F, _CELL_DIGITS)
+            self.spans(f"twist_zeros[{n}]", claim, ends, CELL_DIGITS)
         need(all(a.upper <= b.lower for a, b in pairwise(brackets)), "twist_zeros are not in order")
         signed = [cell for cell in self.claims["cells"] if cell["twist"] is not None]
         for a, b in pairwise(signed):
@@ -235,8 +321,8 @@ class Branch(Scaled):
 
     def twist_at(self, delta: Fraction) -> Interval:
         """Return N at one delta, where it must not vanish."""
-        pairs = impact.over_intervals(self.rho)
-        N = regularised_twist(pairs, pairs.at(self.number(delta)))
+        over = pairs.over_intervals(self.rho)
+        N = regularised_twist(over, over.at(self.number(delta)))
         need(not N.contains_zero(), "the twist may vanish at the end of a bracket")
         return N
 
@@ -250,7 +336,7 @@ class Branch(Scaled):
         apart = all(c.upper < d.lower for c, d in pairwise(claims))
         need(apart, "the exceptions are not disjoint and ascending")
         need(len(claims) == len(needed), f"there are {len(needed)} exceptions")
-        room, cells = self.p.F / 10**_CELL_DIGITS, self.claims["cells"]
+        room, cells = self.p.F / 10**CELL_DIGITS, self.claims["cells"]
         for n, (claim, (first, last)) in enumerate(zip(claims, needed, strict=True)):
             need(claim.lower <= first and last <= claim.upper, f"exceptions[{n}] is too small")
             narrow = first - max(claim.lower, low) <= room and min(claim.upper, high) - last <= room
@@ -271,6 +357,33 @@ class Branch(Scaled):
         ]
         return unsigned + [where[str(q)] for q in LOW_ORDER if str(q) in where]
 
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        return self.told("".join(self.sentences()))
+
+    def sentences(self) -> Iterable[str]:
+        """Yield the sentences."""
+        claims = self.claims
+        yield SYSTEM_FOR_ALL_F
+        yield _BRANCH
+        if claims["f_end"] is not None:
+            yield _END
+        if claims["resonances"]:
+            met = ", ".join(f"{q['ratio']} at f in {q['f']}" for q in claims["resonances"])
+            yield f"; {_MET} {met}; {_COMPLETE}"
+        if any(q["ratio"] == "1/2" for q in claims["resonances"]):
+            yield "; for f in the range below that of 1/2 both are saddles, with trace < -2"
+        for zero in claims["twist_zeros"]:
+            yield f"; the first twist coefficient vanishes at an f in {zero}"
+        exceptions = ", ".join(map(str, claims["exceptions"]))
+        outside = f", but perhaps those in {exceptions}" if exceptions else ""
+        yield (
+            f"; for all f in the range with trace > -2{outside}, both orbits are elliptic, without "
+            "resonance of order at most four, with a twist that is not zero: hence (Moser) they "
+            "are stable, and every neighbourhood of them contains invariant closed curves around "
+            "them"
+        )
+
 
 def within(claim: Enclosure, low: Fraction, high: Fraction) -> Ends:
     """Return the part of an interval in [low, high]; it is empty if its ends are in wrong order."""
@@ -287,7 +400,7 @@ def united(intervals: list[Ends]) -> list[Ends]:
     return result
 
 
-def steepness(pair: impact.Pair[TaylorModel]) -> Interval:
+def steepness(pair: pairs.Pair[TaylorModel]) -> Interval:
     """Return an enclosure of L' on a cell."""
     alpha, S = (jet.constant.range() for jet in (pair.alpha, pair.S))
     angle = arccos(alpha) + arccos(S) - pi(S.bits) / 2
@@ -295,3 +408,20 @@ def steepness(pair: impact.Pair[TaylorModel]) -> Interval:
     d_speed = (pair.W - pair.S * pair.sin).coefficients[1,].range()
     two = S.integer(2)
     return d_speed + d_alpha * angle - two / pi(S.bits) * pair.cos.constant.range() * d_S
+
+
+_BRANCH = (
+    "for every f in {f_range} there are exactly two (1,1) orbits that are not symmetric, mirror "
+    "images of each other under (x, v, t) -> (l + r - x, -v, t + T/2); with them the trace and "
+    "the least speed decrease as f decreases; they are born at f in {f_start}, with trace 2"
+)
+_MET = (
+    "as f decreases the trace passes 2 cos(2 pi p/q), where an elliptic orbit has the rotation "
+    "number p/q, for p/q ="
+)
+_COMPLETE = (
+    "for no other p/q with 0 < p/q <= 1/2 and q <= 8 is it 2 cos(2 pi p/q) at an f in the range"
+)
+_END = "; the least speed vanishes at f in {f_end}, with trace in {trace_end}"
+
+THEOREM = Branch

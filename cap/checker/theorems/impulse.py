@@ -32,13 +32,25 @@ again.  As H >= -h/pi, v > 0 if R > h F/omega^2: this velocity, of period T, nev
 
 from __future__ import annotations
 
-from cap.checker.flow.fixed_point import Proof
 from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, Quantity
+from cap.checker.kernel.theorem import BITS, SYSTEM, WITH_LOSSES, Theorem
 
 
-class Impulse(Proof):
+class Impulse(Theorem):
     """Every motion comes to rest."""
+
+    PARAMETERS = WITH_LOSSES
+    HINTS = (BITS,)
+    # fmt: off
+    CLAIMS = (
+        Field("margin", Quantity("F"), "f - 2F/pi", r"f - 2F/\pi", "f - 2F/pi, positive"),
+        Field("delay", Quantity("omega^-1"), "D", "D", "2hF/(omega (pi f - 2F))"),
+        Field("delay_per_speed", Quantity("F^-1"), "B", "B", "1/(f - 2F/pi)"),
+        Field("gap", Quantity("F omega^-2"), "G", "G", "hF/omega^2"),
+    )
+    # fmt: on
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -48,10 +60,27 @@ class Impulse(Proof):
         need(margin.is_positive(), "f is not certainly above 2F/pi")
         self.step("f > 2F/pi: every motion comes to rest")
         h = (pi.square() - 4).sqrt() - arccos(bound) * 2
-        self.confirm("margin", margin * self.number(p.F), p.F)
-        self.confirm("delay", h * bound / margin * self.number(1 / p.omega), 1 / p.omega)
-        self.confirm("delay_per_speed", margin.integer(1) / margin * self.number(1 / p.F), 1 / p.F)
-        self.confirm("gap", h * self.number(p.F / p.omega**2), p.F / p.omega**2)
+        self.confirm(
+            margin=margin * self.number(p.F),
+            delay=h * bound / margin * self.number(1 / p.omega),
+            delay_per_speed=margin.integer(1) / margin * self.number(1 / p.F),
+            gap=h * self.number(p.F / p.omega**2),
+        )
         self.step("the claims contain what is computed")
         need(self.claims["margin"].lower > 0, "the margin claimed is not positive")
         self.step("f > 2F/pi also by the numbers claimed")
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        return self.told(SYSTEM + _IMPULSE)
+
+
+_IMPULSE = (
+    "f - 2F/pi is in {margin}, so from every state (x, v), at every time, the mass comes to rest "
+    "within any time longer than D + B |v|, D in {delay}, B in {delay_per_speed}: its velocity is "
+    "zero on an interval of time; hence there is no motion whose velocity never vanishes; with "
+    "f = 2F/pi, e = 1 and mu = 0, and walls farther apart than G in {gap}, there is one, of "
+    "period 2 pi/omega: the bound 2F/pi is sharp"
+)
+
+THEOREM = Impulse

@@ -1,6 +1,6 @@
 """Periodic orbits with any events: type, multipliers, and a basin for those that attract.
 
-*Determinant.*  ``itinerary.determinant``; it is exactly 1 if e = 1, mu = 0 and all events are hits,
+*Determinant.*  ``events.determinant``; it is exactly 1 if e = 1, mu = 0 and all events are hits,
 and exactly 0 if there is a stick or a capture.
 
 *Multipliers* are the zeros of z^2 - trace z + det.  If trace^2 > 4 det they are real, and (trace +-
@@ -31,40 +31,95 @@ matrix of its midpoints, is at most the root of the sum of squares.
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any, ClassVar
 
-from cap.checker.flow.fixed_point import KRAWCZYK_ORDER, FixedPoint, Point, ends, in_order
-from cap.checker.flow.itinerary import Passage, PeriodMap, determinant, turning_factor
-from cap.checker.kernel.certificate import SINKS
+from cap.checker.flow.capture import captures
+from cap.checker.flow.events import (
+    WORDS,
+    LossyMap,
+    determinant,
+    in_order,
+    limit_events,
+    turning_factor,
+)
+from cap.checker.flow.fixed_point import (
+    KRAWCZYK_ORDER,
+    WINDOWS,
+    FixedPoint,
+    Matrix,
+    Point,
+    ends,
+    krawczyk_theorem,
+)
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
+from cap.checker.kernel.choices import OneOrOther
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Centred, lift, slope_along
-from cap.checker.kernel.reading import Enclosure
+from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
+from cap.checker.kernel.theorem import SYSTEM, WITH_LOSSES
 
-Matrix = list[list[Interval]]
+MAX_PERIODS = 16
+SINKS = ("superstable", "sink focus", "sink node")
+TYPES = (*SINKS, "elliptic", "saddle", "flip saddle")
 
 
 class Periodic(FixedPoint):
     """An orbit of the period nT has the itinerary, the type and the basin claimed."""
 
+    PARAMETERS = WITH_LOSSES
+    # fmt: off
+    HINTS: ClassVar[Table] = (
+        *FixedPoint.HINTS,
+        Field("events", WINDOWS, "", "", "every orbit from the box has its k-th event in the k-th"),
+    )
+    CLAIMS: ClassVar[Table] = (
+        Field("period", Whole(1, MAX_PERIODS), "", "n", "Phi is the map over n periods T here"),
+        Field("itinerary", Many(Word(WORDS), 1, MAX_EVENTS), "", "",
+              "all events of every orbit from the box in (0, nT), in their order"),
+        *FixedPoint.CLAIMS,
+        Field("event_times", Many(Quantity("omega^-1"), 1, MAX_EVENTS), "itinerary", "t_k",
+              "of each event; of a capture, where the hits accumulate (then of any width)"),
+        Field("turning_factors", Many(Quantity(), 0, MAX_EVENTS), "factor of turn",
+              r"(|a_k| - f)/(|a_k| + f)", "(|a| - f)/(|a| + f) at each turn, a = F cos(omega t)"),
+        Field("multipliers", [OneOrOther({"re": Quantity(), "im": Quantity()}, Quantity())] * 2,
+              "multiplier", r"\lambda", "the eigenvalues: two enclosures, larger modulus first, "
+              "if they are real; two objects, im > 0 first, if not"),
+        Field("type", Word(TYPES), "", "", "by trace and determinant, as below"),
+        Field("basin", Maybe({"matrix": [[number] * 2] * 2, "contraction": number}), "", "",
+              "for sinks and superstable orbits only: W and kappa < 1 with |W (Phi(z) - P*)| <= "
+              "kappa |W (z - P*)| for all z of the ellipse |W (z - P*)| <= 1, in the box"),
+    )
+    # fmt: on
+    CITES = (
+        krawczyk_theorem(
+            "Phi^n, n the period, is continuously differentiable on the box: all hits and stops "
+            "are transverse, and every stick and capture ends at a fixed time",
+            "K(box) lies in the interior of the box",
+        ),
+    )
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
+        """Bound the time."""
+        limit_events(hints, claims)
+
     @property
     def phi(self) -> PeriodMap:
         """The map over n periods."""
         windows = [ends(w) for w in self.hints["events"]]
-        return PeriodMap(self.p, self.claims["itinerary"], windows, self.claims["period"])
+        return LossyMap(self.p, self.claims["itinerary"], windows, self.claims["period"])
 
-    def orbit(self, fixed_point: Point, orbit: Passage) -> None:
-        """Compare the claims about P* with what is computed."""
-        R, omega, one, M = self.R, self.omega, Fraction(1), orbit.mechanics
-        self.confirm("x", fixed_point[0], R)
-        self.confirm("v", fixed_point[1], R * omega)
-        units = [None if e.word.startswith("capture") else 1 / omega for e in orbit.events]
-        self.confirm("event_times", [e.moment.t.value for e in orbit.events], units)
-        in_order(self.claims["itinerary"], self.claims["event_times"])
-        self.confirm("hit_speeds", [h.hit_speed for h in orbit.hits], R * omega)
+    def orbit(self, orbit: Passage, jacobian: Matrix) -> None:
+        """Compare the claims about the events, and the spectrum."""
+        words = self.claims["itinerary"]
+        times = zip(words, self.claims["event_times"], strict=True)
+        claimed = [t._replace(unit=None) if w.startswith("capture") else t for w, t in times]
+        self.compare("event_times", claimed, [e.moment.t.value for e in orbit.events])
+        in_order(words, self.claims["event_times"])
         turns = [e for e in orbit.events if e.word.startswith("turn")]
-        self.confirm("turning_factors", [turning_factor(M, e) for e in turns], one)
-        jacobian = [[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)]
-        self.confirm("jacobian", jacobian, [[one, 1 / omega], [omega, one]])
+        self.confirm(turning_factors=[turning_factor(orbit.mechanics, e) for e in turns])
         self.step("the claims about the orbit of P* contain what is computed")
         self.spectrum(orbit, jacobian)
 
@@ -77,18 +132,15 @@ class Periodic(FixedPoint):
             need(claim[:2] == (exact, exact), f"the determinant is exactly {exact}")
             det = self.number(exact)
         det = det.intersection(a * d - b * c)
-        self.confirm("trace", trace, Fraction(1))
-        self.confirm("determinant", det, Fraction(1))
+        self.confirm(determinant=det)
         if isinstance(self.claims["multipliers"][0], Enclosure):
-            larger = [trace, self.number(Fraction(0))] if exact == 0 else real(trace, det)
-            self.confirm("multipliers", larger, Fraction(1))
+            larger = [trace, self.number(0)] if exact == 0 else real(trace, det)
+            self.confirm(multipliers=larger)
         else:
             half = trace / 2
             im = (det - half.square()).sqrt()
             need(im.is_positive(), "the multipliers may be real")
-            for n, (m, y) in enumerate(zip(self.claims["multipliers"], (im, -im), strict=True)):
-                self.compare(f"multipliers[{n}].re", m["re"], half, Fraction(1))
-                self.compare(f"multipliers[{n}].im", m["im"], y, Fraction(1))
+            self.confirm(multipliers=[{"re": half, "im": y} for y in (im, -im)])
         self.step("so do trace, determinant and multipliers")
 
     def exact_determinant(self) -> Fraction | None:
@@ -102,7 +154,10 @@ class Periodic(FixedPoint):
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:  # noqa: ARG002
         """Prove the type and, if the orbit attracts, the basin."""
         self.kind()
-        if self.claims["type"] in SINKS:
+        attracts, found = self.claims["type"] in SINKS, "basin" in self.claims
+        need(found or not attracts, "claims.basin is missing")
+        need(attracts or not found, "claims.basin is unknown to this type")
+        if attracts:
             self.basin(fixed_point)
 
     def kind(self) -> None:
@@ -130,11 +185,10 @@ class Periodic(FixedPoint):
         need(kappa < 1, "the contraction is not below 1")
         inverse = [[d / det, -b / det], [-c / det, a / det]]
         rectangle = list[Interval]()
-        for z, row, name in zip(fixed_point, inverse, ("x", "v"), strict=True):
+        for z, row in zip(fixed_point, inverse, strict=True):
             reach = self.number(row[0] ** 2 + row[1] ** 2).sqrt().hi
             rectangle.append(z + Interval(-reach, reach, z.bits))
-            box = self.claims["box"][name]
-            need(rectangle[-1].lies_in(*ends(box)), "the basin does not certainly lie in the box")
+        need(self.is_in_the_box(rectangle), "the basin does not certainly lie in the box")
         image = self.near(rectangle, fixed_point, KRAWCZYK_ORDER)
         N: Matrix = []
         for row in W:
@@ -145,6 +199,34 @@ class Periodic(FixedPoint):
             N.append([mean(u, fixed_point) for u in derivatives])
         need(norm(N).upper <= kappa, "the basin may not be contracted as claimed")
         self.step("the basin lies in the box and is mapped into itself, contracted as claimed")
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        return self.told(f"{SYSTEM}{_PERIODIC}{_BASIN if 'basin' in self.claims else ''}")
+
+    def told(self, sentence: str, **more: object) -> str:
+        """Return a sentence with the numbers claimed."""
+        claims, det = self.claims, self.claims["determinant"]
+        words = {
+            "itinerary": ", ".join(claims["itinerary"]),
+            "captures": captures(claims["itinerary"]),
+            "determinant": det.lower if det.lower == det.upper else f"in {det}",
+            "multipliers": " and ".join(map(_multiplier, claims["multipliers"])),
+        }
+        if "basin" in claims:
+            rows = [f"({p}, {q})" for p, q in claims["basin"]["matrix"]]
+            words |= {"W": f"({', '.join(rows)})", "kappa": claims["basin"]["contraction"]}
+        return super().told(sentence, **words, **more)
+
+
+def slope_along(jet: RealJet, p: Interval, q: Interval) -> RealJet:
+    """Return the derivative of a jet of two variables in the direction (p, q), one order less."""
+    total = Jet[Interval](jet.order - 1, {})
+    for (i, j), c in jet.coefficients.items():
+        for power, factor in (((i - 1, j), p * i), ((i, j - 1), q * j)):
+            if min(power) >= 0:
+                total = total + Jet(total.order, {power: c * factor})
+    return total
 
 
 def mean(u: Centred, start: Point) -> Interval:
@@ -174,3 +256,23 @@ def norm(N: Matrix) -> Interval:
     for z in (*N[0], *N[1]):
         rest = rest + (z - z.midpoint()).square()
     return (similar + reflected) / 2 + rest.sqrt()
+
+
+def _multiplier(claim: Any) -> str:
+    """Return where a multiplier lies."""
+    return f"in {claim['re']} + i {claim['im']}" if isinstance(claim, dict) else f"in {claim}"
+
+
+_PERIODIC = (
+    "with Phi the time-T map of (x, v) from t = 0, T = 2 pi/omega, and n = {period}, Phi^n has one "
+    "and only one fixed point P* in {box}, with x in {x}, v in {v}; all orbits from this box have "
+    "in (0, nT) exactly these events, in this order: {itinerary}{captures}; the Jacobian of Phi^n "
+    "at P* has its trace in {trace}, the determinant {determinant} and the multipliers "
+    "{multipliers}: {type}"
+)
+_BASIN = (
+    "; the ellipse |W (z - P*)| <= 1 with the matrix W = {W} lies in the box, and |W "
+    "(Phi^n(z) - P*)| <= {kappa} |W (z - P*)| for all z in it: its orbits converge to that of P*"
+)
+
+THEOREM = Periodic

@@ -26,19 +26,70 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import pairwise, product
+from typing import Any
 
-from cap.checker.flow.fixed_point import Point, ends, krawczyk
-from cap.checker.flow.itinerary import Passage, PeriodMap, determinant
-from cap.checker.flow.mechanics import Ends, Losses
+from cap.checker.flow.events import LossyMap, determinant
+from cap.checker.flow.fixed_point import (
+    CENTRE,
+    INVERSE,
+    STATE,
+    WINDOWS,
+    Point,
+    ends,
+    krawczyk,
+    krawczyk_theorem,
+)
+from cap.checker.flow.itinerary import CELL_WORK, MAX_WORK, Passage
+from cap.checker.flow.losses import Losses
+from cap.checker.flow.mechanics import Ends
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, Many
 from cap.checker.theorems.periodic import Periodic
 
 _BITS = 64  # a rectangle is much wider than 2^-64
 _ORDER = 3
+MAX_CELLS = MAX_WORK // CELL_WORK
+CELL = {"centre": CENTRE, "preconditioner": INVERSE, "events": WINDOWS}
+MARKS = Many(number, 2, MAX_CELLS + 1)
 
 
 class Persistence(Periodic):
     """An orbit of hits, and its continuation into a range of losses."""
+
+    # fmt: off
+    HINTS = (
+        *Periodic.HINTS,
+        Field("cells", Many(CELL, 1, MAX_CELLS), "", "", "the same, for each box of the range"),
+    )
+    CLAIMS = (
+        *Periodic.CLAIMS,
+        Field("range", {"epsilon": MARKS, "mu": MARKS, "boxes": Many(STATE, 1, MAX_CELLS)}, "", "",
+              "two increasing lists from 0 on, epsilon below 1, and a box for each rectangle of "
+              "the grid, mu changing fastest"),
+    )
+    # fmt: on
+    CITES = (
+        krawczyk_theorem(
+            "Phi is continuously differentiable on box, and on each box of range for all its "
+            "epsilon and mu: all hits are transverse and no velocity vanishes",
+            "K(box) lies in the interior of the box, and so does K of each box of range, formed "
+            "with all its epsilon and mu",
+            "box, range",
+        ),
+    )
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
+        """Bound the time: the grid has as many rectangles as there are boxes and cells."""
+        super().limit(hints, claims)
+        grid = claims["range"]
+        rectangles = (len(grid["epsilon"]) - 1) * (len(grid["mu"]) - 1)
+        for cells in (grid["boxes"], hints["cells"]):
+            need(len(cells) == rectangles, "the grid has not as many rectangles as cells")
+        for cell in hints["cells"]:
+            events = len(hints["events"])
+            need(len(cell["events"]) == events, f"events of a cell are not a list of {events}")
 
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:
         """Prove the theorem for P*, then the continuation."""
@@ -87,7 +138,7 @@ class Persistence(Periodic):
         cell, (epsilon, mu) = self.hints["cells"][n], losses
         e = 1 - epsilon[1], 1 - epsilon[0]
         windows = [ends(w) for w in cell["events"]]
-        phi = PeriodMap(self.p, self.claims["itinerary"], windows, 1, Losses(e, mu))
+        phi = LossyMap(self.p, self.claims["itinerary"], windows, 1, Losses(e, mu))
         K = krawczyk(phi, box, cell, _BITS, _ORDER)
         orbit = phi.over(K, [z.midpoint() for z in K], _ORDER)
         trace = (orbit.x.slope(0) + orbit.v.slope(1)).magnitude()
@@ -95,7 +146,29 @@ class Persistence(Periodic):
         need(attracts, "|trace| < 1 + determinant may fail in a rectangle")
         return K
 
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        marks = self.claims["range"]
+        return super().words() + self.told(
+            _PERSISTENCE,
+            epsilon=marks["epsilon"][-1],
+            most=marks["mu"][-1],
+            degree=2 * len(self.claims["itinerary"]),
+        )
+
 
 def _lies_in(point: Point, box: list[tuple[Fraction, Fraction]]) -> bool:
     """Return whether an enclosure of a point lies in a box."""
     return all(z.lies_in(*side) for z, side in zip(point, box, strict=True))
+
+
+_PERSISTENCE = (
+    "; moreover, for all 0 <= epsilon <= {epsilon} and 0 <= mu <= {most} in the place of 1 - e and "
+    "mu, Phi has one and only one fixed point P(epsilon, mu) in the box that the certificate gives "
+    "for (epsilon, mu), with the same itinerary; P is one real analytic function of (epsilon, mu), "
+    "with the value P* at the parameters above; its determinant is exp(-mu T) (1 - "
+    "epsilon)^{degree}, and |trace| < 1 + determinant: so P(epsilon, mu) is asymptotically stable "
+    "for all (epsilon, mu) but (0, 0), and elliptic there"
+)
+
+THEOREM = Persistence

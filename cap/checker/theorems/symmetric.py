@@ -1,9 +1,9 @@
-"""The theorem about symmetric (1,1) orbits: all of them, from the closed forms of ``impact``.
+"""The theorem about symmetric (1,1) orbits: all of them, from the closed form.
 
 A symmetric orbit has sin phi = -c with c > 0 ("plus") or c < 0 ("minus"), W > 0, and a least speed
 > 0: then it is genuine.  If f > 2F/pi there is none; f = 2F/pi is impossible as pi is irrational.
 
-*The paper's equation* is about orbits that turn once between hits.  In the units of ``impact``
+*The paper's equation* is about orbits that turn once between hits.  In the units of ``closed_form``
 
     Psi(theta) = pi sin theta - 2 - rho + alpha (pi^2/2 - theta (pi - theta)) = 0.
 
@@ -22,49 +22,68 @@ while its ansatz needs v > 0 on (tau, T/2): no root in (0, pi) belongs to a solu
 
 from __future__ import annotations
 
-from fractions import Fraction
+from collections.abc import Iterable
 from typing import Any
 
-from cap.checker.flow.fixed_point import Proof
+from cap.checker.kernel.choices import Cases, OrNone
+from cap.checker.kernel.citation import NEUMAIER, cite
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.reading import Enclosure
 from cap.checker.kernel.rejection import need
-from cap.checker.one_one import closed_form as impact
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word
+from cap.checker.kernel.theorem import BITS
+from cap.checker.one_one.closed_form import Symmetric, birth, friction, half_turn
+from cap.checker.one_one.scaled import STATE, SYSTEM_AT_F, Scaled
 
-
-class Scaled(Proof):
-    """A theorem on (1,1) orbits: units and constants."""
-
-    @property
-    def rho(self) -> Interval:
-        """R omega^2/F."""
-        return self.number(self.R * self.omega**2 / self.p.F)
-
-    def state(self, name: str, claims: dict[str, Any], orbit: impact.Symmetric) -> None:
-        """Compare the claims about a symmetric orbit at t = 0 and at its hits."""
-        R, omega = self.R, self.omega
-        (gap, u), t_1 = orbit.start, orbit.t_1
-        speed, length = self.number(self.p.F / omega), self.number(self.p.F / omega**2)
-        times = [t * self.number(1 / omega) for t in (t_1, t_1 + self.pi())]
-        self.compare(f"{name}x", claims["x"], self.number(self.p.r) - gap * length, R)
-        self.compare(f"{name}v", claims["v"], u * speed, R * omega)
-        self.compare(f"{name}hit_times", claims["hit_times"], times, 1 / omega)
-        self.speeds(name, claims, orbit)
-
-    def speeds(self, name: str, claims: dict[str, Any], orbit: impact.Symmetric) -> None:
-        """Compare the claims about the speeds."""
-        speed = self.number(self.p.F / self.omega)
-        unit = self.R * self.omega
-        self.compare(f"{name}hit_speed", claims["hit_speed"], orbit.hit_speed * speed, unit)
-        self.compare(f"{name}least_speed", claims["least_speed"], orbit.slowest * speed, unit)
+# fmt: off
+ORBIT = (
+    *STATE,
+    Field("half_trace", Quantity(), "trace of half map", "2 - k", "of the map over half a period, "
+          "then the reflection: 2 - k, k = 2 pi^2 c/(rho + 2c)"),
+    Field("trace", Quantity(), "trace", r"\operatorname{tr} D\Phi", "of Phi': (2 - k)^2 - 2"),
+    Field("type", Word(("elliptic", "saddle")), "", "", "|trace| < 2 or |trace| > 2"),
+)
+# fmt: on
+GENUINE = {field.name: field.shape for field in ORBIT}
+NOT_GENUINE = {"hit_speed": Quantity("R omega"), "least_speed": Quantity("R omega")}
+BRANCH = OrNone(Cases("genuine", {"yes": GENUINE, "no": NOT_GENUINE}))
 
 
 class SymmetricOrbits(Scaled):
     """All symmetric (1,1) orbits at given parameters."""
 
+    HINTS = (BITS,)
+    # fmt: off
+    CLAIMS = (
+        Field("branches", {"plus": BRANCH, "minus": BRANCH}, "", "",
+              'the orbits with c > 0, c < 0; "none" if f > 2F/pi or the hit speed is not positive'),
+        Field("saddle_center", Quantity("F"), "plus and minus meet", r"2F/\pi", "2F/pi"),
+        Field("pitchfork", OrNone(Quantity("F")), "asymmetric pair is born", "f_0",
+              'f where c = 2 rho/(pi^2 - 4), trace Phi\' = 2; "none" if rho >= (pi^2 - 4)/2'),
+        Field("minus_identity", OrNone(Quantity("F")), "Phi' = -1", "f_{-1}",
+              'f where c = rho/(pi^2 - 2), trace Phi\' = -2; "none" if rho >= pi^2 - 2'),
+        Field("paper_roots", Many({"theta": Quantity(), "velocity": Quantity("R omega")}, 0, 2),
+              "paper's root", r"\theta", "all roots in (0, pi), ascending, two or none, of F pi "
+              "sin theta = 2F + R omega^2 - f pi^2/2 + f theta (pi - theta); velocity = -(F/omega) "
+              "sin theta - (f/omega)(pi - theta), negative"),
+    )
+    # fmt: on
+    CITES = (
+        cite(
+            "Moore",
+            NEUMAIER,
+            (
+                "inclusion",
+                "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: "
+                "X contains exactly one zero of Psi",
+                "paper_roots",
+            ),
+        ),
+    )
+
     def prove(self) -> None:
         """Prove the theorem."""
+        need(self.p.f > 0, "0 < f does not hold")
         limit = self.pi().integer(2) / self.pi()
         below = self.alpha.is_before(limit)
         need(below or limit.is_before(self.alpha), "f may be 2F/pi")
@@ -81,7 +100,7 @@ class SymmetricOrbits(Scaled):
     def branch(self, name: str, sign: int, *, exists: bool) -> None:
         """Prove what is claimed about the orbit with this sign of c."""
         claims, where = self.claims["branches"][name], f"branches.{name}."
-        orbit = impact.Symmetric.of(self.alpha, self.rho, sign) if exists else None
+        orbit = Symmetric.of(self.alpha, self.rho, sign) if exists else None
         if orbit is None or (-orbit.hit_speed).is_positive():
             need(claims is None, f"{where} a hit speed is not positive: there is no orbit")
             self.step(f"there is no orbit '{name}'")
@@ -95,8 +114,8 @@ class SymmetricOrbits(Scaled):
             return
         self.state(where, claims, orbit)
         half = -orbit.k + 2
-        self.compare(f"{where}half_trace", claims["half_trace"], half, Fraction(1))
-        self.compare(f"{where}trace", claims["trace"], half.square() - 2, Fraction(1))
+        self.compare(f"{where}half_trace", claims["half_trace"], half)
+        self.compare(f"{where}trace", claims["trace"], half.square() - 2)
         need(claims["least_speed"].lower > 0, f"{where}least_speed is not positive")
         self.kind(where, claims)
         self.step(f"the orbit '{name}' is genuine: {claims['type']}")
@@ -113,20 +132,20 @@ class SymmetricOrbits(Scaled):
     def bifurcations(self, limit: Interval) -> None:
         """Compare the values of f at which the type changes."""
         F = self.number(self.p.F)
-        self.confirm("saddle_center", F * limit, self.p.F)
+        self.confirm(saddle_center=F * limit)
         for name, c in (
-            ("pitchfork", impact.birth(self.rho)),
-            ("minus_identity", impact.half_turn(self.rho)),
+            ("pitchfork", birth(self.rho)),
+            ("minus_identity", half_turn(self.rho)),
         ):
             claim = self.claims[name]
             need((c is None) == (claim is None), f"{name} exists, or not, against the claim")
             if c is not None:
-                self.confirm(name, F * impact.friction(c), self.p.F)
+                self.confirm(**{name: F * friction(c)})
         self.step("the values of f at which the symmetric orbits change contain what is computed")
 
     def paper(self) -> None:
         """Prove that the roots claimed of the paper's equation are all, and that none is valid."""
-        roots, none = self.claims["paper_roots"], self.number(Fraction(0))
+        roots, none = self.claims["paper_roots"], self.number(0)
         low, high = self.psi(none), self.psi(self.pi() / 2)
         decided = not high.contains_zero() and not low.contains_zero()
         need(decided, "the number of roots of the paper's equation is not decided")
@@ -137,9 +156,8 @@ class SymmetricOrbits(Scaled):
             sin = cos_sin(theta)[1]
             late = sin + self.alpha * (self.pi() - theta)
             velocity = -late * self.number(self.p.F / self.omega)
-            where, unit = f"paper_roots[{n}]", self.R * self.omega
-            self.compare(f"{where}.theta", claim["theta"], theta, Fraction(1))
-            self.compare(f"{where}.velocity", claim["velocity"], velocity, unit)
+            where = f"paper_roots[{n}]"
+            self.compare(where, claim, {"theta": theta, "velocity": velocity})
             need(claim["velocity"].upper < 0, f"{where}.velocity is not negative")
         self.step(f"the paper's equation has {expected} roots, and none gives a solution")
 
@@ -165,3 +183,52 @@ class SymmetricOrbits(Scaled):
         whole = self.pi()
         friction = self.alpha * (whole.square() / 2 - theta * (whole - theta))
         return whole * cos_sin(theta)[1] - 2 - self.rho + friction
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        return self.told("".join(self.sentences()))
+
+    def sentences(self) -> Iterable[str]:
+        """Yield the sentences."""
+        claims, orbits = self.claims, self.claims["branches"]
+        genuine = [name for name, orbit in orbits.items() if orbit and orbit["genuine"] == "yes"]
+        count = ("zero (1,1) orbits have", "one (1,1) orbit has", "two (1,1) orbits have")
+        yield SYSTEM_AT_F
+        yield f"exactly {count[len(genuine)]} x(t + T/2) = l + r - x(t) for all t"
+        for name in genuine:
+            yield _SYMMETRIC.format_map(orbits[name] | {"name": name})
+        for name, orbit in orbits.items():
+            if orbit and orbit["genuine"] == "no":
+                yield _NOT_GENUINE.format_map(orbit | {"name": name})
+        yield _VALUES
+        for trace, name in (("2", "pitchfork"), ("-2", "minus_identity")):
+            where = f"at f in {claims[name]} only" if claims[name] else "nowhere"
+            yield f"; for 0 < f < 2F/pi the trace of the formula for 'plus' is {trace} {where}"
+        yield _PAPER if claims["paper_roots"] else _NO_ROOTS
+        for root in claims["paper_roots"]:
+            yield "; theta in {theta}, v in {velocity}".format_map(root)
+
+
+_SYMMETRIC = (
+    "; '{name}' has x in {x}, v in {v} at t = 0, hits r and then l at times in {hit_times[0]} and "
+    "{hit_times[1]} with a speed in {hit_speed}, has a least speed in {least_speed}, and the "
+    "time-T map Phi has at it a trace in {trace}: {type}"
+)
+_NOT_GENUINE = (
+    "; the formula for '{name}', with a speed in {hit_speed} at the hits, has a least speed in "
+    "{least_speed}, so it is no (1,1) orbit"
+)
+_VALUES = (
+    "; as f varies, the formulas are defined for f up to 2F/pi in {saddle_center}, where they "
+    "meet, and are orbits where their least speed is positive"
+)
+_PAPER = (
+    "; the paper's equation of theta for orbits with one turn between hits has in (0, pi) exactly "
+    "the two roots below, where its formula has the velocity v before the hit of l at T/2, against "
+    "its premise v > 0: so neither is an orbit"
+)
+_NO_ROOTS = (
+    "; the paper's equation of theta for orbits with one turn between hits has no root in (0, pi)"
+)
+
+THEOREM = SymmetricOrbits

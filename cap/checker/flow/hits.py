@@ -1,0 +1,136 @@
+"""Hits of a wall, each certified for all orbits from the box; and event times as jets.
+
+*A hit.*  Let [a, b] contain the end of the last event and the end of the time window W of the hit,
+a < W.  If s v > 0 after the start of the flight up to b, x is monotone there, and if moreover s (x
+- wall) is negative at the beginning of W and positive at its end, then every orbit reaches the wall
+exactly once in [a, b], inside W, with a speed that is not zero, and touches nothing before.
+
+*Event times as jets.*  Let g(t) = x(t) - wall, g' = v, for a hit; for a stop g = v.  Let t_0 be
+the event time at a point of the box and t_<k the jet of the event time below degree k.  As g(t_<k +
+h) = g(t_<k) + g'(t_0) h + ... and g of the event time is zero, the terms of degree k of the event
+time are -1/g'(t_0) times those of g(t_<k).  At first t_0 is only known to lie in W: at the centre,
+the interval Newton operator mid - g(mid)/g'(t) narrows it; over the box, the mean value form does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from cap.checker.flow.mechanics import Ends, Flight, Mechanics, Moment
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, tightened
+from cap.checker.kernel.rejection import Rejected, need
+
+SIDES = {"r": 1, "right": 1, "l": -1, "left": -1}
+
+
+class Event(NamedTuple):
+    """An event: its moment, the forcing F cos wt there, before a hit the speed, and its flight.
+
+    A capture has the interval from the beginning to the end of the hits, and the forcing over the
+    window of the lemma.
+    """
+
+    word: str
+    moment: Moment
+    forcing: Interval
+    speed: Centred | None = None
+    flight: Flight | None = None
+
+    @property
+    def hit_speed(self) -> Interval:
+        """The speed before a hit."""
+        if self.speed is None:
+            raise Rejected("an event is not a hit")
+        return self.speed.value
+
+
+def windowed(M: Mechanics, flight: Flight, window: Ends) -> tuple[Moment, Moment]:
+    """Return the ends of a window, which must lie after the start of the flight and before T."""
+    first, last = (M.moment(M.constant(M.number(t))) for t in window)
+    start = flight.start.t.value
+    need(start.is_before(first.t.value), "a window begins before the event before it")
+    need(last.t.value.is_before(M.horizon), "a window ends after T")
+    return first, last
+
+
+def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:
+    """Prove that the flight ends with a hit in the window; return it and the flight after it."""
+    s, wall = flight.s, M.walls[flight.s]
+    need(SIDES[word.split()[1]] == s, "a hit of the wall from which the mass moves away")
+    first, last = windowed(M, flight, window)
+    need(M.least_speed(flight, last).is_positive(), "the velocity may vanish before a hit")
+    before, after = ((M.place(flight, m).value - wall) * s for m in (first, last))
+    need((-before).is_positive(), "the wall may be reached before a window begins")
+    need(after.is_positive(), "the wall may not be reached when a window ends")
+    moment = M.moment(event_time(M, flight, window, Zero.at(M, wall)))
+    speed = M.speed(flight, moment)
+    v = M.reflected(speed, s)
+    event = Event(word, moment, moment.cos.value * M.F, speed, flight)
+    return event, M.flight(-s, moment, M.constant(wall), v, M.minima[-s])
+
+
+# the event times as jets
+
+
+class Zero(NamedTuple):
+    """A function of a flight and a time, of which an event is a zero, and its derivative in t."""
+
+    value: Callable[[Sequence[RealJet], Sequence[RealJet]], RealJet]
+    slope: Callable[[Sequence[RealJet], Sequence[RealJet]], RealJet]
+
+    @classmethod
+    def at(cls, M: Mechanics, wall: Interval) -> Zero:
+        """Return x(t) - wall."""
+        place = M.position
+        return cls(lambda a, t: place(a, t) - Jet(a[0].order, {a[0].origin: wall}), M.velocity)
+
+
+def event_time(M: Mechanics, flight: Flight, window: Ends, zero: Zero) -> Centred:
+    """Return the time of the zero whose existence in the window is proved."""
+    arc = M.arc(flight)
+    centre, box = [q.centre for q in arc], [q.box for q in arc]
+    coarse_box = [q.truncated(1) for q in box]
+    t0 = Interval.enclosing(*window, M.bits)
+    at_centre = implicit(M, centre, root(M, centre, t0, zero), zero)
+    while True:
+        coarse = implicit(M, coarse_box, t0, zero)
+        narrowed = tightened(coarse, at_centre, M.offsets).constant
+        if 10 * narrowed.width >= 9 * t0.width:
+            whole = implicit(M, box, narrowed, zero)
+            return Centred(at_centre, whole, M.offsets)
+        t0 = narrowed
+
+
+def instant(M: Mechanics, t: RealJet) -> Sequence[RealJet]:
+    """Return t, cos wt, sin wt."""
+    return t, *cos_sin_jet(t * M.omega)
+
+
+def slope(M: Mechanics, arc: Sequence[RealJet], t: Interval, zero: Zero) -> Interval:
+    """Return an enclosure of the derivative over t."""
+    point = [q.truncated(0) for q in arc]
+    return zero.slope(point, instant(M, Jet(0, {arc[0].origin: t}))).constant
+
+
+def root(M: Mechanics, arc: Sequence[RealJet], t: Interval, zero: Zero) -> Interval:
+    """Return an enclosure of the event time of the orbit of m, which lies in t."""
+    point = [q.truncated(0) for q in arc]
+    while True:
+        mid = t.midpoint()
+        value = zero.value(point, instant(M, Jet(0, {arc[0].origin: mid}))).constant
+        narrowed = t.intersection(mid - value / slope(M, point, t, zero))
+        if 2 * narrowed.width >= t.width:
+            return narrowed
+        t = narrowed
+
+
+def implicit(M: Mechanics, arc: Sequence[RealJet], t0: Interval, zero: Zero) -> RealJet:
+    """Return the jet of the event time from an enclosure of its constant term."""
+    order, steepness = arc[0].order, slope(M, arc, t0, zero)
+    t = Jet(order, {arc[0].origin: t0})
+    for k in range(1, order + 1):
+        g = zero.value([q.truncated(k) for q in arc], instant(M, t.truncated(k))).coefficients
+        t = t + Jet(order, {power: -c / steepness for power, c in g.items() if sum(power) == k})
+    return t

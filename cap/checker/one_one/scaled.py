@@ -1,0 +1,54 @@
+"""What the theorems on (1,1) orbits share: the units of ``closed_form``, and words."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.shapes import Field, Quantity
+from cap.checker.kernel.theorem import Theorem
+from cap.checker.one_one.closed_form import Symmetric
+
+ONE_ONE = "T-periodic, with a velocity that never vanishes and one hit of each wall per period"
+_SYSTEM = (
+    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, FRICTION and elastic walls at "
+    "{l} and {r}, T = 2 pi/omega; a (1,1) orbit is " + ONE_ONE + ": "
+)
+SYSTEM_AT_F = _SYSTEM.replace("FRICTION", "f = {f}")
+SYSTEM_FOR_ALL_F = _SYSTEM.replace("FRICTION", "0 < f < F")
+
+# fmt: off
+STATE = (
+    Field("x", Quantity("R"), "x at t = 0", "x(0)", "the state at t = 0"),
+    Field("v", Quantity("R omega"), "v at t = 0", "v(0)", "positive"),
+    Field("hit_times", [Quantity("omega^-1")] * 2, "hit time", "t_k", "t_1, t_2 in (0, T)"),
+    Field("hit_speed", Quantity("R omega"), "hit speed", "|v_1|", "|v| at both hits"),
+    Field("least_speed", Quantity("R omega"), "least speed", r"\min |v|", "the minimum of |v|"),
+)
+# fmt: on
+
+
+class Scaled(Theorem):
+    """A theorem on (1,1) orbits: units and constants."""
+
+    @property
+    def rho(self) -> Interval:
+        """R omega^2/F."""
+        return self.number(self.R * self.omega**2 / self.p.F)
+
+    def state(self, name: str, claims: dict[str, Any], orbit: Symmetric) -> None:
+        """Compare the claims about a symmetric orbit at t = 0 and at its hits."""
+        omega = self.omega
+        (gap, u), t_1 = orbit.start, orbit.t_1
+        speed, length = self.number(self.p.F / omega), self.number(self.p.F / omega**2)
+        times = [t * self.number(1 / omega) for t in (t_1, t_1 + self.pi())]
+        self.compare(f"{name}x", claims["x"], self.number(self.p.r) - gap * length)
+        self.compare(f"{name}v", claims["v"], u * speed)
+        self.compare(f"{name}hit_times", claims["hit_times"], times)
+        self.speeds(name, claims, orbit)
+
+    def speeds(self, name: str, claims: dict[str, Any], orbit: Symmetric) -> None:
+        """Compare the claims about the speeds."""
+        speed = self.number(self.p.F / self.omega)
+        self.compare(f"{name}hit_speed", claims["hit_speed"], orbit.hit_speed * speed)
+        self.compare(f"{name}least_speed", claims["least_speed"], orbit.slowest * speed)

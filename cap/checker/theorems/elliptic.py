@@ -1,0 +1,177 @@
+"""The theorem about an elliptic point: a fixed point of a non-sticking orbit, with |trace| < 2, no
+resonance of order at most four, and a twist that is not zero.
+
+*The remainder.*  On a square D around K(S), in the box and reaching rho to each side, Lagrange's
+form bounds what the Taylor polynomial of degree N leaves on the disk of radius rho by the sum over
+i + j = n = N + 1 of
+
+    max |c_ij(D)| max |dx^i dv^j|,      max |dx^i dv^j| = rho^n sqrt(i^i j^j / n^n).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from cap.checker.flow.fixed_point import Point, contains
+from cap.checker.flow.itinerary import Passage
+from cap.checker.flow.non_sticking import KRAWCZYK, NonSticking
+from cap.checker.flow.normal_form import (
+    NORMAL_FORM,
+    EllipticFrame,
+    elliptic_frame,
+    in_complex_coordinate,
+    twists,
+)
+from cap.checker.kernel.citation import MOSER, cite
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred
+from cap.checker.kernel.reading import number
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, First, Maybe, Quantity, Word, bound
+
+ORDERS = ("3", "5", "7", "9")
+RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
+
+
+def coefficients(order: int, velocity: int = 0) -> dict[str, Any]:
+    """Return the shape of the Taylor coefficients of a component of Phi: x, or v = omega x."""
+    powers = [(i, n - i) for n in range(2, order + 1) for i in range(n + 1)]
+    units = {(i, j): f"R^{1 - i - j} omega^{velocity - j}" for i, j in powers}
+    return {f"{i},{j}": Maybe(Quantity(unit)) for (i, j), unit in units.items()}
+
+
+class Elliptic(NonSticking):
+    """The fixed point is elliptic, without low resonance, with twist."""
+
+    # fmt: off
+    HINTS = (
+        *NonSticking.HINTS,
+        Field("order", Word(ORDERS), "", "N", "the odd order to which Phi is expanded"),
+    )
+    CLAIMS = (
+        *NonSticking.CLAIMS,
+        Field("rotation_angle", Quantity(), "Theta, from x to v", r"\Theta",
+              "with its sign, in (-pi, pi)"),
+        Field("rotation_number", Quantity(), "rotation number |Theta|/2pi", r"|\Theta|/2\pi",
+              "|Theta|/(2 pi), without sign, in (0, 1/2)"),
+        Field("resonance_distances", dict.fromkeys(RESONANCES, Quantity()), "distance to", "",
+              "|rotation_number - p/q| for all p/q in [0, 1/2] with q <= 4, positive"),
+        Field("taylor", {"x": coefficients(9), "v": coefficients(9, 1)}, "", "",
+              "of dx^i dv^j in that component of Phi(P* + (dx, dv)), 2 <= i + j <= order"),
+        Field("twist", Quantity("R^-2 omega^-1"), "tau_1 per |z|^2", r"\tau_1",
+              "with its sign relative to the signed Theta; not 0"),
+        Field("twist_action", Quantity("R^-2 omega^-1"), "tau_1 per action I", r"2\tau_1",
+              "2 tau_1, per action |z|^2/2"),
+        Field("higher_twists", First([Quantity(f"R^{-2 * k} omega^{-k}") for k in (2, 3, 4)]),
+              "tau_(k+1), k =", r"\tau_{k+1}",
+              "tau_2, tau_3, ..: (order - 3)/2 of them"),
+        Field("remainder", {"degree": Word(ORDERS), "radius": number, "x": bound, "v": bound},
+              "", "", "on the disk |(dx, dv)| <= radius, which lies in the box, each component of "
+              "Phi differs from its Taylor polynomial of this degree by at most so much"),
+    )
+    CITES = (
+        KRAWCZYK,
+        cite(
+            *MOSER,
+            ("H1", "the orbit has finitely many hits, all transverse, no turning and no sticking",
+             "hit_times, hit_speeds, least_speed"),
+            ("H2", "Phi is exact symplectic near the fixed point: flights and hits preserve dx^dv, "
+             "and a disk is simply connected", "box"),
+            ("H3", "Phi is real analytic near the fixed point: the hit times are, by the implicit "
+             "function theorem", "hit_speeds"),
+            ("H4", "the eigenvalues of the Jacobian are exp(+-i Theta), 0 < |Theta| < pi", "trace"),
+            ("H5", "no resonance of order at most four", "rotation_number, resonance_distances"),
+            ("H6", "the first Birkhoff twist coefficient does not vanish", "twist"),
+        ),
+    )
+    # fmt: on
+
+    @property
+    def orbit_order(self) -> int:
+        """The degree of the Taylor polynomial."""
+        return int(self.hints["order"])
+
+    def conclude(self, fixed_point: Point, orbit: Passage) -> None:
+        """Prove ellipticity, the absence of low resonances, the twist, and the remainder."""
+        x, v = orbit.x.box, orbit.v.box
+        frame = elliptic_frame([[w.coefficients[1, 0], w.coefficients[0, 1]] for w in (x, v)])
+        self.rotation(frame)
+        taylor = {"x": self.taylor(orbit.x), "v": self.taylor(orbit.v)}
+        self.confirm(taylor=taylor)
+        self.step("the Taylor coefficients of Phi at P* contain what is computed")
+        tau, *higher = twists(in_complex_coordinate(x, v, frame))
+        self.confirm(twist=tau, twist_action=tau * 2, higher_twists=higher)
+        self.step("the normal form exists, preserves area, and has the twists claimed")
+        self.ellipticity()
+        self.remainder(fixed_point)
+
+    def rotation(self, frame: EllipticFrame) -> None:
+        """Compare the rotation angle and its distances from the resonances."""
+        angle = frame.angle.magnitude() / (self.pi() * 2)
+        self.confirm(
+            rotation_angle=frame.angle,
+            rotation_number=angle,
+            resonance_distances={
+                name: (angle - self.number(q)).magnitude() for name, q in RESONANCES.items()
+            },
+        )
+
+    def taylor(self, component: Centred) -> dict[str, Interval]:
+        """Return the Taylor coefficients of a component of Phi at P*."""
+        powers = [(i, n - i) for n in range(2, self.orbit_order + 1) for i in range(n + 1)]
+        return {f"{i},{j}": component[i, j] for i, j in powers}
+
+    def ellipticity(self) -> None:
+        """Check what the numbers claimed must satisfy."""
+        claims, below_pi = self.claims, self.pi().lower
+        trace, angle, number = (claims[k] for k in ("trace", "rotation_angle", "rotation_number"))
+        need(trace.lower > -2 and trace.upper < 2, "the trace is not in (-2, 2)")
+        within = angle.lower > -below_pi and angle.upper < below_pi
+        need(within, "the rotation angle is not in (-pi, pi)")
+        need(not contains(angle, 0), "the rotation angle does not exclude 0")
+        half = Fraction(1, 2)
+        need(number.lower > 0 and number.upper < half, "the rotation number is not in (0, 1/2)")
+        distances = claims["resonance_distances"].values()
+        need(all(d.lower > 0 for d in distances), "a resonance distance is not positive")
+        self.step("P* is elliptic, without resonance of order at most four")
+        for name in ("twist", "twist_action"):
+            need(not contains(claims[name], 0), f"{name} does not exclude 0")
+        self.step("the first twist is not zero")
+
+    def remainder(self, fixed_point: Point) -> None:
+        """Prove the bound of what the Taylor polynomial leaves on the disk."""
+        claim, n = self.claims["remainder"], self.orbit_order + 1
+        need(claim["degree"] == self.hints["order"], "the degree of the remainder is not the order")
+        rho = claim["radius"]
+        need(rho > 0, "the radius of the remainder is not positive")
+        square = [z + Interval.enclosing(-rho, rho, self.hints["bits"]) for z in fixed_point]
+        need(self.is_in_the_box(square), "the disk of the remainder is not in the box")
+        image = self.near(square, fixed_point, n)
+        for name, component in (("x", image.x), ("v", image.v)):
+            most = self.lagrange(component, n).upper * rho**n
+            need(most <= claim[name], f"the remainder of {name} may be larger than claimed")
+        self.step(
+            f"on the disk, Phi is as close to its Taylor polynomial of degree {n - 1} as claimed"
+        )
+
+    def lagrange(self, component: Centred, n: int) -> Interval:
+        """Return the sum of max |c_ij| sqrt(i^i j^j / n^n) over i + j = n."""
+        total = self.number(0)
+        for i in range(n + 1):
+            weight = self.number(Fraction(i**i * (n - i) ** (n - i), n**n)).sqrt()
+            total = total + component[i, n - i].magnitude() * weight
+        return total
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        return self.statement(
+            "the fixed point is elliptic with trace in {trace}, and has no resonance of order at "
+            f"most four: {NORMAL_FORM}, with Theta in {{rotation_angle}}, the rotation number "
+            "|Theta|/(2 pi) in {rotation_number}, and tau_1 in {twist}, that is, in {twist_action} "
+            "per action |z|^2/2; so tau_1 is not zero: hence (Moser) the fixed point is stable, "
+            "and every neighbourhood of it contains invariant closed curves around it"
+        )
+
+
+THEOREM = Elliptic

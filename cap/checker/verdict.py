@@ -1,0 +1,24 @@
+"""A certificate is checked: the theorem that it names is proved from its numbers, or not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from cap.checker.kernel.certificate import Certificate, read
+from cap.checker.theorems import load
+
+
+def check(data: bytes, step: Callable[[str], None]) -> Certificate:
+    """Return the certificate if its theorem is proved; otherwise raise an exception.
+
+    Each step is reported in one line when it is done.
+    """
+    certificate = read(data)
+    step(f"the certificate has the form of the theorem '{certificate.theorem}'")
+    load(certificate.theorem)(certificate, step).prove()
+    return certificate
+
+
+def words(certificate: Certificate) -> str:
+    """Return the theorem of a certificate in one line."""
+    return load(certificate.theorem)(certificate, lambda _: None).words()
