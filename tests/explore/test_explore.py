@@ -44,6 +44,7 @@ TINY = {
     "gallery": ["--values", "4.5", "--periods", "1"],
     "chatter": [],
     "manifolds": ["--length", "0.5", "--spacing", "0.02", "--periods", "8"],
+    "release": ["--points", "60", "--iterates", "3"],
     "attractor": ["--points", "4", "--transient", "50", "--F", "3"],
 }
 
