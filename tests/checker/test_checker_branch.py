@@ -195,7 +195,7 @@ def test_resonances(short, flipping):
         more[part]["resonances"].append(more[part]["resonances"][-1])
     rejected(more, "the rotation numbers are")
     rejected(changed(short, "claims", "resonances", 0, "ratio", "1/7"), "rotation numbers are")
-    rejected(changed(short, "claims", "resonances", 4, "ratio", "2/8"), "rotation numbers are")
+    rejected(changed(short, "claims", "resonances", 4, "ratio", "2/8"), "ratio is none of")
     brackets = short["hints"]["resonances"]
     rejected(changed(short, "hints", "resonances", 0, brackets[1]), "does not cross")
     rejected(changed(short, "hints", "resonances", 0, ["0", "0.1"]), "where the orbits")

@@ -235,7 +235,7 @@ def test_other_orbits_do_not_persist(damped):
     [
         (("claims", "range", "epsilon"), ["0", "1/2000"], "as many rectangles"),
         (("claims", "range", "epsilon"), ["0"], "list of 2"),
-        (("claims", "range", "boxes"), [], "list of 4"),
+        (("claims", "range", "boxes"), [], "list of 1 to"),
         (("hints", "cells"), [], "list of 1 to 768"),
         (("claims", "range"), [], "not an object"),
         (("cites",), [], "cites"),

@@ -108,12 +108,16 @@ class FixedPoint(Theorem):
         self.existence()
         fixed_point = self.localisation()
         orbit = self.near(fixed_point, fixed_point, self.orbit_order)
+        self.point(fixed_point, orbit)
+        self.conclude(fixed_point, orbit)
+
+    def point(self, fixed_point: Point, orbit: Passage) -> None:
+        """Compare the claims about P* and its orbit with what is computed."""
         jacobian = [[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)]
         self.confirm(x=fixed_point[0], v=fixed_point[1], jacobian=jacobian)
         self.confirm(hit_speeds=[h.hit_speed for h in orbit.hits])
         self.confirm(trace=jacobian[0][0] + jacobian[1][1])
         self.orbit(orbit, jacobian)
-        self.conclude(fixed_point, orbit)
 
     @property
     def orbit_order(self) -> int:
