@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker.flow.itinerary import WORDS
+from cap.checker.flow.events import WORDS
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.periodic import TYPES
 from cap.checker.verdict import check
