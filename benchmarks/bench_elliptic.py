@@ -1,15 +1,17 @@
-"""Speed of the proof's core, against straightforward mpmath.iv in the same run.
+"""Speed of the proof's core, and of two peers: straightforward python-flint, and mpmath.iv.
 
     python -m pytest -n0 benchmarks/bench_elliptic.py --benchmark-columns=min,median
 
 From hints and a box of half-width 1e-9: *existence* is the itinerary, Krawczyk, trace and rotation
-number over the box; *second pass* adds the orbits from K; *jet* is the jet of order 3.
+number over the box; *second pass* adds the orbits from K; *jet* is the jet of order 3.  For ratios
+on a machine that is busy use `ratios.py`, which takes turns.
 """
 
 from fractions import Fraction
 from pathlib import Path
 
 import peer
+import peer_mpmath
 import pytest
 from mpmath import iv
 
@@ -47,7 +49,7 @@ class Hints:
     def second_pass(self):
         """The same, then the trace and rotation number over K."""
         (box, orbit, _), _ = self.existence()
-        tight = fixed_point.passed(orbit, self.expected)
+        tight = fixed_point.tightened(orbit, self.expected)
         return rotation(strobe(self.osc, box, tight, BALLS))
 
 
@@ -94,9 +96,28 @@ def test_taylor_model_over_the_box(benchmark, order):
 
 
 @BITS
+def test_peer_existence(benchmark, bits):
+    with interval.workprec(bits):
+        benchmark(peer.existence, peer.Hints())
+
+
+@BITS
+def test_peer_second_pass(benchmark, bits):
+    with interval.workprec(bits):
+        benchmark(peer.second_pass, peer.Hints())
+
+
+@BITS
+def test_peer_jet(benchmark, bits):
+    with interval.workprec(bits):
+        hints = peer.Hints()
+        benchmark(peer.jet, hints, peer.existence(hints)[-1])
+
+
+@BITS
 def test_peer_mpmath_existence(benchmark, bits):
     iv.prec = bits
-    benchmark(peer.existence)
+    benchmark(peer_mpmath.existence)
 
 
 def test_checker(benchmark):

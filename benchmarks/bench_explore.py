@@ -9,11 +9,14 @@ Needs scipy.
 
 import math
 import time
+from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
 from cap.floats import alignment, fate, swarm
+from cap.floats.search import search
 from cap.parameters import PAPER
 from cap.runner import Runner
 
@@ -105,3 +108,10 @@ def test_sali(benchmark):
     """300 x 300 states, 15 periods, with the derivative."""
     options = {"points": 300, "runner": Runner(2)}
     benchmark.pedantic(alignment.sali, (PAPER,), options, rounds=2)
+
+
+def test_search(benchmark):
+    """All T-periodic orbits at F = 3: seeds over the plane, a transient, mirror images."""
+    strong = replace(PAPER, F=Fraction(3))
+    found = benchmark.pedantic(search, (strong,), rounds=3)
+    assert len(found.isolated) == 25

@@ -5,35 +5,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Protocol, Self
+from typing import IO, Self
 
 from cap.command.console import quoted
 from cap.errors import BadInput
-
-
-class Memo(Protocol):
-    """What remembers results."""
-
-    def get(self, name: str) -> str | None:
-        """Return the result of this name, if it is known."""
-
-    def put(self, name: str, result: str) -> None:
-        """Remember a result."""
-
-
-class Nothing:
-    """Remembers nothing."""
-
-    def get(self, _name: str) -> None:
-        """Know nothing."""
-
-    def put(self, _name: str, _result: str) -> None:
-        """Forget it."""
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_error: object) -> None: ...
 
 
 class Journal:

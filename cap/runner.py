@@ -18,7 +18,7 @@ from typing import Any, Generic, TypeVar
 
 from cap.command.entry import as_worker
 from cap.errors import BadInput
-from cap.journal import Journal, Memo, Nothing
+from cap.journal import Journal
 
 A = TypeVar("A")
 B = TypeVar("B")
@@ -115,7 +115,7 @@ class Runner:
                 raise
 
     def _memo(self, plan: Plan[A, B]) -> Any:
-        return Nothing() if self.journal is None else Journal(self.journal, plan.key)
+        return nullcontext() if self.journal is None else Journal(self.journal, plan.key)
 
     def _pool(self, plan: Plan[A, B]) -> Any:
         """Return what gives the executor; threads and processes of our own end with it."""
@@ -158,7 +158,7 @@ class _Run(Generic[A, B]):
     """One run: the tasks that wait, those in work, and what is done."""
 
     def __init__(
-        self, runner: Runner, pool: futures.Executor | None, memo: Memo, plan: Plan[A, B]
+        self, runner: Runner, pool: futures.Executor | None, memo: Journal | None, plan: Plan[A, B]
     ) -> None:
         self.runner, self.pool, self.memo, self.plan = runner, pool, memo, plan
         self.working: dict[futures.Future[B], A] = {}
@@ -175,7 +175,7 @@ class _Run(Generic[A, B]):
                     return
                 finished, _ = futures.wait(self.working, return_when=futures.FIRST_COMPLETED)
                 for future in finished:
-                    yield self._finish(self.working.pop(future), future.result())
+                    yield self._kept(self.working.pop(future), future.result())
         finally:
             for future in self.working:
                 future.cancel()
@@ -187,11 +187,11 @@ class _Run(Generic[A, B]):
             if not found:
                 return
             (task,) = found
-            known = self.memo.get(self.plan.name(task))
+            known = self.memo.get(self.plan.name(task)) if self.memo else None
             if known is not None:
-                yield self._finish(task, self.plan.decode(known), fresh=False)
+                yield self._finish(task, self.plan.decode(known))
             elif self.pool is None:
-                yield self._finish(task, function(task))
+                yield self._kept(task, function(task))
             else:
                 self.working[self.pool.submit(function, task)] = task
 
@@ -206,10 +206,14 @@ class _Run(Generic[A, B]):
         workers = getattr(self.pool, "_max_workers", None) or self.runner.jobs
         return AHEAD * max(workers, self.runner.jobs)
 
-    def _finish(self, task: A, result: B, *, fresh: bool = True) -> tuple[A, B]:
-        """Note a result."""
-        if fresh:
+    def _kept(self, task: A, result: B) -> tuple[A, B]:
+        """Write a result to the journal, and note it."""
+        if self.memo:
             self.memo.put(self.plan.name(task), self.plan.encode(result))
+        return self._finish(task, result)
+
+    def _finish(self, task: A, result: B) -> tuple[A, B]:
+        """Note a result, and the tasks that it calls for."""
         self.extra.extend(self.plan.more(task, result))
         self.done += self.plan.weight(task)
         if self.plan.words:

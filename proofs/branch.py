@@ -46,6 +46,7 @@ from typing import NamedTuple
 from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.certificate.writer import NONE
 from cap.errors import BadInput, NotProved
+from cap.floats import candidates
 from cap.maps.twist import regular_twist
 from cap.one_one.closed_form import asymmetric
 from cap.one_one.transport import period_jet
@@ -57,6 +58,9 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
+
+SUMMARY = "these orbits for all f of a range: trace, resonances, twist, end, invariant curves"
+SEARCH = candidates.closed_form
 
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow

@@ -26,6 +26,7 @@ from typing import Any
 
 from cap.certificate import writer as certificate
 from cap.errors import BadInput, NotProved
+from cap.floats import candidates
 from cap.flow.capture import Accumulation, Entry, accumulation
 from cap.flow.event import TAYLOR_MODELS, Expected, next_slow
 from cap.flow.model import Moment, Oscillator
@@ -35,6 +36,9 @@ from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 from cap.sets.taylor_model import Domain, TaylorModel
+
+SUMMARY = "infinitely many impacts with a wall accumulate, for all orbits from a box"
+SEARCH = candidates.capturing
 
 BITS = 128  # the box is of no extreme size
 SIDES = {"r": 1, "l": -1}

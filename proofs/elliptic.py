@@ -27,6 +27,7 @@ from typing import Any
 
 from cap.certificate import writer as certificate
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.model import Oscillator
@@ -39,6 +40,9 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
+
+SUMMARY = "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves"
+SEARCH = candidates.non_sticking
 
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 

@@ -35,9 +35,13 @@ from fractions import Fraction
 from typing import Any
 
 from cap.errors import NotProved, TooFewDigits
+from cap.floats import candidates
 from cap.proofs.fixed_point import Proof, Setting, assembled, bits
 from cap.sets import interval
 from cap.sets.interval import Ball
+
+SUMMARY = "for f > 2F/pi every motion comes to rest, within an explicit time; 2F/pi is sharp"
+SEARCH = candidates.every_motion
 
 
 def prove(setting: Setting) -> Proof:

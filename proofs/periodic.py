@@ -24,6 +24,7 @@ from fractions import Fraction
 from typing import Any
 
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.maps import basin
 from cap.maps.basin import Basin
@@ -33,6 +34,9 @@ from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, pro
 from cap.proofs.orbit import EVENTS, turning_factors
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
+
+SUMMARY = "an nT-periodic orbit exists, with any events; its type; the basin of a sink"
+SEARCH = candidates.cyclic
 
 
 def prove(setting: Setting) -> Proof:

@@ -27,6 +27,7 @@ from typing import Any
 from cap.certificate import writer as certificate
 from cap.checker.flow.itinerary import MAX_WORK, work
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Constants
 from cap.flow.strobe import oscillator
@@ -39,6 +40,9 @@ from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, pro
 from cap.proofs.orbit import EVENTS, need_hits
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
+
+SUMMARY = "an elliptic orbit survives as a sink with inelastic walls and viscous friction"
+SEARCH = candidates.continued
 
 BITS = 64  # enough for boxes of a thousandth
 LONGEST = 40  # decimals of a node

@@ -23,6 +23,7 @@ fold.
 from typing import Any
 
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
@@ -30,6 +31,9 @@ from cap.sets import interval
 from cap.sets.elementary import sqrt
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
+
+SUMMARY = "the asymmetric orbits that never turn, one hit of each wall per period, are born"
+SEARCH = candidates.closed_form
 
 
 def prove(setting: Setting) -> Proof:

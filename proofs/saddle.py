@@ -18,12 +18,16 @@ from collections.abc import Callable
 
 from cap.certificate.writer import Pair
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import real_multipliers
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import HITS, need_hits
 from cap.sets import matrix
 from cap.sets.interval import Ball
+
+SUMMARY = "a hyperbolic non-sticking T-periodic orbit exists"
+SEARCH = candidates.non_sticking
 
 
 def prove(setting: Setting) -> Proof:

@@ -49,11 +49,15 @@ from typing import Any
 
 from cap.certificate.writer import NONE
 from cap.errors import NotProved
+from cap.floats import candidates
 from cap.one_one.closed_form import Orbit, birth, friction, symmetric
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
+
+SUMMARY = "symmetric orbits that never turn, one hit of each wall per period; where they bifurcate"
+SEARCH = candidates.closed_form
 
 SIGNS = {"plus": 1, "minus": -1}
 

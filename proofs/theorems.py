@@ -1,28 +1,22 @@
-"""What can be proved, and how: each theorem with its search and its proof, up to the checker."""
+"""What can be proved, and how: each theorem with its search and its proof, up to the checker.
+
+The proof of a theorem is in ``proofs/NAME.py``, which is imported when it is asked for: it takes
+longer to load all of them than to prove one.  No table names the theorems: they are the checker's.
+"""
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from importlib import import_module
+from types import ModuleType
 from typing import Any
 
 from cap.certificate import writer as certificate
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems import NAMES
 from cap.checker.verdict import check
 from cap.errors import NotProved, TooFewDigits
-from cap.floats import candidates
 from cap.floats.candidates import Search
-from cap.proofs import (
-    branch,
-    capture,
-    elliptic,
-    impulse,
-    periodic,
-    persistence,
-    pitchfork,
-    saddle,
-    symmetric,
-)
 from cap.proofs.fixed_point import Proof, Setting
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
@@ -31,58 +25,32 @@ GUARDS = (15, 30, 60)  # digits computed beyond those claimed
 
 @dataclass(frozen=True)
 class Theorem:
-    """What a theorem says, its proof, and the search for the orbits that it may be about."""
+    """A theorem of the checker and, in ``proofs/NAME.py``, its proof."""
 
-    summary: str
-    prove: Callable[[Setting], Proof]
-    search: Search
+    name: str
+
+    @property
+    def _module(self) -> ModuleType:
+        return import_module(f"cap.proofs.{self.name}")
+
+    @property
+    def summary(self) -> str:
+        """What it says, in a line."""
+        return str(self._module.SUMMARY)
+
+    @property
+    def search(self) -> Search:
+        """The search for the orbits that it may be about."""
+        found: Search = self._module.SEARCH
+        return found
+
+    def prove(self, setting: Setting) -> Proof:
+        """Prove the theorem up to the size of its box; return the rest of the proof."""
+        proof: Proof = self._module.prove(setting)
+        return proof
 
 
-THEOREMS = {
-    "elliptic": Theorem(
-        "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves",
-        elliptic.prove,
-        candidates.non_sticking,
-    ),
-    "saddle": Theorem(
-        "a hyperbolic non-sticking T-periodic orbit exists", saddle.prove, candidates.non_sticking
-    ),
-    "periodic": Theorem(
-        "an nT-periodic orbit exists, with any events; its type; the basin of a sink",
-        periodic.prove,
-        candidates.cyclic,
-    ),
-    "persistence": Theorem(
-        "an elliptic orbit survives as a sink with inelastic walls and viscous friction",
-        persistence.prove,
-        candidates.continued,
-    ),
-    "capture": Theorem(
-        "infinitely many impacts with a wall accumulate, for all orbits from a box",
-        capture.prove,
-        candidates.capturing,
-    ),
-    "symmetric": Theorem(
-        "symmetric orbits that never turn, one hit of each wall per period; where they bifurcate",
-        symmetric.prove,
-        candidates.closed_form,
-    ),
-    "pitchfork": Theorem(
-        "the asymmetric orbits that never turn, one hit of each wall per period, are born",
-        pitchfork.prove,
-        candidates.closed_form,
-    ),
-    "branch": Theorem(
-        "these orbits for all f of a range: trace, resonances, twist, end, invariant curves",
-        branch.prove,
-        candidates.closed_form,
-    ),
-    "impulse": Theorem(
-        "for f > 2F/pi every motion comes to rest, within an explicit time; 2F/pi is sharp",
-        impulse.prove,
-        candidates.every_motion,
-    ),
-}
+THEOREMS = {name: Theorem(name) for name in NAMES}
 
 
 def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:

@@ -47,9 +47,10 @@ def test_the_citation():
 
 
 def test_the_workflow():
-    """The server runs the same script, at every minor version from the oldest that is allowed."""
+    """The server runs the same scripts, at every minor version from the oldest that is allowed."""
     workflow = (ROOT / ".github/workflows/ci.yml").read_text()
-    assert workflow.rstrip().endswith("- run: bash .ci/run")
+    assert "- run: bash .ci/run\n" in workflow
+    assert all(f" .ci/{script.name}" in workflow for script in (ROOT / ".ci").iterdir())
     with (ROOT / "pyproject.toml").open("rb") as file:
         oldest = tomllib.load(file)["project"]["requires-python"].removeprefix(">=")
     versions = re.findall(r'"(3\.\d+)"', workflow)

@@ -7,6 +7,7 @@ from functools import partial
 
 from cap.audit import cache, ledger, tables
 from cap.audit.claim import Claim
+from cap.audit.dependencies import digest
 from cap.audit.means import stored
 from cap.audit.means.written import exists
 from cap.audit.tables import Row
@@ -51,6 +52,8 @@ def all_decided(
 ) -> dict[str, Verdict]:
     """Return the verdicts by id, in the order of the claims; ``progress`` hears each id."""
     asked = list(claims)
+    for module in {each.module for each in asked}:
+        digest(module)  # of the sources as they are now, not as they may be edited meanwhile
     parts = _parts(asked)
     done = _one_by_one if jobs == 1 else partial(_at_once, jobs=jobs)
     found: dict[str, Verdict] = {}

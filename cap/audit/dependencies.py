@@ -22,10 +22,16 @@ def digest(module: str) -> str:
     """
     total = hashlib.sha256(_versions().encode())
     for name in sorted(closure(module)):
-        total.update(name.encode())
-        for file in (_file(name), _file(name).with_suffix(".json")):
-            total.update(file.read_bytes() if file.is_file() else b"")
+        total.update(name.encode() + _content(name))
     return total.hexdigest()
+
+
+@cache
+def _content(module: str) -> bytes:
+    """Return a digest of the source of a module and of the data beside it."""
+    files = _file(module), _file(module).with_suffix(".json")
+    parts = [file.read_bytes() if file.is_file() else b"" for file in files]
+    return b"".join(hashlib.sha256(part).digest() for part in parts)
 
 
 def closure(module: str) -> set[str]:
@@ -33,19 +39,28 @@ def closure(module: str) -> set[str]:
     found, todo = set[str](), [module]
     while todo:
         name = todo.pop()
-        if name not in found and _file(name).is_file():
+        if name not in found and _exists(name):
             found.add(name)
             todo += [*_imported(name), *_beside(name)]
     return found
 
 
-def _beside(module: str) -> list[str]:
+@cache
+def _exists(module: str) -> bool:
+    return _file(module).is_file()
+
+
+@cache
+def _beside(module: str) -> tuple[str, ...]:
     """Return all modules of a package that counts as a whole, if this is one of them."""
     package = next((each for each in WHOLE if f"{module}.".startswith(f"{each}.")), None)
-    if package is None:
-        return []
+    return () if package is None else _modules(package)
+
+
+@cache
+def _modules(package: str) -> tuple[str, ...]:
     files = ROOT.joinpath(*package.split(".")).rglob("*.py")
-    return [".".join(file.relative_to(ROOT).with_suffix("").parts) for file in files]
+    return tuple(".".join(file.relative_to(ROOT).with_suffix("").parts) for file in files)
 
 
 @cache

@@ -209,7 +209,8 @@ STATEMENTS = (
         "decomposition.not-forward-invariant",
         "impulse.eventual-entry",
         instead="Ω_dissip is not forward invariant at the paper's parameters (with another proof); "
-        "for f > 2F/π every orbit stops again and again (proofs/audit/periodic.md).",
+        "for f > 2F/π every orbit comes to rest again and again, within an explicit time (theorem "
+        "impulse, impulse-1.json).",
     ),
     statement(
         "prop:persist-orbit",

@@ -21,6 +21,7 @@ from cap.checker.kernel.choices import Cases, OneOrOther, OrNone, Taken
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
     First,
+    Letters,
     Many,
     Maybe,
     Quantity,
@@ -96,7 +97,7 @@ def _certificate(name: str, theorem: type[Theorem]) -> Json:
     )
 
 
-def schema(shape: Any) -> Json:  # noqa: C901, PLR0911
+def schema(shape: Any) -> Json:  # noqa: C901, PLR0911, PLR0912
     """Return the schema of the values of a shape."""
     match shape:
         case dict():
@@ -125,6 +126,8 @@ def schema(shape: Any) -> Json:  # noqa: C901, PLR0911
             return {"oneOf": kinds}
         case Word(words):
             return {"enum": list(words)}
+        case Letters(letters, most):
+            return {"type": "string", "pattern": f"^[{letters}]+$", "maxLength": most}
         case Quantity() | Taken():
             return _ref("enclosure")
         case Whole():
@@ -256,6 +259,8 @@ def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
         case Cases(key, cases):
             kinds = (f'`{key}` `"{name}"`: {form(case)}' for name, case in cases.items())
             return " or ".join(kinds)
+        case Letters(letters, most):
+            return f"up to {most} letters of {letters}"
         case Word(words):
             return ", ".join(f'`"{word}"`' for word in words)
         case Whole(least, most):

@@ -11,7 +11,6 @@ the order of their twists, have the same name.
 
 from collections.abc import Mapping
 from fractions import Fraction
-from hashlib import sha256
 from pathlib import Path
 
 from cap.certificate.writer import stored
@@ -33,6 +32,8 @@ def name(theorem: str, parameters: Parameters, about: Mapping[str, str]) -> str:
     words = [theorem, *(f"{key}={value}" for key, value in {**changed, **about}.items())]
     told = "-".join(words).replace("/", "_")
     if len(told) > LONGEST:
+        from hashlib import sha256  # noqa: PLC0415 (slow to load, and few names are so long)
+
         told = f"{theorem}-{sha256(told.encode()).hexdigest()[:16]}"
     return f"{told}.json"
 

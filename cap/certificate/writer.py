@@ -8,7 +8,6 @@ import platform
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -94,7 +93,7 @@ def provenance(bits: int, seconds: float) -> dict[str, str]:
     """Return what produced a certificate; the checker ignores it."""
     return {
         "cap": __version__,
-        "python-flint": version("python-flint"),
+        "python-flint": interval.FLINT,
         "python": platform.python_version(),
         "bits": str(bits),
         "seconds": f"{seconds:.3f}",

@@ -27,11 +27,14 @@ from cap.command.console import Parser, printable, program, quoted, say
 
 def main(words: Sequence[str]) -> int:
     """Verify the files named one after the other; return 1 if any is rejected, else 0."""
-    options = _parser().parse_args(words)
+    parser = _parser()
+    options = parser.parse_args(words)
     if options.reading:
         return _reading(options.reading)
     if not options.files:
-        _parser().error("the following arguments are required: FILE")
+        parser.error("the following arguments are required: FILE")
+    if options.formal and (options.explain or options.latex):
+        parser.error("--formal goes with neither --explain nor --latex")
     if options.formal:
         from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
 

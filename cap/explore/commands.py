@@ -310,4 +310,20 @@ COMMANDS = {
         ),
         (7.8, 4.6),
     ),
+    "release": Command(
+        "after sticks: the map from one release to the next, or its orbits over a parameter",
+        "return_map:release",
+        "releases:release",
+        "--parameter f --range 0.36 0.44 --points 300 --out release.png",
+        "The map G takes the place of a release to the right to that of the next release,\n"
+        "mirrored if that is to the left.  Without --parameter its graph, with one orbit.",
+        (
+            Option("points", option.count(2, 200_000), "places (4000), or values (400)", "N"),
+            Option("start", option.numbers, "the orbit of this place", ("X",), 1),
+            PARAMETER,
+            Option("range", option.numbers, "of the parameter (within 5 %)", ("Q0", "Q1"), 2),
+            Option("iterates", option.count(1, 100_000), "of each orbit, after 60 (40)", "N"),
+        ),
+        (8.4, 4.6),
+    ),
 }

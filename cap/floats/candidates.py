@@ -17,6 +17,7 @@ from cap.floats.search import from_hit_times, search
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
+from cap.release.trap import critical_points
 
 TYPES = ("sink focus", "sink node", "superstable", "elliptic", "saddle", "flip saddle")
 SMALLEST = Fraction(1, 64)  # of the first step, when an orbit is continued
@@ -193,9 +194,31 @@ def capturing(request: Request) -> Found:
     return Found(lines, [Candidate(Start(*request.orbit, tuple(before)), "captured")])
 
 
+def releasing(request: Request) -> Found:
+    """Find critical points of the release map, on the branches on which its orbits end."""
+    if not request.parameters.f:
+        raise BadInput("the theorem attractor needs friction: f > 0")
+    if request.orbit:
+        x = request.orbit[0]
+        return Found([f"A release at x = {x:.10g}."], [_release(x)])
+    found = critical_points(request.parameters)
+    if not found:
+        raise BadInput("no critical point was found on the branches on which releases end")
+    places = ", ".join(f"{x:.6g}" for x in found)
+    heading = f"The release map has critical points near x = {places}; proving "
+    chosen = found if request.every else found[:1]
+    which = "all:" if request.every else "the first:" if len(found) > 1 else "it:"
+    return Found([heading + which], [_release(x) for x in chosen])
+
+
+def _release(x: float) -> Candidate:
+    return Candidate(Start(x, 0.0, ()), f"around x = {x:.6g}")
+
+
 def closed_form(request: Request) -> Found:
     """Return a candidate without an orbit: these theorems start from formulas."""
-    request.parameters.elastic_strings()
+    if request.kind != "segment":
+        request.parameters.elastic_strings()
     found = _nothing(request, "closed form")
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")

@@ -11,7 +11,7 @@ The same code runs over balls (fast, for small boxes) and Taylor models (tight, 
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 from cap.errors import NotProved
@@ -47,9 +47,9 @@ class Enclosure(NamedTuple, Generic[E]):
     """What the certification asks of a scalar type whose values are functions on a box.
 
     ``bound(q)`` is a ball with all values of q; ``widened(q, b)`` adds the ball b to each of them;
-    ``curve(osc, flight, window, value, slope)`` is any function with values near the zeros of
-    ``value``, whose derivative by time is ``slope`` (it only steers).  What does not depend on the
-    state may also be a ball.
+    ``curve(osc, flight, window, value, slope)`` approximates the zeros of ``value``, whose
+    derivative by time is ``slope``; any function of the state will do, since Newton's step is
+    verified.  What does not depend on the state may also be a ball.
     """
 
     bound: Callable[[E], Ball]
@@ -57,8 +57,7 @@ class Enclosure(NamedTuple, Generic[E]):
     curve: Callable[[Oscillator[Any], Flight[E], Ball, Function, Function], E]
 
 
-@dataclass(frozen=True, slots=True)
-class Event(Generic[E]):
+class Event(NamedTuple, Generic[E]):
     """An event: its ``word``, time, the velocity just before it and cos ωt, enclosed.
 
     Of a capture ``time`` encloses when the hits accumulate, and cos ωt is over that time.
@@ -104,7 +103,7 @@ def _certified(
     Parametric interval Newton: let its ``slope`` have the ``sign`` on the whole window, and let m
     be a time in it, which may depend on the state.  If N = m - value(m)/slope(window) lies in the
     window, then for each state of the box the window holds exactly one zero, and it lies in N.
-    Repeated while the window shrinks markedly.
+    Repeated until the window hardly shrinks, or most of what it leaves is the value's own radius.
     """
     value, slope, sign = crossing
     window, time = expected.window, cast("E | None", None)
@@ -122,7 +121,7 @@ def _certified(
                 raise NoCertainEvent(number, Expected(expected.word, window), newton)
             return osc.moment(time)
         time = better
-        if 4 * newton.rad() > window.rad():
+        if 4 * newton.rad() > window.rad() or 2 * offset.rad() > abs(rate) * newton.rad():
             return osc.moment(time)
         window = newton
 
@@ -134,11 +133,13 @@ def flies(
     bound: Callable[[E], Ball],
     released: int | None = None,
 ) -> Ball | None:
-    """Prove that s v > 0 between ``times``, given that it is at both ends, or just inside of them.
+    """Prove that s v > 0 between ``times``, given that this holds at both ends.
 
-    A flight that begins with a release does so at a slow moment, the one of number ``released``;
-    v vanishes there.  Returns an enclosure of the least of the speeds at the other slow moments
-    between the times, None if there is none; what is only possibly between counts as possible.
+    Where v vanishes at an end, it is enough that s v > 0 right after the start, or right before the
+    end.  A flight that begins with a release does so at a slow moment, the one of number
+    ``released``.  Returns an enclosure of the least of the speeds at the other slow moments between
+    the times, None if there is none; if it is uncertain whether one is between, both cases are
+    enclosed.
     """
     start, end = times
     if not start < end:
@@ -168,7 +169,7 @@ def slow_numbers(osc: Oscillator[Any], s: int, start: Ball, end: Ball) -> range:
     """
     origin = osc.slow_right if s > 0 else osc.slow_left
     first, last = (start - origin) / osc.T, (end - origin) / osc.T
-    if not (first.is_finite() and last.is_finite() and first.rad() < 1 and last.rad() < 1):
+    if not (first.rad() < interval.ONE and last.rad() < interval.ONE):
         raise NotProved("flight", "its time is too uncertain", {"start": start, "end": end})
     return interval.integers(first, last)
 
@@ -197,9 +198,10 @@ def _curve(
     value: Function,
     slope: Function,
 ) -> Any:
-    """Return nearly the Taylor polynomial of the zero of ``value``, by Newton's method; it steers.
+    """Return an approximation of the zero of ``value`` by a polynomial: Newton's method on jets.
 
-    The polynomials of Taylor models stand for them; a flight that is the same for all has none.
+    It is computed from the polynomials of the Taylor models, without their remainders.  Of a flight
+    that does not depend on the state the middle of the window will do.
     """
     models = [q for q in (flight.t, flight.x, flight.v) if isinstance(q, TaylorModel)]
     if not models:

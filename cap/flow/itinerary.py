@@ -1,4 +1,4 @@
-"""The orbit of one state in floats, through all its events: it steers the prover.
+"""The orbit of one state in floats, through all its events: hints for the prover, not rigorous.
 
 No event is looked for with a time step.  On a flight of sign s, p = exp(μt) s v is monotone between
 the known times at which cos ωt = s f/F, which brackets the zeros of v; between them x is monotone,

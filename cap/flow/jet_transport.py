@@ -6,7 +6,7 @@ from cap.flow.event import Event
 from cap.flow.model import Flight, Moment, Oscillator
 from cap.flow.strobe import Orbit
 from cap.sets.interval import Ball, Box
-from cap.sets.jet import Jet, Space
+from cap.sets.jet import Jet
 
 
 def strobe_jet(osc: Oscillator[Any], box: Box, orbit: Orbit[Ball], order: int) -> tuple[Jet, Jet]:
@@ -20,29 +20,51 @@ def strobe_jet(osc: Oscillator[Any], box: Box, orbit: Orbit[Ball], order: int) -
     x, v = Jet.variables(box, order)
     flight = osc.launch(orbit.s, Moment(Ball(0), Ball(0), Ball(1)), x, v)
     for hit in orbit.events:
-        moment = osc.moment(_hit_time_jet(osc, flight, hit))
+        moment = _hit_moment(osc, flight, hit)
         flight = osc.reflect(flight, moment, osc.velocity(flight, moment))
     end = Moment(osc.T, Ball(0), Ball(1))
     return osc.position(flight, end), osc.velocity(flight, end)
 
 
-def _hit_time_jet(osc: Oscillator[Any], flight: Flight[Any], hit: Event[Ball]) -> Jet:
-    """Return the jet of the hit time: it solves x(t) = wall, and its value is known.
+def _hit_moment(osc: Oscillator[Any], flight: Flight[Any], hit: Event[Ball]) -> Moment[Any]:
+    """Return the jets of the hit time, whose value is known, and of its sine and cosine.
 
-    Newton's iteration on jets: an iterate that is right to order k gives one right to 2k + 1.
-    The residual at order zero is exactly zero, because the value encloses the true hit times.
+    Newton's iteration on jets.  If t is right to order k, then the gap x(t) - wall has exactly no
+    terms up to there, as the coefficients of t enclose the true ones; so those of v(t) matter to
+    order k only, and t - gap/v(t) is right to order 2k + 1.
     """
-    order = flight.v.space.order
-    known, t = 0, Jet.constant(hit.time, Space(flight.v.space.variables, 0))
+    known, order, moment = 0, flight.v.space.order, osc.moment(hit.time)
     while known < order:
-        known = min(2 * known + 1, order)
-        t = t.extended(known)
-        constants = (_truncated(q, known) for q in (flight.t, flight.x, flight.v))
-        near, moment = Flight(flight.s, *constants), osc.moment(t)
-        gap = (osc.position(near, moment) - osc.wall(flight.s)).without_constant()
-        t = t - gap / osc.velocity(near, moment)
-    return t
+        velocity = osc.velocity(_truncated(flight, known), moment)
+        reached = min(2 * known + 1, order)
+        if known:
+            moment = osc.moment(moment.t.extended(reached))
+        gap = osc.position(_truncated(flight, reached), moment) - osc.wall(flight.s)
+        moment = _earlier(osc, moment, _quotient(gap.above(known), velocity))
+        known = reached
+    return moment
 
 
-def _truncated(q: Any, order: int) -> Any:
-    return q.truncated(order) if isinstance(q, Jet) else q
+def _truncated(flight: Flight[Any], order: int) -> Flight[Any]:
+    """Return the flight to an order, in scalars if that is 0."""
+
+    def terms(q: Any) -> Any:
+        if not isinstance(q, Jet):
+            return q
+        return q.truncated(order) if order else q.coefficients[0]
+
+    return Flight(flight.s, terms(flight.t), terms(flight.x), terms(flight.v))
+
+
+def _quotient(gap: Jet, velocity: Any) -> Any:
+    """Return gap/velocity, whose terms need those of ``velocity`` only that are given."""
+    if isinstance(velocity, Jet):
+        return gap * velocity.reciprocal().extended(gap.space.order)
+    return gap / velocity
+
+
+def _earlier(osc: Oscillator[Any], moment: Moment[Any], shift: Any) -> Moment[Any]:
+    """Return the moment at t - c, for a ``shift`` c whose square vanishes to the order here."""
+    t, sin, cos = moment
+    angle = osc.omega * shift
+    return Moment(t - shift, sin - angle * cos, cos + angle * sin)

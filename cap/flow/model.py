@@ -68,8 +68,7 @@ class Constants(NamedTuple, Generic[S]):
         return cls(F, omega, f, l, r, e, mu)
 
 
-@dataclass(frozen=True, slots=True)
-class Flight(Generic[S]):
+class Flight(NamedTuple, Generic[S]):
     """A flight with velocity sign ``s`` (+1 or -1) that starts at the time ``t``.
 
     ``x`` and ``v`` are the state at its start less the forced response there.
@@ -148,7 +147,8 @@ class Oscillator(Generic[S]):
 
     def moment(self, t: S) -> Moment[S]:
         """Return the moment at the time ``t``."""
-        return Moment(t, *self.sin_cos(self.omega * t))
+        sin, cos = self.sin_cos(self.omega * t)
+        return Moment(t, sin, cos)
 
     def wall(self, s: int) -> S:
         """Return the wall towards which a flight of sign ``s`` moves: r if s > 0, else l."""
@@ -164,7 +164,9 @@ class Oscillator(Generic[S]):
 
     def response_position(self, at: Moment[S]) -> S:
         """Return X(t)."""
-        return self.F_x * (self.lag * at.sin - at.cos if self.viscous else -at.cos)
+        if not self.viscous:
+            return -self.F_x * at.cos
+        return self.F_x * (self.lag * at.sin - at.cos)
 
     def launch(self, s: int, at: Moment[S], x: S, v: S) -> Flight[S]:
         """Return the flight of sign ``s`` through (x, v) at a moment."""
@@ -183,7 +185,7 @@ class Oscillator(Generic[S]):
         """Return x(t)."""
         d, drag = at.t - flight.t, self.drag(flight.s)
         if not self.viscous:
-            return flight.x + d * (flight.v - drag * d / 2) + self.response_position(at)
+            return flight.x + d * (flight.v - drag / 2 * d) + self.response_position(at)
         _, h, k = self.relax(self.mu, d)
         return flight.x + flight.v * h - drag * k + self.response_position(at)
 

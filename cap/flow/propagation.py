@@ -17,10 +17,10 @@ from itertools import pairwise
 from typing import Any
 
 from cap.errors import NotProved
-from cap.flow.course import Orbit, State, placed
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
 from cap.flow.itinerary import Happening, itinerary
 from cap.flow.model import Moment, Oscillator
+from cap.flow.orbit import Orbit, State, placed
 from cap.flow.strobe import follow, oscillator
 from cap.maps.fixed_point import Itinerary, windows_for
 from cap.parameters import Parameters
@@ -47,7 +47,7 @@ class Image:
 
     The ``events`` in their order; the ``state`` (x, v) at the end; the ``monodromy``, its
     derivative at every initial state, along the box: by what does not vary in it, a velocity that
-    is exactly 0 or a place that is a wall, it is 0 (`cap.flow.course.Orbit`).  ``wall`` is 1 or -1
+    is exactly 0 or a place that is a wall, it is 0 (`cap.flow.orbit.Orbit`).  ``wall`` is 1 or -1
     if all rest at r or l at the end, else 0.
     """
 
@@ -64,34 +64,34 @@ def propagate(p: Parameters, start: State[Ball], end: Ball) -> Image:
     the set has become too large to decide.
     """
     osc = oscillator(p)
-    cloud, events, until = _Cloud(osc, start), list[Happened](), None
-    if not end - cloud.time < LONGEST * osc.T:
-        sets = {"time": cloud.time, "end": end}
+    doubleton, events, until = _Doubleton(osc, start), list[Happened](), None
+    if not end - doubleton.time < LONGEST * osc.T:
+        sets = {"time": doubleton.time, "end": end}
         raise NotProved("propagation", f"the end may be more than {LONGEST} periods away", sets)
     while until is not end:
-        if not cloud.time < end:
-            sets = {"time": cloud.time, "end": end}
+        if not doubleton.time < end:
+            sets = {"time": doubleton.time, "end": end}
             raise NotProved("propagation", "the end may not be after all that comes before", sets)
-        expected, until = _plan(p, osc, cloud, end)
-        events += cloud.advance(osc, expected, until)
-    state, (row, other) = cloud.box(), cloud.monodromy()
+        expected, until = _plan(p, osc, doubleton, end)
+        events += doubleton.advance(osc, expected, until)
+    state, (row, other) = doubleton.box(), doubleton.monodromy()
     if not all(q.is_finite() for q in (*state, *row, *other)):
         raise NotProved("propagation", "the set has become too large", {"state": state})
-    return Image(tuple(events), state, (row, other), cloud.wall)
+    return Image(tuple(events), state, (row, other), doubleton.wall)
 
 
 def _plan(
-    p: Parameters, osc: Oscillator[Any], cloud: "_Cloud", end: Ball
+    p: Parameters, osc: Oscillator[Any], doubleton: "_Doubleton", end: Ball
 ) -> tuple[Itinerary, Ball]:
-    """Return the events that floats expect of the next step, and when it is to end; it steers.
+    """Return the events of the next step, found in floats, and its end: hints for the proof.
 
     The step lasts about a period; it ends in the middle of the longest time without an event in its
     second half, or at the end.  Times in floats are counted from a whole number of periods.
     """
-    begin = _periods(osc, cloud.time) * osc.T
-    now, last = float((cloud.time - begin).mid()), float((end - begin).mid())
+    begin = _periods(osc, doubleton.time) * osc.T
+    now, last = float((doubleton.time - begin).mid()), float((end - begin).mid())
     horizon = min(last, now + float(osc.T.mid()))
-    events = _foreseen(p, osc, cloud, (now, horizon))
+    events = _foreseen(p, osc, doubleton, (now, horizon))
     until = end
     if horizon < last:
         knots = [(now + horizon) / 2, *(e.time for e in events), horizon]
@@ -103,20 +103,20 @@ def _plan(
 
 
 def _foreseen(
-    p: Parameters, osc: Oscillator[Any], cloud: "_Cloud", times: tuple[float, float]
+    p: Parameters, osc: Oscillator[Any], doubleton: "_Doubleton", times: tuple[float, float]
 ) -> tuple[Happening, ...]:
-    """Return the events between two times in floats, places being counted from the left wall."""
-    x, v = cloud.box()
+    """Return the events between two times, in floats; x is counted from the left wall."""
+    x, v = doubleton.box()
     state, near = (float((x - osc.l).mid()), float(v.mid())), replace(p, l=Fraction(0), r=p.R)
     try:
-        return itinerary(near, *state, times[1], start=times[0], wall=cloud.wall).events
+        return itinerary(near, *state, times[1], start=times[0], wall=doubleton.wall).events
     except (ValueError, ArithmeticError) as error:
-        reason = f"floats, which steer, cannot follow the orbit: {error}"
+        reason = f"floats, which give hints, cannot follow the orbit: {error}"
         raise NotProved("propagation", reason, {"x": x, "v": v}) from None
 
 
 def _periods(osc: Oscillator[Any], time: Ball) -> int:
-    """Return how many periods, about, have passed at a time; it steers."""
+    """Return about how many periods have passed at a time: a hint."""
     turns = time / osc.T
     if not turns.rad() < 1:
         raise NotProved("propagation", "the time is too uncertain", {"time": time})
@@ -161,8 +161,8 @@ def _rotation(column: Box) -> Matrix[Ball]:
     return (Ball(c), Ball(-s)), (Ball(s), Ball(c))
 
 
-class _Cloud:
-    """The set of states at a time, with the derivative in the initial state."""
+class _Doubleton:
+    """The set m + C r_0 + Q r of states at a time, with the derivative in the initial state."""
 
     def __init__(self, osc: Oscillator[Any], start: State[Ball]) -> None:
         self.time, self.wall, self.at = start.at.t, start.wall, start.at

@@ -15,27 +15,33 @@ that the velocity had: the word is an expectation, and what does not fit it is n
 """
 
 from collections.abc import Sequence
-from operator import methodcaller
 from typing import Any
 
 from cap.flow import relaxation
-from cap.flow.course import Course, Orbit, State
 from cap.flow.event import E, Enclosure, Expected
 from cap.flow.model import Constants, Functions, Moment, Oscillator
+from cap.flow.orbit import Orbit, PartialOrbit, State
 from cap.parameters import Parameters
 from cap.sets import interval
 from cap.sets.interval import Ball
 
 __all__ = ["Orbit", "State", "follow", "of_constants", "oscillator", "strobe"]
 
+
+def _sin_cos(angle: Any) -> Any:
+    """Return sine and cosine of a ball, or of a jet or Taylor model over balls."""
+    return angle.sin_cos()
+
+
 FUNCTIONS = Functions[Ball](
     constant=interval.ball,
     pi=Ball(0),
-    sin_cos=methodcaller("sin_cos"),
+    sin_cos=_sin_cos,
     acos=Ball.acos,
     sqrt=Ball.sqrt,
     relax=relaxation.relax,
 )
+BEGIN = Moment(interval.ZERO, interval.ZERO, interval.ONE)
 
 
 def oscillator(parameters: Parameters) -> Oscillator[Any]:
@@ -59,8 +65,9 @@ def strobe(
     periods: int = 1,
 ) -> Orbit[E]:
     """Return `follow` from t = 0 to ``periods`` T: the end is Φⁿ(state), the monodromy (Φⁿ)'."""
-    start, end = Moment(Ball(0), Ball(0), Ball(1)), Moment(periods * osc.T, Ball(0), Ball(1))
-    return follow(osc, State(start, *state), expected, end, kind)
+    x, v = state
+    start, end = BEGIN, Moment(periods * osc.T, interval.ZERO, interval.ONE)
+    return follow(osc, State(start, x, v), expected, end, kind)
 
 
 def follow(
@@ -77,7 +84,7 @@ def follow(
     rests; the `Orbit` encloses all this.  Raises `NotProved` with the event that is undecided: the
     box or a window may be too large, or the orbits different.  ``expected`` needs no trust.
     """
-    course = Course(osc, start, kind)
+    orbit = PartialOrbit(osc, start, kind)
     for number, event in enumerate(expected, start=1):
-        course.meet(event, number)
-    return course.finish(end)
+        orbit.meet(event, number)
+    return orbit.finish(end)

@@ -47,10 +47,10 @@ class Basin:
 
 
 def shape(point: FixedPoint) -> Rows:
-    """Return a matrix W in whose norm the derivative J = (Φⁿ)'(P*) contracts well; it only steers.
+    """Return a matrix W such that J = (Φⁿ)'(P*) contracts well in the norm |W z|; a hint.
 
-    In the units of x and v in which P* is known equally well.  Raises `NotProved` if J is not that
-    of a sink, as far as the digits of P* tell.
+    It is computed in the units of x and v in which P* is known equally well.  Raises `NotProved` if
+    J is not that of a sink, as far as the digits of P* tell.
     """
     unit = interval.ball(_unit(point))
     (a, b), (c, d) = point.orbit.monodromy

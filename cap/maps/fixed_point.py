@@ -89,28 +89,27 @@ def existence(
     box = hint.box(reach)
     orbit = strobe(osc, box, expected, BALLS, periods)
     with interval.guarded():  # K cannot be narrower than Φⁿ(m)
-        image = strobe(osc, hint.point, passed(orbit, expected), BALLS, periods).end
+        image = strobe(osc, hint.point, tightened(orbit, expected), BALLS, periods).end
     return Existence(contract(hint, image, orbit.monodromy, box), orbit, image)
 
 
-def passed(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
-    """Return the itinerary with windows little wider than ``orbit`` proves; captures' stay.
+def tightened(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
+    """Return the itinerary with windows a little wider than the times that ``orbit`` encloses.
 
-    After a capture the times are the same for all orbits: there is only the rounding to pass.
+    What is added exceeds the rounding errors of another computation: after a capture all orbits
+    have the same times, so nothing else makes them wide.  The windows of captures are kept.
     """
+    rounding = interval.rounding()
     return tuple(
-        old if _is_capture(old) else Expected(event.word, _rounded(event.time))
+        old
+        if _is_capture(old)
+        else Expected(old.word, event.time + interval.symmetric(event.time) * rounding)
         for event, old in zip(orbit.events, expected, strict=True)
     )
 
 
 def _is_capture(event: Expected) -> bool:
     return event.word.startswith("capture")
-
-
-def _rounded(time: Ball) -> Ball:
-    """Return a ball larger than ``time`` by what rounding may add to it."""
-    return time + interval.symmetric(time) * interval.rounding()
 
 
 def prove(
@@ -126,7 +125,7 @@ def prove(
     reach = radius * scale[0], radius * scale[1]
     expected = find_windows(osc, hint.box(reach), events, BALLS, n)
     box, orbit, image = existence(osc, hint, reach, expected, n)
-    expected, m = passed(orbit, expected), hint.point
+    expected, m = tightened(orbit, expected), hint.point
     while True:  # P* in box implies P* in K(box), with Φ' between m and P*: until nothing is gained
         way = interval.hull(box[0], m[0]), interval.hull(box[1], m[1])
         k = operator(hint, image, strobe(osc, way, expected, BALLS, n).monodromy, box)
@@ -150,7 +149,7 @@ def refined(
         windows = find_windows(osc, point, events, BALLS, start.periods)
         orbit = strobe(osc, point, windows, BALLS, start.periods)
         events = tuple(
-            event._replace(window=_representative(event)) for event in passed(orbit, windows)
+            event._replace(window=_representative(event)) for event in tightened(orbit, windows)
         )
         inverse = matrix.inverse(matrix.minus_identity(orbit.monodromy))
         defect = orbit.end[0] - point[0], orbit.end[1] - point[1]
@@ -183,7 +182,7 @@ def find_windows(
     kind: Enclosure[S],
     periods: int = 1,
 ) -> Itinerary:
-    """Return time windows, near the ``expected`` ones, for which `strobe` succeeds; it only steers.
+    """Return time windows near the ``expected`` ones for which `strobe` succeeds.
 
     A window that does not contain its Newton image is widened to hold it (epsilon inflation).
     """

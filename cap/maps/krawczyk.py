@@ -8,26 +8,42 @@ If K(Z) lies in the interior of Z, then G has exactly one zero in Z, and it lies
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple, cast
+from functools import cached_property
+from typing import Any, cast
 
 from cap.errors import NotProved
 from cap.sets import interval, matrix
-from cap.sets.interval import Ball, Box
+from cap.sets.interval import Ball, Box, Exact
 from cap.sets.matrix import Matrix
 from cap.sets.scalar import S
 
 
-class Preconditioner(NamedTuple):
+@dataclass(frozen=True)
+class Preconditioner:
     """The point m and the matrix C, exact; neither needs trust."""
 
     centre: tuple[Fraction, Fraction]
-    matrix: tuple[tuple[Fraction, Fraction], tuple[Fraction, Fraction]]
+    matrix: Matrix[Fraction]
+
+    @cached_property
+    def _exact(self) -> tuple[tuple[Exact, Exact], ...]:
+        """m and the rows of C as rationals of which balls are made fast, at any precision."""
+        pairs = self.centre, *self.matrix
+        return tuple((interval.exact(p), interval.exact(q)) for p, q in pairs)
 
     @property
     def point(self) -> Box:
         """m, enclosed."""
-        return interval.ball(self.centre[0]), interval.ball(self.centre[1])
+        x, v = self._exact[0]
+        return interval.ball(x), interval.ball(v)
+
+    @property
+    def rows(self) -> Matrix[Ball]:
+        """C, enclosed."""
+        _, (p, q), (r, s) = self._exact
+        return (interval.ball(p), interval.ball(q)), (interval.ball(r), interval.ball(s))
 
     def contains(self, box: Box, reach: tuple[Fraction, Fraction]) -> bool:
         """Return whether ``box`` lies in the interior of the rectangle; exact."""
@@ -38,8 +54,8 @@ class Preconditioner(NamedTuple):
 
     def box(self, reach: tuple[Fraction, Fraction]) -> Box:
         """Return a box that contains the rectangle of half-widths ``reach`` around m."""
-        x, v = (interval.around(c, half) for c, half in zip(self.centre, reach, strict=True))
-        return x, v
+        x, v = self._exact[0]
+        return interval.around(x, reach[0]), interval.around(v, reach[1])
 
 
 def operator(
@@ -56,11 +72,10 @@ def operator(
     A fixed point in ``box`` lies in K, if ``slope`` encloses Φ' also between there and m.
     """
     x, v = hint.point
-    (p, q), (r, s) = hint.matrix
-    c = (interval.ball(p), interval.ball(q)), (interval.ball(r), interval.ball(s))
-    rows = matrix.product(cast("Matrix[S]", c), matrix.minus_identity(slope))
-    (a, b), (e, d) = ((bound(p), bound(q)) for p, q in rows)
-    g, h = map(bound, matrix.apply(c, (image[0] - x, image[1] - v)))
+    rows = hint.rows
+    (p, q), (r, s) = matrix.product(cast("Matrix[S]", rows), matrix.minus_identity(slope))
+    a, b, e, d = bound(p), bound(q), bound(r), bound(s)
+    g, h = map(bound, matrix.apply(rows, (image[0] - x, image[1] - v)))
     dx, dv = box[0] - x, box[1] - v
     return (
         x - g + ((1 - a) * dx - b * dv),

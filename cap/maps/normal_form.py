@@ -98,7 +98,7 @@ def complex_map(x: Jet, v: Jet, linear: Ellipticity) -> Jet:
     dx = (bar * q - z * q.conjugate()) * half
     dv = (z - bar) * (p * half)
     image = Jet(space, [p * a + q * b for a, b in zip(x.coefficients, v.coefficients, strict=True)])
-    return substitute(image.without_constant(), (dx, dv))
+    return substitute(image.above(0), (dx, dv))
 
 
 def substitute(f: Jet, values: tuple[Jet, Jet]) -> Jet:

@@ -48,7 +48,10 @@ from cap.sets.interval import Ball, pi
 
 @dataclass(frozen=True)
 class Orbit:
-    """The values of δ, α, ρ, S, cos φ and W, of one scalar type; whether u > 0 is to be asked."""
+    """The values of δ, α, ρ, S, cos φ and W, of one scalar type.
+
+    They define an orbit if u > 0 on both flights: see `least_speed`.
+    """
 
     delta: Any
     alpha: Any

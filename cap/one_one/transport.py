@@ -51,8 +51,8 @@ def _flight(orbit: Orbit, s: int, hit: Hit, phases: Any, duration: Any) -> Hit:
         sin_end, cos_end = _sin_cos(phases[1], later)
         at, slope = rise.truncated(known), sin_end * s - d * orbit.alpha
         gap = at * d - (cos_end - cos.truncated(known)) * s - d * d * orbit.alpha / 2
-        d = d - gap.without_constant() / (at + slope)
-    later = (hit.delay + d).without_constant()
+        d = d - gap.above(0) / (at + slope)
+    later = (hit.delay + d).above(0)
     sin_end, _ = _sin_cos(phases[1], later)
     speed = rise + sin_end * s - d * orbit.alpha
     return Hit(later, speed * speed / 2)

@@ -51,7 +51,7 @@ def relax(mu: Interval, d: Interval) -> tuple[Interval, Interval, Interval]:
 
 
 def relax_double(mu: float, d: float) -> tuple[float, float, float]:
-    """Return (D, h, k) nearly: it steers."""
+    """Return approximations of (D, h, k): hints, not rigorous."""
     doublings, t = _halved(mu, d)
     k = t * t * _series(mu * t)
     h = t - mu * k

@@ -13,16 +13,21 @@ from contextlib import AbstractContextManager
 from fractions import Fraction
 from math import floor, log10
 
+import flint
 from flint import acb, arb, ctx, fmpq
 
 from cap.errors import NotProved
 
+FLINT: str = flint.__version__
 Ball = arb
 ComplexBall = acb
 Box = tuple[arb, arb]
+Exact = fmpq  # a rational: balls are made of it five times as fast as of a `Fraction`
 workprec = ctx.workprec
 
 LARGEST = 2**20  # exponent of what becomes a fraction
+HUGE = arb((1, LARGEST))
+ZERO, ONE = arb(0), arb(1)
 _STATED = re.compile(r"-?\d+(\.\d+|/\d+)?", re.ASCII)
 
 
@@ -39,12 +44,17 @@ def working_bits() -> int:
     return int(ctx.prec)
 
 
-def ball(value: Fraction | int) -> arb:
+def exact(value: Fraction | int) -> fmpq:
+    """Return the rational ``value``, ready to become balls at any precision."""
+    return fmpq(value.numerator, value.denominator)
+
+
+def ball(value: Fraction | int | Exact) -> arb:
     """Return a ball that contains the rational ``value``."""
-    return arb(fmpq(value.numerator, value.denominator))
+    return arb(value if isinstance(value, fmpq) else exact(value))
 
 
-def around(centre: Fraction, radius: Fraction) -> arb:
+def around(centre: Fraction | Exact, radius: Fraction) -> arb:
     """Return a ball that contains [centre - radius, centre + radius]."""
     return arb(0, ball(radius)) + ball(centre)
 
@@ -82,16 +92,19 @@ def rational(x: arb) -> Fraction:
 
 
 def integers(first: arb, last: arb) -> range:
-    """Return all integers between a point of ``first`` and one of ``last``, which are finite."""
+    """Return all integers between a point of ``first`` and one of ``last``.
+
+    Raises `NotProved` if an end is not finite, or too large for its floor at the precision here.
+    """
     return range(-_floor(-first.lower()), _floor(last.upper()) + 1)
 
 
 def _floor(x: arb) -> int:
-    """Return the largest integer at most the ball of radius zero; see `rational`."""
-    mantissa, exponent = map(int, x.man_exp())
-    if exponent > LARGEST:
+    """Return the largest integer at most the ball of radius zero."""
+    floor = x.floor().unique_fmpz() if abs(x) < HUGE else None
+    if floor is None:
         raise NotProved("evaluation", "a number is too large to count to", {"value": x})
-    return mantissa << exponent if exponent > 0 else mantissa >> -exponent
+    return int(floor)
 
 
 def ends(x: arb) -> tuple[Fraction, Fraction]:
@@ -103,7 +116,7 @@ def ends(x: arb) -> tuple[Fraction, Fraction]:
 
 
 def midpoint(x: arb) -> Fraction:
-    """Return the exact middle of a finite ball; it only steers, nothing is proved with it."""
+    """Return the exact middle of a finite ball: a hint, nothing is proved with it."""
     lower, upper = ends(x)
     return (lower + upper) / 2
 

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 from itertools import combinations_with_replacement
 from math import factorial
+from operator import add, sub
 from typing import Any
 
 from cap.sets.scalar import Ring
@@ -33,6 +34,7 @@ class Space:
             for degree in range(order + 1)
             for chosen in combinations_with_replacement(range(variables), degree)
         ]
+        self.degrees = [sum(exponent) for exponent in self.exponents]
         self.index = {exponent: i for i, exponent in enumerate(self.exponents)}
         self.size = len(self.exponents)
         self._products: dict[tuple[int, int], Callable[[Any, Any], list[Any]]] = {}
@@ -103,9 +105,17 @@ class Jet(Ring):
         space = self.space.truncated(order)
         return Jet(space, self.coefficients + [0] * (space.size - len(self.coefficients)))
 
-    def without_constant(self) -> Jet:
-        """Return the jet minus its value: exactly zero at order zero."""
-        return Jet(self.space, [0, *self.coefficients[1:]])
+    def above(self, order: int) -> Jet:
+        """Return the jet without its terms up to ``order``: exactly zero there."""
+        size = self.space.truncated(order).size
+        return Jet(self.space, [0] * size + self.coefficients[size:])
+
+    def lowest(self) -> int:
+        """Return the degree below which all terms are the integer 0."""
+        for coefficient, degree in zip(self.coefficients, self.space.degrees, strict=True):
+            if coefficient.__class__ is not int or coefficient:
+                return degree
+        return self.space.order
 
     def derivative(self, variable: int) -> Jet:
         """Return the jet, one order lower, of the derivative by a variable."""
@@ -119,10 +129,16 @@ class Jet(Ring):
     def __add__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
             self._same_space(other)
-            pairs = zip(self.coefficients, other.coefficients, strict=True)
-            return Jet(self.space, [a + b for a, b in pairs])
+            return Jet(self.space, list(map(add, self.coefficients, other.coefficients)))
         first, *rest = self.coefficients
         return Jet(self.space, [first + other, *rest])
+
+    def __sub__(self, other: Any) -> Jet:
+        if isinstance(other, Jet):
+            self._same_space(other)
+            return Jet(self.space, list(map(sub, self.coefficients, other.coefficients)))
+        first, *rest = self.coefficients
+        return Jet(self.space, [first - other, *rest])
 
     def __neg__(self) -> Jet:
         return Jet(self.space, [-a for a in self.coefficients])
@@ -130,13 +146,16 @@ class Jet(Ring):
     def __mul__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
             self._same_space(other)
-            return Jet(self.space, self.space.product()(self.coefficients, other.coefficients))
+            multiply = self.space.product(self.lowest(), other.lowest())
+            return Jet(self.space, multiply(self.coefficients, other.coefficients))
         return Jet(self.space, [a * other for a in self.coefficients])
 
     def __truediv__(self, other: Any) -> Jet:
         if isinstance(other, Jet):
             return self.__mul__(other.reciprocal())
-        return Jet(self.space, [_quotient(a, other) for a in self.coefficients])
+        if isinstance(other, int):
+            return Jet(self.space, [_quotient(a, other) for a in self.coefficients])
+        return Jet(self.space, [a / other for a in self.coefficients])
 
     def _same_space(self, other: Jet) -> None:
         """Raise `ValueError` if the other jet has other variables or another order."""
@@ -145,7 +164,7 @@ class Jet(Ring):
 
     def powers(self) -> list[list[Any]]:
         """Return the coefficients of h, h², ..., hⁿ, where h is the jet without its value."""
-        h = self.without_constant().coefficients
+        h = self.above(0).coefficients
         powers = [h]
         for k in range(1, self.space.order):
             powers.append(self.space.product(k, 1)(powers[-1], h))
@@ -153,8 +172,12 @@ class Jet(Ring):
 
     def series(self, taylor: Sequence[Any]) -> Jet:
         """Return the composition g(self), ``taylor[k]`` = g⁽ᵏ⁾/k! at the value of the jet."""
-        result = [taylor[0]] + [0] * (self.space.size - 1)
-        for k, power in enumerate(self.powers(), start=1):
+        return self._combination(taylor, self.powers())
+
+    def _combination(self, taylor: Sequence[Any], powers: Sequence[list[Any]]) -> Jet:
+        """Return the sum of taylor[k] hᵏ, given the `powers` of h."""
+        result = [taylor[0], *(taylor[1] * a for a in powers[0][1:])]
+        for k, power in enumerate(powers[1:], start=2):
             start = self.space.truncated(k - 1).size
             result[start:] = [
                 a + taylor[k] * b for a, b in zip(result[start:], power[start:], strict=True)
@@ -168,7 +191,8 @@ class Jet(Ring):
     def sin_cos(self) -> tuple[Jet, Jet]:
         """Return the jets of sine and cosine."""
         sin, cos = sin_cos_series(self.coefficients[0], self.space.order)
-        return self.series(sin), self.series(cos)
+        powers = self.powers()
+        return self._combination(sin, powers), self._combination(cos, powers)
 
 
 def reciprocal_series(c: Any, order: int) -> list[Any]:

@@ -2,7 +2,7 @@
 
 A subclass lists its fields as annotations: float, int, `Interval`, or another record, which lies
 inside.  Compiled code is given the address of a record, and reads and writes the memory there, so a
-record may have many fields and yet be passed on for nothing.  A field that is a record is not
+record may have many fields, and is passed on at no cost.  A field that is a record is not
 assigned to but written into, with `assign`.
 """
 

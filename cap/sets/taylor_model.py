@@ -111,7 +111,7 @@ class TaylorModel(Ring):
         """
         order = self.domain.space.order
         constant = self.polynomial.coefficients[0] + Ball(0)
-        h = TaylorModel(self.domain, self.polynomial.without_constant(), self.remainder)
+        h = TaylorModel(self.domain, self.polynomial.above(0), self.remainder)
         size = h.bound()
         coefficients = taylor(constant, order)
         last = Jet.constant(coefficients[order], self.domain.space)

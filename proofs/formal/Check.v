@@ -13,8 +13,9 @@ Inductive test :=
   parameters | the_bracket_of_d | the_order_of_hits | least_speed_claim | hit_1_claim | hit_2_claim
 | speed_1_claim | speed_2_claim | forcing_1_claim | forcing_2_claim | box_claim | taylor_x_claim
 | taylor_v_claim | trace_claim | trace_in_minus_2_2 | no_resonance | the_entry_c | angle_claim
-| rotation_claim | twist_claim | twist_not_0
-| state_claim | derivative_claim | trace_outside_minus_2_2 | outer_claim | inner_claim | windows_of_hits | one_orbit_in_the_box | cells_of_the_box.
+| rotation_claim | twist_claim | twist_not_0 | state_claim | derivative_claim
+| trace_outside_minus_2_2 | outer_claim | inner_claim | windows_of_hits | one_orbit_in_the_box
+| cells_of_the_box.
 
 Section Check.
 

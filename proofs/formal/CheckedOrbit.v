@@ -2,8 +2,8 @@
 
 From Coq Require Import Reals Lra Lia ZArith Bool List.
 From Coquelicot Require Import Coquelicot.
-From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Numbers Units Enclosure
-  Data EvalOrbit EvalBox Check CheckedUnits.
+From Cap Require Import Statement Flight Jet Stages OneOne Asymmetric Symmetric Dip Orbit Numbers Units
+  Enclosure Data EvalOrbit EvalBox Check CheckedUnits.
 Open Scope R_scope.
 
 Section Orbit.
@@ -36,7 +36,8 @@ Qed.
 Lemma asymmetric_exists : asymmetric_ok n h = true ->
   exists d, d <> 0 /\ r - l < G d /\ friction l r d = f /\ inn d (bracket h).
 Proof.
-  assert (W := walls n parameters_ok). intros H. unfold asymmetric_ok in H. cbv zeta in H. rewrite !andb_true_iff, !orb_true_iff, !andb_true_iff in H.
+  assert (W := walls n parameters_ok). intros H.
+  unfold asymmetric_ok in H. cbv zeta in H. rewrite !andb_true_iff, !orb_true_iff, !andb_true_iff in H.
   destruct H as [[[H0 H1] H2] H3].
   assert (N0 := inn_num p (fst (d_ h))). assert (N1 := inn_num p (snd (d_ h))).
   set (d0 := value (fst (d_ h))) in *. set (d1 := value (snd (d_ h))) in *.

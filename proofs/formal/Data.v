@@ -1,8 +1,8 @@
 (** * The numbers of a certificate
 
     Exact: integers, fractions, decimals.  [value] is the real number, in the form in which Coq reads
-    and prints it (2 / 5, 0.25); [elliptic_claims_of] is what the theorem says with these numbers.  The hints
-    (brackets, cells, precision) do not occur in the theorem. *)
+    and prints it (2 / 5, 0.25); [elliptic_claims_of] and [saddle_claims_of] are what the theorems say
+    with these numbers.  The hints (brackets, cells, precision) do not occur in the theorems. *)
 
 From Coq Require Import Reals ZArith List.
 From Cap Require Import Statement Jet Enclosure.

@@ -18,7 +18,7 @@ from checker.test_checker_capture import CASES
 
 from cap.certificate import report
 from cap.checker.flow.capture import captures
-from cap.checker.flow.itinerary import in_order
+from cap.checker.flow.events import in_order
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import enclosure

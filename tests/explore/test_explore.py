@@ -18,7 +18,7 @@ import pytest
 
 from cap import verify
 from cap.command.entry import INTERRUPTED
-from cap.errors import BadInput, NotProved
+from cap.errors import NotProved
 from cap.explore import __main__ as explore
 from cap.explore import explorer, export, inventory
 from cap.explore.arrays import load
@@ -44,6 +44,7 @@ TINY = {
     "gallery": ["--values", "4.5", "--periods", "1"],
     "chatter": [],
     "manifolds": ["--length", "0.5", "--spacing", "0.02", "--periods", "8"],
+    "release": ["--points", "60", "--iterates", "3"],
     "attractor": ["--points", "4", "--transient", "50", "--F", "3"],
 }
 
@@ -393,14 +394,3 @@ def test_an_unknown_suffix_is_no_surprise_after_hours(monkeypatch):
     """It is refused before anything is computed."""
     monkeypatch.setattr("cap.floats.alignment.sali", lambda *_, **__: pytest.fail("computed"))
     assert run("sali", "--out", "sali.jpeg") == 2
-
-
-def test_a_runner_raises_what_is_wrong():
-    """An error is not an interrupt."""
-
-    def fails(_):
-        raise BadInput("no")
-
-    for jobs in (1, 2):
-        with pytest.raises(BadInput):
-            Runner(jobs).map(fails, [1, 2, 3], "test")

@@ -1,7 +1,6 @@
 """The explorer's command line: the order of words, files, figures of the paper, compiled code."""
 
 import os
-import signal
 import subprocess
 import sys
 import time
@@ -12,13 +11,11 @@ from threading import Thread
 import pytest
 
 from cap.command.entry import INTERRUPTED
-from cap.errors import BadInput
 from cap.explore import __main__ as explore
 from cap.floats import compiled
 from cap.floats.compiled import announced
 from cap.paper import command
 from cap.paper.registry import figure
-from cap.runner import Runner
 
 ROOT = Path(__file__).parents[2]
 
@@ -83,17 +80,6 @@ def test_an_interrupt_while_a_picture_is_written(tmp_path, monkeypatch, capsys):
     assert status == INTERRUPTED
     assert "## fig:cover" in (tmp_path / "comparison.md").read_text()
     assert {path.name for path in tmp_path.iterdir()} == {"cover.png", "cover.pdf", "comparison.md"}
-
-
-def killed(_task):
-    """End the process, as a system does that has no memory left."""
-    os.kill(os.getpid(), signal.SIGKILL)
-
-
-def test_a_process_that_is_killed():
-    """A line that says so, no traceback."""
-    with pytest.raises(BadInput, match="a process was killed"):
-        Runner(2).map(killed, [1, 2, 3], "test", processes=True)
 
 
 def add(numbers):

@@ -13,8 +13,8 @@ from support import rational, rounds, seeded
 from test_fuzz_propagation import DIGITS, check_events, check_state, simulated
 
 from cap.errors import NotProved
-from cap.flow.course import WORDS
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
+from cap.flow.orbit import WORDS
 from cap.flow.propagation import Happened, Image
 from cap.flow.strobe import State, follow, oscillator
 from cap.sets import interval

@@ -100,7 +100,7 @@ def test_slow_moments(p, s):
     """Where exp(μt) s v has its minima, with the sine and cosine there: against a fine grid."""
     random, osc = seeded(4), floats.oscillator(p)
     for _ in range(rounds(8)):
-        flight = replace(random_flight(random, osc), s=s)
+        flight = random_flight(random, osc)._replace(s=s)
 
         def grown(t, flight=flight):
             return math.exp(osc.mu * (t - flight.t)) * s * osc.velocity(flight, osc.moment(t))
@@ -267,7 +267,7 @@ def test_ball_constants_contain_the_exact_ones(p):
             flight = random_flight(random, osc)
             t = flight.t + random.uniform(0, 1) * osc.T
             x, v, start = (interval.ball(Fraction(q)) for q in (flight.x, flight.v, flight.t))
-            exact = replace(flight, x=x, v=v, t=start)
+            exact = flight._replace(x=x, v=v, t=start)
             results = state(balls, exact, interval.ball(Fraction(t)))
             for ball, number in zip(results, state(osc, flight, t), strict=True):
                 assert float(ball) == pytest.approx(number, abs=1e-11)

@@ -116,10 +116,10 @@ def test_sets_that_are_not_finite(monkeypatch, name, bad):
     """Every number would be in them: that is not told as a result."""
     one = Ball(1)
     monkeypatch.setattr(propagation, "_plan", lambda _p, _osc, _cloud, end: ((), end))
-    monkeypatch.setattr(propagation._Cloud, "advance", lambda *_: [])
+    monkeypatch.setattr(propagation._Doubleton, "advance", lambda *_: [])
     far(PAPER, P_STAR, 1)
     value = (one, bad) if name == "box" else ((one, one), (bad, one))
-    monkeypatch.setattr(propagation._Cloud, name, lambda _: value)
+    monkeypatch.setattr(propagation._Doubleton, name, lambda _: value)
     with pytest.raises(NotProved, match="too large"):
         far(PAPER, P_STAR, 1)
 

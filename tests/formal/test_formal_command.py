@@ -104,6 +104,14 @@ def test_other_certificates_and_bad_files_are_not_proved(installed, capsys, tmp_
     assert [line.split(":")[0] for line in out.splitlines()] == ["NOT PROVED BY COQ"] * 3
 
 
+@pytest.mark.parametrize("other", ["--explain", "--latex"])
+def test_what_the_checker_prints_is_not_asked_of_coq(capsys, other):
+    """Options of the checker's words are refused in one line, exit status 2."""
+    with pytest.raises(SystemExit, match="2"):
+        verify.main(["--formal", other, ELLIPTIC])
+    assert capsys.readouterr().err.startswith("error: --formal goes with neither")
+
+
 @pytest.mark.parametrize(("coqc", "what"), [(None, "coqc and coqdep"), ("exit 1", "libraries")])
 def test_without_coq_one_line_says_how_to_get_it(
     installed, capsys, tmp_path, monkeypatch, coqc, what

@@ -30,7 +30,7 @@ def prepared(p, state):
     cycle = near(p, *state)
     osc, units = oscillator(p), (Fraction(1), p.omega)
     point = fixed_point.prove(osc, Start(cycle.x, cycle.v, cycle.events), 30, units)
-    return osc, point, fixed_point.passed(point.orbit, Start(0, 0, cycle.events).expected())
+    return osc, point, fixed_point.tightened(point.orbit, Start(0, 0, cycle.events).expected())
 
 
 @pytest.fixture(scope="module", params=SINKS)
@@ -180,7 +180,7 @@ def test_a_shape_of_nothing(entry):
     with interval.workprec(160):
         _, point, _ = prepared(STRONG, (0.4064, -0.6708) if entry else (0.1992, -1.4002))
         (a, b), row = point.orbit.monodromy
-        orbit = replace(point.orbit, monodromy=((interval.Ball(entry) if entry else a, b), row))
+        orbit = point.orbit._replace(monodromy=((interval.Ball(entry) if entry else a, b), row))
         with pytest.raises(NotProved, match="no sink"):
             basin.shape(replace(point, orbit=orbit))
 

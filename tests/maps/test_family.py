@@ -95,11 +95,11 @@ def test_what_is_refused():
         good = problem(CORNER)
         hint, events = good.hint, good.events
         wide = (Fraction(0), Fraction(1, 2)), (Fraction(0), Fraction(1, 2))
-        far = hint._replace(centre=(hint.centre[0] + Fraction(1, 10), hint.centre[1]))
+        far = replace(hint, centre=(hint.centre[0] + Fraction(1, 10), hint.centre[1]))
         swapped = tuple(
             Expected(a.word, b.window) for a, b in zip(events, events[::-1], strict=True)
         )
-        zero = hint._replace(matrix=((Fraction(0),) * 2,) * 2)
+        zero = replace(hint, matrix=((Fraction(0),) * 2,) * 2)
         for rectangle, guess, itinerary in (
             (wide, hint, events),
             (CORNER, hint, events[:1]),
@@ -130,8 +130,8 @@ def test_cells_agree_if_one_image_lies_in_the_other_box():
                 agree(*pair)
         # boxes that overlap are not enough: the image must lie inside
         narrow = replace(one, reach=tuple(q / 100 for q in one.reach))
-        shifted = one.hint._replace(
-            centre=(one.hint.centre[0] + one.reach[0], one.hint.centre[1] + one.reach[1])
+        shifted = replace(
+            one.hint, centre=(one.hint.centre[0] + one.reach[0], one.hint.centre[1] + one.reach[1])
         )
         for odd in (narrow, replace(one, hint=shifted)):
             with pytest.raises(NotProved):

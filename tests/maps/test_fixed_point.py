@@ -122,7 +122,7 @@ def test_existence_refuses_squares_without_the_fixed_point():
 
         def attempt(dx, dv, radius):
             centre = rational(x) + dx, rational(v) + dv
-            moved = hint._replace(centre=centre)
+            moved = replace(hint, centre=centre)
             expected = find_windows(osc, moved.box((radius, radius)), near, BALLS)
             return existence(osc, moved, (radius, radius), expected)
 
@@ -193,7 +193,7 @@ def test_a_neighbourhood_away_from_the_fixed_point_is_refused(paper):
     neighbourhood(paper, point, (r, r))
     for dx, dv in ((2 * r, 0), (0, 2 * r), (-2 * r, -2 * r)):
         centre = point.hint.centre[0] + dx, point.hint.centre[1] + dv
-        moved = replace(point, hint=point.hint._replace(centre=centre))
+        moved = replace(point, hint=replace(point.hint, centre=centre))
         with pytest.raises(NotProved) as caught:
             neighbourhood(paper, moved, (r, r))
         assert caught.value.step == "Krawczyk"
@@ -244,9 +244,9 @@ def test_windows_after_a_capture_have_room():
         state = interval.ball(Fraction(cycle.x)), interval.ball(Fraction(cycle.v))
         windows = find_windows(osc, state, start.expected(), BALLS)
         orbit = strobe(osc, state, windows, BALLS)
-        passed = fixed_point.passed(orbit, windows)
-        strobe(osc, state, passed, BALLS)
-        for event, old, new in zip(orbit.events, windows, passed, strict=True):
+        tight = fixed_point.tightened(orbit, windows)
+        strobe(osc, state, tight, BALLS)
+        for event, old, new in zip(orbit.events, windows, tight, strict=True):
             assert interval.subset_interior(event.time, new.window)
             if event.word.startswith("capture"):
                 assert new == old

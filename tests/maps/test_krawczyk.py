@@ -1,5 +1,6 @@
 """Krawczyk's operator: it finds known fixed points, and proves nothing where there is none."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -196,7 +197,7 @@ def test_indeterminate_input_is_refused():
     """NaN in the image, the slope or the box proves nothing."""
     good = Affine(((Half, Fraction(0)), (Fraction(0), Half)), (Fraction(0), Fraction(0)))
     hint = Preconditioner((Fraction(0),) * 2, ((Fraction(-2), Fraction(0)),) * 2)
-    hint = hint._replace(matrix=((Fraction(-2), Fraction(0)), (Fraction(0), Fraction(-2))))
+    hint = replace(hint, matrix=((Fraction(-2), Fraction(0)), (Fraction(0), Fraction(-2))))
     box, image, slope = square((0, 0), 1), (Ball(0), Ball(0)), good.slope(None)
     contract(hint, image, slope, box)
     (a, b), (c, d) = slope

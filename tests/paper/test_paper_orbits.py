@@ -6,7 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats import cycles, swarm
+from cap.floats import swarm
+from cap.floats.search import search
 from cap.paper import escape, forcing
 from cap.paper.figure import Run, at
 from cap.parameters import PAPER
@@ -16,7 +17,7 @@ from cap.runner import Runner
 def test_the_period_of_the_sink_doubles():
     """At F = 1.529 that of the sink of F = 1.5; its mirror image is not counted twice."""
     p = at(F="1.5")
-    sinks = [("1.5", c) for c in cycles.cycles(p) if c.kind(conserves=True) == "sink focus"]
+    sinks = [("1.5", c) for c in search(p).isolated if c.kind(conserves=True) == "sink focus"]
     assert len(sinks) == 2
     assert forcing.doublings(sinks, Run(Runner(1), quick=True)) == [pytest.approx(1.5292254)]
 

@@ -95,7 +95,7 @@ def proved_point():
 
 def with_trace(point, trace):
     """Return the point as if its Jacobian had this trace."""
-    orbit = replace(point.orbit, monodromy=((trace, Ball(-1)), (Ball(1), Ball(0))))
+    orbit = point.orbit._replace(monodromy=((trace, Ball(-1)), (Ball(1), Ball(0))))
     return replace(point, orbit=orbit)
 
 
@@ -129,10 +129,9 @@ def test_the_claims_on_an_orbit_contain_both_ends_of_wide_enclosures():
     with interval.workprec(SETTING.bits):
         osc, point = proved_point()
         wide = interval.around(Fraction(0), Fraction(1, 2 * 10**7))
-        orbit = replace(
-            point.orbit,
+        orbit = point.orbit._replace(
             events=tuple(
-                replace(h, time=h.time + wide, velocity=h.velocity + wide, cos=h.cos + wide)
+                h._replace(time=h.time + wide, velocity=h.velocity + wide, cos=h.cos + wide)
                 for h in point.orbit.hits
             ),
             monodromy=tuple(tuple(e + wide for e in row) for row in point.orbit.monodromy),

@@ -123,7 +123,7 @@ def test_other_parameters(capsys, tmp_path, words):
         (("elliptic", "--digits", "3"), "--digits"),
         (("elliptic", "--digits", "-5"), "--digits"),
         (("elliptic", "--digits", "10000000"), "--digits"),
-        (("elliptic", "--order", "4"), "invalid choice"),
+        (("elliptic", "--order", "4"), "must be one of"),
         (("theorem",), "say what to prove"),
         ((), "say what to prove"),
         (("elliptic", "--unknown"), "unrecognized"),

@@ -107,7 +107,7 @@ def energy_in_the_islands() -> Verdict:
     return refuted(
         f"along P* friction takes the energy f · {hits}R = {work} in each period, exactly, which "
         "the forcing returns: the mass crosses the gap once after each hit, and never stops. "
-        "Preserved is area in the plane of states, not energy; a sink for energy works there too",
+        "Preserved is area in the plane of states, not energy",
         "The path between hits, from the stored certificate.",
         certificate="elliptic.json",
     )

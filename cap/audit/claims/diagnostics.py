@@ -101,8 +101,8 @@ def threshold_of_the_entropy() -> Verdict:
     return imprecise(
         "with two colours no box has more than log 2, so S_bb never exceeds it, and the criterion "
         "of Daza et al. (S_bb > log 2 implies a fractal border) decides nothing here; a straight "
-        f"border has S_bb = 1/2 in the limit of fine cells. The paper's {float(boundary)} is below "
-        "even that: it tells nothing of a fractal border",
+        "border along a side of the boxes has S_bb = 1/2 in the limit of fine cells. The paper's "
+        f"{float(boundary)} is below even that: it tells nothing of a fractal border",
         "Maximum and mean of the entropy of two colours, by sympy.",
     )
 

@@ -113,10 +113,10 @@ def scaling_of_the_hits() -> Verdict:
     return formula(
         true,
         stated_,
-        "A number of hits does not depend on the unit of time, F/(Rω) does; F/(Rω²) is the only "
-        "combination of these three that has no unit. With speeds of order F/ω and a period 2π/ω "
-        "hits are of the order 2πF/(Rω²). (F Δt/ω² is no length either.)",
-        "F/(Rω²), if a power law at all",
+        "A number of hits does not depend on the unit of time, F/(Rω) does; what these three give "
+        "without a unit is a function of F/(Rω²). With speeds of order F/ω and a period 2π/ω hits "
+        "are of the order 2πF/(Rω²). (F Δt/ω² is no length either.)",
+        "F/(Rω²), or a function of it",
     )
 
 

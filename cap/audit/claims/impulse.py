@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import formula, identity, symbols
-from cap.audit.means.balls import between, pair, precisely
+from cap.audit.means.balls import above, between, pair, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.orbits import States, at
@@ -120,12 +120,36 @@ def eventual_entry() -> Verdict:
     loss = f * 2 * sp.pi / w - 4 * F / w
     periods = sp.solve(u - sp.Symbol("n") * loss, sp.Symbol("n"))[0]
     identity("periods until a stop", periods, u * w / (2 * sp.pi * f - 4 * F))
+    found = stored("impulse-1.json")
+    p, claims = found.parameters, found.claims
+    need(p["F"] == p["omega"] == 1 and claims["margin"].lower > 0, "f is not above the bound")
     return corrected(
         "true, by another argument: the speed falls by at least fT - 4F/ω > 0 in each period "
         "without a stop, so every orbit stops within about uω/(2πf - 4F) periods, again and again; "
-        "Ω_NS is empty and Ω_dissip is all of X, hence forward invariant",
-        "u' = sgn(x') F cos ωt - f for u = |x'|, continuous through hits.",
+        "Ω_NS is empty and Ω_dissip is all of X, hence forward invariant. Explicitly, at F = ω = 1 "
+        f"and f = {p['f']} it rests within any time longer than {above(claims['delay'])} + "
+        f"{above(claims['delay_per_speed'])} |v|",
+        "u' = sgn(x') F cos ωt - f for u = |x'|, continuous through hits; theorem impulse.",
+        certificate="impulse-1.json",
         proof="periodic.md#the-impulse-bound",
+    )
+
+
+@claim("rem:fsc-vs-fimp", Kind.THEOREM, stated="f_imp = 2F/π, regardless of the impact pattern")
+def sharpness_of_the_bound() -> Verdict:
+    """2F/π is the bound for all impact patterns, and no better one holds for all gaps."""
+    claims = stored("impulse-1.json").claims
+    theta = sp.Symbol("theta", real=True)
+    speed = sp.sin(theta) - 2 * theta / sp.pi  # at f = 2F/π, less the mean speed R ω/π
+    identity("it is odd", speed.subs(theta, -theta), -speed)
+    identity("it vanishes at the hits", speed.subs(theta, sp.pi / 2), 0)
+    identity("its law of motion", sp.diff(speed, theta), sp.cos(theta) - 2 / sp.pi)
+    return confirmed(
+        "and it is sharp: for f = 2F/π and walls farther apart than "
+        f"{above(claims['gap'], 6)} F/ω² a T-periodic orbit with one hit of each wall "
+        "never stops",
+        "The orbit in closed form, by sympy; theorem impulse.",
+        certificate="impulse-1.json",
     )
 
 

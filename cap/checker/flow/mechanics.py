@@ -82,7 +82,7 @@ class Mechanics:
         self.order = order
         self.offsets = [z - c for z, c in zip(box, m, strict=True)]
         self.variables = [self._variable(n, *q) for n, q in enumerate(zip(box, m, strict=True))]
-        self.x, self.v = self.variables[:2]
+        self.x, self.v = (*self.variables, self.constant(self.number(Fraction(0))))[:2]
         self.P = self.number(p.F / p.omega**2)
         self.minima = self._minima(p.f / p.F, periods)
 

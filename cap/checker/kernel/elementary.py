@@ -27,6 +27,7 @@ half of itself at each step.
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cache
 from math import isqrt
 
 from cap.checker.kernel.interval import Interval
@@ -35,6 +36,7 @@ from cap.checker.kernel.rejection import need
 _HALVINGS = 9  # then x <= 2^-8, so each term of the arctangent is 16 bits smaller than the last
 
 
+@cache
 def pi(bits: int) -> Interval:
     """Return an enclosure of pi, at most two units 2^-bits wide."""
     p = bits + bits.bit_length() + 8  # the error is below 20 (p + 1) < 2^(p - bits - 1)

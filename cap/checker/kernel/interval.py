@@ -7,8 +7,9 @@ because
     floor(a) <= a <= ceil(a),    ceil(a) = -floor(-a),    and Python's ``//`` and ``>>`` are floor.
 
 Sums and products by an integer are exact.  The product of two integers in units 2^-bits has the
-unit 2^-2bits; one shift brings it back.  The extrema of x y over X x Y are at the corners, and
-those of x / y with y > 0 at x = lo for the least and at x = hi for the greatest value.
+unit 2^-2bits; one shift brings it back.  The extrema of x y over X x Y are at the corners; if X has
+one sign, the sign of an end of Y tells at which end of X.  Those of x / y with y > 0 are at x = lo
+for the least and at x = hi for the greatest value.
 """
 
 from __future__ import annotations
@@ -69,7 +70,8 @@ class Interval:
         """Return the ends of the other operand in the unit of this one."""
         if isinstance(other, int):
             return other << self.bits, other << self.bits
-        need(other.bits == self.bits, "intervals of different precision met")
+        if other.bits != self.bits:
+            raise Rejected("intervals of different precision met")
         return other.lo, other.hi
 
     def __add__(self, other: Interval | int) -> Interval:
@@ -89,8 +91,13 @@ class Interval:
             a, b = (a, b) if other >= 0 else (b, a)
             return Interval(a * other, b * other, self.bits)
         c, d = self._ends(other)
-        corners = (a * c, a * d, b * c, b * d)
-        return Interval(min(corners) >> self.bits, -(-max(corners) >> self.bits), self.bits)
+        if a >= 0:
+            least, most = (a if c >= 0 else b) * c, (b if d >= 0 else a) * d
+        elif b <= 0:
+            least, most = (a if d >= 0 else b) * d, (b if c >= 0 else a) * c
+        else:
+            least, most = min(a * d, b * c), max(a * c, b * d)
+        return Interval(least >> self.bits, -(-most >> self.bits), self.bits)
 
     def __truediv__(self, other: Interval | int) -> Interval:
         c, d = self._ends(other)

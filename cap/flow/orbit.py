@@ -1,10 +1,9 @@
-"""The certified course of the orbits from a box: what has been proved of them, event by event.
+"""Certified orbits from a box of states: each event is proved, and that no other happens before it.
 
-This is the machine behind `cap.flow.strobe.follow`; see there for the words of events.
+`cap.flow.strobe.follow` applies this to an itinerary; its words are explained there.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Generic, NamedTuple, cast
 
 from cap.errors import BadInput, NotProved
@@ -23,7 +22,7 @@ from cap.flow.event import (
 )
 from cap.flow.model import Flight, Moment, Oscillator
 from cap.sets import interval
-from cap.sets.interval import Ball
+from cap.sets.interval import ONE, ZERO, Ball
 from cap.sets.matrix import Matrix
 
 WORDS = {
@@ -36,8 +35,9 @@ SIDES = {"r": 1, "l": -1, "right": 1, "left": -1}
 class State(NamedTuple, Generic[E]):
     """A box of states (x, v) at a moment.
 
-    ``wall`` is 1 or -1 if the mass is exactly at r or l, else 0: then x is taken to be that wall,
-    which it must meet.  A velocity that is exactly 0 is ``Ball(0)``; any other must have a sign.
+    ``wall`` is 1 or -1 if the mass is exactly at r or l, else 0.  At a wall the enclosure of the
+    wall is used in the place of x, which must overlap it.  A velocity that is exactly 0 is
+    ``Ball(0)``; any other must have a sign.
     """
 
     at: Moment[Ball]
@@ -46,16 +46,15 @@ class State(NamedTuple, Generic[E]):
     wall: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Orbit(Generic[E]):
-    """Enclosures over a box of initial states of all that happens until the end.
+class Orbit(NamedTuple, Generic[E]):
+    """Enclosures of the orbits from a box of initial states until the end.
 
-    ``s`` is the sign of the first flight, 0 if the mass rests; ``events`` in order of time; ``end``
-    is the state at the end; ``monodromy`` encloses its derivative at every state of the box, along
-    the box: if x is at a wall, or v exactly 0, then this does not vary, and its column is 0.  (Nor
-    need there be a derivative across the box: for v = 0, launched at once, those by v from either
-    side differ by the factor of a turning.)  For orbits that neither turn nor rest, without
-    viscosity, ``least_speed`` encloses the least |v|.
+    ``s`` is the sign of the first flight, 0 if the mass rests.  ``events`` are in order of time.
+    ``end`` encloses the states at the end, and ``monodromy`` their derivative in the initial state,
+    at every state of the box.  A coordinate that is the same in the whole box, as x at a wall, or
+    v = 0, has the column 0.  (At v = 0 the map need not be differentiable in v: the derivatives
+    from the two sides may differ, by the factor of a turning.)  ``least_speed`` encloses the least
+    |v| of orbits that neither turn nor rest, without viscosity.
     """
 
     s: int
@@ -87,8 +86,12 @@ def placed(osc: Oscillator[Any], start: State[E], bound: Callable[[E], Ball]) ->
     return start
 
 
-class Course(Generic[E]):
-    """What has been proved of the orbits so far: they fly (``flight``), or rest at ``place``."""
+class PartialOrbit(Generic[E]):
+    """The orbits from a box up to the last event proved; then they fly, or rest at ``place``.
+
+    ``flight`` is None during a rest.  ``now`` encloses the time of the last event over the box;
+    ``before`` is the same as a function of the state.
+    """
 
     def __init__(self, osc: Oscillator[Any], start: State[E], kind: Enclosure[E]) -> None:
         self.osc, self.kind, self.bound = osc, kind, kind.bound
@@ -98,9 +101,9 @@ class Course(Generic[E]):
         self.released: int | None = None
         self.now, self.before = start.at.t, cast(E, start.at.t)
         velocity = self.bound(start.v)
-        self.monodromy = cast(
-            "Matrix[E]", ((int(not start.wall), 0), (0, int(not velocity.is_zero())))
-        )
+        x_varies = ZERO if start.wall else ONE
+        v_varies = ZERO if velocity.is_zero() else ONE
+        self.monodromy: Matrix[Any] = (x_varies, ZERO), (ZERO, v_varies)
         self.events: list[Event[E]] = []
         self.least = abs(velocity)
         self.s = _begin(self, start)
@@ -159,7 +162,7 @@ class Course(Generic[E]):
         force = self.bound(osc.forcing(moment))
         self._decide(side, force, expected, number)
         (a, b), (c, d) = self.monodromy
-        zero = cast(E, Ball(0))
+        zero: Any = ZERO
         if side:
             factor = osc.turning_factor(s, moment.cos)
             self.monodromy = (a, b), (factor * c, factor * d)
@@ -167,11 +170,11 @@ class Course(Generic[E]):
         else:
             self.monodromy = (a, b), (zero, zero)
             self._rest(x, self.now)
-        self.least = Ball(0)
+        self.least = ZERO
         self.events.append(Event(expected.word, moment.t, zero, moment.cos))
 
     def _decide(self, side: int, force: Ball, expected: Expected, number: int) -> None:
-        """Prove what the forcing makes of a mass whose velocity vanishes."""
+        """Prove that a mass whose velocity vanishes turns to this side, or sticks (side 0)."""
         f = self.osc.f
         decided = side * force > f if side else abs(force) < f
         if not decided:
@@ -189,7 +192,7 @@ class Course(Generic[E]):
         if self.flight is None or last is None or last.word != f"hit {wall}":
             raise NotProved(f"event {number}", f"a capture must follow a hit {wall}")
         speed = osc.e * abs(self.bound(last.velocity))
-        entry = capture.Entry(self.now, Ball(0), speed, leaving=True)
+        entry = capture.Entry(self.now, ZERO, speed, leaving=True)
         try:
             found = capture.accumulation(osc, side, entry, expected.window)
         except capture.TooEarly as miss:
@@ -198,9 +201,9 @@ class Course(Generic[E]):
         self._captured(side, found, expected)
 
     def _captured(self, side: int, found: capture.Accumulation, expected: Expected) -> None:
-        zero = cast(E, Ball(0))
+        zero: Any = ZERO
         self.monodromy = (zero, zero), (zero, zero)
-        self.now, self.before, self.least = found.time, cast(E, found.time), Ball(0)
+        self.now, self.before, self.least = found.time, cast(E, found.time), ZERO
         self._rest(cast(E, self.osc.wall(side)), found.time, side)
         cos = cast(E, self.osc.moment(found.time).cos)
         self.events.append(Event(expected.word, cast(E, found.time), zero, cos))
@@ -212,12 +215,12 @@ class Course(Generic[E]):
             raise NotProved(f"event {number}", f"the wall is in the way: no {expected.word}")
         k = self._release_number(side, number)
         moment = cast("Moment[E]", self.osc.slow(side, k))
-        self.flight = self.osc.launch(side, moment, self.place, cast(E, Ball(0)))
+        self.flight = self.osc.launch(side, moment, self.place, cast(E, ZERO))
         self.now, self.before, self.released = self.bound(moment.t), moment.t, k
-        self.events.append(Event(expected.word, moment.t, cast(E, Ball(0)), moment.cos))
+        self.events.append(Event(expected.word, moment.t, cast(E, ZERO), moment.cos))
 
     def _release_number(self, side: int, number: int) -> int:
-        """Prove when the rest ends, and that it does to this side; return the slow moment's number.
+        """Prove that the rest ends to this side; return the number of the slow moment when it does.
 
         In the interior it ends when |F cos ωt| reaches f; at the time since when the mass rests,
         |F cos ωt| < f, and sin ωt says where it is reached.  At a wall it ends when the forcing
@@ -234,7 +237,7 @@ class Course(Generic[E]):
         osc, flight = self.osc, self.flight
         if flight is None:
             self._rests_until(end)
-            state = self.place, cast(E, Ball(0))
+            state = self.place, cast(E, ZERO)
         else:
             moment = cast("Moment[E]", end)
             state = osc.position(flight, moment), osc.velocity(flight, moment)
@@ -247,9 +250,7 @@ class Course(Generic[E]):
             if not osc.l < self.bound(x) < osc.r:
                 reason = "the orbit may reach a wall once more before the end"
                 raise NotProved("end", reason, {"x": self.bound(x)})
-        (a, b), (c, d) = self.monodromy
-        monodromy = (_scalar(a), _scalar(b)), (_scalar(c), _scalar(d))
-        return Orbit(self.s, tuple(self.events), state, monodromy, self.least)
+        return Orbit(self.s, tuple(self.events), state, self.monodromy, self.least)
 
     def _rests_until(self, end: Moment[Ball]) -> None:
         """Prove that the rest has begun and not ended: no slow moment to a free side is between."""
@@ -264,37 +265,32 @@ class Course(Generic[E]):
                     raise NotProved("end", "the mass may be released before the end", {"at": t})
 
 
-def _scalar(entry: E) -> E:
-    """Return the entry, a ball if it still is the integer that it was at the start."""
-    return cast(E, Ball(entry)) if isinstance(entry, int) else entry
-
-
-def _begin(course: Course[E], start: State[E]) -> int:
+def _begin(orbit: PartialOrbit[E], start: State[E]) -> int:
     """Prove how the orbits begin; return the sign of the first flight, or 0 for a rest."""
-    v = course.bound(start.v)
+    v = orbit.bound(start.v)
     if v > 0 or v < 0:
         s = 1 if v > 0 else -1
         if start.wall == s:
             raise NotProved("start", "the mass moves into the wall: begin with the velocity after")
-        course.flight = course.osc.launch(s, start.at, start.x, start.v)
+        orbit.flight = orbit.osc.launch(s, start.at, start.x, start.v)
         return s
     if not v.is_zero():
         raise NotProved("start", "the velocity may vanish at the start", {"v": v})
-    return _begin_at_rest(course, start)
+    return _begin_at_rest(orbit, start)
 
 
-def _begin_at_rest(course: Course[E], start: State[E]) -> int:
+def _begin_at_rest(orbit: PartialOrbit[E], start: State[E]) -> int:
     """The same for a velocity that is exactly zero: the forcing decides.
 
     A wall holds the mass, with the help of friction, while the force away from it is at most f.
     """
-    osc, force = course.osc, course.osc.forcing(start.at)
+    osc, force = orbit.osc, orbit.osc.forcing(start.at)
     for side in (1, -1):
         if side * force > osc.f and side != start.wall:
-            course.flight = osc.launch(side, start.at, start.x, cast(E, Ball(0)))
+            orbit.flight = osc.launch(side, start.at, start.x, cast(E, ZERO))
             return side
     if not (start.wall * force > -osc.f if start.wall else abs(force) < osc.f):
         raise NotProved("start", "whether the mass moves at once is undecided", {"F cos wt": force})
-    (a, b), _ = course.monodromy
-    course.monodromy = (a, b), cast("tuple[E, E]", (0, 0))
+    (a, b), _ = orbit.monodromy
+    orbit.monodromy = (a, b), (ZERO, ZERO)
     return 0

@@ -1,0 +1,107 @@
+"""Pictures of the release map: its graph, and its orbits over a parameter."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import FigureBase
+from matplotlib.patches import Rectangle
+
+from cap.floats.findings import Floats
+from cap.floats.return_map import ReleaseMap, ReleaseOrbits
+from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, SYMBOLS, parameters, title
+
+RARE = 0.01  # of the places
+
+
+def release(findings: ReleaseMap | ReleaseOrbits, figure: FigureBase) -> None:
+    """Draw the graph, or the orbits."""
+    if isinstance(findings, ReleaseMap):
+        graph(findings, figure)
+    else:
+        orbits(findings, figure)
+
+
+def graph(findings: ReleaseMap, figure: FigureBase) -> None:
+    """Draw G by branches, the diagonal, an orbit as a cobweb; beside it the interval, enlarged."""
+    trapped = bool(np.isfinite(findings.critical))
+    axes = figure.subplots(1, 2 if trapped else 1, squeeze=False)[0]
+    _branches(findings, axes[0])
+    _cobweb(findings.orbit, axes[0])
+    axes[0].legend(title="half-periods", loc="upper left", ncols=2)
+    limits = float(findings.parameters.l), float(findings.parameters.r)
+    axes[0].set_xlim(limits)
+    axes[0].set_ylim(limits)
+    axes[0].set_title("all releases to the right")
+    if trapped:
+        low, high = findings.interval
+        axes[0].add_patch(_square(low, high))
+        _inside(findings, axes[1])
+    for each in axes:
+        each.plot(limits, limits, color=GREY, lw=0.6, ls="--", zorder=0)
+        each.set_xlabel("place $x$ of a release  [length]")
+        each.set_ylabel("next release $G(x)$, mirrored  [length]")
+        each.set_aspect("equal")
+    title(figure, findings, "Release map")
+
+
+def _branches(findings: ReleaseMap, axes: Axes) -> None:
+    """Draw each branch in the colour of its duration, rare ones in grey."""
+    durations, counts = np.unique(findings.half_periods, return_counts=True)
+    common = [int(n) for n in durations[counts > RARE * len(findings.x)] if n]
+    colours = {n: CYCLE[k % len(CYCLE)] for k, n in enumerate(common)}
+    for n, colour in colours.items():
+        axes.plot([], [], color=colour, lw=1.1, label=str(n))
+    axes.plot([], [], ".", ms=3, color=GREY, label="others")
+    for k in range(int(findings.branch.max()) + 1):
+        own = findings.branch == k
+        n = int(findings.half_periods[own][0])
+        mark = "-" if n in colours and own.sum() > 2 else "."
+        axes.plot(
+            findings.x[own], findings.value[own], mark, ms=1.5, color=colours.get(n, GREY), lw=1.1
+        )
+
+
+def _cobweb(orbit: Floats, axes: Axes) -> None:
+    """Draw an orbit: up or down to the graph, across to the diagonal."""
+    x = np.repeat(orbit, 2)
+    axes.plot(x[:-1], x[1:], color=BLACK, lw=0.35, alpha=0.7, zorder=1)
+
+
+def _square(low: float, high: float) -> Rectangle:
+    return Rectangle((low, low), high - low, high - low, fill=False, ec=RED, lw=1.0)
+
+
+def _inside(findings: ReleaseMap, axes: Axes) -> None:
+    """Draw the interval that is mapped into itself, with late iterates on the graph."""
+    low, high = findings.interval
+    own = (findings.x >= low) & (findings.x <= high)
+    axes.plot(findings.x[own], findings.value[own], color=BLUE, lw=1.2)
+    settled = findings.orbit[len(findings.orbit) // 4 :]
+    _cobweb(settled, axes)
+    late = findings.late[(findings.late >= low) & (findings.late <= high)]
+    axes.plot(
+        late, np.full_like(late, low), "|", ms=5, color=ORANGE, alpha=0.5, label="late iterates"
+    )
+    axes.axvline(findings.critical, color=RED, lw=0.7, ls=":", label="critical point")
+    axes.set_xlim(low, high)
+    axes.set_ylim(low, high)
+    axes.legend(loc="center right", frameon=True, framealpha=1, edgecolor="none")
+    axes.set_title("an interval mapped into itself")
+
+
+def orbits(findings: ReleaseOrbits, figure: FigureBase) -> None:
+    """Draw late iterates over the parameter, and the mean of log |G'| below."""
+    above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
+    x = np.broadcast_to(findings.values[:, None], findings.late.shape)
+    above.plot(x.ravel(), findings.late.ravel(), ".", ms=1.0, mew=0, color=BLUE, rasterized=True)
+    above.set_ylabel("place of a release  [length]")
+    below.plot(findings.values, findings.exponent, color=RED, lw=0.7)
+    below.axhline(0, color=GREY, lw=0.6)
+    below.set_ylabel(r"mean of $\log |G'|$")
+    finite = findings.exponent[np.isfinite(findings.exponent)]
+    below.set_ylim(
+        max(-2.0, float(finite.min(initial=0.0)) * 1.1), float(finite.max(initial=0.1)) * 1.2
+    )
+    below.set_xlabel(f"${SYMBOLS[findings.parameter]}$")
+    rest = "" if findings.complete else "  (interrupted)"
+    shown = parameters(findings.parameters, but=(findings.parameter,))
+    figure.suptitle(f"Orbits of the release map{rest}\n{shown}", fontsize=10)

@@ -1,0 +1,57 @@
+"""The release map as a findings: its branches, its interval, its orbits over a parameter."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from cap.errors import BadInput
+from cap.explore.commands import COMMANDS
+from cap.floats.return_map import ReleaseMap, ReleaseOrbits, release
+from cap.parameters import PAPER
+
+
+def test_the_graph():
+    """One branch fills the interval, which G takes into itself; there most iterates end."""
+    findings = release(PAPER, points=1000)
+    assert isinstance(findings, ReleaseMap)
+    low, high = findings.interval
+    inside = (findings.x > low) & (findings.x < high)
+    assert len(set(findings.branch[inside].tolist())) == 1
+    assert ((findings.value[inside] > low) & (findings.value[inside] < high)).all()
+    assert set(findings.half_periods[inside].tolist()) == {3}
+    assert ((findings.late > low) & (findings.late < high)).mean() > 0.5
+    assert len(findings.lines()) == 3
+    assert COMMANDS["release"].picture(findings, dpi=40).axes
+
+
+def test_over_a_parameter():
+    """In the window of period 3 the exponent is negative, at the paper's f it is positive."""
+    findings = release(PAPER, parameter="f", range=(0.39, 0.41), points=5, iterates=60)
+    assert isinstance(findings, ReleaseOrbits)
+    assert findings.exponent[0] < 0 < findings.exponent[2]
+    settled = findings.late[0].reshape(60, 4)[-3:]
+    assert len(set(np.round(settled[:, 1], 4))) == 3
+    assert len(findings.lines()) == 2
+    assert COMMANDS["release"].picture(findings, dpi=40).axes
+
+
+def test_without_an_interval():
+    """Where several branches are used no interval is shown."""
+    findings = release(replace(PAPER, f=Fraction(9, 20)), points=200)
+    assert np.isnan(findings.critical)
+    assert "no interval" in findings.lines()[-1]
+    assert COMMANDS["release"].picture(findings, dpi=40).axes
+
+
+def test_bad_requests():
+    """No friction, a range of no parameter, or one that is not increasing, a place in a wall."""
+    with pytest.raises(BadInput, match="f > 0"):
+        release(replace(PAPER, f=Fraction(0)))
+    with pytest.raises(BadInput, match="of a --parameter"):
+        release(PAPER, range=(0.1, 0.2))
+    with pytest.raises(BadInput, match="increasing"):
+        release(PAPER, parameter="f", range=(0.2, 0.1))
+    with pytest.raises(BadInput, match="between the walls"):
+        release(PAPER, start=(2.0,), points=10)
