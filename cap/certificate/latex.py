@@ -21,10 +21,15 @@ _DIGITS = ("Zero", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight
 
 
 def macros(c: Certificate, prefix: str, digits: int) -> Iterator[str]:
-    r"""Yield a LaTeX ``\newcommand`` for each number claimed, with so many digits."""
+    r"""Yield a LaTeX ``\newcommand`` for each number claimed, with so many digits.
+
+    Before those of a claim, a comment tells its symbol, where it has one, and its meaning.
+    """
     stem = "cap" + _name(prefix)
     for field in load(c.theorem).CLAIMS:
         if field.name in c.claims:
+            symbol = f"${field.symbol}$: " if field.symbol else ""
+            yield f"% {symbol}{field.meaning}"
             for path, claim, kind in _leaves(c.claims[field.name], field.shape, _name(field.name)):
                 exact = isinstance(claim, str | int) or kind in (region, number)
                 shown = str(claim) if exact else latex(claim, digits)

@@ -15,7 +15,7 @@ STORED = Path(__file__).parents[2] / "certificates"
 def macros(capsys, path, digits):
     """Return the macros printed for a file, name -> body."""
     assert verify.main(["--latex", "--latex-digits", str(digits), str(path)]) == 0
-    lines = capsys.readouterr().out.splitlines()
+    lines = [line for line in capsys.readouterr().out.splitlines() if line[0] != "%"]
     found = dict(re.fullmatch(r"\\newcommand\{\\(\w+)\}\{(.*)\}", line).groups() for line in lines)
     assert len(found) == len(lines)
     return found

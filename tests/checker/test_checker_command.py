@@ -133,7 +133,9 @@ def test_latex(files, capsys, good):
     out, err = capsys.readouterr()
     assert err.startswith("VERIFIED: ")
     macros = dict(
-        line.removeprefix("\\newcommand{\\cap").split("}{", 1) for line in out.splitlines()
+        line.removeprefix("\\newcommand{\\cap").split("}{", 1)
+        for line in out.splitlines()
+        if not line.startswith("% ")
     )
     assert macros["GoodTrace"] == "[-0.46029, -0.46028]}"
     lower, upper = json.loads(
