@@ -9,14 +9,14 @@ import pdoc
 
 import cap
 
-# pdoc has no names for the constructor of a NamedTuple whose annotations are strings
-OF_NAMED_TUPLES = r"Error parsing type annotation ForwardRef\(.*\) for cap\.[\w.]+\.__init__"
+# pdoc has no names for the constructor of a record whose annotations are strings, also inherited
+OF_RECORDS = r"Error parsing type annotation (ForwardRef\(.*\)|\w+) for cap\.[\w.]+\.__init__"
 
 
 def main(folder: Path) -> None:
     """Write a page for each module of `cap`, and the index, to a folder."""
     warnings.simplefilter("error")
-    warnings.filterwarnings("ignore", OF_NAMED_TUPLES)
+    warnings.filterwarnings("ignore", OF_RECORDS)
     for name in cap.__all__:  # what is loaded late is documented as well
         setattr(cap, name, getattr(cap, name))
     rooms = [module.name for module in pkgutil.iter_modules(cap.__path__, "cap.")]
