@@ -321,7 +321,7 @@ COMMANDS = {
             Option("points", option.count(2, 200_000), "places (4000), or values (400)", "N"),
             Option("start", option.numbers, "the orbit of this place", ("X",), 1),
             PARAMETER,
-            Option("range", option.numbers, "of the parameter (within 5 %)", ("Q0", "Q1"), 2),
+            Option("range", option.numbers, "of the parameter (within 5 %%)", ("Q0", "Q1"), 2),
             Option("iterates", option.count(1, 100_000), "of each orbit, after 60 (40)", "N"),
         ),
         (8.4, 4.6),

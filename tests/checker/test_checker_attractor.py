@@ -233,6 +233,14 @@ def test_the_itinerary():
     rejected(changed(STORED, "hints", "cells", 0, "events", windows[::-1]), ".")
 
 
+def test_one_release_only():
+    """What follows a release on the way is not said of the release map, but of an iterate."""
+    twice = lie("itinerary", STORED["claims"]["itinerary"] * 2)
+    for cell in twice["hints"]["cells"]:
+        cell["events"] *= 2
+    rejected(twice, "only release")
+
+
 def test_without_the_release(at):
     """Events that end with the stick are no passage."""
     short = changed(lie("itinerary", STORED["claims"]["itinerary"][:-1]),

@@ -128,4 +128,4 @@ def test_words_and_macros():
         assert part in line
     shown = list(macros(certificate, "a", 5))
     assert "\\newcommand{\\capAGap}{[0.66134, 0.66135]}" in shown
-    assert len(shown) == len(certificate.claims)
+    assert sum(line[0] != "%" for line in shown) == len(certificate.claims)

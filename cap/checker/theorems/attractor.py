@@ -6,7 +6,8 @@ x, -v, t + T/2).  So let x be the place of a release to the right, and G(x) the 
 release, mirrored if that is to the left; G takes a whole number n of half-periods.
 
 *Cells.*  An interval I = [a, b] is cut into cells.  On each, ``itinerary.follow`` proves the events
-of all its releases up to the next one, the same on all cells; G is the place of the last stick, an
+of all its releases up to the next one, which is the last and only one among them, the same on all
+cells; G is the place of the last stick, an
 analytic function of x; jets in x alone, in mean value form, enclose G' and G''.  From left to
 right, first G' has one sign, then, on cells that follow each other, G'' has the other, then G' has
 that.  So G' is strictly monotone on the middle cells, changes sign there, and G has one critical
