@@ -236,8 +236,8 @@ def test_the_itinerary():
 def test_one_release_only():
     """What follows a release on the way is not said of the release map, but of an iterate."""
     twice = lie("itinerary", STORED["claims"]["itinerary"] * 2)
-    for cell in twice["hints"]["cells"]:
-        cell["events"] *= 2
+    for cell in (*twice["hints"]["cells"], twice["hints"]):
+        cell["events" if "events" in cell else "basin_events"] *= 2
     rejected(twice, "only release")
 
 
