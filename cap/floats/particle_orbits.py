@@ -51,7 +51,7 @@ def continued(systems: Iterable[Particles], state: Sequence[float]) -> tuple[Flo
     """
     z, path, words = np.array(state, dtype=np.float64), None, None
     for system in systems:
-        z, path = fixed_point(system, z)
+        z, path = fixed_point(system, z.tolist())
         if path.words != (words or path.words):
             raise NotFound(f"the itinerary changes: {path.words}")
         words = path.words
