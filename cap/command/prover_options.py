@@ -108,6 +108,11 @@ class Asked:
     @classmethod
     def of(cls, options: argparse.Namespace, progress: Callable[[str], None]) -> "Asked":
         """Read the options; raise `BadInput` with what is wrong."""
+        if options.theorem in SYMBOLIC:
+            raise BadInput(
+                f"the theorem {options.theorem} has no certificate: its proof is printed by "
+                f"`python -m cap.prove {options.theorem}`"
+            )
         if options.theorem not in THEOREMS:
             raise BadInput(f"say what to prove: one of {', '.join(NAMES)}")
         asked = cls(

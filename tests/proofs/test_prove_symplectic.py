@@ -5,7 +5,8 @@ import pytest
 import sympy as sp
 from support import proving, seeded
 
-from cap.errors import NotProved
+from cap import prove_theorem
+from cap.errors import BadInput, NotProved
 from cap.proofs import symbolic, symplectic, symplectic_events, symplectic_tiling
 from cap.proofs.identities import identity, need
 from cap.proofs.symplectic_events import Masses
@@ -176,6 +177,12 @@ def test_the_command(capsys, tmp_path, monkeypatch):
         status, out, err = proving(capsys, "symplectic", *words)
         assert (status, out, err.count("\n")) == (2, "", 1)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_from_python():
+    """The interface, which returns certificates, says where the proof is printed."""
+    with pytest.raises(BadInput, match="python -m cap.prove symplectic"):
+        prove_theorem("symplectic")
 
 
 def test_the_command_fails(capsys, monkeypatch):
