@@ -181,7 +181,7 @@ def test_the_command(capsys, tmp_path, monkeypatch):
 
 def test_from_python():
     """The interface, which returns certificates, says where the proof is printed."""
-    with pytest.raises(BadInput, match="python -m cap.prove symplectic"):
+    with pytest.raises(BadInput, match=r"python -m cap\.prove symplectic"):
         prove_theorem("symplectic")
 
 
