@@ -10,10 +10,10 @@ from cap.certificate import report
 from cap.certificate import writer as certificate
 from cap.command.console import printable, protected, quoted, say
 from cap.command.progress import Progress
-from cap.command.prover_options import Asked, parser
+from cap.command.prover_options import Asked, parser, without_options
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
-from cap.proofs import theorems
+from cap.proofs import symbolic, theorems
 from cap.proofs.theorems import THEOREMS
 from cap.runner import Runner
 
@@ -24,9 +24,13 @@ def main(words: Sequence[str]) -> int:
     if options.list:
         for name, theorem in THEOREMS.items():
             print(f"{name:<12} {theorem.summary}")
+        for name in symbolic.NAMES:
+            print(f"{name:<12} {symbolic.proof(name).SUMMARY}")
         return 0
     progress = Progress()
     try:
+        if options.theorem in symbolic.NAMES:
+            return _symbolic(without_options(options).theorem)
         return _run(Asked.of(options, progress.tell).writable(), progress)
     except BadInput as error:
         progress.clear()
@@ -34,6 +38,17 @@ def main(words: Sequence[str]) -> int:
         return 2
     finally:
         progress.clear()
+
+
+def _symbolic(name: str) -> int:
+    """Prove a theorem that has no numbers and print its proof; return the status."""
+    try:
+        lines = symbolic.lines(name)
+    except NotProved as failure:
+        say(f"NOT PROVED ({name}).  {failure}", sys.stderr)
+        return 1
+    print("\n".join(lines), flush=True)
+    return 0
 
 
 def _run(asked: Asked, progress: Progress) -> int:

@@ -19,9 +19,11 @@ from cap.files import tried
 from cap.floats.candidates import Candidate, Request
 from cap.parameters import PAPER, Parameters, exact
 from cap.proofs.fixed_point import Setting
+from cap.proofs.symbolic import NAMES as SYMBOLIC
 from cap.proofs.theorems import THEOREMS
 from cap.runner import Runner, Tell
 
+NAMES = (*THEOREMS, *SYMBOLIC)
 ORDERS = ("3", "5", "7", "9")
 Range = tuple[Fraction | None, Fraction | None]
 
@@ -39,7 +41,7 @@ def parser() -> Parser:
         "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
         "python -m cap.prove capture;  python -m cap.prove branch --from 2/5",
     )
-    p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(THEOREMS))
+    p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(NAMES))
     p.add_argument("--list", action="store_true", help="say what can be proved")
     for name, value in PAPER.strings().items():
         p.add_argument(f"--{name}", metavar="Q", help=f"default {value}")
@@ -81,6 +83,16 @@ def parser() -> Parser:
     return p
 
 
+def without_options(options: argparse.Namespace) -> argparse.Namespace:
+    """Return the options of a theorem without numbers; raise `BadInput` if any is given."""
+    if options != parser().parse_args([options.theorem]):
+        raise BadInput(
+            f"the theorem {options.theorem} is about all parameters and writes no certificate: "
+            "give no options"
+        )
+    return options
+
+
 @dataclass(frozen=True)
 class Asked:
     """What is asked for: a request that makes sense."""
@@ -96,8 +108,13 @@ class Asked:
     @classmethod
     def of(cls, options: argparse.Namespace, progress: Callable[[str], None]) -> "Asked":
         """Read the options; raise `BadInput` with what is wrong."""
+        if options.theorem in SYMBOLIC:
+            raise BadInput(
+                f"the theorem {options.theorem} has no certificate: its proof is printed by "
+                f"`python -m cap.prove {options.theorem}`"
+            )
         if options.theorem not in THEOREMS:
-            raise BadInput(f"say what to prove: one of {', '.join(THEOREMS)}")
+            raise BadInput(f"say what to prove: one of {', '.join(NAMES)}")
         asked = cls(
             _request(options, progress),
             integer(options.digits, "digits", (6, 1000), 4),

@@ -17,7 +17,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.floats import candidates
 from cap.floats.periodic import Guess
-from cap.proofs import theorems
+from cap.proofs import symbolic, theorems
 
 ROOT = Path(__file__).parents[2]
 
@@ -251,4 +251,7 @@ def test_list_names_every_theorem(capsys):
     """`--list` says what can be proved."""
     status, out, _ = proving(capsys, "--list")
     assert status == 0
-    assert [line.split()[0] for line in out.splitlines()] == list(theorems.THEOREMS)
+    assert [line.split()[0] for line in out.splitlines()] == [
+        *theorems.THEOREMS,
+        *symbolic.NAMES,
+    ]
