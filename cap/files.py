@@ -23,15 +23,6 @@ def replacing(path: Path) -> Iterator[IO[bytes]]:
         raise
 
 
-def at_home() -> bool:
-    """Return whether there is a home directory; where not, libraries would make one called `~`."""
-    try:
-        Path.home()
-    except RuntimeError:
-        return False
-    return True
-
-
 def tried(path: Path) -> None:
     """Raise `OSError` if a file certainly cannot be written to ``path``, which is not touched.
 

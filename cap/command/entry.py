@@ -116,7 +116,8 @@ def _guarded(target: str, words: Sequence[str]) -> int:
     try:
         with loading():
             _escape()
-            _at_home()
+            if not at_home():
+                os.environ["HOME"] = os.devnull
             module, _, name = target.partition(":")
             command: Callable[[Sequence[str]], int] = getattr(import_module(module), name)
         return _flushed(command, words)
@@ -153,9 +154,9 @@ def _escape() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
-def _at_home() -> None:
-    if os.path.expanduser("~") == "~":  # noqa: PTH111 (pathlib raises an exception)
-        os.environ["HOME"] = os.devnull
+def at_home() -> bool:
+    """Return whether there is a home directory; where not, libraries would make one called `~`."""
+    return os.path.expanduser("~") != "~"  # noqa: PTH111 (pathlib raises an exception)
 
 
 def _unwritten(error: OSError) -> int:
