@@ -135,11 +135,14 @@ def _continued(system: Particles, mass: Fraction, pair: tuple[Guess, Guess]) -> 
             following, further = fixed_point(replace(system, masses=masses), z.tolist())
             if further.words != path.words:
                 raise NotFound("its itinerary changes")
-        except NotFound as reason:
+        except NotFound:
             step /= 2
             if step < SMALLEST:
                 at = ", ".join(f"{float(m):.6g}" for m in masses)
-                raise NotFound(f"continued from equal masses, before m = {at}: {reason}") from None
+                raise NotFound(
+                    f"an orbit continued from equal masses ends, or is lost by Newton's method, "
+                    f"before m = {at}"
+                ) from None
         else:
             part, z, path = then, following, further
     return Continued(pair, tuple(z.tolist()), path)

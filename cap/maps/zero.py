@@ -111,11 +111,15 @@ def refined(
     Nothing is proved here.
     """
     hint = Hint(tuple(guess), tuple(map(tuple, matrix)))
-    for _ in range(max(places) + 10):
-        m, rows, value = hint.point, hint.rows, problem.value(hint.point)
+    last: Fraction | None = None
+    while True:
+        rows, value = hint.rows, problem.value(hint.point)
         steps = [interval.midpoint(_dot(row, value)) for row in rows]
         moved = zip(hint.centre, steps, places, strict=True)
         hint = Hint(tuple(round(c - s, p) for c, s, p in moved), hint.matrix)
-        if all(abs(s) * 10**p < 1 for s, p in zip(steps, places, strict=True)):
+        size = max(abs(s) * 10**p for s, p in zip(steps, places, strict=True))
+        if size < 1:
             return hint
-    raise NotProved("Newton", "the iteration does not converge to an orbit", {"at": m[0]})
+        if last and 2 * size > last:
+            raise NotProved("Newton", "the iteration does not converge near the guess")
+        last = size
