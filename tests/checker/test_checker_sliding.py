@@ -17,7 +17,7 @@ from checker.tampered import accepted, fits_the_schema, malformed, moved
 STORED = Path(__file__).parents[2] / "certificates"
 
 
-@pytest.fixture(scope="module", params=["sliding-1.json", "sliding-2.json"])
+@pytest.fixture(scope="module", params=["sliding.json", "sliding-2.json"])
 def sliding(request):
     """Return a stored certificate: the second mass is the lighter one, or the heavier one."""
     return json.loads((STORED / request.param).read_text())
@@ -62,7 +62,9 @@ def test_against_the_motion(sliding):
         d, (a, b) = exact(claims["basin"]["speed"]), map(exact, claims["basin"]["drift"])
 
         def area(u_1, u_2):
-            return (side - sum((a * u + b * u**2) / q for u, q in zip((u_1, u_2), m, strict=True))) ** 2
+            return (
+                side - sum((a * u + b * u**2) / q for u, q in zip((u_1, u_2), m, strict=True))
+            ) ** 2
 
         values["basin_volume",] = 2 * mp.quad(area, [0, d], [0, d]) / (m[0] * m[1])
         for path, value in values.items():

@@ -57,9 +57,9 @@ class Sliding(Free):
         Field("strokes", [Quantity("R")] * 2, "stroke", "s", "by which x_1 and x_2 vary"),
         Field("turning_times", [Quantity("omega^-1")] * 2, "turn", "t_k",
               "of the turn left and the turn right of both masses, in (0, T)"),
-        Field("places", {"left": Quantity("R"), "gap": Quantity("R"), "right": Quantity("R")}, "",
-              "", "T-periodic orbits that touch nothing are those with these v and left < x_1, "
-              "x_2 - x_1 > gap, x_2 < right at t = 0"),
+        Field("places", {"left": Quantity("R"), "gap": Quantity("R"), "right": Quantity("R")},
+              "bound of the places", "x", "T-periodic orbits that touch nothing are those with "
+              "these v and left < x_1, x_2 - x_1 > gap, x_2 < right at t = 0"),
         Field("places_area", Quantity("R^2"), "area of the places", "A_p",
               "L^2/2, L = right - left - gap > 0"),
         Field("multiplier", Quantity(), "multiplier", r"\lambda",
