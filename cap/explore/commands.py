@@ -153,7 +153,7 @@ COMMANDS = {
         "--radius 1/40 --orbits 200 --periods 1000 --out portrait.png",
         "Around an elliptic orbit, or of a box, or of the whole plane if there is no such orbit.\n"
         "With --masses 1,9/10: projections to the planes of two masses (--orbits 40, --periods\n"
-        "150, --radius 1/200), half of the orbits from a ball around the orbit continued from\n"
+        "100, --radius 1/250), half of the orbits from a ball around the orbit continued from\n"
         "equal masses, and half from anywhere: mixed dynamics.",
         (
             ORBIT,

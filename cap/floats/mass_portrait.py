@@ -65,12 +65,12 @@ def portrait(  # noqa: PLR0913 (the options of the command)
     state: tuple[float, ...] | None = None,
     radius: float | None = None,
     orbits: int = 40,
-    periods: int = 150,
+    periods: int = 100,
     runner: Runner | None = None,
 ) -> MassPortrait:
     """Follow orbits from a ball around a T-periodic orbit, and as many from anywhere.
 
-    The ball has the radius ``radius`` (default 1/200) in units of R and Rω.
+    The ball has the radius ``radius`` (default 1/250) in units of R and Rω.
     """
     runner = runner or Runner()
     if orbits * (periods + 1) > MOST:
@@ -80,7 +80,7 @@ def portrait(  # noqa: PLR0913 (the options of the command)
     others = orbits // 2 if centre else orbits
     starts = drawn(system, others, 1)
     if centre:
-        starts = np.concatenate([_ball(system, centre, radius or 1 / 200, orbits - others), starts])
+        starts = np.concatenate([_ball(system, centre, radius or 1 / 250, orbits - others), starts])
     found = swarm(Seeds(system, periods), starts, runner, "portrait")
     return MassPortrait(
         parameters=p,
