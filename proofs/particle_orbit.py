@@ -65,11 +65,7 @@ def proof_of(theorem: str, setting: Setting, conclusion: Conclusion) -> Proof:
 
     Raises `NotProved` with the step that failed and the sets at which it did.
     """
-    guess = setting.particles
-    if guess is None or len(guess.masses) != 2:
-        raise BadInput(f"{theorem} is about two masses: give them, as --masses 1,9/10")
-    strings: dict[str, Any] = setting.parameters.elastic_strings()
-    strings["masses"] = [str(m) for m in guess.masses]
+    guess, strings = system(theorem, setting)
     with interval.workprec(setting.bits):
         orbit = located(setting, guess)
         claims = _claims(orbit) | conclusion(orbit)
@@ -80,6 +76,14 @@ def proof_of(theorem: str, setting: Setting, conclusion: Conclusion) -> Proof:
         return assembled(theorem, setting, strings, (box | claims, _hints(orbit)))
 
     return certified
+
+
+def system(theorem: str, setting: Setting) -> tuple[Guess, dict[str, Any]]:
+    """Return the guess, and the parameters for the certificate, of a theorem on two masses."""
+    guess = setting.particles
+    if guess is None or len(guess.masses) != 2:
+        raise BadInput(f"{theorem} is about two masses: give them, as --masses 1,9/10")
+    return guess, setting.parameters.elastic_strings() | {"masses": [str(m) for m in guess.masses]}
 
 
 def located(setting: Setting, guess: Guess) -> Orbit:

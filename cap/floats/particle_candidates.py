@@ -13,8 +13,7 @@ def particles(request: Request) -> Found:
 
     `particles` asks for two pairs of multipliers on the unit circle, `particles_saddle` for one.
     """
-    if len(request.masses) != 2:
-        raise BadInput(f"{request.kind} is about two masses: give --masses M1,M2, as 1,9/10")
+    _two_masses(request)
     if request.orbit or request.every:
         raise BadInput(f"{request.kind} finds its orbit itself: leave out --orbit and --all")
     system = Particles(request.parameters, request.masses)
@@ -25,6 +24,24 @@ def particles(request: Request) -> Found:
             lines = ["Two orbits of one mass, continued from equal masses, lead to:"]
             return Found([*lines, f"  {_told(found)}"], [_of_masses(system, found)])
     raise BadInput(_without(request, others))
+
+
+def touching_nothing(request: Request) -> Found:
+    """Return two masses without an orbit: what they do while they touch nothing has formulas."""
+    _two_masses(request)
+    request.parameters.elastic_strings()
+    if request.orbit or request.every:
+        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    masses = ", ".join(map(str, request.masses))
+    candidate = Candidate(Start(0.0, 0.0, ()), f"m = {masses}", particles=Guess(request.masses, ()))
+    return Found(["Closed form: no search is needed."], [candidate])
+
+
+def _two_masses(request: Request) -> None:
+    """Raise `BadInput` unless two positive masses are given."""
+    if len(request.masses) != 2:
+        raise BadInput(f"{request.kind} is about two masses: give --masses M1,M2, as 1,9/10")
+    Particles(request.parameters, request.masses)
 
 
 def _pairs_on_the_circle(found: Continued) -> int:

@@ -18,7 +18,7 @@ FLOW = {"kernel", "flow", "theorems", "verdict"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
 ROOMS["impulse"] = FLOW - {"flow"}
 ROOMS |= dict.fromkeys(("particles", "particles_saddle"), FLOW - {"flow"} | {"particles"})
-MORE = {"persistence": {"periodic"}}
+MORE = {"window": {"attractor"}, "persistence": {"periodic"}}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 

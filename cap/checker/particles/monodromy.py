@@ -117,17 +117,23 @@ def trace(A: Matrix) -> Interval:
 
 def rotation(M: Mechanics, D: Matrix, z: Interval, other: Interval) -> Plane:
     """Return the rotation of the pair with the reduced trace z in (-2, 2)."""
+    vectors = image(D, other)
+    areas = [turned(M, D, p) for p in vectors]
+    best = max(range(4), key=lambda n: abs(areas[n].lo + areas[n].hi))
+    return plane(M, D, z, vectors[best])
+
+
+def plane(M: Mechanics, D: Matrix, z: Interval, p: Vector) -> Plane:
+    """Return the rotation of the plane in which p lies, and in which D^2 - z D + 1 = 0."""
     s = (-(z / 2).square() + 1).sqrt()
-    p = max(image(D, other), key=lambda p: abs(turned(M, D, p).lower + turned(M, D, p).upper))
-    area = turned(M, D, p)
+    angle, area = arccos(z / 2) / M.two_pi, turned(M, D, p)
     need(not area.contains_zero(), "the sign of a rotation is not certain")
-    angle = arccos(z / 2) / M.two_pi
     if not area.is_positive():
         s, angle = -s, -angle + 1
     scale = (s * area * 2).sqrt()
-    q = [dot(row, p) for row in D]
+    image = [dot(row, p) for row in D]
     # e = D p - (z/2 - i s) p
-    e = [Complex((b - z / 2 * a) / scale, s * a / scale) for a, b in zip(p, q, strict=True)]
+    e = [Complex((b - z / 2 * a) / scale, s * a / scale) for a, b in zip(p, image, strict=True)]
     return Plane(Complex(z / 2, s), angle, e)
 
 
