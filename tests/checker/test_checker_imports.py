@@ -17,6 +17,7 @@ STORED = Path(__file__).parents[2] / "certificates"
 FLOW = {"kernel", "flow", "theorems", "verdict"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
 ROOMS["impulse"] = FLOW - {"flow"}
+ROOMS["inventory"] = FLOW | {"one_one"}
 MORE = {"persistence": {"periodic"}}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
