@@ -37,6 +37,7 @@ from cap.sets.interval import Ball
 
 SUMMARY = "T-periodic orbits that touch no wall: a segment, with an open set that it attracts"
 SEARCH = candidates.closed_form
+_STICK = "the orbits that touch no wall may stick, not turn"
 PLACES = 8  # of the numbers that describe the basin
 
 
@@ -71,12 +72,13 @@ def lemma_1_velocity(osc: Oscillator[Ball]) -> Velocity:
     decay, h = (osc.relax(osc.mu, half)[:2]) if osc.viscous else (Ball(1), half)
     size = (osc.omega * osc.omega + osc.mu * osc.mu).sqrt()
     sine = osc.f * h * size / ((1 + decay) * osc.F)
+    if not sine < 1:
+        raise NotProved("Lemma 1", _STICK, {"what sin omega t would be at a turn": sine})
     start = -(sine.asin() + (osc.mu / osc.omega).atan()) / osc.omega
     at = osc.moment(start)
     force = osc.forcing(at)
     if not force > osc.f:
-        reason = "the orbits that touch no wall may stick, not turn"
-        raise NotProved("Lemma 1", reason, {"F cos wt at the turn": force, "f": osc.f})
+        raise NotProved("Lemma 1", _STICK, {"F cos wt at the turn": force, "f": osc.f})
     flight, now = osc.launch(1, at, Ball(0), Ball(0)), osc.moment(Ball(0))
     stroke = osc.position(flight, osc.moment(start + half))
     return Velocity(start, force, osc.velocity(flight, now), osc.position(flight, now), stroke)
