@@ -27,6 +27,7 @@ If c <= f the orbits that touch no wall stick: this theorem does not speak of th
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
@@ -37,6 +38,7 @@ from cap.sets.interval import Ball
 
 SUMMARY = "T-periodic orbits that touch no wall: a segment, with an open set that it attracts"
 SEARCH = candidates.closed_form
+_STICK = "the orbits that touch no wall may stick, not turn"
 PLACES = 8  # of the numbers that describe the basin
 
 
@@ -71,12 +73,13 @@ def lemma_1_velocity(osc: Oscillator[Ball]) -> Velocity:
     decay, h = (osc.relax(osc.mu, half)[:2]) if osc.viscous else (Ball(1), half)
     size = (osc.omega * osc.omega + osc.mu * osc.mu).sqrt()
     sine = osc.f * h * size / ((1 + decay) * osc.F)
+    if not sine < 1:
+        raise NotProved("Lemma 1", _STICK, {"what sin omega t would be at a turn": sine})
     start = -(sine.asin() + (osc.mu / osc.omega).atan()) / osc.omega
     at = osc.moment(start)
     force = osc.forcing(at)
     if not force > osc.f:
-        reason = "the orbits that touch no wall may stick, not turn"
-        raise NotProved("Lemma 1", reason, {"F cos wt at the turn": force, "f": osc.f})
+        raise NotProved("Lemma 1", _STICK, {"F cos wt at the turn": force, "f": osc.f})
     flight, now = osc.launch(1, at, Ball(0), Ball(0)), osc.moment(Ball(0))
     stroke = osc.position(flight, osc.moment(start + half))
     return Velocity(start, force, osc.velocity(flight, now), osc.position(flight, now), stroke)
@@ -111,7 +114,7 @@ def lemma_3_basin(
     length = interval.ball(Fraction(claims["right"][0]) - Fraction(claims["left"][1]))
     if not length > 0:
         raise TooFewDigits("Lemma 3", "the length of the segment is not certain", {"at": length})
-    drift = drift_of(osc, found)
+    drift = drift_of(osc, claims["turning_times"][0])
     speed = drift.speed(length)
     (a, b), U = drift.balls, interval.ball(speed)
     L = osc.r - osc.l - found.stroke
@@ -146,9 +149,12 @@ class Drift(NamedTuple):
         return _below(min(interval.ends(bound)[0] for bound in (*self.bounds, largest)))
 
 
-def drift_of(osc: Oscillator[Ball], found: Velocity) -> Drift:
-    """Return the bound D of (iii): d <= T (F + f)²/(4F), d <= t1 (F + f), t1 the turn left."""
-    turn, T = found.start + osc.T / 2, osc.T
+def drift_of(osc: Oscillator[Ball], turn_left: Pair) -> Drift:
+    """Return the bound D of (iii): d <= T (F + f)²/(4F), d <= t1 (F + f), t1 the turn left.
+
+    It holds for all t1 of the enclosure claimed.
+    """
+    turn, T = interval.hull(*(interval.ball(Fraction(end)) for end in turn_left)), osc.T
     kappa = (osc.F - osc.f) / (osc.F + osc.f)
     first = _above(turn + T * (osc.F - osc.f) / (4 * osc.f))
     second = _above(osc.f / ((osc.F + osc.f) ** 2 * (1 - kappa**4)))

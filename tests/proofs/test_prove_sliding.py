@@ -115,5 +115,8 @@ def test_where_it_is_not_proved():
         proved(Particles(PAPER, masses))
     with pytest.raises(NotProved, match="may stick"):
         proved(Particles(replace(PAPER, f=Fraction(3, 5)), (Fraction(1), Fraction(1))))
+    with pytest.raises(NotProved, match="may stick") as failed:
+        proved(Particles(replace(PAPER, f=Fraction(9, 10)), (Fraction(1), Fraction(1))))
+    assert "nan" not in str(failed.value)
     with pytest.raises(BadInput, match="friction"):
         proved(Particles(replace(PAPER, f=Fraction(0)), (Fraction(1), Fraction(1))))
