@@ -13,7 +13,7 @@ from pathlib import Path
 from cap.certificate import naming
 from cap.checker.theorems import load
 from cap.command.console import Parser, program, quoted
-from cap.command.option import choice, integer
+from cap.command.option import choice, integer, masses
 from cap.errors import BadInput
 from cap.files import tried
 from cap.floats.candidates import Candidate, Request
@@ -222,13 +222,8 @@ def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Re
         every=options.all,
         periods=integer(options.period, "period", (1, 16), 4),
         progress=progress,
-        masses=_masses(options.masses),
+        masses=masses([options.masses], "masses") if options.masses is not None else (),
     )
-
-
-def _masses(words: str | None) -> tuple[Fraction, ...]:
-    """Return the masses that are given, separated by commas."""
-    return tuple(exact(word) for word in words.split(",")) if words is not None else ()
 
 
 def _range(options: argparse.Namespace) -> Range:

@@ -19,6 +19,7 @@ ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"
 ROOMS["impulse"] = FLOW - {"flow"}
 ROOMS |= dict.fromkeys(("particles", "particles_saddle"), FLOW - {"flow"} | {"particles"})
 MORE = {"window": {"attractor"}, "persistence": {"periodic"}}
+ROOMS["inventory"] = FLOW | {"one_one"}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 

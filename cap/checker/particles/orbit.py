@@ -108,7 +108,8 @@ def apart(M: Mechanics, contact: Contact, end: Contact) -> None:
         if met.word == "meet 1 2":
             knots[n] = knots[n]._replace(gap=M.number(0))
     touching = [k for k in knots if not k.gap.is_positive()]
-    need(all(k in (knots[0], knots[-1]) and k.gap.width == 0 for k in touching), _MEET)
+    ends = (knots[0], knots[-1])
+    need(all(k in ends and k.gap.lo == k.gap.hi == 0 for k in touching), _MEET)
     for a, b in pairwise(knots):
         bend = bent(M, s, between(M, a, b))
         if bend > 0:

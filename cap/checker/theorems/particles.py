@@ -121,11 +121,14 @@ class Particles(PeriodicOrbit):
 
 
 def from_integers(u: Interval) -> Interval:
-    """Return an enclosure of the distances of the points of an interval from the integers."""
-    whole = round(u.midpoint().lower)
-    near, half = (u - whole).magnitude(), u.integer(1) / 2
-    far = -near + 1  # from the next integer
-    return Interval(max(min(near.lo, far.lo), 0), min(near.hi, half.hi), u.bits)
+    """Return an enclosure of the distances of the points of an interval from the integers.
+
+    The middle is at most 1/2 from an integer n: then no point is nearer to another one than the
+    nearest point is to n.
+    """
+    n = round((u.lower + u.upper) / 2)
+    near, half = (u - n).magnitude(), u.integer(1) / 2
+    return Interval(near.lo, min(near.hi, half.hi), u.bits)
 
 
 _TORI = (
