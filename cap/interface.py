@@ -224,6 +224,8 @@ def _word(name: str, value: Any) -> Any:
         return _state(value)
     if name == "journal":
         return Path(value)
+    if isinstance(value, float) and not math.isfinite(value):
+        raise BadInput(f"{name} = {value!r} is no number: write a decimal or a fraction, as text")
     if isinstance(value, float):
         raise BadInput(f'{name} = {value!r} is a binary double: write "{value!r}", or a fraction')
     return str(value)

@@ -134,6 +134,7 @@ def test_branch_on_an_executor():
         ({"period": 2}, "--period"),
         ({"digits": True}, "--digits"),
         ({"lowest": "2/5"}, "--from"),
+        ({"f": float("nan")}, "f = nan is no number"),
     ],
 )
 def test_bad_input(options, phrase):

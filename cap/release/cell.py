@@ -71,6 +71,6 @@ def cell(
     (x,) = Domain((reach,), ORDER).variables((m,))
     proved = passage(osc, x, windows(osc, x, expected, TAYLOR_MODELS), TAYLOR_MODELS)
     bound = TAYLOR_MODELS.bound
-    curve = 2 * bound(release_jet(osc, x, proved.events, 2)[(2,)]) if curved else None
+    curve = bound(2 * release_jet(osc, x, proved.events, 2)[(2,)] + Ball(0)) if curved else None
     value, slope = bound(proved.value), bound(proved.slope)
     return Cell(lower, upper, proved.times(bound), value, slope, curve, proved.half_periods)
