@@ -32,13 +32,13 @@ from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
+from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import interval
 from cap.sets.interval import Ball
 
 SUMMARY = "T-periodic orbits that touch no wall: a segment, with an open set that it attracts"
 SEARCH = candidates.closed_form
-_STICK = "the orbits that touch no wall may stick, not turn"
 PLACES = 8  # of the numbers that describe the basin
 
 
@@ -58,7 +58,7 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem segment needs friction: f > 0")
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)
-        velocity = lemma_1_velocity(osc)
+        velocity = lemma_1_velocity(osc, setting.parameters)
         claims = lemma_2_segment(osc, setting, velocity)
         claims |= lemma_3_basin(osc, setting, velocity, claims)
     hints = {"bits": str(setting.checker_bits)}
@@ -67,22 +67,34 @@ def prove(setting: Setting) -> Proof:
     return lambda _part: proved
 
 
-def lemma_1_velocity(osc: Oscillator[Ball]) -> Velocity:
+def lemma_1_velocity(osc: Oscillator[Ball], p: Parameters) -> Velocity:
     """*Statement.* v* turns twice in a period and never sticks.  *Computed.* c - f > 0."""
     half = osc.T / 2
     decay, h = (osc.relax(osc.mu, half)[:2]) if osc.viscous else (Ball(1), half)
     size = (osc.omega * osc.omega + osc.mu * osc.mu).sqrt()
     sine = osc.f * h * size / ((1 + decay) * osc.F)
     if not sine < 1:
-        raise NotProved("Lemma 1", _STICK, {"what sin omega t would be at a turn": sine})
+        raise _none(p, certain=bool(sine > 1))
     start = -(sine.asin() + (osc.mu / osc.omega).atan()) / osc.omega
     at = osc.moment(start)
     force = osc.forcing(at)
     if not force > osc.f:
-        raise NotProved("Lemma 1", _STICK, {"F cos wt at the turn": force, "f": osc.f})
+        raise _none(p, certain=bool(force < osc.f))
     flight, now = osc.launch(1, at, Ball(0), Ball(0)), osc.moment(Ball(0))
     stroke = osc.position(flight, osc.moment(start + half))
     return Velocity(start, force, osc.velocity(flight, now), osc.position(flight, now), stroke)
+
+
+def _none(p: Parameters, *, certain: bool) -> NotProved:
+    """Return what is said where v* sticks, or may stick."""
+    reason = "no T-periodic orbit that touches no wall turns without sticking"
+    if not certain:
+        reason = "whether T-periodic orbits that touch no wall turn or stick is undecided"
+    elif not p.mu:
+        reason += ", because f/F > 2/sqrt(4 + pi^2)"
+    ratio, most = p.f / p.F, float(2 / (4 + interval.pi() ** 2).sqrt())
+    sets = {"f/F": ratio} if p.mu else {"f/F": ratio, "2/sqrt(4 + pi^2)": f"{most:.6f}.."}
+    return NotProved("Lemma 1", reason, sets)
 
 
 def lemma_2_segment(osc: Oscillator[Ball], setting: Setting, found: Velocity) -> dict[str, Any]:

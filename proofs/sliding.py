@@ -42,7 +42,7 @@ def prove(setting: Setting) -> Proof:
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)
         shares = [1 / m for m in guess.masses]
-        velocity = lemma_1_velocity(osc)
+        velocity = lemma_1_velocity(osc, setting.parameters)
         side, claims = lemma_2_triangle(osc, setting, velocity, shares)
         drift = drift_of(osc, claims["turning_times"][0])
         claims |= lemma_3_basin(setting, drift, side, shares)

@@ -86,8 +86,14 @@ def test_without_viscosity_the_stroke_is_that_of_the_formula():
     assert number(claims_at(PAPER)["stroke"]) == pytest.approx(stroke, rel=1e-14)
     limit = Fraction(2 / math.sqrt(4 + math.pi**2))
     assert claims_at(replace(PAPER, f=limit - Fraction(1, 10**9)))
-    with pytest.raises(NotProved, match="may stick"):
-        claims_at(replace(PAPER, f=limit + Fraction(1, 10**9)))
+    for more in (limit + Fraction(1, 10**9), Fraction(7, 10), Fraction(99, 100)):
+        with pytest.raises(
+            NotProved, match=r"without sticking, because f/F > 2/sqrt\(4"
+        ) as refused:
+            claims_at(replace(PAPER, f=more))
+        assert "nan" not in str(refused.value)
+    with pytest.raises(NotProved, match="turns without sticking  "):
+        claims_at(replace(PAPER, f=Fraction(7, 10), mu=Fraction(1, 10)))
 
 
 def test_few_digits():
