@@ -27,6 +27,7 @@ If c <= f the orbits that touch no wall stick: this theorem does not speak of th
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
@@ -120,32 +121,57 @@ def lemma_3_basin(
 ) -> dict[str, Any]:
     """*Statement.* The open set of (iii), with its area.
 
-    *Computed.* d <= T (F + f)²/(4F), d <= t1 (F + f) for the turn left at t1, and D(d) <= right -
-    left: so d is all but the least of the three bounds.
+    *Computed.* D(d) <= right - left.
     """
-    turn, T = found.start + osc.T / 2, osc.T
-    kappa = (osc.F - osc.f) / (osc.F + osc.f)
-    first = _above(turn + T * (osc.F - osc.f) / (4 * osc.f))
-    second = _above(osc.f / ((osc.F + osc.f) ** 2 * (1 - kappa**4)))
-    a, b = interval.ball(first), interval.ball(second)
     length = interval.ball(Fraction(claims["right"][0]) - Fraction(claims["left"][1]))
     if not length > 0:
         raise TooFewDigits("Lemma 3", "the length of the segment is not certain", {"at": length})
-    bounds = (
-        T * (osc.F + osc.f) ** 2 / (4 * osc.F),
-        turn * (osc.F + osc.f),
-        2 * length / (a + (a * a + 4 * b * length).sqrt()),
-    )
-    speed = _below(min(interval.ends(bound)[0] for bound in bounds))
-    U, L = interval.ball(speed), osc.r - osc.l - found.stroke
+    drift = drift_of(osc, claims["turning_times"][0])
+    speed = drift.speed(length)
+    (a, b), U = drift.balls, interval.ball(speed)
+    L = osc.r - osc.l - found.stroke
     area = 2 * (L * U - a * U**2 / 2 - b * U**3 / 3)
     return {
-        "basin": {
-            "speed": interval.exact_decimal(speed),
-            "drift": [interval.exact_decimal(q) for q in (first, second)],
-        },
+        "basin": {"speed": interval.exact_decimal(speed), "drift": drift.strings},
         "basin_area": setting.rounding.pair(area, setting.units.area),
     }
+
+
+class Drift(NamedTuple):
+    """Numbers a, b of few digits: D(U) <= a U + b U² for U < d, if d is below the ``bounds``."""
+
+    first: Fraction
+    second: Fraction
+    bounds: tuple[Ball, Ball]
+
+    @property
+    def strings(self) -> list[str]:
+        """Return a and b, exactly."""
+        return [interval.exact_decimal(q) for q in (self.first, self.second)]
+
+    @property
+    def balls(self) -> tuple[Ball, Ball]:
+        """Return enclosures of a and b."""
+        return interval.ball(self.first), interval.ball(self.second)
+
+    def speed(self, room: Ball) -> Fraction:
+        """Return a number d of few digits, below the bounds, for which D(d) is below ``room``."""
+        a, b = self.balls
+        largest = 2 * room / (a + (a * a + 4 * b * room).sqrt())
+        return _below(min(interval.ends(bound)[0] for bound in (*self.bounds, largest)))
+
+
+def drift_of(osc: Oscillator[Ball], turn_left: Pair) -> Drift:
+    """Return the bound D of (iii): d <= T (F + f)²/(4F), d <= t1 (F + f), t1 the turn left.
+
+    It holds for all t1 of the enclosure claimed.
+    """
+    turn, T = interval.hull(*(interval.ball(Fraction(end)) for end in turn_left)), osc.T
+    kappa = (osc.F - osc.f) / (osc.F + osc.f)
+    first = _above(turn + T * (osc.F - osc.f) / (4 * osc.f))
+    second = _above(osc.f / ((osc.F + osc.f) ** 2 * (1 - kappa**4)))
+    bounds = T * (osc.F + osc.f) ** 2 / (4 * osc.F), turn * (osc.F + osc.f)
+    return Drift(first, second, bounds)
 
 
 def _above(x: Ball) -> Fraction:

@@ -1,6 +1,7 @@
 """The flow of cells: every orbit of a cell is in what is said of it."""
 
 from collections import Counter
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -221,3 +222,24 @@ def test_itineraries_as_numbers():
     assert words_of(number_of(words)) == words
     assert number_of(words * 4) == -1
     assert holds(interval.ball(len(WORDS)), 9)
+
+
+@pytest.mark.parametrize("f", [Fraction(1, 2), Fraction(7, 10)])
+def test_slow_at_a_wall_when_it_lets_go(f):
+    """Where a mass grazes a wall as the forcing away from it reaches f: small cells are decided."""
+    p, random = replace(PAPER, f=f), seeded(10)
+    slow = np.pi - np.arccos(float(f))  # then F cos t = -f: who is at rest at r leaves
+    before = slow + np.array([random.uniform(-0.08, 0.02) for _ in range(120)])
+    speeds = np.array([random.uniform(0, 4e-3) for _ in before])
+    v = speeds - np.sin(before) + float(f) * before  # at t = 0, of the flight that arrives so
+    x = 1 - (v * before + 1 - np.cos(before) - float(f) * before**2 / 2)
+    good = (abs(x) < 1) & (v > 0)
+    assert good.sum() > 20
+    half = 2e-6
+    boxes = np.stack([x - half, x + half, v - half, v + half], axis=1)[good]
+    images = flow(p, boxes, 1)
+    assert (images.verdict != OPEN).mean() > 0.97
+    for k in np.flatnonzero(images.verdict == UNION):
+        orbits, _ = followed(p, states(random, p, boxes[k], 20), 1)
+        for i in range(20):
+            check_orbit(p, images, k, orbits, i)

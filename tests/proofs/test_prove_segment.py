@@ -13,6 +13,7 @@ from cap.floats import swarm
 from cap.parameters import PAPER
 from cap.proofs import segment
 from cap.proofs.fixed_point import Setting
+from cap.proofs.theorems import THEOREMS, accepted
 
 SYSTEMS = {
     "paper": PAPER,
@@ -93,6 +94,12 @@ def test_without_viscosity_the_stroke_is_that_of_the_formula():
         assert "nan" not in str(refused.value)
     with pytest.raises(NotProved, match="turns without sticking  "):
         claims_at(replace(PAPER, f=Fraction(7, 10), mu=Fraction(1, 10)))
+
+
+def test_few_digits():
+    """The bound of the drift is one for the turn as it is claimed, with as few digits."""
+    for digits in (6, 7):
+        assert accepted(THEOREMS["segment"], Setting(PAPER, STARTS["elliptic"], digits))
 
 
 def test_what_is_refused():

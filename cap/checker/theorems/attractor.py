@@ -68,6 +68,10 @@ _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
 _MAX_EVENTS, _MAX_CELLS, _MAX_SYMBOLS = 32, 512, 8192
 _MAX_WORK = 5 << 22
+_POSITIVE = (
+    "only where the lower end of entropy is positive: then the entropy of the continuous map G of "
+    "the interval is"
+)
 _WINDOWS = Many(enclosure, 2, _MAX_EVENTS)
 
 
@@ -124,21 +128,20 @@ class Attractor(Theorem):
              "interval, itinerary, critical_point"),
             ("order", "the kneading sequence of G is decided up to where it differs from those of "
              "the tent maps with the slopes exp(lower) and exp(upper), lower and upper the ends "
-             "of entropy", "kneading, entropy"),
+             "of entropy (if lower = 0, from none; if upper = 0, from the limit of period "
+             "doubling)", "kneading, entropy"),
         ),
         cite(
             "Misiurewicz",
             "Misiurewicz, Horseshoes for mappings of the interval, Bull. Acad. Polon. Sci. 27, "
             "1979",
-            ("positive", "the entropy of the continuous map G of the interval is positive",
-             "entropy"),
+            ("positive", _POSITIVE, "entropy"),
         ),
         cite(
             "Li-Yorke",
             "Li and Yorke, Period three implies chaos, Amer. Math. Monthly 82, 1975; Block and "
             "Coppel, Dynamics in One Dimension, Springer LNM 1513, 1992",
-            ("positive", "the entropy of the continuous map G of the interval is positive",
-             "entropy"),
+            ("positive", _POSITIVE, "entropy"),
         ),
     )
     # fmt: on
