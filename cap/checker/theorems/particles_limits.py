@@ -6,7 +6,8 @@ Let q be the second mass, z_1 > z_2 the reduced traces, m the first mass.
    in it: so there is exactly one zero z(q) of G in the box, and it is analytic in q.  The same in
    small boxes inside for q = a and q = b: they contain z(a) and z(b).
 2. *flip*: for all q in [a, b] z(q) is an orbit on which no mass stops, and z_2(a) < -2 < z_2(b),
-   while z_1 is in (-2, 2) at both.  So z_2 = -2 for some q: there a double multiplier is -1.
+   while z_1 is in (-2, 2) at both: (z_1 + 2)(z_2 + 2), a polynomial in the entries of Phi', is
+   zero for some q, where a double multiplier is -1.
 3. *stop*: for all q in [a, b] the contacts of z(q) are transversal and in order, its masses apart,
    and its velocities at contacts of the signs of their flights.  At b they have these signs at all
    critical times, at a one of them has the other sign.  So for the largest q at which the least
@@ -73,7 +74,8 @@ class ParticlesLimits(Theorem):
         Field("itinerary", listed(Word(tuple(NORMALS))), "", "",
               "all contacts in (0, T), in their order"),
         Field("flip", Quantity("m"), "a multiplier is -1 at m_2 =", "m_2",
-              "contains a second mass with the multiplier -1: above it is elliptic, below not"),
+              "contains a second mass with the multiplier -1; elliptic at its upper end, not at "
+              "the lower one"),
         Field("stop", Quantity("m"), "a mass stops at m_2 =", "m_2",
               "contains a second mass with the least speed 0"),
     )
@@ -243,12 +245,13 @@ _LIMITS = (
     "m_i x_i'' = F cos(omega t) - f sgn x_i', i = 1, 2, with m_1 = {m[0]}, F = {F}, omega = "
     "{omega}, f = {f}, {l} <= x_1 <= x_2 <= {r}, elastic walls and elastic collisions, and the "
     "contacts {contacts} in a period T = 2 pi/omega: for each m_2 in {flip} there is exactly one "
-    "T-periodic orbit with these contacts in a box, no mass stops on it, at the upper end it is "
+    "T-periodic orbit on which no mass stops with these contacts in a box, at the upper end it is "
     "elliptic and at the lower end not, and for some m_2 in between one multiplier is -1; for each "
     "m_2 in {stop} the equations of the flights between these contacts have exactly one solution "
     "in a box, an orbit on which no mass stops at the upper end, and for some m_2 in between the "
-    "least speed of the orbit is 0; for all m_2 between the two intervals the equations have "
-    "solutions, and all these are one analytic family"
+    "least speed of the orbit is 0; for each m_2 between the two intervals the equations have a "
+    "solution, alone in a box of its own, and these join those of the two intervals to one family "
+    "that is analytic in m_2"
 )
 
 THEOREM = ParticlesLimits
