@@ -27,7 +27,7 @@ REASONS = {
     "other_friction": "when a window ends",
     "particles_limits_that_begin_with_other_masses": "not equal",
     "particles_limits_that_stop_too_late": "interior of its box",
-    "particles_limits_with_a_gap_between_cells": "may not be in the box of a cell",
+    "particles_limits_with_a_gap_between_cells": "interior of its box",
     "particles_saddle_called_elliptic": "cites",
     "particles_twist_with_the_other_sign": "twist_matrix",
     "particles_with_a_collision_that_turns_one_mass": "interior of its box",
