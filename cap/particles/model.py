@@ -32,11 +32,12 @@ Vector = tuple[Ball, ...]
 class Guess:
     """An orbit in floats: masses, and of each event its word, time, positions, velocities before.
 
-    It needs no trust.
+    Its period is ``periods`` T.  It needs no trust.
     """
 
     masses: tuple[Fraction, ...]
     events: tuple[tuple[str, float, tuple[float, ...], tuple[float, ...]], ...]
+    periods: int = 1
 
 
 class Model:

@@ -22,9 +22,9 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, bound, region
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.passage import derivative, follows, row_sums
 from cap.checker.particles.existence import SIZE, Ends, krawczyk
 from cap.checker.particles.mechanics import NORMALS, Mechanics
+from cap.checker.particles.passage import derivative, follows, row_sums
 from cap.checker.particles.periodic_orbit import KRAWCZYK
 from cap.checker.particles.stops import WORDS, events, flight, legs, of_events, place, velocity
 
