@@ -27,7 +27,7 @@ from cap.particles import stays
 from cap.particles.model import Model
 from cap.particles.stopping import Happening, System, unit_powers, unknowns, words_of
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
-from cap.proofs.particle_orbit import LARGEST, ROUNDS, _inverse, _radius, system
+from cap.proofs.particle_orbit import LARGEST, ROUNDS, inverse_of, radius_of, system
 from cap.sets import bisection, interval
 
 SUMMARY = "two masses: an attracting periodic orbit, on which masses turn, stick, and are hit"
@@ -76,10 +76,10 @@ def lemma_1_existence(
     zero are enclosed.
     """
     units = _units(setting, equations)
-    matrix = _inverse(problem.slope([interval.ball(q) for q in guess]))
+    matrix = inverse_of(problem.slope([interval.ball(q) for q in guess]))
     places = [setting.precise - interval.decade(unit) for unit in units]
     hint = zero.refined(problem, guess, matrix, places)
-    box = problem.isolate(hint, [_radius(setting) * unit for unit in units])
+    box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
     return hint, equations.happenings(problem.tightened(hint, box))
 
 
@@ -138,7 +138,7 @@ def _hints(setting: Setting, hint: Hint) -> dict[str, Any]:
     return {
         "bits": str(setting.checker_bits),
         "centre": _by_event([exact(q) for q in hint.centre]),
-        "radius": exact(_radius(setting)),
+        "radius": exact(radius_of(setting)),
         "preconditioner": [[exact(q) for q in row] for row in hint.matrix],
     }
 

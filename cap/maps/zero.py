@@ -50,10 +50,15 @@ class Hint:
 
 @dataclass(frozen=True)
 class Problem:
-    """G, of which zeros are looked for, and its derivative by rows, both on a box."""
+    """G, of which zeros are looked for, and its derivative by rows, both on a box.
+
+    If G depends on a parameter q in an interval, ``value`` is that at some q_0 of it, and ``moves``
+    encloses (q - q_0) dG/dq for all q, as a factor and a vector: then K is that of all q.
+    """
 
     value: Callable[[Sequence[Ball]], Sequence[Ball]]
     slope: Callable[[Sequence[Ball]], Rows]
+    moves: Callable[[Sequence[Ball]], tuple[Ball, Sequence[Ball]]] | None = None
 
     def operator(self, hint: Hint, box: Box) -> Box:
         """Return an enclosure of K(box), with G' also between the box and m.
@@ -69,6 +74,11 @@ class Problem:
             part = [-_dot(row, column) for column in columns]
             part[i] = 1 + part[i]
             result.append(m[i] - _dot(row, value) + _dot(part, offset))
+        if self.moves:
+            factor, vector = self.moves(m)
+            return tuple(
+                k - factor * _dot(row, vector) for k, row in zip(result, rows, strict=True)
+            )
         return tuple(result)
 
     def isolate(self, hint: Hint, reach: Sequence[Fraction]) -> Box:

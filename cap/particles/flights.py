@@ -40,18 +40,44 @@ class Knot(NamedTuple):
 def least_speeds(model: Model, events: Sequence[Event]) -> list[Ball]:
     """Prove that the orbit has these events and no others; return the least speed of each mass.
 
-    ``events`` enclose a zero of the equations.  Verified are: 0 < t_1 < .. < t_K < T, positions
-    that increase from wall to wall, but for the contact, and no contact between the events.
-    Raises `NotProved`.
+    ``events`` enclose a zero of the equations.  Raises `NotProved`.
     """
-    legs = legs_of(model, events)
+    no_other_contacts(model, events)
+    return [_least(legs_of(model, events), i) for i in range(model.n)]
+
+
+def no_other_contacts(model: Model, events: Sequence[Event]) -> None:
+    """Prove that the contacts are these, if no mass stops between them.
+
+    Verified are: 0 < t_1 < .. < t_K < T, positions that increase from wall to wall, but for the
+    contact, and no contact between the events.
+    """
     _in_order(model, events)
     for event in events:
         _apart(model, event)
-    for number, leg in enumerate(legs, start=1):
+    for number, leg in enumerate(legs_of(model, events), start=1):
         for i in range(model.n - 1):
             _stay_apart(leg, i, number)
-    return [_least(legs, i) for i in range(model.n)]
+
+
+def slow_speeds(model: Model, events: Sequence[Event]) -> list[Ball]:
+    """Return s v at all slow moments of the flights, which are certainly inside; of any sign.
+
+    Raises `NotProved` if one may be at an event.
+    """
+    speeds = []
+    for leg in legs_of(model, events):
+        for i, (o, s) in enumerate(zip(model.oscillators, leg.signs, strict=True)):
+            start, end = leg.start.at.t, leg.arrival.t
+            for k in slow_numbers(o, s, start, end):
+                slow = o.slow(s, k)
+                if slow.t < start or slow.t > end:
+                    continue
+                if not start < slow.t < end:
+                    sets = {"slow moment": slow.t, "flight from": start, "to": end}
+                    raise NotProved("flight", "a slow moment may be at an event", sets)
+                speeds.append(s * o.velocity(leg.flights[i], slow))
+    return speeds
 
 
 def closing_speed(model: Model, event: Event) -> Ball:

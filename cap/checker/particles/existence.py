@@ -40,6 +40,14 @@ Row = list[Interval]
 Matrix = list[Row]
 
 
+class Moved(NamedTuple):
+    """G(c) + slope by: G at the centre for the members of a family."""
+
+    G: Row
+    slope: Row
+    by: Interval
+
+
 def arrivals(orbit: Sequence[Contact], M: Mechanics) -> list[Contact]:
     """Return the contacts at which the flights after the contacts end, the last a period later."""
     first = orbit[0]
@@ -100,20 +108,27 @@ def krawczyk(
     region: Sequence[Ends],
     centre: Sequence[Fraction],
     preconditioner: Sequence[Sequence[Fraction]],
+    value: Moved | None = None,
 ) -> list[Interval]:
-    """Return K(region) if it lies in the interior of the region, which contains the centre."""
+    """Return K(region) if it lies in the interior of the region, which contains the centre.
+
+    If M is a family, the value of G(c) may be given in mean value form: for all its members.
+    """
     inside = zip(region, centre, strict=True)
     need(all(z[0] <= c <= z[1] for z, c in inside), "the centre is not in the box")
     box = [Interval.enclosing(*z, M.bits) for z in region]
     middle = [M.number(c) for c in centre]
     offsets = [z - c for z, c in zip(box, middle, strict=True)]
-    G, parts = equations.value(middle), equations.slopes(box)
+    G = value.G if value else equations.value(middle)
+    parts = equations.slopes(box)
     K = list[Interval]()
     for i, given in enumerate(preconditioner):
         row = [M.number(c) for c in given]
         residual = _times(row, parts)
         residual[i] = residual[i] - 1
         K.append(middle[i] - dot(row, G) - dot(residual, offsets))
+        if value:
+            K[i] = K[i] - dot(row, value.slope) * value.by
         need(K[i].lies_inside(*region[i]), "K does not lie in the interior of its box")
     return K
 

@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, ClassVar
 
+from cap.checker.kernel.citation import NEUMAIER, cite
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
@@ -25,7 +26,6 @@ from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
 from cap.checker.particles.existence import SIZE, Ends, krawczyk
 from cap.checker.particles.mechanics import NORMALS, Mechanics
 from cap.checker.particles.passage import derivative, follows, row_sums
-from cap.checker.particles.periodic_orbit import KRAWCZYK
 from cap.checker.particles.stops import WORDS, events, flight, legs, of_events, place, velocity
 
 LEAST, MOST = 2, 32  # events
@@ -67,7 +67,15 @@ class ParticlesSink(Theorem):
         Field("contraction", bound, "", r"\kappa", "below 1: a bound of the sums of the absolute "
               "values in each row of that power, in the coordinates x/R, v/(R omega)"),
     )
-    CITES = (KRAWCZYK,)
+    CITES = (
+        cite(
+            "Krawczyk",
+            NEUMAIER,
+            ("smooth", "the defect G of the flights and rests is analytic in the unknowns of the "
+             "events", "box"),
+            ("inclusion", "K(box) lies in the interior of the box", "box"),
+        ),
+    )
     # fmt: on
 
     @classmethod
