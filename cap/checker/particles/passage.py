@@ -28,10 +28,10 @@ from cap.checker.particles.existence import Matrix
 from cap.checker.particles.mechanics import NORMALS, Contact, Instant, Mechanics
 from cap.checker.particles.monodromy import product, shear
 from cap.checker.particles.orbit import approach, together
-from cap.checker.particles.stops import Event, flight, legs, pull, velocity
+from cap.checker.particles.stops import Occurrence, flight, legs, pull, velocity
 
 
-def follows(M: Mechanics, orbit: Sequence[Event], periods: int) -> None:
+def follows(M: Mechanics, orbit: Sequence[Occurrence], periods: int) -> None:
     """Prove that the zero of the equations is an orbit with these events and no others."""
     times = [M.number(0), *(event.at.t for event in orbit), M.period * periods]
     ordered = all(s.is_before(t) for s, t in pairwise(times))
@@ -43,7 +43,7 @@ def follows(M: Mechanics, orbit: Sequence[Event], periods: int) -> None:
         moves(M, start, end)
 
 
-def placed(M: Mechanics, event: Event) -> None:
+def placed(M: Mechanics, event: Occurrence) -> None:
     """Prove that no two masses, and no mass and a wall, are together but in a contact."""
     places = [M.walls[0], *event.x, M.walls[1]]
     closed = {"hit l": 0, "meet 1 2": 1, "hit r": 2}.get(event.word)
@@ -52,7 +52,7 @@ def placed(M: Mechanics, event: Event) -> None:
     need(apart, "a mass may be at a wall, or at the other one, without a contact")
 
 
-def happens(M: Mechanics, event: Event) -> None:
+def happens(M: Mechanics, event: Occurrence) -> None:
     """Prove that an event is what its word says, and transversal."""
     force, f = M.F * event.at.cos, M.f
     if event.contact:
@@ -73,12 +73,12 @@ def happens(M: Mechanics, event: Event) -> None:
         need((f - force.magnitude()).is_positive(), "the force may not let a mass stick")
 
 
-def closing(M: Mechanics, event: Event) -> Interval:
+def closing(M: Mechanics, event: Occurrence) -> Interval:
     """Return the speed at which a contact is approached."""
     return approach(M, Contact(event.word, event.at, event.x[0], event.v))
 
 
-def critical(M: Mechanics, s: int, start: Event, end: Event) -> list[Instant]:
+def critical(M: Mechanics, s: int, start: Occurrence, end: Occurrence) -> list[Instant]:
     """Return the critical times inside a flight; those at a release are at its end."""
     found = list[Instant]()
     for k in range(-1, 2 * _MOST + 1):
@@ -97,7 +97,7 @@ def critical(M: Mechanics, s: int, start: Event, end: Event) -> list[Instant]:
 _MOST = 16  # periods
 
 
-def moves(M: Mechanics, start: Event, end: Event) -> None:
+def moves(M: Mechanics, start: Occurrence, end: Occurrence) -> None:
     """Prove that both masses go from an event to the next one as the equations say."""
     g = flight(M, start)
     for i, s in enumerate(g.signs):
@@ -117,7 +117,7 @@ def moves(M: Mechanics, start: Event, end: Event) -> None:
 _MOVES = "a mass may begin to move before its release"
 
 
-def keeps(M: Mechanics, i: int, start: Event, end: Event) -> None:
+def keeps(M: Mechanics, i: int, start: Occurrence, end: Occurrence) -> None:
     """Prove that the velocity of a mass keeps its sign inside a flight."""
     g = flight(M, start)
     s = g.signs[i]
@@ -132,7 +132,7 @@ def keeps(M: Mechanics, i: int, start: Event, end: Event) -> None:
 # the derivative
 
 
-def derivative(M: Mechanics, orbit: Sequence[Event], periods: int) -> Matrix:
+def derivative(M: Mechanics, orbit: Sequence[Occurrence], periods: int) -> Matrix:
     """Return D over the whole period, from t = 0."""
     D = shear(M, orbit[0].at.t)
     ends = [*(event.at.t for event in orbit[1:]), M.period * periods]
@@ -141,7 +141,7 @@ def derivative(M: Mechanics, orbit: Sequence[Event], periods: int) -> Matrix:
     return D
 
 
-def jump(M: Mechanics, event: Event) -> Matrix:
+def jump(M: Mechanics, event: Occurrence) -> Matrix:
     """Return the derivative of an event."""
     zero, rows = M.number(0), shear(M, M.number(0))
     a, b = ([pull(M, i, s[i], event.at) for i in (0, 1)] for s in (event.before, event.after))

@@ -46,7 +46,7 @@ WORDS = (
 INVOLVED = {"hit l": (0,), "hit r": (1,), "meet 1 2": (0, 1)}
 
 
-class Event(NamedTuple):
+class Occurrence(NamedTuple):
     """An event: its word, when, places and velocities just before, and the signs of the flights."""
 
     word: str
@@ -87,9 +87,9 @@ def resting(itinerary: Sequence[str]) -> list[tuple[bool, bool]]:
     return result
 
 
-def events(M: Mechanics, itinerary: Sequence[str], data: Sequence[Interval]) -> list[Event]:
+def events(M: Mechanics, itinerary: Sequence[str], data: Sequence[Interval]) -> list[Occurrence]:
     """Return the events with these unknowns; signs that are not those of words must be certain."""
-    rests, found = resting(itinerary), list[Event]()
+    rests, found = resting(itinerary), list[Occurrence]()
     for k, word in enumerate(itinerary):
         t, *rest = data[SIZE * k : SIZE * k + SIZE]
         at = M.instant(t)
@@ -99,12 +99,12 @@ def events(M: Mechanics, itinerary: Sequence[str], data: Sequence[Interval]) -> 
         else:
             x, v = (rest[0], rest[1]), [rest[2]]
             v.insert(involved(word)[0], M.number(0))
-        found.append(Event(word, at, x, (v[0], v[1]), (0, 0), (0, 0)))
+        found.append(Occurrence(word, at, x, (v[0], v[1]), (0, 0), (0, 0)))
     after = [signs(M, event, rests[k]) for k, event in enumerate(found)]
     return [e._replace(before=after[k - 1], after=after[k]) for k, e in enumerate(found)]
 
 
-def signs(M: Mechanics, event: Event, rests: tuple[bool, bool]) -> Signs:
+def signs(M: Mechanics, event: Occurrence, rests: tuple[bool, bool]) -> Signs:
     """Return the signs of the velocities after an event, 0 at rest."""
     moving = M.after(event.word, event.v) if event.contact else event.v
     turned = event.word.split()[-1] if event.kind in ("turn", "release") else ""
@@ -119,7 +119,7 @@ def signs(M: Mechanics, event: Event, rests: tuple[bool, bool]) -> Signs:
     return of(0), of(1)
 
 
-def flight(M: Mechanics, event: Event) -> Flight:
+def flight(M: Mechanics, event: Occurrence) -> Flight:
     """Return the flights after an event; a mass that rests has the velocity 0."""
     v = M.after(event.word, event.v) if event.contact else event.v
     u = [v[i] if event.after[i] else M.number(0) for i in (0, 1)]
@@ -141,7 +141,7 @@ def pull(M: Mechanics, i: int, s: int, at: Instant) -> Interval:
     return M.acceleration(i, s, at) if s else M.number(0)
 
 
-def release_time(M: Mechanics, event: Event) -> Interval:
+def release_time(M: Mechanics, event: Occurrence) -> Interval:
     """Return the time of a release: of those possible the one that is within T/2."""
     right = event.word.endswith("right")
     theta = -M.theta[1] if right else M.theta[-1]
@@ -155,7 +155,9 @@ def release_time(M: Mechanics, event: Event) -> Interval:
 # the equations
 
 
-def legs(M: Mechanics, orbit: Sequence[Event], periods: int) -> list[tuple[Event, Event]]:
+def legs(
+    M: Mechanics, orbit: Sequence[Occurrence], periods: int
+) -> list[tuple[Occurrence, Occurrence]]:
     """Return each event with the next one, after the last the first, so many periods later."""
     first = orbit[0]
     again = first._replace(at=first.at._replace(t=first.at.t + M.period * periods))
@@ -165,7 +167,7 @@ def legs(M: Mechanics, orbit: Sequence[Event], periods: int) -> list[tuple[Event
 def of_events(M: Mechanics, itinerary: Sequence[str], periods: int) -> Equations:
     """Return the equations of an itinerary."""
 
-    def found(data: Sequence[Interval]) -> list[tuple[Event, Event]]:
+    def found(data: Sequence[Interval]) -> list[tuple[Occurrence, Occurrence]]:
         return legs(M, events(M, itinerary, data), periods)
 
     def value(data: Sequence[Interval]) -> list[Interval]:
@@ -175,7 +177,7 @@ def of_events(M: Mechanics, itinerary: Sequence[str], periods: int) -> Equations
     return Equations(value, lambda data: [_slopes(M, *leg) for leg in found(data)])
 
 
-def _defects(M: Mechanics, start: Event, end: Event) -> list[Interval]:
+def _defects(M: Mechanics, start: Occurrence, end: Occurrence) -> list[Interval]:
     """Return G_k."""
     g = flight(M, start)
     places = [place(M, i, g, end.at) - end.x[i] for i in (0, 1)]
@@ -185,7 +187,7 @@ def _defects(M: Mechanics, start: Event, end: Event) -> list[Interval]:
     return places + speeds
 
 
-def _slopes(M: Mechanics, start: Event, end: Event) -> tuple[Matrix, Matrix]:
+def _slopes(M: Mechanics, start: Occurrence, end: Occurrence) -> tuple[Matrix, Matrix]:
     """Return the derivatives of G_k in the unknowns of its event, and in those of its end."""
     g, d, one = flight(M, start), end.at.t - start.at.t, M.number(1)
     rows: list[list[Row]] = [[], [], [], []]  # places and speeds, in the start and in the end
@@ -211,7 +213,7 @@ def _unit(M: Mechanics, j: int | None) -> Row:
     return [M.number(int(k == j)) for k in range(SIZE)]
 
 
-def _place_row(M: Mechanics, event: Event, i: int) -> Row:
+def _place_row(M: Mechanics, event: Occurrence, i: int) -> Row:
     """Return the derivative of x_i at an event in its unknowns."""
     if event.contact:
         fixed = (event.word, i) in (("hit l", 0), ("hit r", 1))
@@ -219,14 +221,14 @@ def _place_row(M: Mechanics, event: Event, i: int) -> Row:
     return _unit(M, 1 + i)
 
 
-def _unknown_speed(M: Mechanics, event: Event, i: int) -> Row:
+def _unknown_speed(M: Mechanics, event: Occurrence, i: int) -> Row:
     """Return the derivative of v_i just before an event in its unknowns."""
     if event.contact:
         return _unit(M, 2 + i)
     return _unit(M, None if i == event.mass else 3)
 
 
-def _speed_row(M: Mechanics, event: Event, i: int) -> Row:
+def _speed_row(M: Mechanics, event: Occurrence, i: int) -> Row:
     """Return the derivative of the velocity of a mass after an event; 0 if it rests."""
     if not event.after[i]:
         return _unit(M, None)
