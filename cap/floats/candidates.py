@@ -183,9 +183,11 @@ def capturing(request: Request) -> Found:
 def releasing(request: Request) -> Found:
     """Find critical points of the release map, on the branches on which its orbits end."""
     if not request.parameters.f:
-        raise BadInput("the theorem attractor needs friction: f > 0")
+        raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     if request.orbit:
         x = request.orbit[0]
+        if not request.parameters.l < x < request.parameters.r:
+            raise BadInput(f"a release at x = {x:.10g} is not between the walls")
         return Found([f"A release at x = {x:.10g}."], [_release(x)])
     found = critical_points(request.parameters)
     if not found:
