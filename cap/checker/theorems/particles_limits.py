@@ -32,7 +32,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, arrivals, krawczyk
+from cap.checker.particles.existence import SIZE, Ends, arrivals, krawczyk, of_contacts
 from cap.checker.particles.family import Family, moved, with_second
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
@@ -134,7 +134,7 @@ class ParticlesLimits(Theorem):
     ) -> tuple[Mechanics, list[Contact]]:
         """Return the system with this second mass and its zero in a small box, proved."""
         M = Mechanics(with_second(self.p, mass), self.hints["bits"])
-        K = krawczyk(M, self.words_of, self.around(centre, radius), centre, rows)
+        K = krawczyk(M, of_contacts(M, self.words_of), self.around(centre, radius), centre, rows)
         return M, contacts(M, self.words_of, K)
 
     def crossing(self, name: str) -> Crossing:
@@ -146,7 +146,7 @@ class ParticlesLimits(Theorem):
         for centre in (lower, upper):
             need(lies_in(self.around(centre, radius), box), "a small box is not in the large one")
         family = Family(self.p, (claim.lower, claim.upper), self.hints["bits"])
-        K = krawczyk(family, self.words_of, box, upper, rows)
+        K = krawczyk(family, of_contacts(family, self.words_of), box, upper, rows)
         pairs = ((claim.lower, lower), (claim.upper, upper))
         ends = [self.zero(mass, centre, radius, rows) for mass, centre in pairs]
         self.step(f"for each mass of {name} there is exactly one zero of G in the box")
@@ -207,7 +207,7 @@ class ParticlesLimits(Theorem):
         bits, family = self.hints["bits"], Family(self.p, second, self.hints["bits"])
         value = moved(self.p, second, self.words_of, [family.number(c) for c in centre], bits)
         rows = self.rows((second[0] + second[1]) / 2)
-        K = krawczyk(family, self.words_of, box, centre, rows, value)
+        K = krawczyk(family, of_contacts(family, self.words_of), box, centre, rows, value)
         orbit = contacts(family, self.words_of, K)
         no_other_contacts(family, orbit)
         rates = family.inner_rates(orbit, family.rates(orbit, rows))
