@@ -35,7 +35,8 @@ class Setting:
 
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
-    Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
+    Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.  Of states
+    up to a ``speed``, leaves are cut at most ``cuts`` times; None: as the theorem likes.
     """
 
     parameters: Parameters
@@ -46,6 +47,8 @@ class Setting:
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
     f_range: tuple[Fraction | None, Fraction | None] = (None, None)
     runner: Runner = field(default_factory=Runner, compare=False)
+    speed: Fraction | None = None
+    cuts: int | None = None
 
     @property
     def units(self) -> Units:
