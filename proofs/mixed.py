@@ -19,12 +19,14 @@ arithmetic of the checker (`cap.checker.folded`), which is asked for what it can
 second one.  The tests compare its fates with orbits in floats, and with `cap.cells`.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from cap.certificate.writer import dumps
+from cap.checker.folded.places import shares
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
 from cap.checker.theorems.mixed import Mixed
@@ -38,8 +40,9 @@ SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
 SEARCH = candidates.releasing
 SPEED = Fraction(3)
 SLACK = Fraction(1, 10**5)  # of a share: libraries may steer otherwise by rounding
-PLACES = {"parts": "512", "cuts": "6", "depth": "9"}
-COLUMNS, ROWS, CUTS, DEPTH = 16, 48, 7, 9
+PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
+COLUMNS, ROWS, CUTS, DEPTH = 64, 192, 2, 6
+FIRST, MOST, ROUNDS = 1, 9, 8  # cuts of a leaf; rounds in which they are chosen
 
 
 def prove(setting: Setting) -> Proof:
@@ -48,11 +51,19 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
     claims, hints = attractor.Proved(setting).certified()
     nested = {"attractor": claims, "segment": segment.prove(setting)(Fraction(1))["claims"]}
-    hints = {"bits": str(setting.checker_bits), "attractor": hints, **efforts(setting)}
-    claims = claims_of(setting, (0, 0, 0)) | nested
-    draft = certificate_of(setting, claims, hints)
-    counts = lemma_counts(setting, Mixed(read(dumps({**draft, "provenance": {}}).encode()), silent))
-    proved = certificate_of(setting, claims_of(setting, counts) | nested, hints)
+    hints = {
+        "bits": str(setting.checker_bits),
+        "attractor": hints,
+        "places": PLACES,
+        "columns": str(COLUMNS),
+        "rows": str(ROWS),
+        "depth": str(DEPTH),
+        "leaves": str(FIRST) * (COLUMNS * ROWS),
+    }
+    draft = certificate_of(setting, claims_of(setting, (0, 0, 0)) | nested, hints)
+    theorem = Mixed(read(dumps({**draft, "provenance": {}}).encode()), silent)
+    hints["leaves"], parts = lemma_shares(setting, theorem)
+    proved = certificate_of(setting, claims_of(setting, parts) | nested, hints)
     return lambda _part: proved
 
 
@@ -72,18 +83,67 @@ def efforts(setting: Setting) -> dict[str, Any]:
     }
 
 
-def lemma_counts(setting: Setting, theorem: Mixed) -> tuple[Fraction, ...]:
-    """*Statement.* So much of the box is attracted, goes to the segment, and otherwise stops.
+class Sorted:
+    """The leaves, with the cuts of each, and the counts with the last two numbers of cuts."""
 
-    *Computed.* All leaves are followed, as by the checker.
+    def __init__(self, setting: Setting, theorem: Mixed) -> None:
+        self.runner = replace(setting.runner, journal=None)
+        self.judge = theorem.judge(self.work("releases"))
+        self.leaves, self.p = list(theorem.leaves()), theorem.p
+        self.cuts = [FIRST - 1] * len(self.leaves)
+        self.counts = [(0, 0, 0)] * len(self.leaves)
+        self.gains = [1.0] * len(self.leaves)
+        self.refine(range(len(self.leaves)))
+        self.refine(range(len(self.leaves)))
+
+    def work(self, words: str) -> Callable[[Callable[[Any], Any], Any], list[Any]]:
+        """Return a map over tasks that tells of its progress."""
+        return lambda f, tasks: self.runner.map(f, list(tasks), words, processes=True)
+
+    def refine(self, chosen: Sequence[int]) -> None:
+        """Cut some leaves once more."""
+        for n in chosen:
+            self.cuts[n] += 1
+        tasks = [self.leaves[n].cut(self.cuts[n], DEPTH) for n in chosen]
+        counted = self.work("leaves")(partial(shares, self.p, self.judge), tasks)
+        for n, counts in zip(chosen, counted, strict=True):
+            before = self.part(n, self.counts[n], -1)
+            self.counts[n] = counts
+            self.gains[n] = self.part(n, counts) - before
+
+    def part(self, n: int, counts: tuple[int, int, int], less: int = 0) -> float:
+        """Return which part of a leaf has a fate."""
+        return (counts[0] + counts[1]) / float(1 << self.cuts[n] + DEPTH + less)
+
+    def spend(self, room: int) -> None:
+        """Cut leaves once more, those that gain most, until the number of pieces is this."""
+        open_ = [n for n, c in enumerate(self.cuts) if c < MOST and self.gains[n] > 0]
+        chosen = list[int]()
+        for n in sorted(open_, key=lambda n: -self.gains[n] / 2 ** self.cuts[n]):
+            room -= 1 << self.cuts[n]
+            if room < 0:
+                break
+            chosen.append(n)
+        self.refine(chosen)
+
+    @property
+    def pieces(self) -> int:
+        """The number of pieces into which all leaves are cut."""
+        return sum(1 << cuts for cuts in self.cuts)
+
+
+def lemma_shares(setting: Setting, theorem: Mixed) -> tuple[str, tuple[Fraction, ...]]:
+    """*Statement.* Such parts of the box are attracted, go to the segment, and otherwise stop.
+
+    *Computed.* All leaves are followed, as by the checker; those are cut more that gain by it.
+    Returns how often each is cut, and the parts.
     """
-    runner = replace(setting.runner, journal=None)
-
-    def work(function: Callable[[Any], Any], tasks: Any) -> list[Any]:
-        return runner.map(function, list(tasks), "leaves", processes=True)
-
-    counted = theorem.counted(work)
-    return theorem.parts(counted)
+    found = Sorted(setting, theorem)
+    wanted = len(found.leaves) << (CUTS if setting.cuts is None else setting.cuts)
+    for n in range(ROUNDS):
+        found.spend((wanted - found.pieces) // (ROUNDS - n))
+    letters = "".join(map(str, found.cuts))
+    return letters, theorem.parts(found.counts, letters)
 
 
 def claims_of(setting: Setting, found: tuple[Fraction | int, ...]) -> dict[str, Any]:
@@ -92,7 +152,7 @@ def claims_of(setting: Setting, found: tuple[Fraction | int, ...]) -> dict[str, 
     a, s, stops = (max(Fraction(0), share - SLACK) for share in found)
     known = a + s + stops
     area = 2 * p.R * V
-    shares = {
+    claimed = {
         "attractor": (a, 1 - s),
         "segment": (s, 1 - a),
         "stops": (known, Fraction(1)),
@@ -100,7 +160,7 @@ def claims_of(setting: Setting, found: tuple[Fraction | int, ...]) -> dict[str, 
     }
     return {
         "box": {"x": [str(p.l), str(p.r)], "v": [str(-V), str(V)]},
-        "shares": {name: outward(*ends, 6) for name, ends in shares.items()},
+        "shares": {name: outward(*ends, 6) for name, ends in claimed.items()},
         "never_stopping_area": outward(Fraction(0), (1 - known) * area, 6),
     }
 

@@ -61,8 +61,8 @@ def parser() -> Parser:
     p.add_argument(
         "--cuts",
         metavar="N",
-        help="mixed: leaves are cut in halves up to N times, 0 to 9 (default 7); one more doubles "
-        "the time",
+        help="mixed: leaves are cut in halves N times on average, 1 to 9 (default 2); one more "
+        "doubles the time",
     )
     p.add_argument("--jobs", default="1", metavar="N", help="branch, mixed: processes (default 1)")
     p.add_argument(
@@ -133,7 +133,7 @@ class Asked:
             options.journal,
             options.out,
             _positive(options.speed),
-            None if options.cuts is None else integer(options.cuts, "cuts", (0, 9), 1),
+            None if options.cuts is None else integer(options.cuts, "cuts", (1, 9), 1),
         )
         asked._fits()
         if asked.journal:

@@ -8,10 +8,16 @@ them.
 
 import copy
 import json
+import sys
 from fractions import Fraction
 from pathlib import Path
 
 HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE.parent))
+
+
+from checker import mixed_small  # noqa: E402
+
 STORED = HERE.parent.parent / "certificates"
 
 
@@ -86,6 +92,20 @@ def captured(at_once, after_hits):
         put("reject", name, certificate, ("claims", *change))
 
 
+def mixed(true):
+    """Write shares that are too good, a box that is another, an interval that G does not keep."""
+    share = true["claims"]["shares"]["attractor"]
+    larger = [f"{float(share[0]) + 1e-4:.6f}", share[1]]
+    leaves = true["hints"]["leaves"].replace("4", "-")
+    for name, *change in (
+        ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
+        ("mixed_leaves_dropped", "hints", "leaves", leaves),
+        ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
+        ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),
+    ):
+        put("reject", name, true, tuple(change))
+
+
 def malformed(saddle):
     """Write what is no certificate."""
     good = json.dumps(saddle, indent=1)
@@ -120,4 +140,5 @@ if __name__ == "__main__":
     accepted(load("saddle-2.json"))
     rejected(load("saddle-2.json"), load("elliptic-2.json"))
     captured(load("capture.json"), load("capture-2.json"))
+    mixed(mixed_small.certificate())
     malformed(load("saddle-2.json"))

@@ -16,8 +16,8 @@ MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.chec
 STORED = Path(__file__).parents[2] / "certificates"
 FLOW = {"kernel", "flow", "theorems", "verdict"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
-ROOMS["impulse"] = FLOW - {"flow"}
-MORE = {"persistence": {"periodic"}}
+ROOMS |= {"impulse": FLOW - {"flow"}, "mixed": FLOW | {"folded"}}
+MORE = {"persistence": {"periodic"}, "mixed": {"attractor", "segment"}}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 

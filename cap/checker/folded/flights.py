@@ -27,6 +27,7 @@ transposed up to 2^-49.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -65,6 +66,8 @@ class System:
 
     def __init__(self, p: Parameters) -> None:
         need(p.f > 0 and p.e == 1 and p.mu == 0, "the folded flow needs f > 0, e = 1, mu = 0")
+        ieee = sys.float_info.mant_dig == 53 and sys.float_info.rounds == 1
+        need(ieee, "doubles are not those of IEEE 754, rounded to nearest")
         alpha = p.f / p.F
         cosine = Interval.enclosing(alpha, alpha, _BITS)
         theta, half = arccos(cosine), pi(_BITS)

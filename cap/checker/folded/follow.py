@@ -23,7 +23,7 @@ from cap.checker.kernel.rejection import Rejected, need
 _MOST, _KINDS = 40, 4  # events; splits one after the other
 _COARSE = 0.02  # range of a speed, for which orbits that stop are told from those that do not
 WIDE = 0.02  # range of a distance to the wall
-SMALL, LARGE = 1e-6, 1e-3  # errors of a flight that may be cut, or must be
+SMALL, LARGE = 1e-6, 1e-5  # errors of a flight that may be cut, or must be
 
 Strobe = tuple[Model, Model]
 
@@ -133,7 +133,13 @@ def event(y: System, f: Flight, box: Box) -> tuple[float, Flight | Model | Split
         return h.ends[0], stop(y, f, h), True
     need(low <= 0 and not (box.cuts and high - low > WIDE), "the time of a hit is not certain")
     need(box.kinds > 0, "there are too many cases")
-    return h.ends[0] - 1, grazed(y, f, h, box), False
+    return before_hits(y, f, h.ends[0] - 1), grazed(y, f, h, box), False
+
+
+def before_hits(y: System, f: Flight, t: float) -> float:
+    """Return a time until which nothing happens: t, if no orbit has reached the wall then."""
+    ahead = q.ends(y.seen(f, (t, 0.0), *q.cos_sin(t))[0])[1]
+    return t if ahead < 0 else f.begun[0]
 
 
 def perhaps_stopped(y: System, f: Flight, c: Chance, box: Box) -> Split:

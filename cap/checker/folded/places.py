@@ -22,8 +22,12 @@ class Leaf(NamedTuple):
 
     x: Pair
     v: Pair
-    cuts: int
-    depth: int
+    cuts: int = 0
+    depth: int = 0
+
+    def cut(self, cuts: int, more: int) -> Leaf:
+        """Return the leaf, to be cut so often, and halved so many times more when judged."""
+        return self._replace(cuts=cuts, depth=cuts + more)
 
 
 @cache
@@ -81,8 +85,8 @@ def judged(
     return ends, fates
 
 
-def shares(p: Parameters, judge: Judge, leaf: Leaf) -> tuple[int, int, int]:
-    """Return how many of the 2^depth parts of a leaf go to the attractor, the segment, just stop.
+def seen_in(p: Parameters, judge: Judge, leaf: Leaf) -> Seen:
+    """Return what is seen of the orbits from a leaf.
 
     A state with v < 0 is, folded, one at the time pi with the distance to the left wall ahead.
     """
@@ -93,4 +97,9 @@ def shares(p: Parameters, judge: Judge, leaf: Leaf) -> tuple[int, int, int]:
     seen = follow(y, f, Box(leaf.cuts))
     if not left:
         seen = seen._replace(strobes=[(p_ahead, v), *seen.strobes])
-    return judge.shares(judge.prepared(seen), leaf.depth)
+    return judge.prepared(seen)
+
+
+def shares(p: Parameters, judge: Judge, leaf: Leaf) -> tuple[int, int, int]:
+    """Return how many of the 2^depth parts of a leaf are attracted, go to the segment, or stop."""
+    return judge.shares(seen_in(p, judge, leaf), leaf.depth)

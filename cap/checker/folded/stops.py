@@ -22,7 +22,7 @@ leaves from rest, folded at a time in [-theta, -theta + D]: ``System.released``.
 derivative -cos t - a is at most pi + theta - t).  At the time pi + theta + z the derivative is at
 most -K z, K = sin theta - z; so the mass stops again before z = 2 D, if K z^2 >= D^2: the way is at
 most D^2 (D + z)/2.  It sticks then, and its release at 2 pi - theta is that of the stick, but for
-this way, back from the wall.
+this way, back from the wall ahead; the other wall is farther.
 
 *A stop just before a slow time, or none.*  Let s >= -n at the slow time by the formula, n >= 0, and
 s > 0 at a time up to D before it, after pi + theta.  Who stops, at a time between, sticks until the
@@ -139,6 +139,7 @@ def late(y: System, h: Halt, D: float, high: float) -> Model:
     need(K * z * z >= D * D * UP, _FAR)
     need(max(high, y.last[0] + z) < y.slows[1][0] - 1e-9, _FAR)
     way = D * D * (D + z) / 2 * UP
+    need(q.ends(h.p_all)[0] + y.width[0] > way + y.width[1], _FAR)
     return q.moved(q.scaled(h.p_all, -1.0), way / 2, way / 2 * UP)
 
 

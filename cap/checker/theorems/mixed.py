@@ -46,9 +46,9 @@ from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
 NOT = "-"  # a leaf that is not followed
-_CUTS = "0123456789"
+_CUTS, _MOST_CUTS = "0123456789", 9
 _MOST_LEAVES = 1 << 14
-_MOST_WORK = 1 << 22  # pieces of all leaves, or of all places
+_MOST_FOLLOWED, _MOST_JUDGED = 1 << 20, 1 << 23  # pieces of leaves and places
 
 Counts = tuple[int, int, int]
 Work = Callable[..., Sequence[Any]]  # a map over tasks
@@ -72,7 +72,8 @@ class Mixed(Theorem):
               "its orbits are followed, and how often it is halved when it is judged"),
         Field("columns", Whole(1, 1024), "", "", "of leaves in the box"),
         Field("rows", Whole(2, 1024), "", "", "of leaves in the box, an even number"),
-        Field("depth", Whole(0, 14), "", "", "how often a leaf is halved when it is judged"),
+        Field("depth", Whole(0, 6), "", "", "a leaf is halved so many times more than it is cut, "
+              "when it is judged"),
         Field("leaves", Letters(NOT + _CUTS, _MOST_LEAVES), "", "", "row by row from the lower "
               "left: how often a leaf is cut while its orbits are followed; - for not followed"),
     )
@@ -100,10 +101,10 @@ class Mixed(Theorem):
         need(len(leaves) == cells, "there are not as many leaves as columns times rows")
         cuts = sum(1 << int(cuts) for cuts in leaves if cuts != NOT)
         places = hints["places"]
-        for parts, depth in ((places["parts"], places["depth"]), (cells, hints["depth"])):
-            need(parts << depth <= _MOST_WORK, "there are too many pieces to judge")
-        work = 4 * cuts + (places["parts"] << places["cuts"])
-        need(work <= _MOST_WORK, "there are too many pieces to follow")
+        judged = (cuts << hints["depth"]) + (places["parts"] << places["depth"])
+        need(judged <= _MOST_JUDGED, "there are too many pieces to judge")
+        followed = cuts + (places["parts"] << places["cuts"])
+        need(followed <= _MOST_FOLLOWED, "there are too many pieces to follow")
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -111,19 +112,18 @@ class Mixed(Theorem):
         for theorem in (Attractor, Segment):
             self.lemma(theorem)
         with self.workers() as work:
-            self.sums(self.parts(self.counted(work)))
+            judge = self.judge(work)
+            self.step("the fates of releases are known, by intervals of places")
+            counts = work(partial(shares, self.p, judge), self.leaves())
+        self.sums(self.parts(counts, self.hints["leaves"]))
         self.step("the shares follow from the leaves of the box")
 
-    def counted(self, work: Work) -> Sequence[Counts]:
-        """Return how much of each leaf that is followed goes where."""
-        judge = Judge(self.strip(), self.table(work))
-        self.step("the fates of releases are known, by intervals of places")
-        return work(partial(shares, self.p, judge), self.leaves())
-
-    def parts(self, counted: Sequence[Counts]) -> tuple[Fraction, ...]:
+    def parts(self, counts: Sequence[Counts], leaves: str) -> tuple[Fraction, ...]:
         """Return the parts of the area that are attracted, go to the segment, or only stop."""
-        whole = (self.hints["columns"] * self.hints["rows"]) << self.hints["depth"]
-        return tuple(Fraction(sum(c[n] for c in counted), whole) for n in range(3))
+        cuts = [int(letter) for letter in leaves if letter != NOT]
+        whole = len(leaves) << (_MOST_CUTS + self.hints["depth"])
+        scaled = [[n << (_MOST_CUTS - k) for n in c] for c, k in zip(counts, cuts, strict=True)]
+        return tuple(Fraction(sum(c[n] for c in scaled), whole) for n in range(3))
 
     def lemma(self, theorem: type[Theorem]) -> None:
         """Prove the theorem on which this one stands."""
@@ -173,15 +173,16 @@ class Mixed(Theorem):
             q.rounded(self.length(self.p.r)),
         )
 
-    def table(self, work: Work) -> Any:
-        """Return the table of the fates of all places, distances to the wall ahead."""
+    def judge(self, work: Work) -> Judge:
+        """Return what tells fates: the strip, and the table of all distances to the wall ahead."""
         effort, width = self.hints["places"], self.length(self.R)
         a, b = self.claims["attractor"]["interval"][:2]
         kept = above(self.length(self.p.r - b)), below(self.length(self.p.r - a))
         edges = [float(width * k / effort["parts"]) for k in range(effort["parts"] + 1)]
         parts = list(pairwise(edges))
         seen = work(partial(seen_from, self.p, kept=kept, cuts=effort["cuts"]), parts)
-        return table_of(self.strip(), kept, list(zip(parts, seen, strict=True)), effort["depth"])
+        known = list(zip(parts, seen, strict=True))
+        return Judge(self.strip(), table_of(self.strip(), kept, known, effort["depth"]))
 
     def leaves(self) -> Iterator[Leaf]:
         """Give the leaves that are followed."""
@@ -191,7 +192,8 @@ class Mixed(Theorem):
         for n, cuts in enumerate(self.hints["leaves"]):
             j, i = divmod(n, columns)
             if cuts != NOT:
-                yield Leaf((x[i], x[i + 1]), (v[j], v[j + 1]), int(cuts), self.hints["depth"])
+                leaf = Leaf((x[i], x[i + 1]), (v[j], v[j + 1]))
+                yield leaf.cut(int(cuts), self.hints["depth"])
 
     def sums(self, parts: Sequence[Fraction]) -> None:
         """Compare the claims with the sums over all leaves."""
