@@ -90,13 +90,18 @@ def located(setting: Setting, guess: Guess) -> Orbit:
     """Prove Lemmas 1 and 2, at the current precision."""
     model = Model(setting.parameters, guess.masses)
     contacts = tuple(model.contact(word) for word, *_ in guess.events)
-    problem = Problem(
-        partial(equations.value, model, contacts), partial(equations.slope, model, contacts)
-    )
-    hint, box = lemma_1_existence(setting, problem, _unknowns(model, guess))
+    problem = problem_of(model, contacts)
+    hint, box = lemma_1_existence(setting, problem, unknowns(model, guess))
     events = events_of(model, contacts, box)
     least = lemma_2_flights(model, events)
     return Orbit(setting, model, contacts, problem, hint, events, least)
+
+
+def problem_of(model: Model, contacts: tuple[int, ...]) -> Problem:
+    """Return the equations of the orbits with these contacts."""
+    return Problem(
+        partial(equations.value, model, contacts), partial(equations.slope, model, contacts)
+    )
 
 
 def lemma_1_existence(
@@ -107,12 +112,12 @@ def lemma_1_existence(
     *Computed.* Krawczyk's inclusion for the points m within 10^(2 - digits), in the units of the
     unknowns, of a point refined by Newton's iteration.
     """
-    units = _units(setting, len(guess))
+    units = units_of(setting, len(guess))
     point = [interval.ball(q) for q in guess]
     matrix = _inverse(problem.slope(point))
     places = [setting.precise - interval.decade(unit) for unit in units]
     hint = zero.refined(problem, guess, matrix, places)
-    box = problem.isolate(hint, [_radius(setting) * unit for unit in units])
+    box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
     return hint, problem.tightened(hint, box)
 
 
@@ -133,7 +138,7 @@ def lemma_3_uniqueness(orbit: Orbit) -> Fraction:
     *Computed.* Krawczyk's inclusion for the largest box found, of half-widths a multiple of the
     units of the unknowns; the multiple is returned.  A smaller box that contains the orbit will do.
     """
-    units = _units(orbit.setting, len(orbit.hint.centre))
+    units = units_of(orbit.setting, len(orbit.hint.centre))
 
     def attempt(size: Fraction) -> None:
         orbit.problem.isolate(orbit.hint, [size * unit for unit in units])
@@ -144,17 +149,18 @@ def lemma_3_uniqueness(orbit: Orbit) -> Fraction:
     return size
 
 
-def _radius(setting: Setting) -> Fraction:
+def radius_of(setting: Setting) -> Fraction:
+    """Return the half-width, in the units of the unknowns, of the box that holds the zero."""
     return Fraction(100, 10**setting.precise)
 
 
-def _units(setting: Setting, size: int) -> list[Fraction]:
+def units_of(setting: Setting, size: int) -> list[Fraction]:
     """Return the units of the unknowns: of a time, a place and two velocities for each event."""
     units = setting.units
     return [units.time, units.length, units.speed, units.speed] * (size // 4)
 
 
-def _unknowns(model: Model, guess: Guess) -> list[Fraction]:
+def unknowns(model: Model, guess: Guess) -> list[Fraction]:
     """Return the unknowns of a guess."""
     found = list[float]()
     for word, t, x, v in guess.events:
@@ -177,7 +183,7 @@ def _inverse(rows: zero.Rows) -> list[list[Fraction]]:
 def _box(orbit: Orbit, size: Fraction) -> list[dict[str, Pair]]:
     """Return the box claimed, within ``size`` units of the centre of the hint."""
     centre = orbit.hint.centre
-    halves = [size * unit for unit in _units(orbit.setting, len(centre))]
+    halves = [size * unit for unit in units_of(orbit.setting, len(centre))]
     pairs = [inside(c, half) for c, half in zip(centre, halves, strict=True)]
     return [
         dict(zip(("t", "x", "v1", "v2"), pairs[k : k + 4], strict=True))
@@ -186,13 +192,19 @@ def _box(orbit: Orbit, size: Fraction) -> list[dict[str, Pair]]:
 
 
 def _hints(orbit: Orbit) -> dict[str, Any]:
-    exact, centre = interval.exact_decimal, orbit.hint.centre
+    exact, hint = interval.exact_decimal, orbit.hint
     return {
         "bits": str(orbit.setting.checker_bits),
-        "centre": [[exact(q) for q in centre[k : k + 4]] for k in range(0, len(centre), 4)],
-        "radius": exact(_radius(orbit.setting)),
-        "preconditioner": [[exact(q) for q in row] for row in orbit.hint.matrix],
+        "centre": by_event(hint),
+        "radius": exact(radius_of(orbit.setting)),
+        "preconditioner": [[exact(q) for q in row] for row in hint.matrix],
     }
+
+
+def by_event(hint: Hint) -> list[list[str]]:
+    """Return the centre of a hint, a list for each event."""
+    centre = [interval.exact_decimal(q) for q in hint.centre]
+    return [centre[k : k + 4] for k in range(0, len(centre), 4)]
 
 
 def _claims(orbit: Orbit) -> dict[str, Any]:

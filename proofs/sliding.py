@@ -26,7 +26,7 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.particle_orbit import system
-from cap.proofs.segment import Velocity, drift_of, lemma_1_velocity
+from cap.proofs.segment import Drift, Velocity, drift_of, lemma_1_velocity
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -42,9 +42,10 @@ def prove(setting: Setting) -> Proof:
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)
         shares = [1 / m for m in guess.masses]
-        velocity = lemma_1_velocity(osc)
+        velocity = lemma_1_velocity(osc, setting.parameters)
         side, claims = lemma_2_triangle(osc, setting, velocity, shares)
-        claims |= lemma_3_basin(osc, setting, velocity, (side, shares))
+        drift = drift_of(osc, claims["turning_times"][0])
+        claims |= lemma_3_basin(setting, drift, side, shares)
     hints = {"bits": str(setting.checker_bits)}
     proved = assembled("sliding", setting, strings, (claims, hints))
     return lambda _part: proved
@@ -79,14 +80,9 @@ def lemma_2_triangle(
 
 
 def lemma_3_basin(
-    osc: Oscillator[Ball],
-    setting: Setting,
-    found: Velocity,
-    triangle: tuple[Ball, list[Fraction]],
+    setting: Setting, drift: Drift, L: Ball, shares: list[Fraction]
 ) -> dict[str, Any]:
     """*Statement.* The open set of (iii), with its volume.  *Computed.* D(d) (Σ 1/m_i) <= L."""
-    L, shares = triangle
-    drift = drift_of(osc, found)
     sums = sum(shares), sum(s * s for s in shares), shares[0] * shares[1]
     first, second, product = (interval.ball(Fraction(q)) for q in sums)
     speed = drift.speed(L / first)
@@ -94,7 +90,11 @@ def lemma_3_basin(
     I_1 = a * d**2 / 2 + b * d**3 / 3
     I_2 = a**2 * d**3 / 3 + a * b * d**4 / 2 + b**2 * d**5 / 5
     mean = L**2 * d**2 - 2 * L * d * I_1 * first + d * I_2 * second + 2 * I_1**2 * product
+    volume = setting.rounding.pair(2 * product * mean, setting.units.area**2)
+    if not Fraction(volume[0]) > 0:
+        sets = {"volume": 2 * product * mean}
+        raise NotProved("Lemma 3", "the volume of the open set is below the digits claimed", sets)
     return {
         "basin": {"speed": interval.exact_decimal(speed), "drift": drift.strings},
-        "basin_volume": setting.rounding.pair(2 * product * mean, setting.units.area**2),
+        "basin_volume": volume,
     }

@@ -3,13 +3,16 @@
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 
 from cap.floats.candidates import Request, particles
 from cap.parameters import PAPER
+from cap.particles.derivative import state
 from cap.proofs.fixed_point import Setting
 from cap.proofs.particle_orbit import located
 from cap.sets import interval
 
+STORED = Path(__file__).parents[1] / "certificates"
 MASSES = Fraction(1), Fraction(9, 10)
 A = replace(PAPER, f=Fraction(91, 200))
 B = replace(PAPER, l=Fraction(-11, 10), r=Fraction(11, 10))
@@ -29,3 +32,8 @@ def orbit(p=A, kind="particles", digits=30):
     asked = setting(p, kind, digits)
     with interval.workprec(asked.bits):
         return located(asked, asked.particles)
+
+
+def state_of(orbit):
+    """Return the state at t = 0, (x, v), in floats."""
+    return [float(q.mid()) for side in state(orbit.model, orbit.events) for q in side]

@@ -11,7 +11,7 @@ from fractions import Fraction
 from cap.errors import BadInput
 from cap.floats import periodic
 from cap.floats.cycles import Cycle, near
-from cap.floats.particle_candidates import particles, touching_nothing
+from cap.floats.particle_candidates import lighter, particles, touching_nothing
 from cap.floats.periodic import Guess
 from cap.floats.request import Candidate, Found, Request, Search
 from cap.floats.search import from_hit_times, search
@@ -30,6 +30,7 @@ __all__ = [
     "continued",
     "cyclic",
     "every_motion",
+    "lighter",
     "non_sticking",
     "particles",
     "releasing",
@@ -181,9 +182,11 @@ def capturing(request: Request) -> Found:
 def releasing(request: Request) -> Found:
     """Find critical points of the release map, on the branches on which its orbits end."""
     if not request.parameters.f:
-        raise BadInput("the theorem attractor needs friction: f > 0")
+        raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     if request.orbit:
         x = request.orbit[0]
+        if not request.parameters.l < x < request.parameters.r:
+            raise BadInput(f"a release at x = {x:.10g} is not between the walls")
         return Found([f"A release at x = {x:.10g}."], [_release(x)])
     found = critical_points(request.parameters)
     if not found:

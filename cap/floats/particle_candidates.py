@@ -1,8 +1,12 @@
 """Orbits of two masses from which proofs start, continued from equal masses."""
 
+from dataclasses import replace
+from fractions import Fraction
+
 from cap.errors import BadInput
+from cap.floats.particle_limits import limits
 from cap.floats.particle_orbits import Continued, NotFound, from_equal_masses
-from cap.floats.particles import Particles
+from cap.floats.particles import Particles, Path
 from cap.floats.request import Candidate, Found, Request
 from cap.maps.fixed_point import Start
 from cap.particles.model import Guess
@@ -44,6 +48,30 @@ def _two_masses(request: Request) -> None:
     Particles(request.parameters, request.masses)
 
 
+def lighter(request: Request) -> Found:
+    """Make the second of two equal masses lighter, to the ends of the elliptic orbits, and of all.
+
+    The guess is the last elliptic orbit, with the last one as a further one.
+    """
+    if len(request.masses) != 2 or request.masses[0] != request.masses[1]:
+        raise BadInput(f"{request.kind} begins with two equal masses: give --masses M,M, as 1,1")
+    if request.orbit or request.every:
+        raise BadInput(f"{request.kind} finds its orbits itself: leave out --orbit and --all")
+    system = Particles(request.parameters, request.masses)
+    try:
+        flip, stop = limits(system)
+    except NotFound as reason:
+        raise BadInput(str(reason)) from None
+    lines = [
+        "As the second of two equal masses is made lighter, their orbit is elliptic down to "
+        f"{float(flip.mass):.6g}, and found down to {float(stop.mass):.6g}."
+    ]
+    first, last = (_guess((system.masses[0], near.mass), near.path) for near in (flip, stop))
+    start = Start(flip.state[0], flip.state[2], ())
+    shown = f"m = {', '.join(map(str, system.masses))}"
+    return Found(lines, [Candidate(start, shown, particles=replace(first, further=(last,)))])
+
+
 def _pairs_on_the_circle(found: Continued) -> int:
     return found.kind.split(" x ").count("elliptic")
 
@@ -78,9 +106,11 @@ def _kind(found: Continued) -> str:
 
 def _of_masses(system: Particles, found: Continued) -> Candidate:
     path, n = found.path, len(system.masses)
-    guess = Guess(
-        system.masses, tuple((e.word, e.time, e.positions, e.before) for e in path.events)
-    )
     start = Start(found.state[0], found.state[n], tuple((e.word, e.time) for e in path.events))
     masses = ", ".join(map(str, system.masses))
+    guess = _guess(system.masses, path)
     return Candidate(start, f"m = {masses}, {found.kind}", particles=guess)
+
+
+def _guess(masses: tuple[Fraction, ...], path: Path) -> Guess:
+    return Guess(masses, tuple((e.word, e.time, e.positions, e.before) for e in path.events))

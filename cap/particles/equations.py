@@ -68,3 +68,24 @@ def _by_end(leg: Leg) -> Rows:
 def _unit(index: int | None, size: int, entry: int) -> list[Ball]:
     """Return a row of zeros, with an entry at the index if there is one."""
     return [interval.ball(entry) if j == index else interval.ZERO for j in range(size)]
+
+
+def by_second_mass(model: Model, contacts: Sequence[int], z: Sequence[Ball], q: Ball) -> list[Ball]:
+    """Return an enclosure of the derivative of G by the second of two masses, for all of ``q``.
+
+    Forces on the second mass are divided by q: so v' - v = A/q, and x' - x - v d = B/q, with the
+    derivatives -A/q², -B/q².  A collision changes the velocities by C, with the derivative
+    -2 m (v_1 - v_2)/(m + q)² of both.
+    """
+    result, m = list[Ball](), interval.ball(model.masses[0])
+    for leg in legs_of(model, events_of(model, contacts, z)):
+        start, d, o, flight = leg.start, leg.duration, leg.model.oscillators[1], leg.flights[1]
+        push = interval.ZERO
+        if 0 < start.contact < model.n:
+            push = -2 * m * (start.before[0] - start.before[1]) / ((m + q) * (m + q))
+        response = o.response_position(start.at), o.response_velocity(start.at)
+        drag = o.drag(flight.s)
+        gained = o.response_velocity(leg.arrival) - response[1] - drag * d
+        moved = o.response_position(leg.arrival) - response[0] - (response[1] + drag * d / 2) * d
+        result += [push * d, push * d - moved / q, push, push - gained / q]
+    return result

@@ -40,18 +40,64 @@ class Knot(NamedTuple):
 def least_speeds(model: Model, events: Sequence[Event]) -> list[Ball]:
     """Prove that the orbit has these events and no others; return the least speed of each mass.
 
-    ``events`` enclose a zero of the equations.  Verified are: 0 < t_1 < .. < t_K < T, positions
-    that increase from wall to wall, but for the contact, and no contact between the events.
-    Raises `NotProved`.
+    ``events`` enclose a zero of the equations.  Raises `NotProved`.
     """
-    legs = legs_of(model, events)
+    no_other_contacts(model, events)
+    return [_least(legs_of(model, events), i) for i in range(model.n)]
+
+
+def no_other_contacts(model: Model, events: Sequence[Event]) -> None:
+    """Prove that the contacts are these, if no mass stops between them.
+
+    Verified are: 0 < t_1 < .. < t_K < T, positions that increase from wall to wall, but for the
+    contact, and no contact between the events.
+    """
     _in_order(model, events)
     for event in events:
         _apart(model, event)
-    for number, leg in enumerate(legs, start=1):
+    for number, leg in enumerate(legs_of(model, events), start=1):
         for i in range(model.n - 1):
             _stay_apart(leg, i, number)
-    return [_least(legs, i) for i in range(model.n)]
+
+
+class Slow(NamedTuple):
+    """A slow moment of the mass ``i``, certainly inside of the ``leg`` of this number."""
+
+    leg: Leg
+    number: int
+    i: int
+    at: Moment[Ball]
+
+    @property
+    def speed(self) -> Ball:
+        """Return s v there, of any sign."""
+        o, s = self.leg.model.oscillators[self.i], self.leg.signs[self.i]
+        return Ball(s * o.velocity(self.leg.flights[self.i], self.at))
+
+
+def slow_moments(model: Model, events: Sequence[Event]) -> list[Slow]:
+    """Return the slow moments inside of flights; raise `NotProved` if one may be at an event."""
+    found = []
+    for number, leg in enumerate(legs_of(model, events)):
+        for i, (o, s) in enumerate(zip(model.oscillators, leg.signs, strict=True)):
+            start, end = leg.start.at.t, leg.arrival.t
+            for k in slow_numbers(o, s, start, end):
+                slow = o.slow(s, k)
+                if slow.t < start or slow.t > end:
+                    continue
+                if not start < slow.t < end:
+                    sets = {"slow moment": slow.t, "flight from": start, "to": end}
+                    raise NotProved("flight", "a slow moment may be at an event", sets)
+                found.append(Slow(leg, number, i, slow))
+    return found
+
+
+def speeds_at_events(model: Model, events: Sequence[Event]) -> None:
+    """Prove that all velocities have the signs of their flights at the ends of these."""
+    for leg in legs_of(model, events):
+        for s, v in zip(leg.signs, leg.end.before, strict=True):
+            if not s * v > 0:
+                raise NotProved("flight", "a mass may stop", {"v at its end": v})
 
 
 def closing_speed(model: Model, event: Event) -> Ball:

@@ -32,11 +32,12 @@ Vector = tuple[Ball, ...]
 class Guess:
     """An orbit in floats: masses, and of each event its word, time, positions, velocities before.
 
-    It needs no trust.
+    ``further`` are others of its family.  It needs no trust.
     """
 
     masses: tuple[Fraction, ...]
     events: tuple[tuple[str, float, tuple[float, ...], tuple[float, ...]], ...]
+    further: tuple["Guess", ...] = ()
 
 
 class Model:

@@ -28,16 +28,15 @@ def release_jet(osc: Oscillator[Any], x: E, events: Sequence[Event[E]], order: i
         verb, _, side = event.word.partition(" ")
         if verb == "release":
             return place if side == "right" else osc.l + osc.r - place
-        if verb == "capture":
-            place = Jet.constant(osc.r if side == "r" else osc.l, Space(1, order))
-            continue
         moment = osc.moment(_time_jet(osc, flight, event, order))
         if verb == "hit":
             flight = osc.reflect(flight, moment, osc.velocity(flight, moment))
-        else:
+        elif verb in ("turn", "stick"):
             place = osc.position(flight, moment)
             if verb == "turn":
                 flight = osc.launch(SIDES[side], moment, place, Ball(0))
+        else:
+            raise NotProved("release map", "after a capture it is constant")
     raise NotProved("release map", "the events do not end with a release")
 
 

@@ -107,6 +107,18 @@ def two_masses(tori, saddle):
         put("reject", name, certificate, tuple(change))
 
 
+def lighter(limits):
+    """Write lies about where an orbit of two masses loses its ellipticity, and ends."""
+    nodes = limits["hints"]["nodes"]
+    stop = [str(Fraction(end) - Fraction(1, 10**20)) for end in limits["claims"]["stop"]]
+    for name, *change in (
+        ("particles_limits_with_a_gap_between_cells", "hints", "nodes", nodes[:5] + nodes[7:]),
+        ("particles_limits_that_stop_too_late", "claims", "stop", stop),
+        ("particles_limits_that_begin_with_other_masses", "parameters", "masses", ["1", "9/10"]),
+    ):
+        put("reject", name, limits, tuple(change))
+
+
 def malformed(saddle):
     """Write what is no certificate."""
     good = json.dumps(saddle, indent=1)
@@ -142,4 +154,5 @@ if __name__ == "__main__":
     rejected(load("saddle-2.json"), load("elliptic-2.json"))
     captured(load("capture.json"), load("capture-2.json"))
     two_masses(load("particles.json"), load("particles_saddle.json"))
+    lighter(load("particles_limits.json"))
     malformed(load("saddle-2.json"))

@@ -113,7 +113,12 @@ def test_where_it_is_not_proved():
     masses = (Fraction(1), Fraction(1, 10))
     with pytest.raises(NotProved, match="may not fit"):
         proved(Particles(PAPER, masses))
-    with pytest.raises(NotProved, match="may stick"):
+    with pytest.raises(NotProved, match="turns without sticking"):
         proved(Particles(replace(PAPER, f=Fraction(3, 5)), (Fraction(1), Fraction(1))))
+    with pytest.raises(NotProved, match="turns without sticking") as failed:
+        proved(Particles(replace(PAPER, f=Fraction(9, 10)), (Fraction(1), Fraction(1))))
+    assert "nan" not in str(failed.value)
+    with pytest.raises(NotProved, match="below the digits"):
+        proved(Particles(PAPER, (Fraction(10**30), Fraction(1))))
     with pytest.raises(BadInput, match="friction"):
         proved(Particles(replace(PAPER, f=Fraction(0)), (Fraction(1), Fraction(1))))

@@ -28,6 +28,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from typing import NamedTuple
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
@@ -37,6 +38,14 @@ Ends = tuple[Fraction, Fraction]
 SIZE = 4  # unknowns of a contact, and equations of a flight
 Row = list[Interval]
 Matrix = list[Row]
+
+
+class Moved(NamedTuple):
+    """G(c) + slope by: G at the centre for the members of a family."""
+
+    G: Row
+    slope: Row
+    by: Interval
 
 
 def arrivals(orbit: Sequence[Contact], M: Mechanics) -> list[Contact]:
@@ -81,23 +90,29 @@ def krawczyk(
     region: Sequence[Ends],
     centre: Sequence[Fraction],
     preconditioner: Sequence[Sequence[Fraction]],
+    value: Moved | None = None,
 ) -> list[Interval]:
-    """Return K(region) if it lies in the interior of the region, which contains the centre."""
+    """Return K(region) if it lies in the interior of the region, which contains the centre.
+
+    If M is a family, the value of G(c) may be given in mean value form: for all its members.
+    """
     inside = zip(region, centre, strict=True)
     need(all(z[0] <= c <= z[1] for z, c in inside), "the centre is not in the box")
     box = [Interval.enclosing(*z, M.bits) for z in region]
     middle = [M.number(c) for c in centre]
     offsets = [z - c for z, c in zip(box, middle, strict=True)]
-    G = defects(M, contacts(M, itinerary, middle))
+    G = value.G if value else defects(M, contacts(M, itinerary, middle))
     orbit = contacts(M, itinerary, box)
     pairs = zip(orbit, arrivals(orbit, M), strict=True)
     parts = [slopes(M, contact, end) for contact, end in pairs]
     K = list[Interval]()
     for i, given in enumerate(preconditioner):
         row = [M.number(c) for c in given]
-        residual = _times(row, parts)
+        residual = times(row, parts)
         residual[i] = residual[i] - 1
         K.append(middle[i] - dot(row, G) - dot(residual, offsets))
+        if value:
+            K[i] = K[i] - dot(row, value.slope) * value.by
         need(K[i].lies_inside(*region[i]), "K does not lie in the interior of its box")
     return K
 
@@ -110,7 +125,7 @@ def dot(row: Sequence[Interval], column: Sequence[Interval]) -> Interval:
     return total
 
 
-def _times(row: Sequence[Interval], parts: Sequence[tuple[Matrix, Matrix]]) -> list[Interval]:
+def times(row: Sequence[Interval], parts: Sequence[tuple[Matrix, Matrix]]) -> list[Interval]:
     """Return a row of C G': the k-th flight depends on the contacts k and k + 1."""
     size, count = SIZE, len(parts)
     result = [row[0].integer(0)] * (size * count)
