@@ -1,4 +1,4 @@
-"""Theorem (conservative).  Let e = 1, μ = 0, 0 < f < F: the part of the plane where nothing is lost.
+"""Theorem (conservative).  Let e = 1, μ = 0, 0 < f < F.
 
 Ω_NS is the set of the states (x, v) at t = 0 whose velocity never vanishes afterwards.  Its area is
 at most ``area``, and almost all of it has |v| <= ``speed``.
@@ -25,28 +25,37 @@ them that proves the theorem.
 """
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from itertools import pairwise
 from typing import Any
 
 from cap.cells.listing import Edge, Run, listed, written
 from cap.cells.strips import World, all_strips, cut, even
+from cap.checker.flow.ceiling import Flights, descends
 from cap.checker.flow.columns import LINE, column
 from cap.checker.flow.overlap import gaps, mirrored, shared
 from cap.checker.flow.strips import Ceiling, fails
 from cap.checker.flow.strips import World as Checked
 from cap.checker.kernel.doubles import enclosing
+from cap.checker.kernel.rejection import Rejected
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
+from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.runner import Plan, Runner
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 SEARCH = candidates.every_motion
 
-FLIGHTS = 10  # that launches are followed, forward and backward
+FLIGHTS = 12  # that launches are followed, forward and backward
 WIDTH = Fraction(1, 64)  # of columns
-CEILING = Fraction(4, 5), Fraction(1, 10), Fraction(16, 25)  # of R/2, of 1 and of R/2, near f = 2F/5
+CEILING = (
+    Fraction(4, 5),
+    Fraction(1, 10),
+    Fraction(16, 25),
+)  # of R/2, of 1 and of R/2, near f = 2F/5
 
 Found = list[tuple[int, Edge, Edge]]
 
@@ -58,11 +67,13 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem conservative needs f > 0, e = 1 and mu = 0")
     R = p.R * p.omega**2 / p.F
     a, b, c = CEILING[0] * R / 2, CEILING[1], CEILING[2] * R / 2
-    world = World(float(p.f / p.F), float(R), *map(float, (a, b, c)), even(a, b, c, WIDTH))
+    lemma_3_ceiling(p, (a, b, c))
+    scaled = float(p.f / p.F), float(R), float(a), float(b), float(c)
+    world = World(*scaled, even(a, b, c, WIDTH), FLIGHTS)
     found = {}
     for name, each in (("forward", world), ("backward", world.mirrored)):
-        columns = all_strips(each, FLIGHTS, setting.runner)
-        found[name] = cut(each, columns, FLIGHTS, partial(failing, setting, each, (a, b, c)))
+        columns = all_strips(each, _keeping(setting.runner, name))
+        found[name] = cut(each, columns, partial(failing, setting, checked(p, each, (a, b, c))))
     hints = {
         "ceiling": {"height": str(a), "phase": str(b), "level": str(c)},
         "lines": _lines(world.lines),
@@ -77,54 +88,62 @@ def prove(setting: Setting) -> Proof:
     return lambda _part: proved
 
 
+def lemma_3_ceiling(p: Parameters, ceiling: tuple[Fraction, Fraction, Fraction]) -> None:
+    """*Statement.* Almost all launches that never stop are below the ceiling.
+
+    *Computed.* By the checker: it takes two seconds, and is asked before the search for strips.
+    """
+    top = Ceiling(*map(enclosing, ceiling))
+    try:
+        descends(Flights(enclosing(p.f / p.F), enclosing(p.R * p.omega**2 / p.F)), top)
+    except Rejected as reason:
+        words = "the function of the ceiling may not decrease: these parameters need another one"
+        raise NotProved("Lemma 3", f"{words} ({reason})") from None
+
+
+def _keeping(runner: Runner, name: str) -> Runner:
+    """Return a runner with a journal of its own for each family."""
+    path = runner.journal
+    return replace(runner, journal=path and path.with_name(f"{path.name}.{name}"))
+
+
+def checked(p: Parameters, world: World, ceiling: tuple[Fraction, Fraction, Fraction]) -> Checked:
+    """Return the same world for the checker, without columns."""
+    sign = 1 if world.f > 0 else -1
+    f, R = enclosing(sign * p.f / p.F), enclosing(p.R * p.omega**2 / p.F)
+    top = Ceiling(enclosing(ceiling[0]), enclosing(sign * ceiling[1]), enclosing(ceiling[2]))
+    return Checked(f, R, top, list(world.lines), [])
+
+
 def failing(
-    setting: Setting,
-    world: World,
-    ceiling: tuple[Fraction, Fraction, Fraction],
-    columns: list[list[Run]],
-    wanted: list[int],
-    level: int,
+    setting: Setting, world: Checked, columns: list[list[Run]], wanted: list[int], level: int
 ) -> Found:
     """Return the cells of a level with which the checker does not succeed."""
-    p, texts = setting.parameters, [listed(runs) for runs in columns]
-    sign = 1 if world.f > 0 else -1
-    task = partial(
-        _tried, (sign * p.f / p.F, p.R * p.omega**2 / p.F), sign, ceiling, world.lines, texts, level
-    )
-    runner = Runner(setting.runner.jobs, setting.runner.tell, setting.runner.executor, whole=True)
-    plan = Plan[tuple[int, ...], Found](total=len(wanted), weight=len, words=f"level {level}")
+    own = setting.runner
+    runner = Runner(own.jobs, own.tell, own.executor, whole=True)
     parts = [tuple(wanted[k : k + 8]) for k in range(0, len(wanted), 8)]
+    plan = Plan[tuple[int, ...], Found](total=len(wanted), weight=len, words=f"level {level}")
+    task = partial(_tried, world, [listed(runs) for runs in columns], level)
     return [each for _, found in runner.run(task, parts, plan) for each in found]
 
 
-def _tried(
-    scaled: tuple[Fraction, Fraction],
-    sign: int,
-    ceiling: tuple[Fraction, Fraction, Fraction],
-    lines: tuple[float, ...],
-    texts: list[str],
-    level: int,
-    wanted: tuple[int, ...],
-) -> Found:
+def _tried(world: Checked, texts: list[str], level: int, wanted: tuple[int, ...]) -> Found:
     """Return the cells of some columns with which the checker does not succeed."""
-    a, b, c = ceiling
-    f, R = map(enclosing, scaled)
-    top = Ceiling(enclosing(a), enclosing(sign * b), enclosing(c))
-    world = Checked(f, R, top, list(lines), [column(text) for text in texts])
+    world.columns = [column(text) for text in texts]
     return [(j, *cell) for j in wanted for cell in fails(world, j, level)]
 
 
 def _lines(lines: tuple[float, ...]) -> str:
     """Return the lines as text."""
     units = [round(t / LINE) for t in lines]
-    return written([units[0], *(b - a for a, b in zip(units, units[1:], strict=False))])
+    return written([units[0], *(b - a for a, b in pairwise(units))])
 
 
 def _area(world: World, hints: dict[str, Any]) -> float:
     """Return the area that is left, in units F = ω = 1."""
     pairs = zip(hints["forward"], reversed(hints["backward"]), strict=True)
     left = [shared(gaps(column(one)), mirrored(gaps(column(two)))) for one, two in pairs]
-    widths = [b - a for a, b in zip(world.lines, world.lines[1:], strict=False)]
+    widths = [b - a for a, b in pairwise(world.lines)]
     return math.fsum(w * area for w, area in zip(widths, left, strict=True))
 
 

@@ -6,12 +6,11 @@ The *fate* of a launch: k >= 0 if after k flights it is above the ceiling E + a 
 """
 
 import math
-from typing import Any
 
 import numpy as np
-from numba.extending import register_jitable
 from numpy.typing import NDArray
 
+from cap.sets.compiled import kernel
 from cap.sets.kept import kept
 
 Floats = NDArray[np.float64]
@@ -22,21 +21,19 @@ CLOSE = 1e-10  # how near the ends of strips are found
 TURN = 2 * math.pi
 NODES = (-1.0, -0.5, 0.0, 0.5, 1.0)
 
-_kernel: Any = register_jitable(error_model="numpy")
 
-
-@_kernel
+@kernel
 def _place(t: float, u: float, f: float, T: float) -> float:
     d = T - t
     return u * d + math.cos(t) - math.cos(T) - d * math.sin(t) - 0.5 * f * d * d
 
 
-@_kernel
+@kernel
 def _speed(t: float, u: float, f: float, T: float) -> float:
     return u + math.sin(T) - math.sin(t) - f * (T - t)
 
 
-@_kernel
+@kernel
 def _reach(t: float, u: float, f: float, R: float, low: float, high: float) -> float:
     """Return when x = R, between two times at which x is below and above."""
     T = high
@@ -55,7 +52,7 @@ def _reach(t: float, u: float, f: float, R: float, low: float, high: float) -> f
     return T
 
 
-@_kernel
+@kernel
 def _halt(t: float, u: float, f: float, low: float, high: float) -> float:
     """Return when v = 0, between two times at which it is positive and not."""
     for _ in range(60):
@@ -67,7 +64,7 @@ def _halt(t: float, u: float, f: float, low: float, high: float) -> float:
     return low
 
 
-@_kernel
+@kernel
 def fly(t: float, u: float, f: float, R: float) -> tuple[float, float]:
     """Return the time and the speed of the hit; no speed if the flight stops."""
     rest = math.acos(f)
@@ -90,9 +87,9 @@ def fly(t: float, u: float, f: float, R: float) -> tuple[float, float]:
     return T, 0.0
 
 
-@_kernel
-def _fate(t: float, E: float, n: int, y: Floats) -> int:
-    f, R, a, b, c = y[0], y[1], y[2], y[3], y[4]
+@kernel
+def _fate(t: float, E: float, y: Floats) -> int:
+    f, R, a, b, c, n = y[0], y[1], y[2], y[3], y[4], y[5]
     k = 0
     while True:
         if E + a * math.cos(t - b) > c:
@@ -106,7 +103,7 @@ def _fate(t: float, E: float, n: int, y: Floats) -> int:
         k += 1
 
 
-@_kernel
+@kernel
 def _contracted(t: float, E: float, flights: int, y: Floats) -> float:
     """Return the slope dE/dt of the direction that so many flights contract most."""
     f, R = y[0], y[1]
@@ -125,15 +122,15 @@ def _contracted(t: float, E: float, flights: int, y: Floats) -> float:
     return -(p * q + r * s) / (q * q + s * s)
 
 
-@_kernel
-def _end(t: float, E: float, fate: int, n: int, y: Floats, step: float, near: float) -> float:
+@kernel
+def _end(t: float, E: float, fate: int, y: Floats, step: float, near: float) -> float:
     """Return where, from E in the direction of ``step``, the fate changes, up to ``near``."""
     low, high = E, E + step
     for _ in range(60):
         if high <= 0:
             high = 0.0
             break
-        if _fate(t, high, n, y) != fate:
+        if _fate(t, high, y) != fate:
             break
         low, step = high, 1.7 * step
         high = low + step
@@ -143,17 +140,15 @@ def _end(t: float, E: float, fate: int, n: int, y: Floats, step: float, near: fl
         if abs(high - low) < near:
             break
         middle = 0.5 * (low + high)
-        if middle > 0 and _fate(t, middle, n, y) == fate:
+        if middle > 0 and _fate(t, middle, y) == fate:
             low = middle
         else:
             high = middle
     return low
 
 
-@_kernel
-def _followed(
-    t: float, half: float, fate: int, n: int, y: Floats, ends: Floats
-) -> bool:
+@kernel
+def _followed(t: float, half: float, fate: int, y: Floats, ends: Floats) -> bool:
     """Find the ends of a strip at the `NODES`, from those in the middle, ``ends[2]``."""
     flights = fate if fate >= 0 else -1 - fate
     width = ends[2, 1] - ends[2, 0]
@@ -167,10 +162,10 @@ def _followed(
             now, new = t + side * at, t + side * (at + move)
             slope = _contracted(now % TURN, E, flights, y)
             there = E + side * move * slope
-            if there > 0 and _fate(new % TURN, there, n, y) == fate:
+            if there > 0 and _fate(new % TURN, there, y) == fate:
                 slope = 0.5 * (slope + _contracted(new % TURN, there, flights, y))
                 there = E + side * move * slope
-            if not (there > 0 and _fate(new % TURN, there, n, y) == fate):
+            if not (there > 0 and _fate(new % TURN, there, y) == fate):
                 step *= 0.5
                 if step < 1e-7:
                     return False
@@ -180,8 +175,8 @@ def _followed(
             near = CLOSE if arrived else 0.02 * (high - low)
             part = 0.3 * (high - low)
             low, high = (
-                _end(new % TURN, there, fate, n, y, -part, near),
-                _end(new % TURN, there, fate, n, y, part, near),
+                _end(new % TURN, there, fate, y, -part, near),
+                _end(new % TURN, there, fate, y, part, near),
             )
             if high - low < 0.02 * width:
                 return False
@@ -196,26 +191,25 @@ def _followed(
     return True
 
 
-def _column(
-    t: float, half: float, n: int, y: Floats, step: float, thin: float, fates: Integers, ends: Floats
-) -> int:
+def _column(t: float, half: float, y: Floats, grain: Floats, fates: Integers, ends: Floats) -> int:
     """Find the strips of the column |time - t| <= half: their fates, their ends at the nodes.
 
-    ``y``: f, R, a, b, c.  Energies are tried a ``step`` apart; strips thinner than ``thin`` are
-    left out.  Returns their number.
+    ``y``: f, R, a, b, c, n.  ``grain``: energies are tried so far apart; strips thinner than the
+    second are left out.  Returns their number.
     """
+    step, thin = grain[0], grain[1]
     found, E, phase = 0, 0.5 * step, t % TURN
     top = y[4] - y[2] * math.cos(phase - y[3])
-    while E < top and found < len(fates):
-        fate = _fate(phase, E, n, y)
+    while top > E and found < len(fates):
+        fate = _fate(phase, E, y)
         if fate == LONG:
             E += step
             continue
-        low = _end(phase, E, fate, n, y, -0.5 * step, CLOSE)
-        high = _end(phase, E, fate, n, y, 0.5 * step, CLOSE)
+        low = _end(phase, E, fate, y, -0.5 * step, CLOSE)
+        high = _end(phase, E, fate, y, 0.5 * step, CLOSE)
         if high - low > thin:
             ends[found, 2, 0], ends[found, 2, 1] = low, high
-            if _followed(t, half, fate, n, y, ends[found]):
+            if _followed(t, half, fate, y, ends[found]):
                 fates[found] = fate
                 found += 1
         E = max(E, high) + step
@@ -223,38 +217,3 @@ def _column(
 
 
 column = kept(_column, error_model="numpy")
-
-
-def _missed(
-    t: float, half: float, n: int, y: Floats, lines: int, step: float, found: int, fates: Integers, ends: Floats
-) -> float:
-    """Return about the area of a column that parabolas through the ends of its strips miss.
-
-    Launches on some lines, a ``step`` apart, are looked at; not those that go on for n flights.
-    """
-    total = 0.0
-    for m in range(lines):
-        s = 2 * (m + 0.5) / lines - 1
-        w0, w1, w2 = 0.5 * s * (s - 1), 1 - s * s, 0.5 * s * (s + 1)
-        now = (t + half * s) % TURN
-        top = y[4] - y[2] * math.cos(now - y[3])
-        E, i = 0.5 * step, 0
-        while E < top:
-            while i < found and w0 * ends[i, 0, 1] + w1 * ends[i, 2, 1] + w2 * ends[i, 4, 1] < E:
-                i += 1
-            low = top
-            if i < found:
-                low = w0 * ends[i, 0, 0] + w1 * ends[i, 2, 0] + w2 * ends[i, 4, 0]
-            if low <= E:
-                high = w0 * ends[i, 0, 1] + w1 * ends[i, 2, 1] + w2 * ends[i, 4, 1]
-                if _fate(now, E, n, y) != fates[i]:
-                    total += high - low
-                E = max(high, E) + step
-                continue
-            if _fate(now, E, n, y) != LONG:
-                total += step
-            E += step
-    return total * 2 * half / lines
-
-
-missed = kept(_missed, error_model="numpy")

@@ -4,8 +4,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-import numpy as np
-
+from cap.cells.fates import Floats
 from cap.cells.fit import PIECES, UNIT, Columns
 
 DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
@@ -47,15 +46,17 @@ def listed(runs: Sequence[Run]) -> str:
 
 def runs(columns: Columns, j: int) -> list[Run]:
     """Return the runs of a column, none above the next; what does not fit is left out."""
-    found = list[Run]()
-    for i in range(columns.count[j]):
-        level = int(columns.level[j, i])
-        if level == 0:
-            found.append(Run([edge(columns, j, i, PIECES)], [], BOTTOM))
-        elif level > 0:
-            found += _pieces(columns, j, i, level)
-    top = Run([tuple(np.rint(columns.top[j] / UNIT).astype(int).tolist())], [], TOP)
+    found = [Run([_units(columns.bottom[j])], [], BOTTOM)] if columns.bottom[j, 0] > 0 else []
+    for i in range(columns.number[j]):
+        if columns.level[j, i] > 0:
+            found += _pieces(columns, j, i, int(columns.level[j, i]))
+    top = Run([_units(columns.top[j])], [], TOP)
     return _joined([*found, top])
+
+
+def _units(p: Floats) -> Edge:
+    a, b, c = (round(q / UNIT) for q in p)
+    return a, b, c
 
 
 def edge(columns: Columns, j: int, i: int, m: int) -> Edge:
@@ -103,4 +104,4 @@ def _joined(found: list[Run]) -> list[Run]:
 def below(one: Edge, two: Edge) -> bool:
     """Return whether an edge is certainly below another in the whole column."""
     a, b, c = (q - p for p, q in zip(one, two, strict=True))
-    return a - abs(b) + min(0, c) > 0
+    return a + c > abs(b) and (abs(b) >= 2 * c or 4 * a * c > b * b)

@@ -9,15 +9,15 @@ import base64
 import io
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from cap.cells.fates import Floats, column
-from cap.cells.fit import PIECES, Columns, fit, kept_area
+from cap.cells.fates import Floats, Integers, column
+from cap.cells.fit import PIECES, Columns, Frame, fit
 from cap.cells.listing import Edge, Run, edge, runs
 from cap.runner import Plan, Runner
 
@@ -31,7 +31,10 @@ Check = Callable[[list[list[Run]], list[int], int], list[tuple[int, Edge, Edge]]
 
 @dataclass(frozen=True)
 class World:
-    """Flights against the friction f over R, the ceiling E + a cos(t - b) = c, and the lines."""
+    """Flights against the friction f over R; the ceiling E + a cos(t - b) = c; lines of columns.
+
+    Launches are followed for so many ``flights``.
+    """
 
     f: float
     R: float
@@ -39,41 +42,42 @@ class World:
     b: float
     c: float
     lines: tuple[float, ...]
+    flights: int
 
     @property
     def numbers(self) -> Floats:
         """What compiled code takes."""
-        return np.array([self.f, self.R, self.a, self.b, self.c])
+        return np.array([self.f, self.R, self.a, self.b, self.c, self.flights])
 
     @property
     def mirrored(self) -> World:
         """The world of backward orbits."""
         lines = tuple(-t for t in reversed(self.lines))
-        return World(-self.f, self.R, self.a, -self.b, self.c, lines)
+        return replace(self, f=-self.f, b=-self.b, lines=lines)
 
 
 class Strips(NamedTuple):
     """The strips of a column: fates (N,) and ends (N, 5, 2)."""
 
-    fates: Floats
+    fates: Integers
     ends: Floats
 
 
-def strips(world: World, flights: int, j: int) -> Strips:
+def strips(world: World, j: int) -> Strips:
     """Find the strips of a column in which launches end within so many flights."""
     low, high = world.lines[j], world.lines[j + 1]
     fates, ends = np.zeros(MOST, np.int64), np.zeros((MOST, 5, 2))
     middle, half = (low + high) / 2, (high - low) / 2
-    found = column(middle, half, flights, world.numbers, STEP, THICK, fates, ends)
+    found = column(middle, half, world.numbers, np.array([STEP, THICK]), fates, ends)
     return Strips(fates[:found].copy(), ends[:found].copy())
 
 
-def all_strips(world: World, flights: int, runner: Runner) -> Columns:
+def all_strips(world: World, runner: Runner) -> Columns:
     """Find the strips of all columns."""
     count = len(world.lines) - 1
-    key = f"strips {world} {flights} {STEP} {THICK}"
+    key = f"strips {world} {STEP} {THICK}"
     plan = Plan[int, Strips](key, encode=_text, decode=_strips, total=count, words="strips")
-    found = dict(runner.run(partial(strips, world, flights), range(count), plan))
+    found = dict(runner.run(partial(strips, world), range(count), plan))
     return together([found[j] for j in range(count)])
 
 
@@ -90,7 +94,7 @@ def _strips(text: str) -> Strips:
 
 def together(found: Sequence[Strips]) -> Columns:
     """Return the strips of all columns in arrays, without cells."""
-    C, N = len(found), max(1, *(len(each.fates) for each in found))
+    C, N = len(found), 1 + max(len(each.fates) for each in found)
     columns = Columns(
         np.array([len(each.fates) for each in found]),
         np.zeros((C, N), np.int64),
@@ -98,22 +102,23 @@ def together(found: Sequence[Strips]) -> Columns:
         np.full((C, N), -1),
         np.zeros((C, N, 6)),
         np.zeros((C, 3)),
+        np.zeros((C, 3)),
         np.zeros((C, N, PIECES), np.int8),
-        np.zeros((C, N), np.bool_),
     )
     for j, each in enumerate(found):
         columns.fates[j, : len(each.fates)], columns.ends[j, : len(each.fates)] = each
     return columns
 
 
-def cut(world: World, columns: Columns, flights: int, check: Check) -> list[list[Run]]:
+def cut(world: World, columns: Columns, check: Check) -> list[list[Run]]:
     """Cut strips into cells, level by level; those of a level that do not hold are left out."""
-    lines, numbers = np.array(world.lines), world.numbers
-    every = range(len(columns.count))
-    for level in range(flights + 1):
-        fit(columns, lines, numbers, level)
+    every = range(len(columns.number))
+    room = np.empty(len(every), np.int64), np.empty(PIECES, np.int8)
+    frame = Frame(np.array(world.lines), world.numbers, *room)
+    for level in range(world.flights + 1):
+        fit(columns, frame, level)
         listed = [runs(columns, j) for j in every]
-        wanted = [j for j in every if (columns.level[j] == level).any()]
+        wanted = [j for j in every if level == 0 or (columns.level[j] == level).any()]
         for j, low, high in check(listed, wanted, level):
             _drop(columns, j, level, low, high)
     return [runs(columns, j) for j in every]
@@ -121,23 +126,13 @@ def cut(world: World, columns: Columns, flights: int, check: Check) -> list[list
 
 def _drop(columns: Columns, j: int, level: int, low: Edge, high: Edge) -> None:
     """Take back a cell, given by its edges."""
-    for i in np.flatnonzero(columns.level[j] == level):
-        if level == 0:
-            columns.level[j, i] = -1
-            continue
-        for m in np.flatnonzero(columns.held[j, i]):
+    if level == 0:
+        columns.bottom[j, 0] = -1.0
+    for i in np.flatnonzero(columns.level[j] == level).tolist():
+        for m in np.flatnonzero(columns.held[j, i]).tolist():
             size = int(columns.held[j, i, m])
             if (edge(columns, j, i, m), edge(columns, j, i, m + size)) == (low, high):
                 columns.held[j, i, m] = 0
-                if m == 0 and i > 0:
-                    columns.linked[j, i - 1] = False
-                if m + size == PIECES:
-                    columns.linked[j, i] = False
-
-
-def area(forward: Columns, backward: Columns, world: World) -> float:
-    """Return about the area that the cells leave."""
-    return float(kept_area(forward, backward, np.array(world.lines), 16))
 
 
 def even(a: Fraction, b: Fraction, c: Fraction, width: Fraction) -> tuple[float, ...]:

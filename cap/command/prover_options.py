@@ -57,12 +57,15 @@ def parser() -> Parser:
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
     p.add_argument("--from", dest="lowest", metavar="Q", help="branch: for f from here")
     p.add_argument("--to", dest="highest", metavar="Q", help="branch: for f up to here")
-    p.add_argument("--jobs", default="1", metavar="N", help="branch: processes (default 1)")
+    p.add_argument(
+        "--jobs", default="1", metavar="N", help="branch, conservative: processes (default 1)"
+    )
     p.add_argument(
         "--journal",
         type=Path,
         metavar="FILE",
-        help="branch: a file of what is done, from which an interrupted proof goes on",
+        help="branch, conservative: a file of what is done, from which an interrupted proof goes "
+        "on",
     )
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
@@ -178,8 +181,10 @@ class Asked:
         theorem, of_branch = self.request.kind, (self.jobs > 1, self.journal, any(self.f_range))
         if self.request.every and (self.request.orbit or self.into_a_file):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
-        if theorem != "branch" and any(of_branch):
-            raise BadInput("--jobs, --journal, --from and --to are for the theorem branch")
+        if theorem not in ("branch", "conservative") and any(of_branch[:2]):
+            raise BadInput("--jobs and --journal are for the theorems branch and conservative")
+        if theorem != "branch" and of_branch[2]:
+            raise BadInput("--from and --to are for the theorem branch")
         if self.order and theorem != "elliptic":
             raise BadInput("--order is for the theorem elliptic")
         if theorem != "periodic" and self.request.periods > 1:

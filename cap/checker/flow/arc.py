@@ -1,7 +1,7 @@
 """Arcs of launches, and their images after one flight, to the second order.
 
-Units: F = omega = 1.  A *launch* (t, E) leaves a wall at the time t with the speed u, E = u^2/2 > 0.
-With s in [-1, 1] an *arc* is the curve t = t_0 + t_1 s, E = e_0 + e_1 s + e_2 s^2.
+Units: F = omega = 1.  A *launch* (t, E) leaves a wall at the time t with the speed u > 0, E =
+u^2/2.  With s in [-1, 1] an *arc* is the curve t = t_0 + t_1 s, E = e_0 + e_1 s + e_2 s^2.
 
 *A flight* over the distance R against the friction f (f < 0: backward in time) has
 
@@ -32,7 +32,7 @@ import math
 from functools import cached_property
 from typing import NamedTuple
 
-from cap.checker.kernel.doubles import PI, Double, between, cos_sin
+from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.rejection import Rejected, need
 
 ATTEMPTS = 4  # to find an interval for T
@@ -51,11 +51,6 @@ def least(z: Taylor) -> float:
 def negative(z: Taylor) -> Taylor:
     """Return -z."""
     return -z[0], -z[1], -z[2]
-
-
-def spread(z: Taylor) -> Double:
-    """Return an interval that contains all values."""
-    return z[0].widened(z[1].magnitude + z[2].magnitude)
 
 
 class Arc(NamedTuple):
@@ -113,9 +108,10 @@ class Launches:
     def velocity(self, T: Double) -> Taylor:
         """Return v at a fixed time."""
         sin = cos_sin(T)[1]
-        return self._velocity(self.near, T, sin), self._slope(self.near), self._bend()
+        return self.speed(self.near, T, sin), self._slope(self.near), self._bend()
 
-    def _velocity(self, at: Point, T: Double, sin: Double) -> Double:
+    def speed(self, at: Point, T: Double, sin: Double) -> Double:
+        """Return v(T) at one s, or an interval for all; sin is that of T."""
         return at.u + sin - at.sin - self.f * (T - at.t)
 
     def _slope(self, at: Point) -> Double:
@@ -132,9 +128,10 @@ class Launches:
         first = d * near.du - (near.u + d * (near.cos - self.f)) * dt
         turn = whole.cos - self.f + w * whole.sin
         second = w * whole.d2u - dt * whole.du * 2.0 + turn * dt * dt
-        return self._place(T, cos), first, second
+        return self.way(T, cos), first, second
 
-    def _place(self, T: Double, cos: Double) -> Double:
+    def way(self, T: Double, cos: Double) -> Double:
+        """Return x(T) at s = 0; cos is that of T."""
         at, d = self.near, T - self.near.t
         return at.u * d + at.cos - cos - d * at.sin - self.f * d * d * 0.5
 
@@ -157,7 +154,7 @@ def _arccos(y: Double) -> Double:
     a = math.acos(y.mid)
     far = (cos_sin(Double(a))[0] - y).magnitude
     sine = cos_sin(Double(a, 2e-3))[1].lower  # over more than a and arccos y
-    need(abs(y.mid) < 0.999 and 0 < sine and far < 1e-3 * sine, "f is too near F")
+    need(abs(y.mid) < 0.999 and sine > 0 and far < 1e-3 * sine, "f is too near F")
     return Double(a, far / sine * (1 + 1e-9))
 
 
@@ -168,14 +165,14 @@ class Image:
         near, whole, dt, f = launches.near, launches.all, launches.dt, launches.f
         T = _hit(launches)
         cos, sin = cos_sin(T)
-        V = launches._velocity(near, T, sin)
+        V = launches.speed(near, T, sin)
         N = _numerator(launches, near, T)
         T1 = N / V
         V1 = near.du + (cos - f) * T1 - (near.cos - f) * dt
         Ts, dTs = _window(launches, T, T1)
         need(launches.moves(Ts.upper), "a flight may stop")
         cos, sin = cos_sin(Ts)
-        Vs = launches._velocity(whole, Ts, sin)
+        Vs = launches.speed(whole, Ts, sin)
         A, a, d, d1 = cos - f, whole.cos - f, Ts - whole.t, dTs - dt
         dVs = whole.du + A * dTs - a * dt
         a1, A1 = -(whole.sin * dt), -(sin * dTs)
@@ -204,7 +201,7 @@ def _window(launches: Launches, T: Double, T1: Double) -> tuple[Double, Double]:
     whole, bound = launches.all, 1.2 * T1.magnitude + 2 * T.rad + 1e-12
     for _ in range(ATTEMPTS):
         Ts = Double(T.mid, bound)
-        V = launches._velocity(whole, Ts, cos_sin(Ts)[1])
+        V = launches.speed(whole, Ts, cos_sin(Ts)[1])
         need(V.is_positive(), "a wall may be reached without speed")
         slope = _numerator(launches, whole, Ts) / V
         if (T.rad + slope.magnitude) * (1 + 1e-12) <= bound:
@@ -218,9 +215,9 @@ def _hit(launches: Launches) -> Double:
     guess = _guess(launches.near.t.mid, launches.near.u.mid, launches.f.mid, launches.R.mid)
     T = Double(guess)
     cos, sin = cos_sin(T)
-    V = launches._velocity(launches.near, T, sin).lower
+    V = launches.speed(launches.near, T, sin).lower
     need(V > 0, "a wall may be reached without speed")
-    r = (launches._place(T, cos) - launches.R).magnitude
+    r = (launches.way(T, cos) - launches.R).magnitude
     D = 2 * r / V * (1 + 1e-12)
     need((1 + launches.f.magnitude) * D <= V / 2, "the time of a hit is not certain")
     return Double(guess, D)
@@ -236,7 +233,7 @@ def _guess(t: float, u: float, f: float, R: float) -> float:
     low, T = t, t
     while x(T) < R:
         low, T = T, T + 0.25
-        need(T < t + SPAN, "a flight does not end")
+        need(t + SPAN > T, "a flight does not end")
     for _ in range(60):
         v = u + math.sin(T) - s - f * (T - t)
         step = (x(T) - R) / v if v > 0 else math.inf
@@ -244,6 +241,3 @@ def _guess(t: float, u: float, f: float, R: float) -> float:
             break
         T = T - step if low <= T - step <= low + 0.25 else (low + T) / 2
     return T
-
-
-__all__ = ["Arc", "Image", "Launches", "Taylor", "between", "least", "negative", "spread"]

@@ -1,42 +1,44 @@
 """A ceiling for launches that never stop: the high-speed lemma, and a function that decreases.
 
-Units F = omega = 1; e = 1, mu = 0, 0 < f < 1.  Launches (t, E), E = u^2/2, from one wall, seen in
-the mirror image after each hit: the flight map G sends (t, u) to (T + pi, V), T the time and V the
-speed of the next hit, and preserves dt dE.  S is the set of launches all of whose images exist.
+Units F = omega = 1; e = 1, mu = 0, 0 < f < 1.  A launch (t, u) leaves the left wall (or is the
+mirror image of one that leaves the right one), E = u^2/2.  The flight map G sends it to (T + pi,
+V), T the time and V the speed of its hit of the other wall; it is injective and preserves dt dE.  S
+is the set of the launches all of whose images exist, t modulo 2 pi; G maps S into S.
 
-**High speeds.**  u_n is the speed at hit n.  Let m* = R/(2 f), V_0^2 = m*^2 + 4 (1 + f) R, V_1^2 =
-V_0^2 + 4 (1 - f) R.  Along a flight d(u^2/2) = (s cos t - f) dy, y the way from the wall left, s =
-+-1 in turn.  Over two flights, with a(y) < b(y) the times at which they pass the same place x,
+**High speeds.**  u_n is the speed at hit n of an orbit in S.  Let m* = R/(2 f), V_0^2 = m*^2 + 4 (1
++ f) R, V_1^2 = V_0^2 + 4 (1 - f) R.  Along a flight d(u^2/2) = (s cos t - f) dy, y the way from the
+wall that is left, s = 1 to the right and -1 to the left.  Let two flights pass the place x at the
+times a(x) < b(x), and let m be the least speed on both.  As |cos a - cos b| <= b - a,
 
-    (u_{n+2}^2 - u_n^2)/2 = +- integral over x in [l, r] of (cos a - cos b) - 2 f R
-                          <= integral of (b - a) - 2 f R <= R (2 R/m)/2 ... <= R^2/m - 2 f R,
+    (u_{n+2}^2 - u_n^2)/2 <= integral of (b - a) dx over [l, r] - 2 f R <= R^2/m - 2 f R,
 
-m the least speed on both: from passing x to passing it again the way is 2 (r - x) or 2 (x - l), so
-the mean of b - a over x is at most R/m.  As |d(u^2/2)| <= (1 + f) dy, m^2 >= u_n^2 - 4 (1 + f) R.
- (i)   If u_n > V_0 then m > m*, so R^2/m < 2 f R and u_{n+2} < u_n.
- (ii)  If u_n <= V_0 then u_{n+2}^2 <= V_0^2 + 4 (1 - f) R = V_1^2.
- (iii) So B = {u <= V_1} is invariant under two flights, as far as they exist, and of finite
-       measure.  Almost every launch of S in B returns near itself (Poincare, G^2 on S in B).  A
-       launch of S above V_1 decreases under G^2, by (i) at least by a positive amount as long as it
-       stays above V_1, and so comes into B: S above V_1 is the union over n of sets that G^(2n)
-       sends into B from outside; G^2 is injective and preserves the measure, S in B has finite
-       measure and G^2 maps it into itself, so onto itself up to a null set: nothing comes into it
-       from outside.  So almost every launch of S has u <= V_1.
+since the way from x to x again is 2 (r - x), or 2 (x - l), of mean R.  As |d(u^2/2)| <= (1 + f) dy,
+m^2 >= u_n^2 - 4 (1 + f) R, and u_{n+2}^2 - u_n^2 <= 4 (1 - f) R.
+ (i)   If u_n > V_0 then m > m* and u_{n+2} < u_n; if u_n > V_1, u_n^2 decreases at least by a
+       constant.
+ (ii)  If u_n <= V_0 then u_{n+2} <= V_1.
+ (iii) So G^2 maps S_1, the part of S with u <= V_1, into itself.  It is injective and preserves the
+       measure, which is finite on S_1: up to a null set it is onto.  A launch of S above V_1
+       comes into S_1 under some G^{2n}, by (i).  Those for which n = 1 are sent into S_1, and not
+       where S_1 is sent: they are a null set.  G^{2(n-1)} sends the others there, injectively and
+       preserving the measure: they are null sets, too.
+So almost every launch of S has u <= V_1, S has finite measure, and G maps S onto S up to a null
+set.
 
-**The ceiling.**  Let W = E + a cos(t - b).  *Shown here:* for all flights with 0 < u <= V_1, either
-W(G) <= c or W(G) < W.  Then almost every launch of S has W <= c.  For W decreases along an orbit of
-S as long as it is above c, and once below c stays there; almost every launch of S returns near
-itself, and one with W > c does not: either W falls below c at some time, never to rise again, or it
-decreases for ever, after the first flight by an amount that is not regained.
+**The ceiling.**  Let W = E + a cos(t - b).  *Shown here:* all flights with 0 < u <= V_1 have W(G)
+<= c or W(G) < W.  Then almost every launch of S has W <= c.  For G maps the part with W <= c into
+itself; so U, the part with W > c, contains its preimage, which has the same finite measure: up to
+null sets G is a bijection of U that preserves the measure.  So W and W(G) have the same integral
+over U, W is bounded, and W(G) < W there: U is a null set.
 
 A flight is known by its times: with d = T - t, from x(T) = R,
 
     g = (R - cos t + cos T)/d,    u = g + sin t + f d/2,    V = g + sin T - f d/2,
-    W(G) - W = (V - u)(V + u)/2 - a cos(T - b) - a cos(t - b),
+    W(G) - W = (V - u)(V + u)/2 - a cos(T - b) - a cos(t - b),    V - u = sin T - sin t - f d,
 
 so boxes of (t, d) are examined, and halved until one of these is certain: u < 0, u > V_1, V < 0,
-W(G) <= c, W(G) < W.  As v <= V_1 + (1 - f) d and V_1^2 > R (1 - f)/4, no flight is shorter than
-R/(2 V_1); as v <= V_1 + 2 - f d, none is longer than (V_1 + 2)/f.
+W(G) <= c, W(G) < W.  No flight with u <= V_1 is shorter than R/(2 V_1), as v <= V_1 + (1 - f) d and
+V_1^2 > 4 (1 - f) R; none is longer than (V_1 + 2)/f, as v <= V_1 + 2 - f d.
 """
 
 from __future__ import annotations
@@ -47,10 +49,10 @@ from typing import NamedTuple
 
 from cap.checker.flow.strips import Ceiling
 from cap.checker.kernel.doubles import PI, Double, between, cos_sin
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import need
 
-MOST = 300_000  # boxes
-TALL = 1.0  # |d(W)| and the like are examined on boxes no larger
+MOST = 60_000  # boxes: some seconds
+TALL = 1.0  # boxes are no larger when they are examined
 
 
 class Flight(NamedTuple):
@@ -102,7 +104,9 @@ class Flights:
                     return True
         return False
 
-    def examine(self, t: tuple[float, float], d: tuple[float, float], holds: Callable[[Flight], bool]) -> int:
+    def examine(
+        self, t: tuple[float, float], d: tuple[float, float], holds: Callable[[Flight], bool]
+    ) -> int:
         """Prove that something holds for all flights of these times; return the number of boxes."""
         waiting, count = [(*t, *d)], 0
         while waiting:
@@ -159,6 +163,3 @@ def closed(ceiling: Ceiling, begin: float, end: float) -> None:
     for t in (Double(end) - PI * 2.0, Double(begin)):
         near = (t - b).magnitude < math.pi
         need(near and (a * cos_sin(t - b)[0] - c).is_positive(), "the columns miss some times")
-
-
-__all__ = ["Flights", "Rejected", "closed", "descends", "returns_in_time"]

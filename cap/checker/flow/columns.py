@@ -1,22 +1,22 @@
 """Columns of launches: cells between parabolas, in runs, as a certificate lists them.
 
-A column is {t_0 - d <= t <= t_0 + d}, with s = (t - t_0)/d in [-1, 1] and the energy E = u^2/2.  The
-lines between columns are multiples of 2^-8, a power of 2 apart.  An *edge* is E = q_0 + q_1 s + q_2 s^2, its coefficients multiples of 2^-28.  A
-*run* is a list of edges, each below the next; between two that follow each other lies a *cell*,
-with its level.  The first run may begin at the bottom, E = 0: then its first edge is the upper one
-of a cell of level 0.  The last run ends at the top, with a cell of level 0 that has no upper edge.
+A column is {t_0 - d <= t <= t_0 + d}, with s = (t - t_0)/d in [-1, 1] and the energy E = u^2/2. The
+lines between columns are multiples of 2^-8, a power of 2 apart.  An *edge* is E = q_0 + q_1 s + q_2
+s^2, its coefficients multiples of 2^-28.  A *run* is a list of edges, each below the next; between
+two that follow each other lies a *cell*, with its level.  The first run may begin at the bottom, E
+= 0: then all below its first edge is a cell of level 0.  The last run ends at the top: all above
+its last edge is a cell of level 0.
 
 *As text.*  A column is a sequence of integers: for each run 4 m + b, m the number of its edges, b =
-1 if it begins at the bottom, 2 if it ends at the top, 3 if both, else 0; then the
-levels of the m - 1 cells between its edges; then the edges, by coefficient, each less that of the
-edge before, the first of a run less that of the last one before it.  An integer z is written as 2 z
-or, if negative, -2 z - 1, in base 64, in digits of five bits, least first, with 32 added to all but
-the last.
+1 if it begins at the bottom, 2 if it ends at the top, 3 if both, else 0; then the levels of the m -
+1 cells between its edges; then the edges, by coefficient, each less that of the edge before, the
+first of a run less that of the last one before it.  An integer z is written as 2 z or, if negative,
+-2 z - 1, in base 64, in digits of five bits, least first, with 32 added to all but the last.
 """
 
 from __future__ import annotations
 
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 from cap.checker.kernel.rejection import need
@@ -80,10 +80,14 @@ def column(text: str) -> Column:
 
 
 def _ordered(edges: list[Edge]) -> None:
-    """Check that each edge is below the next: the difference is >= d_0 - |d_1| + min(0, d_2)."""
-    for k in range(len(edges) - 1):
-        d = [high - low for low, high in zip(edges[k], edges[k + 1], strict=True)]
-        need(d[0] - abs(d[1]) + min(0, d[2]) > 0, "an edge is not below the next")
+    """Check that each edge is below the next: their difference is positive at s = -1 and 1, and at
+    its minimum, -d_1/(2 d_2), if that lies between.
+    """
+    for low, high in pairwise(edges):
+        a, b, c = (q - p for p, q in zip(low, high, strict=True))
+        inside = abs(b) < 2 * c
+        apart = a + c > abs(b) and (not inside or 4 * a * c > b * b)
+        need(apart, "an edge is not below the next")
 
 
 def lines(text: str) -> list[float]:
@@ -92,5 +96,5 @@ def lines(text: str) -> list[float]:
     need(0 < len(widths) <= MOST, "there are no columns, or too many")
     need(all(w > 0 and w & (w - 1) == 0 for w in widths), "a width is not a power of 2")
     found = list(accumulate(widths, initial=first))
-    need(0 <= found[0] and found[-1] < 4096, "a line is too far away")
+    need(found[0] >= 0 and found[-1] < 4096, "a line is too far away")
     return [z * LINE for z in found]

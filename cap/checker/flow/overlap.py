@@ -18,6 +18,9 @@ two lines there.  So ``SLACK`` = 2^-36 per part of unit width is more than what 
 
 from __future__ import annotations
 
+import math
+from itertools import accumulate
+
 from cap.checker.flow.columns import UNIT, Column, Edge
 from cap.checker.kernel.rejection import need
 
@@ -52,15 +55,21 @@ def shared(one: list[Gap], two: list[Gap]) -> float:
 def _part(one: list[Gap], two: list[Gap], part: int) -> float:
     """Return the bound for one part, stretched to width 1."""
     first, second = ([_lines(gap, part) for gap in found] for found in (one, two))
-    total, begin = 0.0, 0
-    for a, b in first:
-        while begin < len(second) and max(second[begin][1]) <= min(a):
+    rest, others = _lowest(first), _lowest(second)  # lines, unlike edges, need not be in order
+    areas, begin = list[float](), 0
+    for k, (a, b) in enumerate(first):
+        while begin < len(second) and max(second[begin][1]) <= rest[k]:
             begin += 1
-        for c, d in second[begin:]:
-            if min(c) >= max(b):
+        for n in range(begin, len(second)):
+            if others[n] >= max(b):
                 break
-            total += _meeting(a, b, c, d)
-    return total
+            areas.append(_meeting(a, b, *second[n]))
+    return math.fsum(areas)
+
+
+def _lowest(found: list[tuple[Line, Line]]) -> list[float]:
+    """Return how low each and all after it come."""
+    return list(accumulate((min(low) for low, _ in reversed(found)), min))[::-1]
 
 
 def _lines(gap: Gap, part: int) -> tuple[Line, Line]:
@@ -81,9 +90,7 @@ def _chord(edge: Edge, s: float, by: float) -> Line:
 def _meeting(a: Line, b: Line, c: Line, d: Line) -> float:
     """Return an upper bound of the integral of max(0, w) over [0, 1]."""
     places = [0.0, *sorted([*_crossing(a, c), *_crossing(b, d)]), 1.0]
-    widths = [
-        min(_at(b, x), _at(d, x)) - max(_at(a, x), _at(c, x)) for x in places
-    ]
+    widths = [min(_at(b, x), _at(d, x)) - max(_at(a, x), _at(c, x)) for x in places]
     total, empty = 0.0, True
     for k in range(len(places) - 1):
         v, w = widths[k], widths[k + 1]

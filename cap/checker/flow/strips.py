@@ -24,7 +24,8 @@ which is bounded; a point of it that is not in Y could go up or down to infinity
 
 Y is made of one run of cells of levels below k, or the run up to the top, for each column that the
 image of the boundary meets, and of all E at the times without columns.  On the line between two
-columns the two intervals meet where the boundary passes.
+columns the two intervals meet where the boundary passes.  That image, which is connected, avoids
+the times from 6 to 2 pi after the first line: so all of it is moved by the same multiple of 2 pi.
 """
 
 from __future__ import annotations
@@ -34,13 +35,18 @@ from bisect import bisect_left
 from collections.abc import Callable
 from typing import NamedTuple
 
-from cap.checker.flow.arc import Arc, Image, Launches, Taylor, least, negative
+from cap.checker.flow.arc import SPAN, Arc, Image, Launches, Taylor, least, negative
 from cap.checker.flow.columns import UNIT, Column, Edge
-from cap.checker.kernel.doubles import PI, Double, between, cos_sin
+from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.rejection import Rejected, need
 
-HALVINGS = 7  # of an arc, until what is to be shown of it is certain
-LATE = (0.0, 1e-4, 1e-3, 1e-2)  # after a stop at which v < 0 is tried
+MOST = 2_000_000  # arcs: some minutes
+HALVINGS = 12  # of an arc, until what is to be shown of it is certain
+LATE = (1e-5, 1e-4, 1e-3, 1e-2)  # before and after a stop, v > 0 and v < 0 are tried
+
+
+class TooLong(Exception):
+    """Nothing was found wrong, but the work is too much."""
 
 
 class Ceiling(NamedTuple):
@@ -73,6 +79,7 @@ class World:
     ) -> None:
         self.f, self.R, self.ceiling = f, R, ceiling
         self.lines, self.columns = lines, columns
+        self.arcs = 0
 
     def prove(self, j: int) -> None:
         """Prove what is shown of all cells of a column."""
@@ -116,54 +123,68 @@ class World:
             sides.append(Arc(Double(t), zero, Double(middle), Double(half), zero))
         return sides
 
+    def launches(self, arc: Arc) -> Launches:
+        """Return the launches of an arc; too many arcs are refused."""
+        self.arcs += 1
+        if self.arcs > MOST:
+            raise TooLong(f"more than {MOST} arcs would have to be followed")
+        return Launches(arc, self.f, self.R)
+
     def stops(self, arc: Arc) -> bool:
         """Return whether all launches of an arc certainly stop.
 
-        Let v(T) < 0 at a time T; then there is a stop or a hit before.  Let m >= 0 be at least -v
-        until T.  After a hit x would fall by m (T - t) at most: so x(T) + m (T - t) < R excludes it.
+        Let v(T) < 0 at a time T; then there is a stop or a hit before.  Let v > 0 until a time B,
+        and v >= -m from B to T, m >= 0.  After a hit x would fall by m (T - B) at most: so x(T) + m
+        (T - B) < R excludes it.  (B may be the time of the launch.)
         """
-        launches = Launches(arc, self.f, self.R)
-        return any(self._stops_by(launches, T) for T in self._late(launches))
+        launches = self.launches(arc)
+        return any(self._stops_by(launches, *times) for times in self._late(launches))
 
-    def _late(self, launches: Launches) -> list[Double]:
-        """Return times at which v < 0 is likely."""
+    def _late(self, launches: Launches) -> list[tuple[Double, Double]]:
+        """Return times B and T at which v > 0 and v < 0 are likely."""
         t, u, f = launches.near.t.mid, launches.near.u.mid, self.f.mid
-        lows = [T for T in launches.minima(t, t + 30) if T.mid > t]
-        for T in lows:
-            if u + math.sin(T.mid) - math.sin(t) - f * (T.mid - t) < 0:
+        for T in launches.minima(t, t + SPAN):
+            if T.mid > t and u + math.sin(T.mid) - math.sin(t) - f * (T.mid - t) < 0:
                 early, late = t, T.mid
                 for _ in range(40):
                     middle = (early + late) / 2
                     rises = u + math.sin(middle) - math.sin(t) - f * (middle - t) > 0
                     early, late = (middle, late) if rises else (early, middle)
-                return [T, *(Double(late + wait) for wait in LATE[1:])]
+                around = [(Double(early - w), Double(late + w)) for w in LATE]
+                return [(launches.all.t, T), *around]
         return []
 
-    def _stops_by(self, launches: Launches, T: Double) -> bool:
-        lows = [*launches.minima(launches.all.t.lower, T.upper), T]
+    def _stops_by(self, launches: Launches, B: Double, T: Double) -> bool:
+        begin = launches.all.t
+        if B is not begin:
+            flies = launches.moves(B.upper) and least(launches.velocity(B)) > 0
+            if not (begin.upper < B.lower and flies):
+                return False
+        lows = [*launches.minima(B.lower, T.upper), T]
         depth = max(0.0, *(-least(launches.velocity(low)) for low in lows))
         fallen = least(negative(launches.velocity(T))) > 0
         most = -least(negative(launches.place(T)))
-        room = self.R - (T - launches.all.t) * depth - most
-        return fallen and room.is_positive()
+        return fallen and (self.R - (T - B) * depth - most).is_positive()
 
     def lands(self, arc: Arc, level: int, targets: dict[int, Target]) -> bool:
         """Return whether all of an arc flies to the targets; they are chosen when first met."""
-        image = Image(Launches(arc, self.f, self.R))
+        image = Image(self.launches(arc))
         begin = self.lines[0]
         turns = math.floor((image.T[0].mid + math.pi - begin) / (2 * math.pi))
         shift = PI * (1.0 - 2 * turns)
         times, t, wide = image.times + shift, image.T[0] + shift, image.all + shift
         if not begin <= times.lower <= times.upper < begin + 6:
             return False
+        met = dict(targets)
         for j in range(self.column(times.lower), len(self.columns)):
             if self.lines[j] > times.upper:
                 break
             place = _Place(t, wide, image, *self.middle(j))
-            if j not in targets:
-                targets[j] = self.target(j, level, place.s[0].mid, image.E[0].mid)
-            if not place.within(targets[j], image.E):
+            if j not in met:
+                met[j] = self.target(j, level, place.s[0].mid, image.E[0].mid)
+            if not place.within(met[j], image.E):
                 return False
+        targets.update(met)
         return True
 
     def column(self, t: float) -> int:
@@ -194,9 +215,7 @@ class World:
 class _Place:
     """Where an image is, in a column: s, and how edges compare."""
 
-    def __init__(
-        self, t: Double, wide: Double, image: Image, middle: float, half: float
-    ) -> None:
+    def __init__(self, t: Double, wide: Double, image: Image, middle: float, half: float) -> None:
         scale = 1 / half  # a power of 2
         self.s = (t - middle) * scale, image.T[1] * scale, image.T[2] * scale
         self.all, self.ds = (wide - middle) * scale, image.dT * scale
@@ -218,7 +237,7 @@ class _Place:
 
 
 def fails(world: World, j: int, level: int) -> list[tuple[Edge, Edge]]:
-    """Return the cells of a level in a column of which nothing is shown: for provers, not proofs."""
+    """Return the cells of a level in a column of which nothing is shown: hints for a prover."""
     found = list[tuple[Edge, Edge]]()
     for run in world.columns[j]:
         if level == 0 and run.bottom and not along(world.arc(j, run.edges[0]), world.stops):
@@ -240,6 +259,3 @@ def along(arc: Arc, holds: Callable[[Arc], bool], halvings: int = HALVINGS) -> b
     except Rejected:
         pass
     return halvings > 0 and all(along(half, holds, halvings - 1) for half in arc.halves())
-
-
-__all__ = ["Ceiling", "World", "along", "between"]

@@ -1,38 +1,37 @@
-"""The theorem about the conservative part: all states outside a set of small area stop.
+"""The theorem about the conservative part: all states but a set of small area stop.
 
-Let e = 1, mu = 0, 0 < f < F.  Omega_NS is the set of the states (x, v) at t = 0 whose velocity never
-vanishes after it.  *Claimed:* its area is at most ``area``, and almost all of it has |v| <=
+Let e = 1, mu = 0, 0 < f < F.  Omega_NS is the set of the states (x, v) at t = 0 whose velocity
+never vanishes afterwards.  *Claimed:* its area is at most ``area``; almost all of it has |v| <=
 ``speed``.
 
-*Launches.*  Units F = omega = 1.  A launch (t, u) leaves a wall at the time t with the speed u > 0;
-in the mirror image all leave the left one.  If it flies to the other wall without a stop, and hits
-it at T with the speed V, then G(t, u) = (T + pi modulo 2 pi, V).  G is injective (a flight can be
-followed backward) and preserves the measure u du dt = dE dt, E = u^2/2 (the flow preserves dx dv,
-and u dt is the flux of dx through a wall).  S is the set of launches whose orbit never stops.
+*Launches.*  Units F = omega = 1.  A launch (t, u), t modulo 2 pi, leaves a wall at the time t with
+the speed u > 0; in the mirror image all leave the left one.  If it flies to the other wall without
+a stop, and hits it at T with the speed V > 0, then G(t, u) = (T + pi, V).  G is injective (a flight
+can be followed backward) and preserves u du dt = dE dt, E = u^2/2 (the flow preserves dx dv, and u
+dt is the flux of dx through a wall).  S is the set of launches whose orbit never stops.  `ceiling`:
+S has finite measure, G maps S onto S up to a null set, and almost all of S lies below the ceiling W
+= c: hence u^2 <= 2 (a + c), v^2 <= u^2 + 2 (1 - f) R.
 
-*Area.*  Orbits of Omega_NS are made of flights between launches of S, but for the first part.  The
-set of all (x, v, t mod 2 pi) on flights between two launches of S (and on their mirror images) has
-the volume 2 (integral over S of d dE dt), d = T - t.  Let N_t be the states at the time t whose
-velocity never vanishes after it: N_t moves with the flow into N_(t+s), which preserves area, and
-N_(t + 2 pi) = N_t; so all N_t have one area, and almost every state of N_t has, for each n, a past of
-n periods in them if this is finite: it lies on a flight from a launch of S.  So
+*Area.*  Let N_t be the set of the states at the time t whose velocity never vanishes afterwards.  A
+state of N_t reaches a wall within a bounded time, at a launch of S; the flow preserves dx dv: so
+N_t has finite area.  The flow from t to t + s maps N_t into N_{t+s}, injectively, and preserves
+area; N_{t + 2 pi} = N_t: so all N_t have one area, and almost all states of N_t come, by n periods
+of the flow, from states of N_t, for each n.  Those have hit a wall: almost all states of N_t are on
+a flight that began with a launch of S.  These (x, v, t modulo 2 pi), with their mirror images, have
+the volume 2 (integral over S of d dE dt), d the time of the flight.  So
 
-    2 pi area(Omega_NS) = 2 integral over S of d dE dt.
+    area(Omega_NS) = (1/pi) integral over S of d dE dt.
 
-*G is onto S,* up to a null set, as S has finite measure (below) and G maps S into S, injectively.
-So almost every launch of S has a backward orbit in S.  Backward orbits are orbits for the friction
--f, with t replaced by -t.
+*Where S is.*  `strips`: no launch of S is in a cell of the family ``forward``, and almost none in
+one of the family ``backward``, which is about backward orbits, for the friction -f, with -t for t:
+almost every launch of S has a backward orbit in S.  So S lies, up to a null set, in the gaps that
+both leave; its measure is at most their area A in (t, E) (`overlap`).
 
-*Where S is.*  `ceiling`: almost all of S lies below the ceiling W = c, hence u^2 <= 2 (a + c), v^2
-<= u^2 + 2 (1 - f) R, and S has finite measure.  `strips`: no launch of S is in a cell of the family
-``forward``, and almost none in one of the family ``backward``.  So S lies, up to a null set, in the
-gaps that both leave: its measure is at most their area A in (t, E) (`overlap`).
-
-*From measure to area.*  The times t of S are taken in an interval [t_b, t_e] shorter than 2 pi:
-outside of it W > c.  G sends t to t + d + pi - 2 pi k, k an integer, and k <= 1: a flight would hit
-after t_b + 3 pi (`returns_in_time`: there is none).  As G preserves the measure of S and t is bounded
-on it, the integral over S of d + pi - 2 pi k vanishes: that of d is at most pi times the measure.
-Hence area(Omega_NS) <= A.
+*From measure to area.*  Outside of the columns W > c, so S has its times t in an interval [t_b,
+t_e] shorter than 2 pi.  G sends t to t + d + pi - 2 pi k, with an integer k, and k <= 1: else a
+flight would hit after t_b + 3 pi, and there is none (`returns_in_time`).  As G preserves the
+measure of S, and t is bounded on it, the integral over S of d + pi - 2 pi k vanishes.  So that of d
+is at most pi times the measure of S, and area(Omega_NS) <= A.
 """
 
 from __future__ import annotations
@@ -58,17 +57,16 @@ class Conservative(Theorem):
 
     # fmt: off
     HINTS = (
-        Field("ceiling", _CEILING, "", "", "a, b, c of the function E + a cos(t - b) and its level "
-              "c, in units F/omega and 1/omega"),
-        Field("lines", text, "", "", "the lines between columns, as integers in base 64"),
-        Field("forward", Many(text, 1, 4096), "", "", "cells of launches that go on in vain, column "
-              "by column"),
-        Field("backward", Many(text, 1, 4096), "", "", "the same for the friction -f, with -t for "
-              "t"),
+        Field("ceiling", _CEILING, "", "", "a, b, c: launches that never stop have "
+              "E + a cos(t - b) <= c, in units F = omega = 1"),
+        Field("lines", text, "", "", "the lines between columns of launches, as integers"),
+        Field("forward", Many(text, 1, 4096), "", "", "cells of launches whose orbits stop or rise "
+              "above, column by column"),
+        Field("backward", Many(text, 1, 4096), "", "", "the same for backward orbits"),
     )
     CLAIMS = (
-        Field("area", bound, "", "", "an upper bound of the area of the states (x, v) whose velocity "
-              "never vanishes, at whatever speed"),
+        Field("area", bound, "", "", "an upper bound of the area of the states (x, v) whose "
+              "velocity never vanishes, at whatever speed"),
         Field("speed", bound, "", "", "almost all of them have at most this |v|"),
     )
     # fmt: on
@@ -104,17 +102,15 @@ class Conservative(Theorem):
         self.step(f"{name}: from {cells} cells orbits stop, or leave by the ceiling")
         return world.columns
 
-    def compare_area(
-        self, at: list[float], forward: list[Column], backward: list[Column]
-    ) -> None:
+    def compare_area(self, at: list[float], forward: list[Column], backward: list[Column]) -> None:
         """Compare the area that is left with the one claimed."""
         total = Double(0.0)
         pairs = zip(pairwise(at), forward, reversed(backward), strict=True)
         for (low, high), one, two in pairs:
             area = shared(gaps(one), mirrored(gaps(two)))
             total = total + Double(area) * (high - low)
-        area = Fraction(total.upper) * self.p.F**2 / self.p.omega**3
-        need(area <= self.claims["area"], "more area is left than is claimed")
+        left = Fraction(total.upper) * self.p.F**2 / self.p.omega**3
+        need(left <= self.claims["area"], "more area is left than is claimed")
         self.step("the launches that are left have at most the area claimed")
 
     def compare_speed(self, energy: Fraction) -> None:
@@ -129,9 +125,9 @@ class Conservative(Theorem):
 
 
 _AREA = (
-    "the states (x, v) at t = 0 whose velocity never vanishes afterwards, of whatever speed, are a set "
-    "of area at most {area}; almost all of them have |v| <= {speed}, and from all others the mass "
-    "stops at least once"
+    "the states (x, v) at t = 0 whose velocity never vanishes afterwards, of whatever speed, are a "
+    "set of area at most {area}, and almost all of them have |v| <= {speed}; from all other states "
+    "the velocity vanishes at least once"
 )
 
 THEOREM = Conservative
