@@ -50,7 +50,10 @@ def prove(setting: Setting) -> Proof:
     if setting.parameters.e != 1 or setting.parameters.mu:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
     attracted = attractor.prove(setting)(Fraction(1))
-    nested = {"attractor": attracted["claims"], "segment": segment.prove(setting)(Fraction(1))["claims"]}
+    nested = {
+        "attractor": attracted["claims"],
+        "segment": segment.prove(setting)(Fraction(1))["claims"],
+    }
     hints = {
         "bits": str(setting.checker_bits),
         "attractor": attracted["hints"],

@@ -77,12 +77,18 @@ def parser() -> Parser:
         help="mixed: leaves are cut in halves N times on average, 1 to 9 (default 2); one more "
         "doubles the time",
     )
-    p.add_argument("--jobs", default="1", metavar="N", help="branch, mixed: processes (default 1)")
+    p.add_argument(
+        "--jobs",
+        default="1",
+        metavar="N",
+        help="branch, conservative, mixed: processes (default 1)",
+    )
     p.add_argument(
         "--journal",
         type=Path,
         metavar="FILE",
-        help="branch: a file of what is done, from which an interrupted proof goes on",
+        help="branch, conservative: a file of what is done, from which an interrupted proof goes "
+        "on",
     )
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
@@ -204,13 +210,15 @@ class Asked:
 
     def _fits(self) -> None:
         """Raise `BadInput` for options of other theorems, or that exclude each other."""
-        theorem, of_branch = self.request.kind, (self.journal, any(self.f_range))
+        theorem = self.request.kind
         if self.request.every and (self.request.orbit or self.into_a_file):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
-        if theorem != "branch" and any(of_branch):
-            raise BadInput("--journal, --from and --to are for the theorem branch")
-        if theorem not in ("branch", "mixed") and self.jobs > 1:
-            raise BadInput("--jobs is for the theorems branch and mixed")
+        if theorem != "branch" and any(self.f_range):
+            raise BadInput("--from and --to are for theorems on a range of f")
+        if theorem not in ("branch", "conservative") and self.journal:
+            raise BadInput("--journal is for theorems on a range of f, and for conservative")
+        if theorem not in ("branch", "conservative", "mixed") and self.jobs > 1:
+            raise BadInput("--jobs is for theorems on a range of f, for conservative and mixed")
         if theorem != "mixed" and (self.speed is not None or self.cuts is not None):
             raise BadInput("--speed and --cuts are for the theorem mixed")
         if self.order and theorem != "elliptic":
