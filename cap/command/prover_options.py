@@ -39,7 +39,8 @@ def parser() -> Parser:
         "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
         "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "
         "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
-        "python -m cap.prove capture;  python -m cap.prove branch --from 2/5",
+        "python -m cap.prove capture;  python -m cap.prove branch --from 2/5;  "
+        "python -m cap.prove attractor --from 0.39 --to 0.43 --jobs 2",
     )
     p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(NAMES))
     p.add_argument("--list", action="store_true", help="say what can be proved")
@@ -55,14 +56,14 @@ def parser() -> Parser:
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
-    p.add_argument("--from", dest="lowest", metavar="Q", help="branch: for f from here")
-    p.add_argument("--to", dest="highest", metavar="Q", help="branch: for f up to here")
-    p.add_argument("--jobs", default="1", metavar="N", help="branch: processes (default 1)")
+    p.add_argument("--from", dest="lowest", metavar="Q", help="branch, attractor: for f from here")
+    p.add_argument("--to", dest="highest", metavar="Q", help="branch, attractor: for f up to here")
+    p.add_argument("--jobs", default="1", metavar="N", help="the same: processes (default 1)")
     p.add_argument(
         "--journal",
         type=Path,
         metavar="FILE",
-        help="branch: a file of what is done, from which an interrupted proof goes on",
+        help="the same: a file of what is done, from which an interrupted proof goes on",
     )
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
@@ -115,11 +116,14 @@ class Asked:
             )
         if options.theorem not in THEOREMS:
             raise BadInput(f"say what to prove: one of {', '.join(NAMES)}")
+        f_range = _range(options)
+        if any(f_range):
+            options.theorem = THEOREMS[options.theorem].over_f or options.theorem
         asked = cls(
             _request(options, progress),
             integer(options.digits, "digits", (6, 1000), 4),
             int(choice(*ORDERS)([options.order], "order")) if options.order else None,
-            _range(options),
+            f_range,
             integer(options.jobs, "jobs", (1, 1024), 4),
             options.journal,
             options.out,
@@ -175,11 +179,11 @@ class Asked:
 
     def _fits(self) -> None:
         """Raise `BadInput` for options of other theorems, or that exclude each other."""
-        theorem, of_branch = self.request.kind, (self.jobs > 1, self.journal, any(self.f_range))
+        theorem, over_f = self.request.kind, (self.jobs > 1, self.journal, any(self.f_range))
         if self.request.every and (self.request.orbit or self.into_a_file):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
-        if theorem != "branch" and any(of_branch):
-            raise BadInput("--jobs, --journal, --from and --to are for the theorem branch")
+        if THEOREMS[theorem].over_f != theorem and any(over_f):
+            raise BadInput("--jobs, --journal, --from and --to are for theorems on a range of f")
         if self.order and theorem != "elliptic":
             raise BadInput("--order is for the theorem elliptic")
         if theorem != "periodic" and self.request.periods > 1:
