@@ -25,6 +25,7 @@ from cap.flow.strobe import oscillator
 from cap.maps import fixed_point
 from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.parameters import Parameters
+from cap.particles.model import Guess
 from cap.runner import Runner
 from cap.sets import interval
 
@@ -36,6 +37,7 @@ class Setting:
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
     Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
+    A theorem on several masses starts from ``particles``.
     """
 
     parameters: Parameters
@@ -46,6 +48,7 @@ class Setting:
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
     f_range: tuple[Fraction | None, Fraction | None] = (None, None)
     runner: Runner = field(default_factory=Runner, compare=False)
+    particles: Guess | None = None
 
     @property
     def units(self) -> Units:

@@ -139,3 +139,11 @@ def test_the_entropies(at):
     with pytest.raises(Rejected, match="below its lower"):
         Window(read(encode(chaotic)), lambda _: None).entropy()
     assert "no horseshoe" in words(read(encode(ZERO)))
+
+
+def test_zero_entropy_is_nowhere_called_positive():
+    """What is cited for a positive entropy says that it is not used without one."""
+    cited = {c["theorem"]: c["hypotheses"] for c in ZERO["cites"]}
+    for name in ("Misiurewicz", "Li-Yorke"):
+        assert cited[name][0]["statement"].startswith("only where the lower end of entropy is pos")
+    assert "if upper = 0" in cited["Milnor-Thurston"][1]["statement"]

@@ -1,13 +1,16 @@
 """The theorem window: its cycle against floats, and refusals."""
 
 import json
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
+from cap.floats import candidates
+from cap.floats.candidates import Request
 from cap.floats.releases import images
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import Start
@@ -45,3 +48,12 @@ def test_without_an_attracting_cycle():
     ends = Fraction(-65001, 100000), Fraction(-65, 100)
     with interval.workprec(80), pytest.raises(NotProved, match="may not contract"):
         contracted(oscillator(PAPER), PAPER, ends, 1)
+
+
+def test_what_is_refused():
+    """No friction, and a release that is not between the walls, in the name of the theorem."""
+    with pytest.raises(BadInput, match="theorem window needs friction"):
+        candidates.releasing(Request("window", replace(PAPER, f=Fraction(0))))
+    for x in (5.0, 1.0, -1.0):
+        with pytest.raises(BadInput, match="not between the walls"):
+            candidates.releasing(Request("window", PAPER, (x, 0.0)))
