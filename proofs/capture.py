@@ -28,7 +28,7 @@ from cap.certificate import writer as certificate
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.flow.capture import Accumulation, Entry, accumulation
-from cap.flow.event import BALLS, TAYLOR_MODELS, Expected, next_slow
+from cap.flow.event import TAYLOR_MODELS, Expected, next_slow
 from cap.flow.model import Moment, Oscillator
 from cap.flow.strobe import Orbit, State, follow, oscillator
 from cap.maps.fixed_point import Itinerary, windows_for
@@ -81,7 +81,7 @@ def prove(setting: Setting) -> Proof:
         with interval.workprec(BITS):
             captured = box(part)
             first, last = (interval.ball(t) for t in captured.window)
-            number = next_slow(osc, -side, interval.hull(first, last), BALLS.bound)
+            number = next_slow(osc, -side, interval.hull(first, last))
         with interval.workprec(setting.bits):
             release = oscillator(setting.parameters).slow(-side, number).t
             return _certificate(setting, side, captured, release)
@@ -113,7 +113,7 @@ def _followed(osc: Oscillator[Any], setting: Setting, side: int, size: Fraction)
     x_model, v_model = domain.variables(middle)
     state = State(begin, x_model, v_model)
     until = _rounded(Fraction(start.events[-1][1]), setting)
-    number = next_slow(osc, -side, interval.ball(until), BALLS.bound)
+    number = next_slow(osc, -side, interval.ball(until))
     end = osc.moment(interval.point((osc.slow(-side, number).t + interval.ball(until)) / 2))
 
     def attempt(events: Itinerary) -> Orbit[TaylorModel]:

@@ -125,7 +125,8 @@ class Asked:
             raise BadInput(f"say what to prove: one of {', '.join(NAMES)}")
         f_range = _range(options)
         if any(f_range):
-            options.theorem = THEOREMS[options.theorem].over_f or options.theorem
+            theorem = THEOREMS[options.theorem].over_f or options.theorem
+            options = argparse.Namespace(**{**vars(options), "theorem": theorem})
         asked = cls(
             _request(options, progress),
             integer(options.digits, "digits", (6, 1000), 4),

@@ -145,7 +145,7 @@ def flies(
     if not start < end:
         raise NotProved("flight", "events may be out of order", {"start": start, "end": end})
     least: Ball | None = None
-    for k in slow_numbers(osc, flight.s, (start, end), bound):
+    for k in slow_numbers(osc, flight.s, start, end, bound):
         slow = osc.slow(flight.s, k)
         when = bound(slow.t)
         if k == released or when < start or when > end:
@@ -163,14 +163,17 @@ def flies(
     return least
 
 
+def _itself(q: Any) -> Ball:
+    return cast(Ball, q)
+
+
 def slow_numbers(
-    osc: Oscillator[Any], s: int, times: tuple[Ball, Ball], bound: Callable[[Any], Ball]
+    osc: Oscillator[Any], s: int, start: Ball, end: Ball, bound: Callable[[Any], Ball] = _itself
 ) -> range:
     """Return numbers k that include all with `Oscillator.slow` (s, k) between the times.
 
     `Oscillator.slow` (s, k) is ``origin`` + kT.  Raises `NotProved` if k is uncertain by 1 or more.
     """
-    start, end = times
     origin = bound(osc.slow_right if s > 0 else osc.slow_left)
     first, last = (start - origin) / osc.T, (end - origin) / osc.T
     if not (first.rad() < interval.ONE and last.rad() < interval.ONE):
@@ -178,12 +181,14 @@ def slow_numbers(
     return interval.integers(first, last)
 
 
-def next_slow(osc: Oscillator[Any], s: int, since: Ball, bound: Callable[[Any], Ball]) -> int:
+def next_slow(
+    osc: Oscillator[Any], s: int, since: Ball, bound: Callable[[Any], Ball] = _itself
+) -> int:
     """Return the number of the first slow moment after all times of ``since``.
 
     Raises `NotProved` if one of them may be at, or on both sides of, a slow moment.
     """
-    for k in slow_numbers(osc, s, (since, since + osc.T), bound):
+    for k in slow_numbers(osc, s, since, since + osc.T, bound):
         if bound(osc.slow(s, k - 1).t) < since < bound(osc.slow(s, k).t):
             return k
     raise NotProved("release", "whether the mass leaves at once is undecided", {"since": since})

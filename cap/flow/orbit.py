@@ -259,7 +259,7 @@ class PartialOrbit(Generic[E]):
             sets = {"rest": since, "end": end.t}
             raise NotProved("end", "the mass may come to rest only after the end", sets)
         for side in (1, -1):
-            for k in slow_numbers(osc, side, (since, end.t), self.bound):
+            for k in slow_numbers(osc, side, since, end.t, self.bound):
                 t = self.bound(osc.slow(side, k).t)
                 if side != self.wall and not (t < since or t > end.t):
                     raise NotProved("end", "the mass may be released before the end", {"at": t})

@@ -57,7 +57,7 @@ def halting(events: Itinerary) -> Itinerary:
     if before[-1].word != "stick":
         raise NotProved("halt", "the events over a set differ by more than a turn")
     before.pop()
-    if before[-1].word.startswith("turn"):
+    if before and before[-1].word.startswith("turn"):
         turn = before.pop()
         return (*before, turn._replace(word=turn.word.replace("turn", "halt")), last)
     stick = events[-2]

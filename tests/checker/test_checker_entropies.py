@@ -186,11 +186,13 @@ def test_the_strip(at, cells):
 def test_the_order():
     """Strips and pieces in order; shares exact; as many hints as claims."""
     path = "claims", "strips"
-    rejected(changed(STORED, *path, STORED["claims"]["strips"][::-1]), ".")
+    pieces = STORED["claims"]["strips"][0]["pieces"]
+    rejected(changed(STORED, *path, 0, "pieces", pieces[::-1]), "do not follow each other")
+    rejected(changed(STORED, *path, 0, "pieces", pieces[1:]), "pieces are not as many")
     rejected(changed(STORED, *path, 0, "pieces", 0, "f", ["0.3891", "0.3895"]), ".")
     rejected(changed(STORED, "claims", "range", ["0.3", "0.31"]), "leaves the range")
     rejected(changed(STORED, "claims", "range", ["0.3891", "0.4"]), "not in order")
-    rejected(changed(STORED, *path, STORED["claims"]["strips"][:1]), "not as many")
+    rejected(changed(STORED, *path, STORED["claims"]["strips"] * 2), "not as many")
     proof = Entropies(read(encode(STORED)), lambda _: None)
     proof.shares()
     for name in ("positive", "periodic", "undecided"):
