@@ -18,8 +18,7 @@ still continuously differentiable (`cap.release.halt`).
 """
 
 import json
-from collections.abc import Callable
-from dataclasses import asdict, astuple, replace
+from dataclasses import asdict, replace
 from fractions import Fraction
 from functools import partial
 from math import ceil, floor, log
@@ -27,18 +26,13 @@ from typing import Any
 
 from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.certificate.writer import NONE, window
-from cap.checker.flow.driven import phases
-from cap.checker.flow.sheared import Line, Near, Passage
-from cap.checker.flow.strip import MOST_ENTROPY, Strip
-from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.shapes import Enclosure
-from cap.checker.kernel.theorem import Parameters as Checked
+from cap.checker.flow.strip import MOST_ENTROPY
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.maps.fixed_point import Itinerary
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.strip_hints import CHECKED, Referee
 from cap.release import kneading, piece
 from cap.release.cell import slack
 from cap.release.family import Family
@@ -51,7 +45,7 @@ SUMMARY = "entropy of the release map for all f of a range, piece by piece; cycl
 SEARCH = candidates.range_of_f
 OVER_F = "entropies"
 
-BITS, CHECKED = 80, 96
+BITS = 80
 STEP = Fraction(1, 500)  # of F: the strips, at first
 FINEST = Fraction(1, 16)  # of a strip, at least
 PARTS = 8  # of a strip, at most: the pieces
@@ -68,7 +62,7 @@ def prove(setting: Setting) -> Proof:
     smallest = (high - low) / number * FINEST
     key = f"entropies at {setting.parameters}, {STEP}, {PARTS}, {WIDE}, {BITS} bits"
     found = subdivide(step, cells_between(cuts), smallest, setting.runner, key)
-    strips = [json.loads(verdict) for _, verdict in found if verdict != UNDECIDED]
+    strips = [_read(verdict) for _, verdict in found if verdict != UNDECIDED]
     if not strips:
         raise NotProved("Lemma 1", "for no f of the range an interval is found")
     kinds = {(strip["half_periods"], strip["turn"]) for strip in strips}
@@ -87,6 +81,14 @@ def prove(setting: Setting) -> Proof:
     del strings["f"]
     certificate = assembled("entropies", setting, strings, (claims, hints))
     return lambda _part: certificate
+
+
+def _read(verdict: str) -> Any:
+    """Return what is proved of a strip, from a verdict of `examine`."""
+    try:
+        return json.loads(verdict)
+    except ValueError:
+        raise BadInput(f"the journal is damaged: {verdict[:40]!r}; remove it") from None
 
 
 def range_of(setting: Setting) -> tuple[Fraction, Fraction]:
@@ -130,7 +132,7 @@ def lemma_1_strip(p: Parameters, near: float, cell: Cell) -> dict[str, Any]:
     *Computed.* H, H' and, near the critical point, H'' over cells of y times the strip.
     """
     found = core(p, near, *cell)
-    checker = _Referee(found)
+    checker = Referee(found)
     cells = cover(found, checker.follows)
     turn = proved(found, cells)
     checker.begin(cells, turn)
@@ -160,7 +162,7 @@ def _hint(to: Fraction, events: Itinerary) -> dict[str, Any]:
 
 
 def lemma_2_pieces(
-    found: Core, checker: "_Referee", turn: int, part: Family, depth: int = 1
+    found: Core, checker: Referee, turn: int, part: Family, depth: int = 1
 ) -> list[tuple[Any, Any]]:
     """*Statement.* The symbols, the bounds of the entropy, and cycles, piece by piece.
 
@@ -182,7 +184,7 @@ def lemma_2_pieces(
 
 
 def lemma_2_piece(
-    found: Core, checker: "_Referee", turn: int, part: Family
+    found: Core, checker: Referee, turn: int, part: Family
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """Prove what is claimed of one piece; the checker agrees."""
     near = piece.line(found, part)
@@ -229,80 +231,3 @@ def _exact(f: Fraction | int) -> str:
 
 def _pair(ends: tuple[Fraction, Fraction]) -> list[str]:
     return [interval.exact_decimal(end) for end in ends]
-
-
-class _Referee:
-    """The checker of this theorem, which is asked what it can follow: nothing is proved by that."""
-
-    def __init__(self, found: Core) -> None:
-        self.found, family = found, found.family
-        p = Checked(*astuple(family.p))._replace(f=Fraction(0))
-        theta = phases(p, (family.low, family.high), CHECKED)
-        self.claim = {"interval": _enclosure((found.lower, found.upper))}
-        self.make: Callable[..., Strip] = partial(Strip, p, theta)
-        self.strip = self.made(1)
-        self.known = dict[tuple[Fraction, Fraction], Any]()
-
-    def made(self, turn: int) -> Strip:
-        """Return a strip of the checker."""
-        hint = {"shear": self.found.family.shear}
-        return self.make(turn, self.halves(), self.claim, hint)
-
-    def halves(self) -> int:
-        """Return how many half-periods the map takes at the critical point."""
-        found = self.found
-        events = found.expected((found.critical,) * 2, (found.family.p.f,) * 2)
-        image = found.family.part(found.family.p.f, found.family.p.f)
-        (theta,) = image.variables()
-        y = interval.ball(Fraction(found.critical))
-        return image.image(y, theta, events).half_periods
-
-    def follows(self, lower: Fraction, upper: Fraction, events: Itinerary) -> bool:
-        """Return whether a cell has a sign of H' or H''."""
-        try:
-            cell = self.strip.cell(lower, upper, _passage(events))
-        except Rejected:
-            return False
-        self.known[lower, upper] = cell
-        return bool(cell.slope or cell.curve)
-
-    def begin(self, cells: list[Any], turn: int) -> None:
-        """Take note of all cells; raise `NotProved` if the checker does not."""
-        self.strip = self.made(turn)
-        try:
-            self.strip.cells = [self.known[c.lower, c.upper] for c in cells]
-            self.strip.unimodal()
-            self.strip.boundary()
-        except Rejected as reason:
-            raise NotProved("checker", str(reason)) from None
-
-    def length(self, part: Family, sequence: str, near: piece.Line) -> int:
-        """Return how many symbols are followed on a piece; raise `NotProved` if none is."""
-        H, length = self.strip.on((part.low, part.high)), 0
-        try:
-            c, value = self.strip.critical(H, Line(near.at, near.rate), near.reach)
-            for _ in self.strip.images(H, sequence, c, value):
-                length += 1
-        except Rejected as reason:
-            if not length:
-                raise NotProved("checker", str(reason)) from None
-        return length
-
-    def contracts(self, part: Family, cycle: piece.Attracting) -> bool:
-        """Return whether J is contracted, and an image of c lies there, on a piece."""
-        strip = self.strip
-        here = Near(Line(cycle.at, cycle.rate), Interval(0, 0, CHECKED))
-        try:
-            strip.cycle(strip.on((part.low, part.high)), asdict(cycle) | {"image": 1}, [here])
-        except Rejected:
-            return False
-        return True
-
-
-def _passage(events: Itinerary) -> Passage:
-    pairs = [window(event.window) for event in events]
-    return Passage(list(words(events)), [(Fraction(a), Fraction(b)) for a, b in pairs])
-
-
-def _enclosure(ends: tuple[Fraction, Fraction]) -> Enclosure:
-    return Enclosure(*ends, ("", ""))
