@@ -50,6 +50,7 @@ from cap.sets.interval import Ball
 
 SUMMARY = "after sticks an interval is mapped into itself: a unimodal map and its entropy"
 SEARCH = candidates.releasing
+OVER_F = "entropies"
 COARSE = 80  # bits, for the cells and the basin
 MOST_SYMBOLS = 2000  # at the precision for 30 digits the checker accepts few more
 FIRST, STEP = 24, 8  # numbers of symbols after which the slopes are computed

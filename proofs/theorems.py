@@ -39,6 +39,12 @@ class Theorem:
         return str(self._module.SUMMARY)
 
     @property
+    def over_f(self) -> str | None:
+        """The theorem, perhaps this one, that is proved where a range of f is asked for."""
+        name: str | None = getattr(self._module, "OVER_F", None)
+        return name
+
+    @property
     def search(self) -> Search:
         """The search for the orbits that it may be about."""
         found: Search = self._module.SEARCH

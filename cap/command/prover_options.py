@@ -39,7 +39,8 @@ def parser() -> Parser:
         "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
         "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "
         "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
-        "python -m cap.prove capture;  python -m cap.prove branch --from 2/5",
+        "python -m cap.prove capture;  python -m cap.prove branch --from 2/5;  "
+        "python -m cap.prove attractor --from 0.39 --to 0.43 --jobs 2",
     )
     p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(NAMES))
     p.add_argument("--list", action="store_true", help="say what can be proved")
@@ -68,9 +69,9 @@ def parser() -> Parser:
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
-    p.add_argument("--from", dest="lowest", metavar="Q", help="branch: for f from here")
-    p.add_argument("--to", dest="highest", metavar="Q", help="branch: for f up to here")
-    p.add_argument("--speed", metavar="Q", help="mixed: for states |v| < Q (default 3)")
+    p.add_argument("--from", dest="lowest", metavar="Q", help="branch, attractor: for f from here")
+    p.add_argument("--to", dest="highest", metavar="Q", help="branch, attractor: for f up to here")
+    p.add_argument("--speed", metavar="Q", help="mixed: for states |v| < Q (default 3/2 R omega)")
     p.add_argument(
         "--cuts",
         metavar="N",
@@ -81,14 +82,14 @@ def parser() -> Parser:
         "--jobs",
         default="1",
         metavar="N",
-        help="branch, conservative, mixed: processes (default 1)",
+        help="on a range of f, conservative, mixed: processes (default 1)",
     )
     p.add_argument(
         "--journal",
         type=Path,
         metavar="FILE",
-        help="branch, conservative: a file of what is done, from which an interrupted proof goes "
-        "on",
+        help="on a range of f, conservative: a file of what is done, from which an interrupted "
+        "proof goes on",
     )
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
@@ -143,11 +144,15 @@ class Asked:
             )
         if options.theorem not in THEOREMS:
             raise BadInput(f"say what to prove: one of {', '.join(NAMES)}")
+        f_range = _range(options)
+        if any(f_range):
+            theorem = THEOREMS[options.theorem].over_f or options.theorem
+            options = argparse.Namespace(**{**vars(options), "theorem": theorem})
         asked = cls(
             _request(options, progress),
             integer(options.digits, "digits", (6, 1000), 4),
             int(choice(*ORDERS)([options.order], "order")) if options.order else None,
-            _range(options),
+            f_range,
             integer(options.jobs, "jobs", (1, 1024), 4),
             options.journal,
             options.out,
@@ -211,13 +216,14 @@ class Asked:
     def _fits(self) -> None:
         """Raise `BadInput` for options of other theorems, or that exclude each other."""
         theorem = self.request.kind
+        over_f = THEOREMS[theorem].over_f == theorem
         if self.request.every and (self.request.orbit or self.into_a_file):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
-        if theorem != "branch" and any(self.f_range):
+        if any(self.f_range) and not over_f:
             raise BadInput("--from and --to are for theorems on a range of f")
-        if theorem not in ("branch", "conservative") and self.journal:
+        if self.journal and not (over_f or theorem == "conservative"):
             raise BadInput("--journal is for theorems on a range of f, and for conservative")
-        if theorem not in ("branch", "conservative", "mixed") and self.jobs > 1:
+        if self.jobs > 1 and not (over_f or theorem in ("conservative", "mixed")):
             raise BadInput("--jobs is for theorems on a range of f, for conservative and mixed")
         if theorem != "mixed" and (self.speed is not None or self.cuts is not None):
             raise BadInput("--speed and --cuts are for the theorem mixed")

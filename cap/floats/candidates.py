@@ -218,6 +218,11 @@ def every_motion(request: Request) -> Found:
     return _nothing(request, "every motion")
 
 
+def range_of_f(request: Request) -> Found:
+    """Find nothing: the proof searches at each f of a range."""
+    return _nothing(request, "range of f")
+
+
 def _nothing(request: Request, about: str) -> Found:
     if request.orbit or request.every:
         raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")

@@ -145,42 +145,51 @@ def flies(
     if not start < end:
         raise NotProved("flight", "events may be out of order", {"start": start, "end": end})
     least: Ball | None = None
-    for k in slow_numbers(osc, flight.s, start, end):
-        slow = cast("Moment[Ball]", osc.slow(flight.s, k))
-        if k == released or slow.t < start or slow.t > end:
+    for k in slow_numbers(osc, flight.s, start, end, bound):
+        slow = osc.slow(flight.s, k)
+        when = bound(slow.t)
+        if k == released or when < start or when > end:
             continue
-        velocity = bound(osc.velocity(flight, cast("Moment[E]", slow)))
+        velocity = bound(osc.velocity(flight, slow))
         speed = velocity if flight.s > 0 else -velocity
         if not speed > 0:
-            sets = {"start": start, "end": end, "when": slow.t, "speed": speed}
+            sets = {"start": start, "end": end, "when": when, "speed": speed}
             raise NotProved(
                 "flight", "the velocity may vanish, so the mass may turn or stick", sets
             )
-        if not start < slow.t < end:  # it may or may not be attained
+        if not start < when < end:  # it may or may not be attained
             speed = interval.hull(speed, abs(bound(osc.velocity(flight, osc.moment(end)))))
         least = speed if least is None else interval.least(least, speed)
     return least
 
 
-def slow_numbers(osc: Oscillator[Any], s: int, start: Ball, end: Ball) -> range:
+def _itself(q: Any) -> Ball:
+    return cast(Ball, q)
+
+
+def slow_numbers(
+    osc: Oscillator[Any], s: int, start: Ball, end: Ball, bound: Callable[[Any], Ball] = _itself
+) -> range:
     """Return numbers k that include all with `Oscillator.slow` (s, k) between the times.
 
     `Oscillator.slow` (s, k) is ``origin`` + kT.  Raises `NotProved` if k is uncertain by 1 or more.
     """
-    origin = osc.slow_right if s > 0 else osc.slow_left
+    origin = bound(osc.slow_right if s > 0 else osc.slow_left)
     first, last = (start - origin) / osc.T, (end - origin) / osc.T
     if not (first.rad() < interval.ONE and last.rad() < interval.ONE):
         raise NotProved("flight", "its time is too uncertain", {"start": start, "end": end})
     return interval.integers(first, last)
 
 
-def next_slow(osc: Oscillator[Any], s: int, since: Ball) -> int:
+def next_slow(
+    osc: Oscillator[Any], s: int, since: Ball, bound: Callable[[Any], Ball] = _itself
+) -> int:
     """Return the number of the first slow moment after all times of ``since``.
 
     Raises `NotProved` if one of them may be at, or on both sides of, a slow moment.
     """
-    for k in slow_numbers(osc, s, since, since + osc.T):
-        if osc.slow(s, k - 1).t < since < osc.slow(s, k).t:
+    for k in slow_numbers(osc, s, since, since + osc.T, bound):
+        if bound(osc.slow(s, k - 1).t) < since < bound(osc.slow(s, k).t):
             return k
     raise NotProved("release", "whether the mass leaves at once is undecided", {"since": since})
 
@@ -208,7 +217,8 @@ def _curve(
         return interval.point(window)
     domain = models[0].domain
     near = Flight(flight.s, *(_polynomial(q) for q in (flight.t, flight.x, flight.v)))
-    constants = {name: _polynomial(getattr(osc, name)) for name in ("e", "mu", "F_v", "F_x", "lag")}
+    names = ("f", "e", "mu", "F_v", "F_x", "lag")
+    constants = {name: _polynomial(getattr(osc, name)) for name in names}
     jets = replace(osc, **constants)
     t = Jet.constant(interval.point(window), domain.space)
     for _ in range(domain.space.order.bit_length() + 6):

@@ -175,7 +175,7 @@ class PartialOrbit(Generic[E]):
 
     def _decide(self, side: int, force: Ball, expected: Expected, number: int) -> None:
         """Prove that a mass whose velocity vanishes turns to this side, or sticks (side 0)."""
-        f = self.osc.f
+        f = self.bound(self.osc.f)
         decided = side * force > f if side else abs(force) < f
         if not decided:
             reason = f"whether the mass turns or sticks is undecided: no certain {expected.word}"
@@ -230,7 +230,7 @@ class PartialOrbit(Generic[E]):
         sin = osc.moment(since).sin
         if not self.wall and not side * sin < 0:
             raise NotProved(f"event {number}", "the side of the release is another, or undecided")
-        return next_slow(osc, side, since)
+        return next_slow(osc, side, since, self.bound)
 
     def finish(self, end: Moment[Ball]) -> Orbit[E]:
         """Prove that nothing more happens until the end; return all enclosures."""
@@ -259,8 +259,8 @@ class PartialOrbit(Generic[E]):
             sets = {"rest": since, "end": end.t}
             raise NotProved("end", "the mass may come to rest only after the end", sets)
         for side in (1, -1):
-            for k in slow_numbers(osc, side, since, end.t):
-                t = osc.slow(side, k).t
+            for k in slow_numbers(osc, side, since, end.t, self.bound):
+                t = self.bound(osc.slow(side, k).t)
                 if side != self.wall and not (t < since or t > end.t):
                     raise NotProved("end", "the mass may be released before the end", {"at": t})
 
@@ -285,11 +285,12 @@ def _begin_at_rest(orbit: PartialOrbit[E], start: State[E]) -> int:
     A wall holds the mass, with the help of friction, while the force away from it is at most f.
     """
     osc, force = orbit.osc, orbit.osc.forcing(start.at)
+    f = orbit.bound(osc.f)
     for side in (1, -1):
-        if side * force > osc.f and side != start.wall:
+        if side * force > f and side != start.wall:
             orbit.flight = osc.launch(side, start.at, start.x, cast(E, ZERO))
             return side
-    if not (start.wall * force > -osc.f if start.wall else abs(force) < osc.f):
+    if not (start.wall * force > -f if start.wall else abs(force) < f):
         raise NotProved("start", "whether the mass moves at once is undecided", {"F cos wt": force})
     (a, b), _ = orbit.monodromy
     orbit.monodromy = (a, b), (ZERO, ZERO)

@@ -25,17 +25,19 @@ class Round:
     slope: Ball
 
 
-def foreseen_cycle(p: Parameters, x: float) -> tuple[float, ...]:
+def foreseen_cycle(
+    p: Parameters, x: float, transient: int = TRANSIENT, longest: int = LONGEST
+) -> tuple[float, ...]:
     """Return the cycle that attracts a place, in floats; of no points if none is found."""
     orbit: list[float] = []
-    for _ in range(TRANSIENT + 2 * LONGEST):
+    for _ in range(transient + 2 * longest):
         here = value(p, x)
         if here is None:
             return ()
         x = here.value
         orbit.append(x)
-    late, close = orbit[TRANSIENT:], CLOSE * float(p.R)
-    for period in range(1, LONGEST + 1):
+    late, close = orbit[transient:], CLOSE * float(p.R)
+    for period in range(1, longest + 1):
         if all(abs(a - b) < close for a, b in zip(late, late[period:], strict=False)):
             return tuple(late[-period:])
     return ()

@@ -4,7 +4,9 @@ Every event time but that of a release is an analytic function of the place, bec
 transverse zero of x - wall or of v; a release is at a known time.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from cap.errors import NotProved
@@ -23,12 +25,24 @@ def release_jet(osc: Oscillator[Any], x: E, events: Sequence[Event[E]], order: i
     too.  ``events`` are those up to the next release, as `passage` proves them for the set.
     """
     (place,) = Jet.variables((x,), order)
-    flight = osc.launch(1, osc.slow(1, 0), place, Ball(0))
+    return followed(partial(_lifted, osc), place, events)
+
+
+Lifted = Callable[[Space], Oscillator[Any]]
+"""The oscillator for jets of a space."""
+
+
+def followed(lifted: Lifted, place: Jet, events: Sequence[Event[E]]) -> Jet:
+    """Return the jet of G of a place; what the oscillator depends on may be variables, too."""
+    space = place.space
+    osc = lifted(space)
+    begin = Moment(*(_jet(q, space) for q in osc.slow(1, 0)))
+    flight = osc.launch(1, begin, place, Ball(0))
     for event in events:
         verb, _, side = event.word.partition(" ")
         if verb == "release":
             return place if side == "right" else osc.l + osc.r - place
-        moment = osc.moment(_time_jet(osc, flight, event, order))
+        moment = osc.moment(_time_jet(lifted, flight, event, space))
         if verb == "hit":
             flight = osc.reflect(flight, moment, osc.velocity(flight, moment))
         elif verb in ("turn", "stick"):
@@ -36,23 +50,23 @@ def release_jet(osc: Oscillator[Any], x: E, events: Sequence[Event[E]], order: i
             if verb == "turn":
                 flight = osc.launch(SIDES[side], moment, place, Ball(0))
         else:
-            raise NotProved("release map", "after a capture it is constant")
+            raise NotProved("release map", f"after a {verb} there is no jet of it")
     raise NotProved("release map", "the events do not end with a release")
 
 
-def _time_jet(osc: Oscillator[Any], flight: Flight[Any], event: Event[Any], order: int) -> Jet:
+def _time_jet(lifted: Lifted, flight: Flight[Any], event: Event[Any], space: Space) -> Jet:
     """Return the jet of the time of a hit or of a stop, of which the value is known.
 
     Newton's iteration on jets: an iterate that is right to order k gives one right to 2k + 1.  The
     residual at order zero is exactly zero, because the value encloses the true times.
     """
-    known, t = 0, Jet.constant(event.time, Space(1, 0))
-    while known < order:
-        known = min(2 * known + 1, order)
+    known, t = 0, Jet.constant(event.time, space.truncated(0))
+    while known < space.order:
+        known = min(2 * known + 1, space.order)
         t = t.extended(known)
         near = Flight(flight.s, *(_cut(q, known) for q in (flight.t, flight.x, flight.v)))
-        moment = osc.moment(t)
-        gap, rate = _crossing(osc, near, moment, hit=event.word.startswith("hit"))
+        osc = lifted(t.space)
+        gap, rate = _crossing(osc, near, osc.moment(t), hit=event.word.startswith("hit"))
         t = t - gap.above(0) / rate
     return t
 
@@ -65,6 +79,15 @@ def _crossing(
     if hit:
         return osc.position(flight, moment) - osc.wall(flight.s), velocity
     return velocity, osc.acceleration(flight, moment)
+
+
+def _lifted(osc: Oscillator[Any], space: Space) -> Oscillator[Any]:
+    """Return the oscillator for jets; f may be a Taylor model, which does not mix with them."""
+    return replace(osc, f=Jet.constant(osc.f, space))
+
+
+def _jet(q: Any, space: Space) -> Jet:
+    return q if isinstance(q, Jet) else Jet.constant(q, space)
 
 
 def _cut(q: Any, order: int) -> Any:

@@ -48,6 +48,18 @@ def compared(symbols: str, other: Iterator[str]) -> int:
     return 0
 
 
+def extreme(symbols: str, *, least: bool) -> str:
+    """Return the least, or the greatest, sequence with R or L in the place of each ?.
+
+    At each ? it has the symbol that makes it smaller, or larger, whatever follows.
+    """
+    found = ""
+    for symbol in symbols:
+        even = found.count("R") % 2 == 0
+        found += ("L" if even == least else "R") if symbol == "?" else symbol
+    return found
+
+
 def slopes(symbols: str, bits: int) -> tuple[Fraction, Fraction]:
     """Return slopes (s, s'), multiples of 2^-bits, of tent maps that are certainly smaller, larger.
 

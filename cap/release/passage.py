@@ -18,6 +18,7 @@ from cap.flow.model import Moment, Oscillator
 from cap.flow.orbit import PartialOrbit, State
 from cap.maps.fixed_point import Itinerary, windows_for
 from cap.parameters import Parameters
+from cap.release.halt import HaltingOrbit
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -64,7 +65,7 @@ def arrival(
     ``value`` is where they are then, mirrored if it is to the left, ``slope`` the derivative of
     that by x; ``half_periods`` are counted from the release to the right in the first period.
     """
-    orbit = PartialOrbit(osc, start, kind)
+    orbit = HaltingOrbit(osc, start, kind)
     for number, event in enumerate(expected, 1):
         orbit.meet(event, number)
     side, k = next_release(orbit)

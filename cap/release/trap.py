@@ -81,6 +81,15 @@ def _root(p: Parameters, a: Value, b: Value) -> float:
     return (a.x + b.x) / 2
 
 
+def turning_point(p: Parameters, near: float) -> Value | None:
+    """Return the release map where its slope vanishes, near a place."""
+    for reach in (0.01, 0.02, 0.04):
+        a, b = (value(p, near + side * reach * float(p.R)) for side in (-1, 1))
+        if a and b and a.slope * b.slope < 0:
+            return value(p, _root(p, a, b))
+    return None
+
+
 def trap(p: Parameters, near: float) -> Trap:
     """Return an interval around a critical point that is mapped into itself with one itinerary.
 

@@ -125,6 +125,25 @@ def lighter(limits):
         put("reject", name, limits, tuple(change))
 
 
+def released(window, entropies, cascade):
+    """Write lies about the release map: a window, entropies for a range of f, doublings."""
+    two = copy.deepcopy(cascade)
+    two["hints"]["cycles"] = two["hints"]["cycles"][:2]
+    for name, number in (("parameters", 2), ("places", 2), ("ratios", 0)):
+        two["claims"][name] = two["claims"][name][:number]
+    later = [str(Fraction(end) + Fraction(1, 10**19)) for end in two["claims"]["parameters"][1]]
+    piece = "strips", 0, "pieces", 0
+    for name, certificate, *change in (
+        ("attracting_cycle_without_entropy", window, "entropy", ["0", "0"]),
+        ("attracting_cycle_with_shifted_symbols", window, "repeated", "RLL"),
+        ("entropies_that_are_too_large", entropies, *piece, "entropy", ["0.482", "0.483"]),
+        ("entropies_with_a_larger_share_of_cycles", entropies, "periodic", "1"),
+        ("cascade_with_a_later_doubling", two, "parameters", 1, later),
+        ("cascade_to_the_other_side", two, "direction", "up"),
+    ):
+        put("reject", name, certificate, ("claims", *change))
+
+
 def attracting(sink):
     """Write lies about an attracting orbit of two masses."""
     words = sink["claims"]["itinerary"]
@@ -186,6 +205,7 @@ if __name__ == "__main__":
     captured(load("capture.json"), load("capture-2.json"))
     two_masses(load("particles.json"), load("particles_saddle.json"))
     lighter(load("particles_limits.json"))
+    released(load("window-1.json"), load("entropies-1.json"), load("cascade-1.json"))
     attracting(load("particles_sink.json"))
     mixed(mixed_small.certificate())
     malformed(load("saddle-2.json"))

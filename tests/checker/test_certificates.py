@@ -12,6 +12,12 @@ from cap import verify
 
 HERE = Path(__file__).parents[1] / "certificates"
 REASONS = {
+    "attracting_cycle_with_shifted_symbols": "symbol 1 of those repeated",
+    "attracting_cycle_without_entropy": "may be positive",
+    "cascade_to_the_other_side": "in the direction claimed",
+    "cascade_with_a_later_doubling": "parameters[1] does not contain",
+    "entropies_that_are_too_large": "below its lower bound",
+    "entropies_with_a_larger_share_of_cycles": "the share with cycles",
     "box_of_two_fixed_points": "before a window begins",
     "box_past_the_wall": "between the walls",
     "box_too_large": "before a window begins",

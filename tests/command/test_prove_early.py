@@ -19,12 +19,12 @@ def _no_search(monkeypatch):
 @pytest.mark.parametrize(
     ("words", "complaint"),
     [
-        (("saddle", "--jobs", "2"), "for the theorem branch"),
+        (("saddle", "--jobs", "2"), "for theorems on a range"),
         (("branch", "--jobs", "0"), "--jobs must be"),
         (("branch", "--jobs", "x"), "--jobs must be"),
         (("branch", "--from", "1/2", "--to", "1/3"), "0 < from < to"),
-        (("saddle", "--from", "1/2"), "for the theorem branch"),
-        (("saddle", "--journal", "j"), "for the theorem branch"),
+        (("saddle", "--from", "1/2"), "for theorems on a range"),
+        (("saddle", "--journal", "j"), "for theorems on a range"),
         (("saddle", "--period", "2"), "for the theorem periodic"),
         (("saddle", "--order", "5"), "for the theorem elliptic"),
         (("saddle", "--digits", "5"), "--digits must be"),

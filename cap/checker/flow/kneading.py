@@ -56,3 +56,12 @@ def tent(slope: Interval) -> Iterator[str]:
         need(left or right, "the kneading sequence of a tent map is not decided")
         yield "L" if left else "R"
         y = slope * y if left else slope * (-y + 1)
+
+
+def extreme(symbols: str, *, least: bool) -> Iterator[str]:
+    """Yield the least or the greatest sequence with R or L in the place of each ?."""
+    even = True
+    for symbol in symbols:
+        chosen = ("L" if even == least else "R") if symbol == "?" else symbol
+        even = even if chosen == "L" else not even
+        yield chosen

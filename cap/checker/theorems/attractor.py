@@ -42,15 +42,14 @@ from typing import Any, ClassVar, NamedTuple
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.fixed_point import STATE, ends
-from cap.checker.flow.hits import SIDES
 from cap.checker.flow.kneading import doubling, order, tent
-from cap.checker.flow.losses import Lossy
-from cap.checker.flow.mechanics import Ends, Flight
+from cap.checker.flow.mechanics import Ends
+from cap.checker.flow.releases import next_release
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Centred, lift
+from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.reading import number
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Field,
     Letters,
@@ -186,25 +185,9 @@ class Attractor(Theorem):
         M = self.phi(windows).mechanics([x], [x.midpoint()], order)
         first, *later = M.minima[1]
         start = M.flight(1, first, M.x, M.constant(x.integer(0)), later, at_rest=True)
-        place, taken = self.release(M, start, windows)
+        place, taken = next_release(M, self.phi(windows), start)
         need(taken == self.claims["half_periods"], "the release map takes another time")
         return place
-
-    def release(self, M: Lossy, start: Flight, windows: Sequence[Ends]) -> tuple[Centred, int]:
-        """Prove the itinerary; return where the release at its end is, mirrored if to the left.
-
-        And how many half-periods it comes after the release to the right in the first period.
-        """
-        events, flight = self.phi(windows).follow(M, start)
-        verb, _, side = self.claims["itinerary"][-1].partition(" ")
-        if verb != "release" or not isinstance(flight, Flight):
-            raise Rejected("the itinerary does not end with a release")
-        number, last = SIDES[side], events[-1].moment
-        k = next(n for n, moment in enumerate(M.minima[number]) if moment is last)
-        taken = 2 * k - (number < 0)
-        x = M.place(flight, last)
-        mirror = M.constant(M.walls[1] + M.walls[-1])
-        return x if number > 0 else lift(lambda y, z: y - z, mirror, x), taken
 
     def windows(self, x: Interval) -> list[Ends]:
         """Return the hulls of the windows of the cells that meet an interval."""
@@ -330,7 +313,7 @@ class Attractor(Theorem):
         """Prove that all orbits from a box come to be released in I."""
         area = [self.coarse(*z) for z in box]
         M = self.phi(windows).mechanics(area, [z.midpoint() for z in area], _ORDER)
-        place = self.release(M, M.launch(), windows)[0].value
+        place = next_release(M, self.phi(windows), M.launch())[0].value
         inside = place.lies_in(*ends(self.claims["interval"]))
         need(inside, "the releases of orbits from the box may not lie in I")
 
