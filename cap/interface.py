@@ -36,7 +36,7 @@ __all__ = [
 ]
 
 Pair = tuple[float, float]
-_NOT_OPTIONS = ("theorem", "list", "all", "out")  # of the command line alone
+_NOT_OPTIONS = ("theorem", "list", "all", "proportional", "out")  # of the command line alone
 
 
 @dataclass(frozen=True)

@@ -55,9 +55,15 @@ def parser() -> Parser:
     p.add_argument(
         "--masses",
         metavar="M1,M2",
-        help="particles, particles_saddle, particles_limits, sliding: two masses, as 1,9/10, on "
-        "each of which the forcing F and the friction f act; their orbits are found from equal "
-        "masses",
+        help="particles, particles_saddle, particles_sink, particles_limits, sliding: two masses, "
+        "as 1,9/10, on each of which the forcing F and the friction f act; their orbits are found "
+        "from equal masses, or from random states",
+    )
+    p.add_argument(
+        "--proportional",
+        action="store_true",
+        help="with --masses: the friction f m_i instead of f; there is nothing to prove then, and "
+        "this says why",
     )
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
@@ -200,6 +206,8 @@ class Asked:
 
 def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Request:
     """Return what the search is asked for."""
+    if options.proportional:
+        raise BadInput(_proportional(options.theorem))
     given = {name: getattr(options, name) for name in PAPER.strings()}
     if options.epsilon is not None:
         if options.e is not None:
@@ -223,6 +231,17 @@ def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Re
         periods=integer(options.period, "period", (1, 16), 4),
         progress=progress,
         masses=masses([options.masses], "masses") if options.masses is not None else (),
+    )
+
+
+def _proportional(theorem: str) -> str:
+    """Return in words why nothing is proved of masses with friction f m_i."""
+    if "masses" not in load(theorem).PARAMETERS:
+        return f"--proportional goes with --masses: the theorem {theorem} is about one mass"
+    return (
+        "with friction f m_i and unequal masses a collision preserves sum m_i dv_i^dx_i only if it "
+        "keeps the signs of both velocities, and no orbit that never stops has such collisions "
+        "only (theorem symplectic); two equal masses m have the friction force f m: give it as --f"
     )
 
 

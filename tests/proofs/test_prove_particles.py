@@ -180,6 +180,8 @@ def test_the_command(capsys, tmp_path):
         (("particles", "--masses", "1,9/10"), "inverse hyperbolic"),
         (("particles", "--masses", "1,3"), "before m = 1, 1.0"),
         (("elliptic", "--masses", "1,9/10"), "about one mass: leave out --masses"),
+        (("elliptic", "--proportional"), "goes with --masses"),
+        (("particles", "--masses", "1,9/10", "--proportional"), "keeps the signs of both"),
     ],
 )
 def test_requests_that_make_no_sense(capsys, words, reason):

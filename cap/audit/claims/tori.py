@@ -21,6 +21,7 @@ from cap.parameters import PAPER
 
 TWO_PARTICLES = "particles.json"  # an elliptic orbit, and the one that the paper expects
 NOT_ELLIPTIC = "particles_saddle.json"
+LIMITS = "particles_limits.json"  # down to which masses the orbit is elliptic
 
 
 @claim("cor:multi-KAM", Kind.THEOREM, stated="(K1) with θ₀ = 2π and Σ|k_j| <= 2N + 4")
@@ -140,17 +141,24 @@ def elliptic_orbit_of_two_particles() -> Verdict:
     need(paper == {key: getattr(PAPER, key) for key in paper}, "other parameters")
     determinant = elliptic.claims["twist_determinant"]
     need(not determinant.lower <= 0 <= determinant.upper, "the twist matrix may be singular")
+    limits = stored(LIMITS)
+    need({key: limits.parameters[key] for key in paper} == paper, "other parameters of the limits")
+    need(limits.parameters["masses"] == (1, 1), "other masses of the limits")
+    flip, stop = limits.claims["flip"], limits.claims["stop"]
+    need(flip.lower > masses[1] > stop.upper, "9/10 is not between the limits")
     outer = other.claims["multipliers"][0]
     need(outer.upper < -1, "the outer multiplier may be on the unit circle")
     f, speed = elliptic.parameters["f"], other.claims["least_speeds"][1]
     return corrected(
         "at the paper's parameters the orbit that continues the pair of P* and its mirror image "
         f"exists at m = (1, 9/10), and no mass stops (least speed in {speed}), but one multiplier "
-        f"is in {outer}: it is not elliptic. At f = {f} it is, without resonance of order at most "
-        f"four, and its twist matrix has a determinant in {determinant}, not 0. Whether another "
-        "elliptic orbit exists at f = 2/5 is not known. In the sense of Definition 9.2 there is "
-        "none anywhere (particles.never-stopping-set-is-empty): here collisions exchange signs",
-        f"Stored certificates: {TWO_PARTICLES} and {NOT_ELLIPTIC}.",
+        f"is in {outer}: it is not elliptic. Of one family with the same contacts one multiplier "
+        f"is -1 at an m₂ in {flip}, elliptic above it and not below, and a mass stops at an m₂ in "
+        f"{stop}. At f = {f} there is an elliptic orbit at m = (1, 9/10), without resonance of "
+        f"order at most four; its twist matrix has a determinant in {determinant}, not 0. Whether "
+        "one exists at f = 2/5 is not known. In the sense of Definition 9.2 there is none anywhere "
+        "(particles.never-stopping-set-is-empty): here collisions exchange signs",
+        f"Stored certificates: {TWO_PARTICLES}, {NOT_ELLIPTIC}, {LIMITS}.",
         certificate=NOT_ELLIPTIC,
     )
 
