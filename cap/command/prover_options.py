@@ -70,7 +70,14 @@ def parser() -> Parser:
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
     p.add_argument("--from", dest="lowest", metavar="Q", help="branch: for f from here")
     p.add_argument("--to", dest="highest", metavar="Q", help="branch: for f up to here")
-    p.add_argument("--jobs", default="1", metavar="N", help="branch: processes (default 1)")
+    p.add_argument("--speed", metavar="Q", help="mixed: for states |v| < Q (default 3)")
+    p.add_argument(
+        "--cuts",
+        metavar="N",
+        help="mixed: leaves are cut in halves N times on average, 1 to 9 (default 2); one more "
+        "doubles the time",
+    )
+    p.add_argument("--jobs", default="1", metavar="N", help="branch, mixed: processes (default 1)")
     p.add_argument(
         "--journal",
         type=Path,
@@ -117,6 +124,8 @@ class Asked:
     jobs: int
     journal: Path | None
     out: Path
+    speed: Fraction | None = None
+    cuts: int | None = None
 
     @classmethod
     def of(cls, options: argparse.Namespace, progress: Callable[[str], None]) -> "Asked":
@@ -136,6 +145,8 @@ class Asked:
             integer(options.jobs, "jobs", (1, 1024), 4),
             options.journal,
             options.out,
+            _positive(options.speed),
+            None if options.cuts is None else integer(options.cuts, "cuts", (1, 9), 1),
         )
         asked._fits()
         if asked.journal:
@@ -164,6 +175,8 @@ class Asked:
             f_range=self.f_range,
             runner=runner,
             particles=candidate.particles,
+            speed=self.speed,
+            cuts=self.cuts,
         )
 
     @property
@@ -191,11 +204,15 @@ class Asked:
 
     def _fits(self) -> None:
         """Raise `BadInput` for options of other theorems, or that exclude each other."""
-        theorem, of_branch = self.request.kind, (self.jobs > 1, self.journal, any(self.f_range))
+        theorem, of_branch = self.request.kind, (self.journal, any(self.f_range))
         if self.request.every and (self.request.orbit or self.into_a_file):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
         if theorem != "branch" and any(of_branch):
-            raise BadInput("--jobs, --journal, --from and --to are for the theorem branch")
+            raise BadInput("--journal, --from and --to are for the theorem branch")
+        if theorem not in ("branch", "mixed") and self.jobs > 1:
+            raise BadInput("--jobs is for the theorems branch and mixed")
+        if theorem != "mixed" and (self.speed is not None or self.cuts is not None):
+            raise BadInput("--speed and --cuts are for the theorem mixed")
         if self.order and theorem != "elliptic":
             raise BadInput("--order is for the theorem elliptic")
         if self.request.masses and "masses" not in load(theorem).PARAMETERS:
@@ -253,6 +270,15 @@ def _range(options: argparse.Namespace) -> Range:
     if any(a >= b for a, b in pairwise(ends)):
         raise BadInput("the range must be 0 < from < to")
     return low, high
+
+
+def _positive(word: str | None) -> Fraction | None:
+    """Return a positive number, if one is given."""
+    if word is None:
+        return None
+    if exact(word) <= 0:
+        raise BadInput(f"--speed must be positive: {word.strip()}")
+    return exact(word)
 
 
 def _try(path: Path, *, directory: bool = False) -> None:

@@ -124,7 +124,7 @@ def krawczyk(
     K = list[Interval]()
     for i, given in enumerate(preconditioner):
         row = [M.number(c) for c in given]
-        residual = _times(row, parts)
+        residual = times(row, parts)
         residual[i] = residual[i] - 1
         K.append(middle[i] - dot(row, G) - dot(residual, offsets))
         if value:
@@ -141,7 +141,7 @@ def dot(row: Sequence[Interval], column: Sequence[Interval]) -> Interval:
     return total
 
 
-def _times(row: Sequence[Interval], parts: Sequence[tuple[Matrix, Matrix]]) -> list[Interval]:
+def times(row: Sequence[Interval], parts: Sequence[tuple[Matrix, Matrix]]) -> list[Interval]:
     """Return a row of C G': the k-th flight depends on the contacts k and k + 1."""
     size, count = SIZE, len(parts)
     result = [row[0].integer(0)] * (size * count)

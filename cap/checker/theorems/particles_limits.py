@@ -6,14 +6,17 @@ Let q be the second mass, z_1 > z_2 the reduced traces, m the first mass.
    in it: so there is exactly one zero z(q) of G in the box, and it is analytic in q.  The same in
    small boxes inside for q = a and q = b: they contain z(a) and z(b).
 2. *flip*: for all q in [a, b] z(q) is an orbit on which no mass stops, and z_2(a) < -2 < z_2(b),
-   while z_1 is in (-2, 2) at both.  So z_2 = -2 for some q: there a double multiplier is -1.
+   while z_1 is in (-2, 2) at both: (z_1 + 2)(z_2 + 2), a polynomial in the entries of Phi', is
+   zero for some q, where a double multiplier is -1.
 3. *stop*: for all q in [a, b] the contacts of z(q) are transversal and in order, its masses apart,
    and its velocities at contacts of the signs of their flights.  At b they have these signs at all
    critical times, at a one of them has the other sign.  So for the largest q at which the least
    of these velocities, taken with these signs, is 0, the least speed of the orbit is 0.
 4. *Between*: nodes from flip to stop, with a zero of G in a small box each, and for the masses of
    the cell between two nodes exactly one zero in a box that contains the small ones of both: so
-   all the zeros are one analytic family.
+   all the zeros are one analytic family.  Contacts and velocities at contacts as in 3.  A velocity
+   at a critical time, taken with its sign, is w > 0 at the lower node; along the family it is w
+   + (q - node) times a value of its derivative, which is positive in the cell too.
 """
 
 from __future__ import annotations
@@ -67,13 +70,15 @@ class ParticlesLimits(Theorem):
         Field("nodes", Many({"mass": number, "centre": POINT}, 0, MOST_NODES), "", "",
               "masses between flip and stop, falling, with the contacts"),
         Field("node_radius", number, "", "", "of the small boxes around them"),
-        Field("cell_reach", number, "", "", "of the boxes between two nodes, around their middle"),
+        Field("cell_reach", number, "", "", "of the boxes between two nodes, around their middle, "
+              "for a cell as wide as the first mass: for others less in proportion"),
     )
     CLAIMS = (
         Field("itinerary", listed(Word(tuple(NORMALS))), "", "",
               "all contacts in (0, T), in their order"),
         Field("flip", Quantity("m"), "a multiplier is -1 at m_2 =", "m_2",
-              "contains a second mass with the multiplier -1: above it is elliptic, below not"),
+              "contains a second mass with the multiplier -1; elliptic at its upper end, not at "
+              "the lower one"),
         Field("stop", Quantity("m"), "a mass stops at m_2 =", "m_2",
               "contains a second mass with the least speed 0"),
     )
@@ -165,14 +170,7 @@ class ParticlesLimits(Theorem):
 
     def stop(self, found: Crossing) -> None:
         """Prove that the least speed becomes 0."""
-        M, orbit = found.family, found.orbit
-        in_order(M, orbit)
-        for contact, end in zip(orbit, arrivals(orbit, M), strict=True):
-            flight = M.flight(contact)
-            admissible(M, contact, flight)
-            kept = all((v * s).is_positive() for v, s in zip(end.v, flight.signs, strict=True))
-            need(kept, "a velocity may have another sign at the end of a flight")
-            apart(M, contact, end)
+        no_other_contacts(found.family, found.orbit)
         self.step("for each mass of stop the contacts are transversal, and there are no others")
         (below, zeros), (above, orbit) = found.ends
         least_speeds(above, orbit)
@@ -183,27 +181,43 @@ class ParticlesLimits(Theorem):
     def between(self) -> None:
         """Prove that the zeros from flip to stop are one family."""
         flip, stop, hints = self.claims["flip"], self.claims["stop"], self.hints
-        nodes = [(node["mass"], flat(node["centre"])) for node in hints["nodes"]]
-        for mass, centre in nodes:
-            self.zero(mass, centre, hints["node_radius"], self.rows(mass))
+        inner = [(node["mass"], flat(node["centre"])) for node in hints["nodes"]]
         first = (flip.lower, flat(hints["flip"]["lower"]))
         last = (stop.upper, flat(hints["stop"]["upper"]))
+        nodes = [first, *inner, last]
         small = max(hints["node_radius"], hints["radius"])
-        for (upper, a), (lower, b) in pairwise([first, *nodes, last]):
+        for (upper, a), (lower, b) in pairwise(nodes):
             need(lower < upper, "the masses of the nodes do not fall")
             centre = [(x + y) / 2 for x, y in zip(a, b, strict=True)]
-            box = self.around(centre, hints["cell_reach"])
+            box = self.around(centre, hints["cell_reach"] * (upper - lower) / self.p.masses[0])
             both = all(lies_in(self.around(c, small), box) for c in (a, b))
             need(both, "the zero at a node may not be in the box of a cell")
-            self.cell((lower, upper), centre, box)
-        self.step(f"{len(nodes) + 1} cells of masses: the zeros from flip to stop are one family")
+            radius = hints["radius"] if lower == stop.upper else hints["node_radius"]
+            speeds = inner_speeds(*self.zero(lower, b, radius, self.rows(lower)))
+            self.cell((lower, upper), centre, box, speeds)
+        self.step(f"{len(inner) + 1} cells of masses: the zeros from flip to stop are one family")
+        self.step("for each mass between flip and stop it is an orbit on which no mass stops")
 
-    def cell(self, second: Ends, centre: Rational, box: Sequence[Ends]) -> None:
-        """Prove that there is one zero in the box for each second mass of an interval."""
+    def cell(
+        self, second: Ends, centre: Rational, box: Sequence[Ends], speeds: list[Interval]
+    ) -> None:
+        """Prove that there is one zero in the box for each second mass of an interval, an orbit on
+        which no mass stops; s_i v_i at critical times is given for the lower end.
+        """
         bits, family = self.hints["bits"], Family(self.p, second, self.hints["bits"])
         value = moved(self.p, second, self.words_of, [family.number(c) for c in centre], bits)
         rows = self.rows((second[0] + second[1]) / 2)
-        krawczyk(family, of_contacts(family, self.words_of), box, centre, rows, value)
+        K = krawczyk(family, of_contacts(family, self.words_of), box, centre, rows, value)
+        orbit = contacts(family, self.words_of, K)
+        no_other_contacts(family, orbit)
+        rates = family.inner_rates(orbit, family.rates(orbit, rows))
+        need(len(rates) == len(speeds), "a velocity may be critical at a contact")
+        width = self.number(second[1] - second[0])
+        for w, rate in zip(speeds, rates, strict=True):
+            need(w.is_positive(), "a mass may stop at a node")
+            need(
+                rate.is_positive() or (w + rate * width).is_positive(), "a mass may stop in a cell"
+            )
 
     def rows(self, mass: Fraction) -> list[Rational]:
         """Return what is linear in the mass, and the preconditioners at flip and stop."""
@@ -228,6 +242,17 @@ def lies_in(small: Sequence[Ends], large: Sequence[Ends]) -> bool:
     return all(z[0] <= s[0] and s[1] <= z[1] for s, z in zip(small, large, strict=True))
 
 
+def no_other_contacts(M: Mechanics, orbit: Sequence[Contact]) -> None:
+    """Prove that the contacts are transversal, and the only ones if no mass stops between them."""
+    in_order(M, orbit)
+    for contact, end in zip(orbit, arrivals(orbit, M), strict=True):
+        flight = M.flight(contact)
+        admissible(M, contact, flight)
+        kept = all((v * s).is_positive() for v, s in zip(end.v, flight.signs, strict=True))
+        need(kept, "a velocity may have another sign at the end of a flight")
+        apart(M, contact, end)
+
+
 def inner_speeds(M: Mechanics, orbit: Sequence[Contact]) -> list[Interval]:
     """Return s_i v_i at all critical times inside of the flights."""
     speeds = list[Interval]()
@@ -243,12 +268,13 @@ _LIMITS = (
     "m_i x_i'' = F cos(omega t) - f sgn x_i', i = 1, 2, with m_1 = {m[0]}, F = {F}, omega = "
     "{omega}, f = {f}, {l} <= x_1 <= x_2 <= {r}, elastic walls and elastic collisions, and the "
     "contacts {contacts} in a period T = 2 pi/omega: for each m_2 in {flip} there is exactly one "
-    "T-periodic orbit with these contacts in a box, no mass stops on it, at the upper end it is "
+    "T-periodic orbit on which no mass stops with these contacts in a box, at the upper end it is "
     "elliptic and at the lower end not, and for some m_2 in between one multiplier is -1; for each "
     "m_2 in {stop} the equations of the flights between these contacts have exactly one solution "
     "in a box, an orbit on which no mass stops at the upper end, and for some m_2 in between the "
-    "least speed of the orbit is 0; for all m_2 between the two intervals the equations have "
-    "solutions, and all these are one analytic family"
+    "least speed of the orbit is 0; for each m_2 between the two intervals the equations have a "
+    "solution, alone in a box of its own, an orbit on which no mass stops, and these join those of "
+    "the two intervals to one family that is analytic in m_2"
 )
 
 THEOREM = ParticlesLimits
