@@ -42,6 +42,7 @@ SPEED = Fraction(3)
 SLACK = Fraction(1, 10**5)  # of a share: libraries may steer otherwise by rounding
 PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
 COLUMNS, ROWS, CUTS, DEPTH = 64, 192, 2, 6
+HOPE = 0.1  # part of what is undecided that one cut more may decide, if none was before
 FIRST, MOST, ROUNDS = 1, 9, 8  # cuts of a leaf; rounds in which they are chosen
 
 
@@ -115,11 +116,17 @@ class Sorted:
         """Return which part of a leaf has a fate."""
         return (counts[0] + counts[1]) / float(1 << self.cuts[n] + DEPTH + less)
 
+    def hope(self, n: int) -> float:
+        """Return what one cut more of a leaf may gain, for each piece: it steers."""
+        left = 1 - self.part(n, self.counts[n])
+        return (self.gains[n] + HOPE * left) / (1 << self.cuts[n]) if left else 0.0
+
     def spend(self, room: int) -> None:
         """Cut leaves once more, those that gain most, until the number of pieces is this."""
-        open_ = [n for n, c in enumerate(self.cuts) if c < MOST and self.gains[n] > 0]
         chosen = list[int]()
-        for n in sorted(open_, key=lambda n: -self.gains[n] / 2 ** self.cuts[n]):
+        for n in sorted(range(len(self.cuts)), key=lambda n: -self.hope(n)):
+            if self.cuts[n] == MOST:
+                continue
             room -= 1 << self.cuts[n]
             if room < 0:
                 break

@@ -194,7 +194,7 @@ class Asked:
         if theorem != "branch" and any(of_branch):
             raise BadInput("--journal, --from and --to are for the theorem branch")
         if theorem not in ("branch", "mixed") and self.jobs > 1:
-            raise BadInput("--jobs is for the theorems branch and mixed")
+            raise BadInput("--jobs is for the theorem branch, and for mixed")
         if theorem != "mixed" and (self.speed is not None or self.cuts is not None):
             raise BadInput("--speed and --cuts are for the theorem mixed")
         if self.order and theorem != "elliptic":
