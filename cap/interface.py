@@ -36,7 +36,7 @@ __all__ = [
 ]
 
 Pair = tuple[float, float]
-_NOT_OPTIONS = ("theorem", "list", "all", "out")  # of the command line alone
+_NOT_OPTIONS = ("theorem", "list", "all", "proportional", "out")  # of the command line alone
 
 
 @dataclass(frozen=True)
@@ -97,8 +97,11 @@ class Verified:
         return stored
 
     @property
-    def parameters(self) -> dict[str, Fraction]:
-        """The exact parameters that the theorem has (two theorems are about all f)."""
+    def parameters(self) -> dict[str, Any]:
+        """The exact parameters that the theorem has (two theorems are about all f).
+
+        ``masses``, where it has them, is a tuple.
+        """
         return {name: getattr(self.checked.parameters, name) for name in self._names}
 
     @cached_property
@@ -139,7 +142,10 @@ class Verified:
         return f"VERIFIED: {self.sentence}"
 
     def __repr__(self) -> str:
-        values = ", ".join(f"{name} = {q}" for name, q in self.parameters.items())
+        stated = dict(self.parameters)
+        if "masses" in stated:
+            stated["masses"] = ", ".join(map(str, stated["masses"]))
+        values = ", ".join(f"{name} = {q}" for name, q in stated.items())
         return f"<Verified: {self.theorem} at {values}>"
 
     @property
@@ -162,11 +168,12 @@ def prove_theorem(
 
     ``options`` are those of ``python -m cap.prove --help``, by their names.  Parameters (F, omega,
     f, l, r, e, mu; default: the paper's) are exact: strings as on the command line, integers or
-    fractions; a float is refused, as 0.4 is not 2/5.  ``orbit`` (x, v), from which Newton's method
-    starts, may be floats.  Others: ``period``, ``digits``, ``order``, ``epsilon``; of `branch`
-    ``lowest`` and ``highest`` (--from, --to), ``jobs``, ``journal``.  ``executor``, any of
-    `concurrent.futures`' kind, examines the cells of `branch` in the place of ``jobs``.
-    ``progress`` is told, in a few words, how far a long proof is.
+    fractions; a float is refused, as 0.4 is not 2/5.  So are ``masses``, one string or a pair.
+    ``orbit`` (x, v), from which Newton's method starts, may be floats.  Others: ``period``,
+    ``digits``, ``order``, ``epsilon``; of `branch` ``lowest`` and ``highest`` (--from, --to),
+    ``jobs``, ``journal``.  ``executor``, any of `concurrent.futures`' kind, examines the cells of
+    `branch` in the place of ``jobs``.  ``progress`` is told, in a few words, how far a long proof
+    is.
 
     Raises `BadInput` if the request makes no sense or no orbit is found, and `NotProved`, which
     carries the sets, if a step of the proof does not succeed: the theorem may still be true.
@@ -222,8 +229,12 @@ def _word(name: str, value: Any) -> Any:
     """Return the value of an option as the command line would have it."""
     if name == "orbit":
         return _state(value)
+    if name == "masses" and isinstance(value, tuple | list):
+        return ",".join(_word(name, mass) for mass in value)
     if name == "journal":
         return Path(value)
+    if isinstance(value, float) and not math.isfinite(value):
+        raise BadInput(f"{name} = {value!r} is no number: write a decimal or a fraction, as text")
     if isinstance(value, float):
         raise BadInput(f'{name} = {value!r} is a binary double: write "{value!r}", or a fraction')
     return str(value)

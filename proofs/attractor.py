@@ -31,14 +31,14 @@ from itertools import islice
 from math import ceil, log2
 from typing import Any, NamedTuple
 
-from cap.certificate import writer as certificate
+from cap.certificate.writer import Pair, window
 from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import Itinerary
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Proof, Setting, assembled, bits
+from cap.proofs.fixed_point import Content, Proof, Setting, assembled, bits
 from cap.proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 from cap.release import kneading
 from cap.release.cell import Cell
@@ -51,21 +51,21 @@ from cap.sets.interval import Ball
 SUMMARY = "after sticks an interval is mapped into itself: a unimodal map and its entropy"
 SEARCH = candidates.releasing
 COARSE = 80  # bits, for the cells and the basin
-MOST_SYMBOLS = 6000
+MOST_SYMBOLS = 2000  # at the precision for 30 digits the checker accepts few more
 FIRST, STEP = 24, 8  # numbers of symbols after which the slopes are computed
 ROUNDS = 8  # of precision, each half as much more
 
 
 def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
-    content = Proved(setting).certified()
-    strings = setting.parameters.strings()
-    proved = assembled("attractor", setting, strings, content)
-    return lambda _part: proved
+    proved = Unimodal(setting)
+    content = proved.certified(*lemma_3_entropy(setting, proved.trap, proved.turn, proved.halves))
+    certificate = assembled("attractor", setting, setting.parameters.strings(), content)
+    return lambda _part: certificate
 
 
-class Proved:
-    """The lemmas, proved, with hints that the checker can follow."""
+class Unimodal:
+    """The lemmas on the interval and its basin, proved, with hints that the checker can follow."""
 
     def __init__(self, setting: Setting) -> None:
         self.setting, p = setting, setting.parameters
@@ -74,29 +74,26 @@ class Proved:
             osc = oscillator(p)
             self.cells = cover(osc, p, self.trap.lower, self.trap.upper)
             self.turn = lemma_1_unimodal(self.cells)
-            halves = self.cells[0].half_periods
-            checker = checker_of(setting, self.trap, halves)
+            self.halves = self.cells[0].half_periods
+            checker = checker_of(setting, self.trap, self.halves)
             self.pieces = followable(checker, osc, self.cells)
             self.basin = lemma_5_basin(setting, osc, self.trap, checker)
-        self.numbers, self.found = lemma_3_entropy(setting, self.trap, self.turn, halves)
 
-    def certified(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Return claims and hints."""
+    def certified(self, numbers: dict[str, Any], found: "Kneading") -> Content:
+        """Return claims, with numbers about the critical point and the entropy, and hints."""
         lower, upper = self.trap.lower, self.trap.upper
         claims = {
             "interval": [interval.exact_decimal(end) for end in (lower, upper)],
             "itinerary": [event.word for event in self.trap.events],
-            "half_periods": str(self.cells[0].half_periods),
+            "half_periods": str(self.halves),
             "turn": "minimum" if self.turn > 0 else "maximum",
-            **self.numbers,
+            **numbers,
             "basin": {name: list(sides) for name, sides in self.basin.sides.items()},
         }
         hints = {
-            "bits": str(self.found.bits),
+            "bits": str(found.bits),
             "cell_bits": str(cell_bits(self.setting)),
-            "critical": [
-                str(end) for end in (self.found.critical.lower, self.found.critical.upper)
-            ],
+            "critical": [str(end) for end in (found.critical.lower, found.critical.upper)],
             "cells": [
                 {"to": str(piece.upper), "events": windows_of(piece.windows())}
                 for piece in self.pieces
@@ -106,9 +103,9 @@ class Proved:
         return claims, hints
 
 
-def windows_of(events: Itinerary) -> list[certificate.Pair]:
+def windows_of(events: Itinerary) -> list[Pair]:
     """Return time windows for the certificate."""
-    return [certificate.window(event.window) for event in events]
+    return [window(event.window) for event in events]
 
 
 class Kneading(NamedTuple):
@@ -149,6 +146,9 @@ def lemma_3_entropy(
             if slopes is not None:
                 found = Kneading(c, symbols, precision)
                 return claims_of(setting, found, value, slopes, halves), found
+        if len(symbols) >= MOST_SYMBOLS:
+            reason = f"{MOST_SYMBOLS} symbols do not decide so many digits of the entropy"
+            raise NotProved("Lemma 3", reason, {"digits": setting.digits})
         setting.progress(f"{precision} bits decide {len(symbols)} symbols: more are needed")
         precision = precision * 3 // 2
     sets = {"symbols": len(symbols), "bits": precision}

@@ -25,6 +25,7 @@ from cap.flow.strobe import oscillator
 from cap.maps import fixed_point
 from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.parameters import Parameters
+from cap.particles.model import Guess
 from cap.runner import Runner
 from cap.sets import interval
 
@@ -37,6 +38,8 @@ class Setting:
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
     Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.  Of states
     up to a ``speed``, leaves are cut at most ``cuts`` times; None: as the theorem likes.
+    Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
+    A theorem on several masses starts from ``particles``.
     """
 
     parameters: Parameters
@@ -49,6 +52,7 @@ class Setting:
     runner: Runner = field(default_factory=Runner, compare=False)
     speed: Fraction | None = None
     cuts: int | None = None
+    particles: Guess | None = None
 
     @property
     def units(self) -> Units:

@@ -50,11 +50,11 @@ def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     if setting.parameters.e != 1 or setting.parameters.mu:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
-    claims, hints = attractor.Proved(setting).certified()
-    nested = {"attractor": claims, "segment": segment.prove(setting)(Fraction(1))["claims"]}
+    attracts, attracted = (each.prove(setting)(Fraction(1)) for each in (attractor, segment))
+    nested = {"attractor": attracts["claims"], "segment": attracted["claims"]}
     hints = {
         "bits": str(setting.checker_bits),
-        "attractor": hints,
+        "attractor": attracts["hints"],
         "places": PLACES,
         "columns": str(COLUMNS),
         "rows": str(ROWS),

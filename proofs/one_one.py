@@ -179,6 +179,10 @@ class Scale:
         """Return the claim on a speed."""
         return self._pair(u * self.F / self.omega, self.setting.units.speed)
 
+    def length(self, x: Ball) -> Pair:
+        """Return the claim on a place, which is in the units of the parameters already."""
+        return self._pair(x, self.setting.units.length)
+
     def force(self, alpha: Ball) -> Pair:
         """Return the claim on a force, αF."""
         return self._pair(alpha * self.F, self.setting.units.force)
@@ -196,7 +200,7 @@ class Scale:
         t1, (way, v0) = orbit.right_hit(), orbit.start()
         x0 = interval.ball(self.p.r) - way * self.F / self.omega**2
         return {
-            "x": self._pair(x0, self.setting.units.length),
+            "x": self.length(x0),
             "v": self.speed(v0),
             "hit_times": [self.time(t1), self.time(t1 + interval.pi())],
             "hit_speed": self.speed(orbit.mean_speed),

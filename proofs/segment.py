@@ -27,10 +27,12 @@ If c <= f the orbits that touch no wall stick: this theorem does not speak of th
 from fractions import Fraction
 from typing import Any, NamedTuple
 
+from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
+from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -56,7 +58,7 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem segment needs friction: f > 0")
     with interval.workprec(setting.bits):
         osc = oscillator(setting.parameters)
-        velocity = lemma_1_velocity(osc)
+        velocity = lemma_1_velocity(osc, setting.parameters)
         claims = lemma_2_segment(osc, setting, velocity)
         claims |= lemma_3_basin(osc, setting, velocity, claims)
     hints = {"bits": str(setting.checker_bits)}
@@ -65,21 +67,34 @@ def prove(setting: Setting) -> Proof:
     return lambda _part: proved
 
 
-def lemma_1_velocity(osc: Oscillator[Ball]) -> Velocity:
+def lemma_1_velocity(osc: Oscillator[Ball], p: Parameters) -> Velocity:
     """*Statement.* v* turns twice in a period and never sticks.  *Computed.* c - f > 0."""
     half = osc.T / 2
     decay, h = (osc.relax(osc.mu, half)[:2]) if osc.viscous else (Ball(1), half)
     size = (osc.omega * osc.omega + osc.mu * osc.mu).sqrt()
     sine = osc.f * h * size / ((1 + decay) * osc.F)
+    if not sine < 1:
+        raise _none(p, certain=bool(sine > 1))
     start = -(sine.asin() + (osc.mu / osc.omega).atan()) / osc.omega
     at = osc.moment(start)
     force = osc.forcing(at)
     if not force > osc.f:
-        reason = "the orbits that touch no wall may stick, not turn"
-        raise NotProved("Lemma 1", reason, {"F cos wt at the turn": force, "f": osc.f})
+        raise _none(p, certain=bool(force < osc.f))
     flight, now = osc.launch(1, at, Ball(0), Ball(0)), osc.moment(Ball(0))
     stroke = osc.position(flight, osc.moment(start + half))
     return Velocity(start, force, osc.velocity(flight, now), osc.position(flight, now), stroke)
+
+
+def _none(p: Parameters, *, certain: bool) -> NotProved:
+    """Return what is said where v* sticks, or may stick."""
+    reason = "no T-periodic orbit that touches no wall turns without sticking"
+    if not certain:
+        reason = "whether T-periodic orbits that touch no wall turn or stick is undecided"
+    elif not p.mu:
+        reason += ", because f/F > 2/sqrt(4 + pi^2)"
+    ratio, most = p.f / p.F, float(2 / (4 + interval.pi() ** 2).sqrt())
+    sets = {"f/F": ratio} if p.mu else {"f/F": ratio, "2/sqrt(4 + pi^2)": f"{most:.6f}.."}
+    return NotProved("Lemma 1", reason, sets)
 
 
 def lemma_2_segment(osc: Oscillator[Ball], setting: Setting, found: Velocity) -> dict[str, Any]:
@@ -106,32 +121,57 @@ def lemma_3_basin(
 ) -> dict[str, Any]:
     """*Statement.* The open set of (iii), with its area.
 
-    *Computed.* d <= T (F + f)²/(4F), d <= t1 (F + f) for the turn left at t1, and D(d) <= right -
-    left: so d is all but the least of the three bounds.
+    *Computed.* D(d) <= right - left.
     """
-    turn, T = found.start + osc.T / 2, osc.T
-    kappa = (osc.F - osc.f) / (osc.F + osc.f)
-    first = _above(turn + T * (osc.F - osc.f) / (4 * osc.f))
-    second = _above(osc.f / ((osc.F + osc.f) ** 2 * (1 - kappa**4)))
-    a, b = interval.ball(first), interval.ball(second)
     length = interval.ball(Fraction(claims["right"][0]) - Fraction(claims["left"][1]))
     if not length > 0:
         raise TooFewDigits("Lemma 3", "the length of the segment is not certain", {"at": length})
-    bounds = (
-        T * (osc.F + osc.f) ** 2 / (4 * osc.F),
-        turn * (osc.F + osc.f),
-        2 * length / (a + (a * a + 4 * b * length).sqrt()),
-    )
-    speed = _below(min(interval.ends(bound)[0] for bound in bounds))
-    U, L = interval.ball(speed), osc.r - osc.l - found.stroke
+    drift = drift_of(osc, claims["turning_times"][0])
+    speed = drift.speed(length)
+    (a, b), U = drift.balls, interval.ball(speed)
+    L = osc.r - osc.l - found.stroke
     area = 2 * (L * U - a * U**2 / 2 - b * U**3 / 3)
     return {
-        "basin": {
-            "speed": interval.exact_decimal(speed),
-            "drift": [interval.exact_decimal(q) for q in (first, second)],
-        },
+        "basin": {"speed": interval.exact_decimal(speed), "drift": drift.strings},
         "basin_area": setting.rounding.pair(area, setting.units.area),
     }
+
+
+class Drift(NamedTuple):
+    """Numbers a, b of few digits: D(U) <= a U + b U² for U < d, if d is below the ``bounds``."""
+
+    first: Fraction
+    second: Fraction
+    bounds: tuple[Ball, Ball]
+
+    @property
+    def strings(self) -> list[str]:
+        """Return a and b, exactly."""
+        return [interval.exact_decimal(q) for q in (self.first, self.second)]
+
+    @property
+    def balls(self) -> tuple[Ball, Ball]:
+        """Return enclosures of a and b."""
+        return interval.ball(self.first), interval.ball(self.second)
+
+    def speed(self, room: Ball) -> Fraction:
+        """Return a number d of few digits, below the bounds, for which D(d) is below ``room``."""
+        a, b = self.balls
+        largest = 2 * room / (a + (a * a + 4 * b * room).sqrt())
+        return _below(min(interval.ends(bound)[0] for bound in (*self.bounds, largest)))
+
+
+def drift_of(osc: Oscillator[Ball], turn_left: Pair) -> Drift:
+    """Return the bound D of (iii): d <= T (F + f)²/(4F), d <= t1 (F + f), t1 the turn left.
+
+    It holds for all t1 of the enclosure claimed.
+    """
+    turn, T = interval.hull(*(interval.ball(Fraction(end)) for end in turn_left)), osc.T
+    kappa = (osc.F - osc.f) / (osc.F + osc.f)
+    first = _above(turn + T * (osc.F - osc.f) / (4 * osc.f))
+    second = _above(osc.f / ((osc.F + osc.f) ** 2 * (1 - kappa**4)))
+    bounds = T * (osc.F + osc.f) ** 2 / (4 * osc.F), turn * (osc.F + osc.f)
+    return Drift(first, second, bounds)
 
 
 def _above(x: Ball) -> Fraction:

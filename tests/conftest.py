@@ -82,3 +82,10 @@ def pairs_computed_once():
     """Let the checker compute pairs of (1,1) orbits once for equal arguments."""
     with remembered.pairs_computed_once():
         yield
+
+
+@pytest.fixture(scope="module")
+def contacts_computed_once():
+    """Let the checker compute the operator of Krawczyk and the jets of two masses once."""
+    with remembered.contacts_computed_once():
+        yield

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-RIGOROUS = ("cap.sets", "cap.flow", "cap.maps", "cap.one_one", "cap.cells")
+RIGOROUS = ("cap.sets", "cap.flow", "cap.maps", "cap.one_one", "cap.cells", "cap.particles")
 FLOATING = ("cap.floats", "cap.explore", "cap.paper", "cap.pictures")
 DOOR = "cap.floats.candidates"
 

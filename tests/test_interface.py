@@ -108,6 +108,16 @@ def test_other_orbits_and_numbers():
     assert Fraction("0.40") < found.claims["x"].lower < Fraction("0.41")
 
 
+def test_masses():
+    """A pair, or as on the command line; never doubles."""
+    pair = cap.prove_theorem("sliding", masses=(1, Fraction(9, 10)), digits=6)
+    text = cap.prove_theorem("sliding", masses="1,9/10", digits=6)
+    assert pair.parameters["masses"] == text.parameters["masses"] == (1, Fraction(9, 10))
+    assert repr(pair).endswith("masses = 1, 9/10>")
+    with pytest.raises(cap.BadInput, match="binary double"):
+        cap.prove_theorem("sliding", masses=(1, 0.9))
+
+
 @pytest.mark.slow
 def test_branch_on_an_executor():
     """The cells of `branch` are examined by the executor given, and progress is told."""
@@ -134,6 +144,7 @@ def test_branch_on_an_executor():
         ({"period": 2}, "--period"),
         ({"digits": True}, "--digits"),
         ({"lowest": "2/5"}, "--from"),
+        ({"f": float("nan")}, "f = nan is no number"),
     ],
 )
 def test_bad_input(options, phrase):

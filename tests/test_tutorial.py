@@ -137,9 +137,9 @@ def test_no_rounding(render, old, new):
     assert f"+{LINE.replace(old, new)}" in render.difference(LINE, LINE.replace(old, new))
 
 
-def test_ten_steps(render):
-    """The page has ten steps, and is the prose of the script with nothing left out."""
-    assert re.findall(r"^## (\d+)\. ", PAGE, flags=re.MULTILINE) == [str(k) for k in range(1, 11)]
+def test_eleven_steps(render):
+    """The page has eleven steps, and is the prose of the script with nothing left out."""
+    assert re.findall(r"^## (\d+)\. ", PAGE, flags=re.MULTILINE) == [str(k) for k in range(1, 12)]
     cells = render.cells(SCRIPT)
     for cell in cells:
         if cell.head.startswith("[markdown]"):

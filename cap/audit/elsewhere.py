@@ -7,6 +7,7 @@ DECIDED_BY = {
         "fig:cover",
         "jump of q'' at an integer (proof of Lemma lift-flow: 2f/R)",
     ): "cover.jump-of-the-field",
+    ("fig:orbit", "non-sticking fixed points"): "existence.number-of-fixed-points",
     ("fig:impulse-bound", "F_imp = pi f/2"): "linearization.value-of-the-bound",
     (
         "fig:impulse-bound",

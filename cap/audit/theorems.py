@@ -244,8 +244,9 @@ STATEMENTS = (
         "cor:multi-KAM",
         "tori.hypothesis-k1",
         "tori.orbits-of-the-corollary",
-        instead="Nothing yet for N >= 2; for two equal masses products of the invariant curves of "
-        "P*.",
+        instead="For two masses invariant tori by theorem particles (particles.json, "
+        "particles-2.json): f = 91/200, or walls ±11/10, not the paper's parameters; for two equal "
+        "masses products of the invariant curves of P*.",
     ),
     statement(
         "conj:Ninfty",

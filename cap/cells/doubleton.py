@@ -1,8 +1,9 @@
 """Sets of states at a time, carried from period to period without being wrapped each time.
 
 As in `cap.flow.propagation` a set is m + B ε + Q r: m a point, B ε the image of the initial box by
-a point matrix, |ε| <= 1, and Q r the errors, in a frame Q, nearly a rotation, that is turned along
-with the set (Lohner 1987).  If a map φ has φ(m) in c and derivatives in A + Δ, A a point matrix,
+a point matrix, |ε| <= 1, and Q r the errors, in a frame Q that goes along with the set; it is made
+orthogonal when its sides have become nearly parallel (Lohner 1987).  If a map φ has φ(m) in c and
+derivatives in A + Δ, A a point matrix,
 
     φ(m + B ε + Q r)  is in  c + A B ε + A Q r + Δ (B ε + Q r).
 """
@@ -12,15 +13,19 @@ import math
 from cap.cells.flight import Base, Matrix, System
 from cap.cells.motion import FLY, REST, WALL, Motion, exact
 from cap.sets.compiled import kernel
-from cap.sets.doubles import TINY, Interval, magnitude, upper
+from cap.sets.doubles import TINY, Interval, magnitude
 from cap.sets.records import Record, assign
+
+SKEW = 0.05  # a frame is made orthogonal below this sine of the angle between its sides
 
 
 class Frame(Record):
-    """The vectors Q r: Q = ((cos, -sin), (sin, cos)), |r| at most (along, across)."""
+    """The vectors Q r: Q = ((a, c), (b, d)), |r| at most (along, across)."""
 
-    cos: float
-    sin: float
+    a: float
+    b: float
+    c: float
+    d: float
     along: float
     across: float
 
@@ -52,8 +57,8 @@ def frame_box(errors: Frame) -> tuple[float, float]:
     """Return bounds of the components of Q r; exactly 0 if r is."""
     if errors.along == 0 and errors.across == 0:
         return 0.0, 0.0
-    c, s = abs(errors.cos), abs(errors.sin)
-    x, v = c * errors.along + s * errors.across, s * errors.along + c * errors.across
+    x = abs(errors.a) * errors.along + abs(errors.c) * errors.across
+    v = abs(errors.b) * errors.along + abs(errors.d) * errors.across
     return magnitude(Interval(x, TINY)), magnitude(Interval(v, TINY))
 
 
@@ -83,42 +88,71 @@ def set_box(d: Doubleton, kind: int, side: float, x: Interval, v: Interval) -> N
 @kernel
 def clear(errors: Frame) -> None:
     """Write no errors."""
-    errors.cos, errors.sin, errors.along, errors.across = 1.0, 0.0, 0.0, 0.0
+    errors.a, errors.b, errors.c, errors.d = 1.0, 0.0, 0.0, 1.0
+    errors.along, errors.across = 0.0, 0.0
 
 
 @kernel
 def carry(errors: Frame, A: Matrix, more_x: float, more_v: float) -> None:
-    """Replace Q r by A Q r and a box, A the midpoints, in the frame of their longest side.
+    """Replace Q r by A Q r and a box, A the midpoints.
 
-    The new Q need not be a rotation: its inverse is ((c, s), (-s, c))/(c² + s²).
+    The new frame p, q is that of the directions of A Q; but if these are nearly the same, p is that
+    of the longest side, and q is perpendicular.  The coordinates of w in it are w × q / p × q and
+    p × w / p × q.
     """
-    a, b, c, d = exact(A.a.mid), exact(A.b.mid), exact(A.c.mid), exact(A.d.mid)
-    C, S = exact(errors.cos), exact(errors.sin)
-    first, second = (a * C + b * S, c * C + d * S), (b * C - a * S, d * C - c * S)
-    size_1 = (abs(first[0].mid) + abs(first[1].mid)) * errors.along
-    size_2 = (abs(second[0].mid) + abs(second[1].mid)) * errors.across
-    longest = second if size_1 < size_2 else first
-    cos, sin = _direction(longest[0].mid, longest[1].mid)
-    C, S = exact(cos), exact(sin)
-    norm = C * C + S * S
-    along = magnitude(C * first[0] + S * first[1]) * errors.along
-    along += magnitude(C * second[0] + S * second[1]) * errors.across
-    along += abs(cos) * more_x + abs(sin) * more_v
-    across = magnitude(C * first[1] - S * first[0]) * errors.along
-    across += magnitude(C * second[1] - S * second[0]) * errors.across
-    across += abs(sin) * more_x + abs(cos) * more_v
-    errors.cos, errors.sin = cos, sin
-    errors.along = upper(exact(magnitude(Interval(along, TINY))) / norm)
-    errors.across = upper(exact(magnitude(Interval(across, TINY))) / norm)
+    old_1, old_2 = (exact(errors.a), exact(errors.b)), (exact(errors.c), exact(errors.d))
+    first, second = _applied(A, old_1), _applied(A, old_2)
+    p, q = _frame(first, second, errors.along, errors.across)
+    area = _cross(p, q)
+    along = magnitude(_cross(first, q)) * errors.along
+    along += magnitude(_cross(second, q)) * errors.across
+    along += abs(q[1].mid) * more_x + abs(q[0].mid) * more_v
+    across = magnitude(_cross(p, first)) * errors.along
+    across += magnitude(_cross(p, second)) * errors.across
+    across += abs(p[1].mid) * more_x + abs(p[0].mid) * more_v
+    errors.a, errors.b, errors.c, errors.d = p[0].mid, p[1].mid, q[0].mid, q[1].mid
+    errors.along = magnitude(exact(magnitude(Interval(along, TINY))) / area)
+    errors.across = magnitude(exact(magnitude(Interval(across, TINY))) / area)
 
 
 @kernel
-def _direction(x: float, v: float) -> tuple[float, float]:
-    """Return nearly the cosine and sine of the angle of a vector; an axis stays an axis exactly."""
+def _applied(A: Matrix, w: tuple[Interval, Interval]) -> tuple[Interval, Interval]:
+    """Return A w, A the midpoints."""
+    a, b, c, d = exact(A.a.mid), exact(A.b.mid), exact(A.c.mid), exact(A.d.mid)
+    return a * w[0] + b * w[1], c * w[0] + d * w[1]
+
+
+@kernel
+def _cross(p: tuple[Interval, Interval], q: tuple[Interval, Interval]) -> Interval:
+    """Return p × q."""
+    area: Interval = p[0] * q[1] - p[1] * q[0]
+    return area
+
+
+@kernel
+def _frame(
+    first: tuple[Interval, Interval],
+    second: tuple[Interval, Interval],
+    along: float,
+    across: float,
+) -> tuple[tuple[Interval, Interval], tuple[Interval, Interval]]:
+    """Return the frame of two sides; any will do whose vectors are certain to be independent."""
+    x_1, v_1, size_1 = _direction(first[0].mid, first[1].mid)
+    x_2, v_2, size_2 = _direction(second[0].mid, second[1].mid)
+    if abs(x_1 * v_2 - v_1 * x_2) > SKEW:
+        return (exact(x_1), exact(v_1)), (exact(x_2), exact(v_2))
+    if size_1 * along < size_2 * across:
+        x_1, v_1 = x_2, v_2
+    return (exact(x_1), exact(v_1)), (exact(-v_1), exact(x_1))
+
+
+@kernel
+def _direction(x: float, v: float) -> tuple[float, float, float]:
+    """Return nearly the direction of a vector and its length; an axis stays an axis exactly."""
     length = math.sqrt(x * x + v * v)
-    if x != 0 and v != 0 and length > 0:
-        return x / length, v / length
-    return 1.0, 0.0
+    if length > 0 and x != 0 and v != 0:
+        return x / length, v / length, length
+    return (0.0, 1.0, length) if abs(v) > 0 else (1.0, 0.0, length)
 
 
 @kernel

@@ -11,7 +11,17 @@ from cap.cells.krawczyk import SEARCH, Found
 from cap.cells.launches import FLY_OVER, Flights
 from cap.cells.motion import Motion
 from cap.cells.period import World
-from cap.cells.results import NOWHERE, FixedPoints, Floats, Goals, Images, Launches
+from cap.cells.releases import LONGEST, PASS_ON, START, Rows
+from cap.cells.results import (
+    NOWHERE,
+    UNDECIDED,
+    FixedPoints,
+    Floats,
+    Goals,
+    Images,
+    Launches,
+    Passages,
+)
 from cap.cells.targets import BOX, ELLIPSE, Targets
 from cap.parameters import Parameters
 from cap.sets.compiled import PROBE, require_ieee
@@ -71,6 +81,21 @@ def fly(p: Parameters, boxes: Floats, friction: Fraction) -> Launches:
     return Launches(
         result.verdict, result.images.reshape(n, 2, 2), result.derivative.reshape(n, 2, 2, 2)
     )
+
+
+def released(p: Parameters, cells: Floats, periods: int) -> Passages:
+    """Follow releases to the next ones; see `cap.cells.release.passages`."""
+    n, world = len(cells), world_of(p, START, Fraction(1))
+    rows = Rows(
+        verdict=np.full(n, UNDECIDED, dtype=np.int8),
+        half_periods=np.zeros(n, dtype=np.int64),
+        events=np.zeros((n, LONGEST), dtype=np.int8),
+        maybe=np.zeros(n, dtype=np.int64),
+        value=np.full((n, 2), np.nan),
+        slope=np.full((n, 2), np.nan),
+    )
+    require_ieee(PASS_ON(world, cells, periods, memory(), rows))
+    return Passages(*rows)
 
 
 def search(p: Parameters, boxes: Floats, frictions: Floats) -> FixedPoints:

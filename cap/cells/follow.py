@@ -144,7 +144,7 @@ def _carry_column(errors: Frame, A: Matrix, x: float, v: float, rad_x: float, ra
 
 
 @kernel
-def _chain(m: Derivative, A: Matrix) -> None:
+def chain(m: Derivative, A: Matrix) -> None:
     """Replace a derivative by that of the composition with a map of derivative A."""
     new = product(A, m.a, m.b, m.c, m.d)
     _carry_column(m.first, A, m.a, m.c, new.a.rad, new.c.rad)
@@ -160,7 +160,7 @@ def _note(cell: Cell, alone: bool) -> None:
     if not (alone and cell.smooth != 0 and n.certain != 0):
         cell.smooth, cell.itinerary = 0, -1
         return
-    _chain(cell.derivative, derivative(n))
+    chain(cell.derivative, derivative(n))
     cell.itinerary = n.itinerary
 
 

@@ -22,6 +22,7 @@ held.
 import math
 
 from cap.cells.capture import capture
+from cap.cells.depart import depart, departure
 from cap.cells.flight import Moment, System, cosines, moment
 from cap.cells.motion import (
     CAPTURE_L,
@@ -96,9 +97,9 @@ def approach(y: System, n: Motion, end: Moment) -> bool:
 
 @kernel
 def may_linger(y: System, side: float, since: Interval, far: float, fast: float) -> bool:
-    """Return whether the lemma holds at once, with a small H."""
+    """Return whether this lemma holds at once, or that of `cap.cells.depart`, with a small H."""
     high, _ = _reach(y, side, (lower(since), upper(since)), max(far, 0.0), fast)
-    return high <= HIGHEST
+    return high <= HIGHEST or departure(y, side, since, max(far, 0.0), fast)[1] <= HIGHEST
 
 
 @kernel
@@ -117,6 +118,8 @@ def linger(y: System, n: Motion, end: Moment, choice: int) -> int:
     rest = _settled(y, side, since, fast)
     if rest < lower(end.t):
         return _settle(y, n, rest, (far, fast), choice)
+    if depart(y, n, end, far, fast):
+        return 1
     goal = min(_goal(y, side, upper(since)), upper(end.t))
     for _ in range(HALVINGS):
         high, most = _reach(y, side, (lower(since), goal), far, fast)

@@ -67,7 +67,7 @@ def _smooth(world: World, n: Motion) -> bool:
 
 
 @kernel
-def _pass(world: World, n: Motion, choice: int) -> int:
+def pass_event(world: World, n: Motion, choice: int) -> int:
     """Pass the next event, in the way of this number; return how many ways there may be."""
     if n.kind == NEAR:
         return linger(world.system, n, _moment(world.end), choice)
@@ -98,7 +98,7 @@ def follow_branch(
             break
         rested = n.kind in (REST, WALL)
         choice = choices.taken[depth] if depth < known else 0
-        count = _pass(world, n, choice)
+        count = pass_event(world, n, choice)
         label = event_label(targets, world.units, world.system, n, rested and n.kind == FLY)
         if label != 0:
             n.ended = 1

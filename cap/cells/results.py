@@ -14,6 +14,7 @@ Floats = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
 SMOOTH, UNION, OPEN = 0, 1, 2
+RELEASED, MOVING, UNDECIDED, SETTLED = 0, 1, 2, 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,3 +165,29 @@ class Launches:
     verdict: NDArray[np.int8]
     images: Floats
     derivative: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Passages:
+    """What is proved of all masses released to the right from N cells of places.
+
+    ``verdict`` (N,): `RELEASED`: they have the same events up to the next release; `SETTLED`: they
+    have, but for hits and turns near a wall where all of them come to rest, or by which all are
+    captured, before they are released from there or from near it; `MOVING`: they have the same
+    events in all the periods followed, and no release; `UNDECIDED`: nothing is known.
+    ``half_periods`` (N,) from the first release to the next, 0 if there is none.  ``events``
+    (N, M): those after the first release, each as 1 and its place in `WORDS`, then zeros; ``maybe``
+    (N,): bits for others, in a settled cell.  ``value`` (N, 2): lower and upper ends of G,
+    ``slope`` (N, 2): those of G'; NaN where they are not known.
+    """
+
+    verdict: NDArray[np.int8]
+    half_periods: NDArray[np.int64]
+    events: NDArray[np.int8]
+    maybe: NDArray[np.int64]
+    value: Floats
+    slope: Floats
+
+    def words(self, k: int) -> tuple[str, ...]:
+        """Return the events of a cell after the first release."""
+        return tuple(WORDS[word - 1] for word in self.events[k].tolist() if word)

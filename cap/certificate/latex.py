@@ -41,7 +41,7 @@ def _leaves(value: Any, shape: Any, path: str) -> Iterator[tuple[str, Any, Any]]
     match shape:
         case dict():
             for key, part in value.items():
-                yield from _leaves(part, shape[key], path + _name(key))
+                yield from _leaves(part, shape[key], path + _name(key.replace("-", "minus ")))
         case Many(part, _, _):
             yield from _leaves(value, [part] * len(value), path)
         case First(shapes):

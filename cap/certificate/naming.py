@@ -43,7 +43,13 @@ def of_state(state: State) -> dict[str, str]:
     return {key: f"{z:.6g}" for key, z in zip("xv", state, strict=True)}
 
 
-def free(path: Path, theorem: str, parameters: Parameters, state: State) -> None:
+def free(
+    path: Path,
+    theorem: str,
+    parameters: Parameters,
+    state: State,
+    masses: tuple[Fraction, ...] = (),
+) -> None:
     """Raise `BadInput` unless nothing is at ``path``, or a certificate about the same.
 
     So no other file is replaced.
@@ -51,7 +57,8 @@ def free(path: Path, theorem: str, parameters: Parameters, state: State) -> None
     if not path.exists():
         return
     old = stored(path)
-    if not (old and _is_about(old, theorem, parameters, state)):
+    same = old and getattr(old.parameters, "masses", ()) == masses
+    if not (old and same and _is_about(old, theorem, parameters, state)):
         advice = "move it away, or name the file with --out FILE.json"
         raise BadInput(f"there is another file at {path}: {advice}")
 
@@ -65,10 +72,10 @@ def _told(theorem: str, parameters: Parameters) -> dict[str, str]:
 def _is_about(old: Certificate, theorem: str, p: Parameters, state: State) -> bool:
     """Return whether a certificate has this theorem and these parameters, and holds the state.
 
-    What has no box is about no one state.
+    What has no box of states is about no one state.
     """
     same = all(getattr(old.parameters, key) == getattr(p, key) for key in _told(theorem, p))
-    if old.theorem != theorem or not same or "box" not in old.claims:
+    if old.theorem != theorem or not same or not isinstance(old.claims.get("box"), dict):
         return old.theorem == theorem and same
     where = old.claims if "x" in old.claims else old.claims["box"]
     units = {"x": p.R, "v": p.R * p.omega}

@@ -47,7 +47,7 @@ def _sides(pair: list[str], side: int) -> list[str]:
 def _flat(label: str, value: Any) -> Iterator[Row]:
     """Give a label for each enclosure in a claim; words in it belong to the label."""
     if isinstance(value, dict):
-        words = [part for part in value.values() if isinstance(part, str)]
+        words = _words(value)
         sets = {key: part for key, part in value.items() if not isinstance(part, str)}
         for key, part in sets.items():
             yield from _flat(" ".join([label, *(words or [key])]), part)
@@ -55,5 +55,10 @@ def _flat(label: str, value: Any) -> Iterator[Row]:
         yield label, value
     else:
         for number, inner in enumerate(value, start=1):
-            named = isinstance(inner, dict) and any(isinstance(q, str) for q in inner.values())
+            named = isinstance(inner, dict) and _words(inner)
             yield from _flat(label if named else f"{label} {number}", inner)
+
+
+def _words(value: dict[str, Any]) -> list[str]:
+    """Return the words of an object; counts are none."""
+    return [part for part in value.values() if isinstance(part, str) and not part.isdigit()]

@@ -11,6 +11,7 @@ lists these files in the order to read them.  Each begins with the mathematics t
     kernel      rejection, strict reading, shapes; intervals, elementary functions, jets
     flow        mechanics, hits; losses, stops, capture; fixed points, the normal form
     one_one     the orbits with one hit of each wall per period, in closed form
+    particles   two masses: flights, contacts, periodic orbits, the normal form
     theorems    one file each: statement, tables of claims and hints, citations, proof, words
     verdict     a certificate is checked
 """

@@ -85,6 +85,11 @@ def exacts(words: Sequence[str], _name: str) -> tuple[Fraction, ...]:
     return tuple(exact(word) for word in words)
 
 
+def masses(words: Sequence[str], _name: str) -> tuple[Fraction, ...]:
+    """Read masses, exactly, separated by commas."""
+    return tuple(exact(word) for word in words[0].split(","))
+
+
 def counts(words: Sequence[str], name: str) -> tuple[int, ...]:
     """Read positive integers."""
     return tuple(integer(word, name, (1, 100_000)) for word in words)

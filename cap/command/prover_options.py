@@ -13,7 +13,7 @@ from pathlib import Path
 from cap.certificate import naming
 from cap.checker.theorems import load
 from cap.command.console import Parser, program, quoted
-from cap.command.option import choice, integer
+from cap.command.option import choice, integer, masses
 from cap.errors import BadInput
 from cap.files import tried
 from cap.floats.candidates import Candidate, Request
@@ -51,6 +51,19 @@ def parser() -> Parser:
         metavar=("X", "V"),
         help="prove the orbit to which Newton's method leads from this state at t = 0 (capture: of "
         "this state; attractor: the critical point near X)",
+    )
+    p.add_argument(
+        "--masses",
+        metavar="M1,M2",
+        help="particles, particles_saddle, particles_sink, particles_limits, sliding: two masses, "
+        "as 1,9/10, on each of which the forcing F and the friction f act; their orbits are found "
+        "from equal masses, or from random states",
+    )
+    p.add_argument(
+        "--proportional",
+        action="store_true",
+        help="with --masses: the friction f m_i instead of f; there is nothing to prove then, and "
+        "this says why",
     )
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
@@ -163,6 +176,7 @@ class Asked:
             runner=runner,
             speed=self.speed,
             cuts=self.cuts,
+            particles=candidate.particles,
         )
 
     @property
@@ -177,13 +191,15 @@ class Asked:
         request, state = self.request, (candidate.start.x, candidate.start.v)
         ends = zip(("from", "to"), self.f_range, strict=True)
         about = {key: str(f) for key, f in ends if f is not None}
+        if request.masses:
+            about["masses"] = ",".join(map(str, request.masses))
         if request.periods > 1:
             about["period"] = str(request.periods)
         if request.orbit or request.every:
             about |= naming.of_state(state)
         path = self.out / naming.name(request.kind, request.parameters, about)
         _try(path)
-        naming.free(path, request.kind, request.parameters, state)
+        naming.free(path, request.kind, request.parameters, state, request.masses)
         return path
 
     def _fits(self) -> None:
@@ -199,12 +215,16 @@ class Asked:
             raise BadInput("--speed and --cuts are for the theorem mixed")
         if self.order and theorem != "elliptic":
             raise BadInput("--order is for the theorem elliptic")
+        if self.request.masses and "masses" not in load(theorem).PARAMETERS:
+            raise BadInput(f"the theorem {theorem} is about one mass: leave out --masses")
         if theorem != "periodic" and self.request.periods > 1:
             raise BadInput("--period is for the theorem periodic")
 
 
 def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Request:
     """Return what the search is asked for."""
+    if options.proportional:
+        raise BadInput(_proportional(options.theorem))
     given = {name: getattr(options, name) for name in PAPER.strings()}
     if options.epsilon is not None:
         if options.e is not None:
@@ -227,6 +247,18 @@ def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Re
         every=options.all,
         periods=integer(options.period, "period", (1, 16), 4),
         progress=progress,
+        masses=masses([options.masses], "masses") if options.masses is not None else (),
+    )
+
+
+def _proportional(theorem: str) -> str:
+    """Return in words why nothing is proved of masses with friction f m_i."""
+    if "masses" not in load(theorem).PARAMETERS:
+        return f"--proportional goes with --masses: the theorem {theorem} is about one mass"
+    return (
+        "with friction f m_i and unequal masses a collision preserves sum m_i dv_i^dx_i only if it "
+        "keeps the signs of both velocities, and no orbit that never stops has such collisions "
+        "only (theorem symplectic); two equal masses m have the friction force f m: give it as --f"
     )
 
 

@@ -4,13 +4,15 @@ The options of a command are the keyword arguments of its function; a function a
 named here and imported when they are used.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from importlib import import_module
+from inspect import signature
 from typing import TYPE_CHECKING, Any
 
 from cap.command import option
 from cap.command.option import PARAMETERS, Option
+from cap.errors import BadInput
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,7 +22,8 @@ if TYPE_CHECKING:
 class Command:
     """A computation ``module:function``, in `cap.floats` if no package is named, and its picture.
 
-    The picture is in `cap.pictures`.
+    The picture is in `cap.pictures`.  ``of_masses`` are both, and the size,
+    for --masses.
     """
 
     summary: str
@@ -30,11 +33,32 @@ class Command:
     more: str = ""
     options: tuple[Option, ...] = ()
     size: tuple[float, float] = (5.4, 4.6)
+    of_masses: tuple[str, str, tuple[float, float]] | None = None
 
     def line(self, name: str) -> str:
         """Return an example of its use."""
         example = self.example or f"--out {name}.png"
         return f"python -m cap.explore {name} {example}"
+
+    def about(self, given: Mapping[str, Any]) -> "Command":
+        """Return the command, or that of more than one mass; `BadInput` for options of the other.
+
+        ``given`` are the values of the options that are given.
+        """
+        if self.of_masses is None:
+            return self
+        if "masses" not in given:
+            alone = [f"--{o.name}" for o in (*MASSES, STATE) if o.keyword in given]
+            if alone:
+                raise BadInput(f"{alone[0]} needs the masses: --masses 1,9/10")
+            return self
+        run, draw, size = self.of_masses
+        command = replace(self, run=run, draw=draw, size=size, of_masses=None)
+        known = signature(command.function()).parameters
+        wrong = [o.name for o in self.options if o.keyword in given and o.keyword not in known]
+        if wrong:
+            raise BadInput(f"--{wrong[0]} is about one mass: leave it out, or --masses")
+        return command
 
     def function(self) -> Callable[..., Any]:
         """Return the computation."""
@@ -73,6 +97,11 @@ PARAMETER = Option(
     "parameter", option.choice(*PARAMETERS), f"one of {', '.join(PARAMETERS)}", "NAME"
 )
 VALUES = Option("values", option.exacts, "of the parameter", "Q", "+")
+MASSES = (
+    Option("masses", option.masses, "these masses, on each of which F and f act", "M1,M2"),
+    Option("proportional", None, "with --masses: the friction is f m_i, not f"),
+)
+STATE = Option("state", option.numbers, "with --masses: x_1 .. x_N v_1 .. v_N at t = 0", "Z", "+")
 
 
 def _periods(default: int) -> Option:
@@ -103,22 +132,29 @@ COMMANDS = {
         "times:orbit",
         "--F 3 --orbit 0.4 -0.67 --periods 2 --out orbit.pdf",
         "Hits, turns, sticks, releases and captures are marked; the list printed has their times.\n"
-        "Before a capture it has the hits that are seen in floats, of infinitely many.",
+        "Before a capture it has the hits that are seen in floats, of infinitely many.\n"
+        "With --masses 1,9/10: of two masses, by default the orbit continued from equal masses.",
         (
             Option(
                 "orbit", option.numbers, "the state at t = 0, or near a fixed point", ("X", "V"), 2
             ),
             Option("exactly", None, "follow this very state, no periodic orbit near it"),
             Option("periods", option.positive_to(10_000), "forcing periods (1)", "Q"),
+            *MASSES,
+            STATE,
         ),
         (7.4, 4.2),
+        ("mass_trajectory:trajectory", "masses:orbit", (7.4, 4.2)),
     ),
     "portrait": Command(
         "a stroboscopic portrait of many orbits",
         "portrait:portrait",
         "states:portrait",
         "--radius 1/40 --orbits 200 --periods 1000 --out portrait.png",
-        "Around an elliptic orbit, or of a box, or of the whole plane if there is no such orbit.",
+        "Around an elliptic orbit, or of a box, or of the whole plane if there is no such orbit.\n"
+        "With --masses 1,9/10: projections to the planes of two masses (--orbits 40, --periods\n"
+        "100, --radius 1/250), half of the orbits from a ball around the orbit continued from\n"
+        "equal masses, and half from anywhere: mixed dynamics.",
         (
             ORBIT,
             Option("box", option.numbers, "where the orbits start", ("X0", "X1", "V0", "V1"), 4),
@@ -127,8 +163,11 @@ COMMANDS = {
             ),
             Option("orbits", option.count(1, 100_000), "orbits (100)", "N"),
             _periods(500),
+            *MASSES,
+            STATE,
         ),
         (5.8, 5.0),
+        ("mass_portrait:portrait", "masses:portrait", (6.4, 7.0)),
     ),
     "sali": _alignment("sali", "The smaller alignment index, min |w1 + w2|, |w1 - w2|."),
     "gali": _alignment("gali", "The generalised alignment index of two vectors, |w1 ^ w2|."),
@@ -301,14 +340,18 @@ COMMANDS = {
         "attractor:attractors",
         "states:attractors",
         "--F 3 --points 100 --out attractor.png",
-        "Chaos may be transient: try a longer --transient before you call it an attractor.",
+        "Chaos may be transient: try a longer --transient before you call it an attractor.\n"
+        "With --masses 1,9/10: where N x N random seeds end (--points 12, --transient 120,\n"
+        "--periods 24), told apart by period and events, projected to the planes of the masses.",
         (
             Option("box", option.numbers, "the seeds", ("X0", "X1", "V0", "V1"), 4),
             Option("points", option.count(2, 2000), "N x N seeds (40)", "N"),
             Option("transient", option.count(0, 1_000_000), "periods before (2000)", "N"),
             _periods(200),
+            *MASSES,
         ),
         (7.8, 4.6),
+        ("mass_attractor:attractors", "masses:attractors", (7.8, 4.6)),
     ),
     "release": Command(
         "after sticks: the map from one release to the next, or its orbits over a parameter",
@@ -316,7 +359,8 @@ COMMANDS = {
         "releases:release",
         "--parameter f --range 0.36 0.44 --points 300 --out release.png",
         "The map G takes the place of a release to the right to that of the next release,\n"
-        "mirrored if that is to the left.  Without --parameter its graph, with one orbit.",
+        "mirrored if that is to the left.  Without --parameter its graph, with one orbit.\n"
+        "With it, windows in which all orbits settle on cycles of one period are listed.",
         (
             Option("points", option.count(2, 200_000), "places (4000), or values (400)", "N"),
             Option("start", option.numbers, "the orbit of this place", ("X",), 1),

@@ -138,6 +138,7 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
     p = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
     values = {o.keyword: _value(o, getattr(options, o.keyword)) for o in command.options}
     given = {name: value for name, value in values.items() if value is not None}
+    command = command.about(given)
     size, dpi = _size(options, command)
     for path in out:
         export.kind(path)

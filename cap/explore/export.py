@@ -59,7 +59,7 @@ def _table(findings: Findings, file: IO[bytes]) -> None:
     columns = findings.columns()
     arrays = np.broadcast_arrays(*(np.asarray(column) for column in columns.values()))
     text = io.TextIOWrapper(file, encoding="utf-8", newline="", write_through=True)
-    parameters = ", ".join(f"{k} = {q}" for k, q in findings.parameters.strings().items())
+    parameters = ", ".join(f"{k} = {q}" for k, q in findings.given().items())
     text.write(f"# {parameters}{'' if findings.complete else '; interrupted'}\n")
     writer = csv.writer(text)
     writer.writerow(columns)

@@ -5,56 +5,42 @@ Nothing here is proved.  Each function returns what it found, in words, and the 
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from fractions import Fraction
-from typing import NamedTuple
 
 from cap.errors import BadInput
 from cap.floats import periodic
 from cap.floats.cycles import Cycle, near
+from cap.floats.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.periodic import Guess
+from cap.floats.request import Candidate, Found, Request, Search
 from cap.floats.search import from_hit_times, search
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
 from cap.release.trap import critical_points
 
+__all__ = [
+    "Candidate",
+    "Found",
+    "Request",
+    "Search",
+    "attracting",
+    "capturing",
+    "closed_form",
+    "continued",
+    "cyclic",
+    "every_motion",
+    "lighter",
+    "non_sticking",
+    "particles",
+    "releasing",
+    "touching_nothing",
+]
+
 TYPES = ("sink focus", "sink node", "superstable", "elliptic", "saddle", "flip saddle")
 SMALLEST = Fraction(1, 64)  # of the first step, when an orbit is continued
 PATIENCE = 10  # periods after which an orbit that has not been captured is given up
-
-
-@dataclass(frozen=True)
-class Request:
-    """The theorem (a ``kind`` of orbits), the parameters, and what was said about the orbit.
-
-    ``progress`` is told, in a few words, how far a long search is.
-    """
-
-    kind: str
-    parameters: Parameters
-    orbit: tuple[float, float] | None = None
-    every: bool = False
-    periods: int = 1
-    progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
-
-
-class Candidate(NamedTuple):
-    """A guess, how it is shown, and the default order to which Φ is expanded at it."""
-
-    start: Start
-    shown: str
-    order: int = 3
-
-
-class Found(NamedTuple):
-    """What a search found, in words, and the candidates that are to be proved."""
-
-    lines: list[str]
-    candidates: list[Candidate]
-
-
-Search = Callable[[Request], Found]
 
 
 def non_sticking(request: Request) -> Found:
@@ -134,9 +120,9 @@ def continued(request: Request) -> Found:
     elastic = replace(p, e=Fraction(1), mu=Fraction(0))
     before = non_sticking(replace(request, kind="elliptic", parameters=elastic))
     candidates = []
-    for start, shown, _ in before.candidates:
-        cycle = _continued(p, start)
-        candidates.append(_of_cycle(p, cycle)._replace(shown=f"continued from {shown}"))
+    for each in before.candidates:
+        cycle = _continued(p, each.start)
+        candidates.append(_of_cycle(p, cycle)._replace(shown=f"continued from {each.shown}"))
     lines = [line.replace("proving", "continuing") for line in before.lines]
     return Found(lines, candidates)
 
@@ -197,9 +183,11 @@ def capturing(request: Request) -> Found:
 def releasing(request: Request) -> Found:
     """Find critical points of the release map, on the branches on which its orbits end."""
     if not request.parameters.f:
-        raise BadInput("the theorem attractor needs friction: f > 0")
+        raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     if request.orbit:
         x = request.orbit[0]
+        if not request.parameters.l < x < request.parameters.r:
+            raise BadInput(f"a release at x = {x:.10g} is not between the walls")
         return Found([f"A release at x = {x:.10g}."], [_release(x)])
     found = critical_points(request.parameters)
     if not found:

@@ -20,6 +20,10 @@ class Findings(ABC):
     parameters: Parameters
     complete: bool = True
 
+    def given(self) -> dict[str, str]:
+        """Return what is given exactly, for the head of a table."""
+        return self.parameters.strings()
+
     @abstractmethod
     def columns(self) -> Mapping[str, ArrayLike]:
         """Return the columns of a table; they broadcast to one shape."""

@@ -5,14 +5,21 @@ names when they meet; so a pair of orbits of one mass is an orbit to start from.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import combinations
 
 import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.particles import Floats, Particles, Path, Unresolved, follow
+from cap.floats.periodic import Guess
+from cap.floats.search import from_hit_times
 
 STEPS = 20
+SMALLEST = Fraction(1, 200)  # step from equal masses
+DOUBLE = 1e-6  # difference of reduced traces that rounding may have made
 CLOSE = 1e-12  # of Newton's steps, beside the size of the state
 
 
@@ -70,3 +77,75 @@ def reduced_traces(monodromy: Floats) -> tuple[complex, complex]:
     b = (a * a - float(np.trace(monodromy @ monodromy))) / 2
     root = complex(a * a - 4 * b + 8) ** 0.5
     return (a + root) / 2, (a - root) / 2
+
+
+@dataclass(frozen=True)
+class Continued:
+    """An orbit of two masses, continued from ``pair``, two orbits of one mass.
+
+    ``state`` is (x, v) at t = 0, ``path`` its period.
+    """
+
+    pair: tuple[Guess, Guess]
+    state: tuple[float, ...]
+    path: Path
+
+    @property
+    def traces(self) -> tuple[complex, complex]:
+        """The `reduced_traces`."""
+        return reduced_traces(self.path.monodromy)
+
+    @property
+    def kind(self) -> str:
+        """What its two pairs of multipliers are."""
+        z = self.traces
+        if abs(z[0] - z[1]) < DOUBLE:
+            return "close to a double pair"
+        if any(q.imag for q in z):
+            return "complex quadruple"
+        return " x ".join(
+            "elliptic" if abs(q) < 2 else "hyperbolic" if q.real > 0 else "inverse hyperbolic"
+            for q in z
+        )
+
+
+def from_equal_masses(system: Particles) -> Iterator[Continued | NotFound]:
+    """Give the orbits of two masses that continue pairs of orbits of one mass, or why not.
+
+    Pairs of elliptic orbits first.  The masses begin as two of the first one, then of the second.
+    """
+    for mass in sorted(set(system.masses), key=system.masses.index):
+        p = system.parameters
+        alone = replace(p, F=p.F / mass, f=p.f if system.proportional else p.f / mass)
+        found = [guess for guesses in from_hit_times(alone) for guess in guesses]
+        pairs = combinations(sorted(found, key=lambda guess: guess.x), 2)
+        for pair in sorted(pairs, key=lambda pair: sum(guess.kind != "elliptic" for guess in pair)):
+            try:
+                yield _continued(system, mass, pair)
+            except NotFound as reason:
+                yield reason
+
+
+def _continued(system: Particles, mass: Fraction, pair: tuple[Guess, Guess]) -> Continued:
+    """Continue a pair of orbits of ``mass`` to the system, in steps that are halved if need be."""
+    a, b = pair
+    z, path = fixed_point(replace(system, masses=(mass, mass)), (a.x, b.x, a.v, b.v))
+    part, step = Fraction(0), Fraction(1, 10)
+    while part < 1:
+        then = min(part + step, Fraction(1))
+        masses = tuple(mass + (m - mass) * then for m in system.masses)
+        try:
+            following, further = fixed_point(replace(system, masses=masses), z.tolist())
+            if further.words != path.words:
+                raise NotFound("its itinerary changes")
+        except NotFound:
+            step /= 2
+            if step < SMALLEST:
+                at = ", ".join(f"{float(m):.6g}" for m in masses)
+                raise NotFound(
+                    f"an orbit continued from equal masses ends, or is lost by Newton's method, "
+                    f"before m = {at}"
+                ) from None
+        else:
+            part, z, path = then, following, further
+    return Continued(pair, tuple(z.tolist()), path)

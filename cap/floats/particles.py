@@ -74,12 +74,13 @@ class Particles:
 class Event:
     """What happens: ``word`` (as "hit l", "meet 1 2", "turn 2 left", "stick 1"), when and where.
 
-    ``before`` and ``after`` are the velocities of all masses.
+    ``positions`` are those of all masses, ``before`` and ``after`` their velocities.
     """
 
     word: str
     time: float
     x: float
+    positions: tuple[float, ...]
     before: tuple[float, ...]
     after: tuple[float, ...]
 
@@ -325,7 +326,8 @@ class _Runner:
         self._record(f"release {i + 1} {'right' if side > 0 else 'left'}", x[i], v)
 
     def _record(self, word: str, x: float, before: tuple[float, ...]) -> None:
-        self.events.append(Event(word, self.now, x, before, self.state()[1]))
+        positions, after, _ = self.state()
+        self.events.append(Event(word, self.now, x, positions, before, after))
 
 
 def _speed(body: _Mass) -> Curve:

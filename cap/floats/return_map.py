@@ -17,6 +17,7 @@ from cap.runner import Runner
 
 TRANSIENT = 60  # iterates
 STARTS = 4  # orbits for each value of a parameter
+SAME = 1e-4  # of R: iterates so close are taken for the same
 COBWEB = 60  # steps
 PIECES = 8
 NO_TRAP = np.full(3, np.nan)
@@ -80,18 +81,31 @@ class ReleaseOrbits(Findings):
     """Late iterates ``late`` (K, M) of the release map over a parameter with ``values`` (K,).
 
     ``exponent`` (K,): the mean of log|G'| along them; negative in windows of attracting cycles.
+    ``period`` (K,): the least period that all of them have to within `SAME` of R, 0 if they have
+    none of at most half the number of iterates.
     """
 
     parameter: str
     values: Floats
     late: Floats
     exponent: Floats
+    period: NDArray[np.int64]
+
+    def windows(self) -> list[tuple[float, float, int]]:
+        """Return runs of two or more values with one period: their ends, and the period."""
+        cuts = np.flatnonzero(np.diff(self.period)) + 1
+        runs = [run for run in np.split(np.arange(len(self.period)), cuts) if len(run) > 1]
+        ends = [(run[0], run[-1]) for run in runs if self.period[run[0]]]
+        return [
+            (float(self.values[a]), float(self.values[b]), int(self.period[a])) for a, b in ends
+        ]
 
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return the iterates."""
         return {
             self.parameter: self.values[:, None],
             "exponent": self.exponent[:, None],
+            "period": self.period[:, None],
             "x": self.late,
         }
 
@@ -102,6 +116,7 @@ class ReleaseOrbits(Findings):
             f"orbits of the release map over {self.parameter} at {described(self.parameters)}: "
             f"{len(self.values)} values",
             f"  mean of log |G'| positive at {positive} of them",
+            *(f"  window of period {p}: {a:.6g} .. {b:.6g}" for a, b, p in self.windows()),
         ]
 
 
@@ -193,6 +208,19 @@ def _orbit(p: Parameters, x: float, steps: int) -> Floats:
     return np.array(places)
 
 
+def period_of(iterates: Floats, close: float) -> int:
+    """Return the least period of all columns of (N, K), at most N/2, to within so much; or 0.
+
+    Columns that end, with NaN, do not count, unless all do.
+    """
+    kept = iterates[:, np.isfinite(iterates).all(axis=0)]
+    if kept.shape[1]:
+        for n in range(1, len(kept) // 2 + 1):
+            if (np.abs(kept[n:] - kept[:-n]) < close).all():
+                return n
+    return 0
+
+
 def late(p: Parameters, iterates: int) -> tuple[Floats, float]:
     """Return late iterates (`STARTS` * iterates,) and the mean of log|G'| along them."""
     x = float(p.l) + float(p.R) * (np.arange(STARTS) + 0.5) / STARTS
@@ -235,9 +263,10 @@ def over(p: Parameters, name: str, values: Floats, iterates: int, runner: Runner
     tasks = values.tolist()
     found = runner.map(lambda value: late(varied(p, name, value), iterates), tasks, "releases")
     places = np.full((len(values), STARTS * iterates), np.nan)
-    exponent = np.full(len(values), np.nan)
+    exponent, period = np.full(len(values), np.nan), np.zeros(len(values), dtype=np.int64)
     for k, (each, growth) in enumerate(found):
         places[k], exponent[k] = each, growth
+        period[k] = period_of(each.reshape(iterates, STARTS), SAME * float(p.R))
     return ReleaseOrbits(
         parameters=p,
         complete=not runner.interrupted,
@@ -245,4 +274,5 @@ def over(p: Parameters, name: str, values: Floats, iterates: int, runner: Runner
         values=values,
         late=places,
         exponent=exponent,
+        period=period,
     )

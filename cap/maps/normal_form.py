@@ -20,6 +20,7 @@ N preserves the form with density (1/D)∘ψ⁻¹, which without resonance depen
 whose terms are removed one by one.  So ψ preserves area, and τ_2, τ_3, ... are well defined.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cap.errors import NotProved
@@ -101,16 +102,19 @@ def complex_map(x: Jet, v: Jet, linear: Ellipticity) -> Jet:
     return substitute(image.above(0), (dx, dv))
 
 
-def substitute(f: Jet, values: tuple[Jet, Jet]) -> Jet:
+def substitute(f: Jet, values: Sequence[Jet]) -> Jet:
     """Return the jet of f(values), where the values vanish at the origin."""
     space = values[0].space
-    powers = [[Jet.constant(1, space)], [Jet.constant(1, space)]]
+    powers = [[Jet.constant(1, space)] for _ in values]
     for value, table in zip(values, powers, strict=True):
         for _ in range(space.order):
             table.append(table[-1] * value)
     total = Jet.constant(0, space)
-    for (i, j), coefficient in zip(f.space.exponents, f.coefficients, strict=True):
-        total = total + powers[0][i] * powers[1][j] * coefficient
+    for exponent, coefficient in zip(f.space.exponents, f.coefficients, strict=True):
+        term = powers[0][exponent[0]]
+        for table, power in zip(powers[1:], exponent[1:], strict=True):
+            term = term * table[power]
+        total = total + term * coefficient
     return total
 
 

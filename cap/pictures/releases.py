@@ -10,6 +10,7 @@ from cap.floats.return_map import ReleaseMap, ReleaseOrbits
 from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, SYMBOLS, parameters, title
 
 RARE = 0.01  # of the places
+WIDE = 0.004  # of the range of a parameter: a window so wide has room for its period
 
 
 def release(findings: ReleaseMap | ReleaseOrbits, figure: FigureBase) -> None:
@@ -88,12 +89,31 @@ def _inside(findings: ReleaseMap, axes: Axes) -> None:
     axes.set_title("an interval mapped into itself")
 
 
+def _windows(findings: ReleaseOrbits, above: Axes, below: Axes) -> None:
+    """Shade the windows of attracting cycles; write the periods at those that have room."""
+    least = WIDE * (findings.values[-1] - findings.values[0])
+    for low, high, period in findings.windows():
+        for axes in (above, below):
+            axes.axvspan(low, high, color=ORANGE, alpha=0.18, lw=0, zorder=0)
+        if high - low > least:
+            above.annotate(
+                str(period), ((low + high) / 2, 0.97), xycoords=("data", "axes fraction"),
+                ha="center", va="top", fontsize=8,
+            )  # fmt: skip
+    if findings.windows():
+        above.set_title(
+            "shaded: all orbits settle on cycles of one period, which is given where there is room",
+            fontsize=9,
+        )
+
+
 def orbits(findings: ReleaseOrbits, figure: FigureBase) -> None:
     """Draw late iterates over the parameter, and the mean of log |G'| below."""
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
     x = np.broadcast_to(findings.values[:, None], findings.late.shape)
     above.plot(x.ravel(), findings.late.ravel(), ".", ms=1.0, mew=0, color=BLUE, rasterized=True)
     above.set_ylabel("place of a release  [length]")
+    _windows(findings, above, below)
     below.plot(findings.values, findings.exponent, color=RED, lw=0.7)
     below.axhline(0, color=GREY, lw=0.6)
     below.set_ylabel(r"mean of $\log |G'|$")

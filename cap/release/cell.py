@@ -71,6 +71,9 @@ def cell(
     (x,) = Domain((reach,), ORDER).variables((m,))
     proved = passage(osc, x, windows(osc, x, expected, TAYLOR_MODELS), TAYLOR_MODELS)
     bound = TAYLOR_MODELS.bound
-    curve = 2 * bound(release_jet(osc, x, proved.events, 2)[(2,)]) if curved else None
+    captured = any(event.word.startswith("capture") for event in proved.events)
+    curve = None
+    if curved:  # after a capture G is constant
+        curve = Ball(0) if captured else 2 * bound(release_jet(osc, x, proved.events, 2)[(2,)])
     value, slope = bound(proved.value), bound(proved.slope)
     return Cell(lower, upper, proved.times(bound), value, slope, curve, proved.half_periods)

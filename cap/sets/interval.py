@@ -9,6 +9,7 @@ Precision is scoped: build every ball inside ``with workprec(bits)``.
 """
 
 import re
+from collections.abc import Iterable
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from math import floor, log10
@@ -139,6 +140,11 @@ def intersection(x: arb, y: arb) -> arb:
 def hull(x: arb, y: arb) -> arb:
     """Return a ball that contains both ``x`` and ``y``."""
     return x.union(y)
+
+
+def total(terms: Iterable[arb]) -> arb:
+    """Return the sum of balls."""
+    return sum(terms, ZERO)
 
 
 def lower(x: arb) -> arb:

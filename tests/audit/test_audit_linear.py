@@ -8,7 +8,6 @@ import sympy as sp
 from cap.audit.claims.saltation import hit
 from cap.audit.means import block
 from cap.audit.means.block import Block
-from cap.audit.means.collision import collision, standard_form
 from cap.audit.means.linear import Event, derivative
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
@@ -58,44 +57,6 @@ def test_a_turn():
     before, after = sp.Rational(7, 5), sp.Rational(3, 5)
     M = derivative(Event(sp.Integer(0), before, sp.Integer(0), after), hit=False)
     assert sp.diag(1, after / before) == M
-
-
-def test_a_collision():
-    """Masses, friction and signs as they come, against divided differences."""
-    k = collision()
-    m, f, v, s, r, c = (1.0, 0.9), (0.4, 0.4), (0.8, -0.7), (1, -1), (-1, 1), 0.3
-    symbols = (*k.m, *k.f, *k.v, *k.before, *k.after, k.c)
-    S = k.derivative().subs(dict(zip(symbols, (*m, *f, *v, *s, *r, c), strict=True)))
-
-    def after(deviation):
-        x = list(deviation[:2])
-        u = [v[i] + deviation[2 + i] for i in (0, 1)]
-        a = [(c - f[i] * s[i]) / m[i] for i in (0, 1)]
-        gap, closing, bend = x[0] - x[1], u[0] - u[1], a[0] - a[1]
-        root = math.sqrt(closing * closing - 2 * bend * gap)
-        d = -2 * gap / (closing + math.copysign(root, closing))
-        states = [pushed(x[i], u[i], a[i], d) for i in (0, 1)]
-        p, q = states[0][1], states[1][1]
-        total = m[0] + m[1]
-        speeds = (
-            ((m[0] - m[1]) * p + 2 * m[1] * q) / total,
-            (2 * m[0] * p + (m[1] - m[0]) * q) / total,
-        )
-        b = [(c - f[i] * r[i]) / m[i] for i in (0, 1)]
-        ends = [pushed(states[i][0], speeds[i], b[i], -d) for i in (0, 1)]
-        return [ends[0][0], ends[1][0], ends[0][1], ends[1][1]]
-
-    for column in range(4):
-        plus, minus = ([sign * STEP * (row == column) for row in range(4)] for sign in (1, -1))
-        slopes = [(p - q) / (2 * STEP) for p, q in zip(after(plus), after(minus), strict=True)]
-        assert slopes == pytest.approx([float(S[row, column]) for row in range(4)], abs=1e-5)
-
-
-def test_forms():
-    """They are antisymmetric, and agree for masses 1."""
-    k = collision()
-    assert k.form() == -k.form().T
-    assert k.form().subs({k.m[0]: 1, k.m[1]: 1}) == standard_form()
 
 
 def test_a_block_needs_a_saddle():

@@ -28,6 +28,13 @@ def interval(body):
     return [Fraction(end) * scale for end in text.strip("[]").split(", ")]
 
 
+def test_two_numbers_have_two_names(capsys):
+    """As the distances from the resonances (1, 1) and (1, -1)."""
+    printed = macros(capsys, STORED / "particles.json", 12)
+    assert printed["capParticlesResonanceDistancesOneOne"].startswith("[0.4681")
+    assert printed["capParticlesResonanceDistancesOneMinusOne"].startswith("[0.1034")
+
+
 @pytest.mark.parametrize("digits", [2, 5, 12, 40])
 def test_enclosures_are_rounded_outwards(capsys, digits):
     """What is printed contains what is claimed, with any number of digits."""

@@ -9,6 +9,7 @@ from support import proving
 
 from cap.certificate import naming
 from cap.certificate.writer import stored
+from cap.checker.theorems import load
 from cap.checker.verdict import check
 from cap.errors import BadInput
 from cap.parameters import PAPER, Parameters
@@ -114,7 +115,10 @@ def test_another_file_is_not_replaced(capsys, tmp_path, other):
     assert path.read_bytes() != before
 
 
-@pytest.mark.parametrize("theorem", [name for name in THEOREMS if name != "persistence"])
+ONE_MASS = [name for name in THEOREMS if "masses" not in load(name).PARAMETERS]
+
+
+@pytest.mark.parametrize("theorem", [name for name in ONE_MASS if name != "persistence"])
 def test_no_stored_certificate_is_in_the_way(theorem):
     """At the paper's parameters the name is free, or that of a certificate about just that.
 
@@ -126,6 +130,18 @@ def test_no_stored_certificate_is_in_the_way(theorem):
     closed, there = "box" not in claims, [PAPER.r, 0]  # as searched for, and for a capture
     state = [sum(claims[z][:2]) / 2 for z in "xv"] if "x" in claims else there
     naming.free(path, theorem, PAPER, (0.0, 0.0) if closed else tuple(map(float, state)))
+
+
+def test_masses(tmp_path):
+    """They are part of the name, and of what a certificate is about."""
+    path, masses = STORED / "particles_saddle.json", (Fraction(1), Fraction(9, 10))
+    words = {"masses": "1,9/10"}
+    assert naming.name("particles_saddle", PAPER, words) == "particles_saddle-masses=1,9_10.json"
+    naming.free(path, "particles_saddle", PAPER, (0.0, 0.0), masses)
+    for other in ((), (Fraction(1), Fraction(1)), masses[::-1]):
+        with pytest.raises(BadInput, match="another file"):
+            naming.free(path, "particles_saddle", PAPER, (0.0, 0.0), other)
+    naming.free(tmp_path / "none.json", "particles_saddle", PAPER, (0.0, 0.0), masses)
 
 
 def test_what_is_about_the_same(capsys, tmp_path):

@@ -106,6 +106,50 @@ def mixed(true):
         put("reject", name, true, tuple(change))
 
 
+def two_masses(tori, saddle):
+    """Write lies about two masses."""
+    minus = [
+        [["-" + end for end in pair[::-1]] for pair in row]
+        for row in tori["claims"]["twist_matrix"]
+    ]
+    turned = copy.deepcopy(tori)
+    v = turned["hints"]["centre"][1][2:]  # at the first collision, after which both turn now
+    slow = str(-Fraction(v[0]) / 40)
+    turned["hints"]["centre"][1][3] = slow
+    turned["claims"]["box"][1]["v2"] = [slow, slow]
+    put("reject", "particles_with_a_collision_that_turns_one_mass", turned)
+    for name, certificate, *change in (
+        ("particles_twist_with_the_other_sign", tori, "claims", "twist_matrix", minus),
+        ("particles_with_their_masses_exchanged", tori, "parameters", "masses", ["9/10", "1"]),
+        ("particles_with_unequal_friction", tori, "parameters", "f", ["91/200", "9/20"]),
+        ("particles_saddle_called_elliptic", saddle, "theorem", "particles"),
+    ):
+        put("reject", name, certificate, tuple(change))
+
+
+def lighter(limits):
+    """Write lies about where an orbit of two masses loses its ellipticity, and ends."""
+    nodes = limits["hints"]["nodes"]
+    stop = [str(Fraction(end) - Fraction(1, 10**20)) for end in limits["claims"]["stop"]]
+    for name, *change in (
+        ("particles_limits_with_a_gap_between_cells", "hints", "nodes", nodes[:5] + nodes[7:]),
+        ("particles_limits_that_stop_too_late", "claims", "stop", stop),
+        ("particles_limits_that_begin_with_other_masses", "parameters", "masses", ["1", "9/10"]),
+    ):
+        put("reject", name, limits, tuple(change))
+
+
+def attracting(sink):
+    """Write lies about an attracting orbit of two masses."""
+    words = sink["claims"]["itinerary"]
+    k = words.index("stick 1")
+    for name, *change in (
+        ("particles_sink_that_does_not_stick", "itinerary", k, "turn 1 right"),
+        ("particles_sink_that_contracts_at_once", "power", "1"),
+    ):
+        put("reject", name, sink, ("claims", *change))
+
+
 def malformed(saddle):
     """Write what is no certificate."""
     good = json.dumps(saddle, indent=1)
@@ -141,4 +185,7 @@ if __name__ == "__main__":
     rejected(load("saddle-2.json"), load("elliptic-2.json"))
     captured(load("capture.json"), load("capture-2.json"))
     mixed(mixed_small.certificate())
+    two_masses(load("particles.json"), load("particles_saddle.json"))
+    lighter(load("particles_limits.json"))
+    attracting(load("particles_sink.json"))
     malformed(load("saddle-2.json"))

@@ -60,3 +60,28 @@ def content(value):
     if isinstance(value, tuple | list):
         return f"({', '.join(map(content, value))})"
     return repr(value)
+
+
+@contextmanager
+def contacts_computed_once():
+    """Compute Krawczyk's operator and the map to third order once for equal arguments."""
+    orbit, theorem = home("PeriodicOrbit"), home("Particles")
+    known = {}
+    places = [(orbit, "krawczyk")]
+    places += [(theorem, name) for name in ("third_order", "in_complex_coordinates")]
+
+    def remembered(function):
+        def once(M, *arguments):
+            key = (function.__name__, M.p, M.bits, content(arguments))
+            if key not in known:
+                known[key] = function(M, *arguments)
+            return known[key]
+
+        return once
+
+    before = [getattr(*place) for place in places]
+    for place, function in zip(places, before, strict=True):
+        setattr(*place, remembered(function))
+    yield
+    for place, function in zip(places, before, strict=True):
+        setattr(*place, function)

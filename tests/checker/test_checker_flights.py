@@ -8,14 +8,13 @@ import pytest
 from mpmath import mp, mpf
 from support import number, rational
 
+from cap.checker.flow.mechanics import Mechanics, least
 from checker.hybrid import Flow
 from checker.parts import (
     Interval,
-    Mechanics,
     Parameters,
     Rejected,
     Zero,
-    least,
     rest_of,
     slope,
     stick,

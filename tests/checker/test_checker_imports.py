@@ -16,8 +16,12 @@ MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.chec
 STORED = Path(__file__).parents[2] / "certificates"
 FLOW = {"kernel", "flow", "theorems", "verdict"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
-ROOMS |= {"impulse": FLOW - {"flow"}, "mixed": FLOW | {"folded"}}
-MORE = {"persistence": {"periodic"}, "mixed": {"attractor", "segment"}}
+ROOMS["impulse"] = FLOW - {"flow"}
+TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
+ROOMS |= dict.fromkeys(TWO_MASSES, FLOW - {"flow"} | {"particles"})
+MORE = {"window": {"attractor"}, "persistence": {"periodic"}}
+ROOMS |= {"inventory": FLOW | {"one_one"}, "mixed": FLOW | {"folded"}}
+MORE["mixed"] = {"attractor", "segment"}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 

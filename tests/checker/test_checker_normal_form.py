@@ -34,7 +34,7 @@ def jet(order, **terms):
 
 def compose(outer, inner):
     """Return the jets of outer after inner."""
-    return tuple(substituted(w, *inner, thin(1)) for w in outer)
+    return tuple(substituted(w, inner) for w in outer)
 
 
 # An area preserving change of coordinates with the identity as linear part: three shears.

@@ -8,7 +8,7 @@ import pytest
 
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS
-from cap.floats.return_map import ReleaseMap, ReleaseOrbits, release
+from cap.floats.return_map import ReleaseMap, ReleaseOrbits, period_of, release
 from cap.parameters import PAPER
 
 
@@ -35,6 +35,21 @@ def test_over_a_parameter():
     assert len(set(np.round(settled[:, 1], 4))) == 3
     assert len(findings.lines()) == 2
     assert COMMANDS["release"].picture(findings, dpi=40).axes
+
+
+def test_windows():
+    """A cycle of period 3 attracts at three values next to each other; the least period counts."""
+    findings = release(PAPER, parameter="f", range=(0.3895, 0.3905), points=3, iterates=30)
+    assert findings.windows() == [(0.3895, 0.3905, 3)]
+    assert findings.lines()[-1] == "  window of period 3: 0.3895 .. 0.3905"
+    assert COMMANDS["release"].picture(findings, dpi=40).axes
+    cycle = np.tile([[0.1], [0.2], [0.1], [0.3]], (3, 2))
+    assert period_of(cycle, 1e-3) == 4
+    assert period_of(cycle[:7], 1e-3) == 0
+    cycle[5, 1] = np.nan
+    assert period_of(cycle, 1e-3) == 4
+    cycle[5, 0] += 0.01
+    assert period_of(cycle, 1e-3) == 0
 
 
 def test_without_an_interval():

@@ -13,6 +13,7 @@ from cap.floats import swarm
 from cap.parameters import PAPER
 from cap.proofs import segment
 from cap.proofs.fixed_point import Setting
+from cap.proofs.theorems import THEOREMS, accepted
 
 SYSTEMS = {
     "paper": PAPER,
@@ -85,8 +86,20 @@ def test_without_viscosity_the_stroke_is_that_of_the_formula():
     assert number(claims_at(PAPER)["stroke"]) == pytest.approx(stroke, rel=1e-14)
     limit = Fraction(2 / math.sqrt(4 + math.pi**2))
     assert claims_at(replace(PAPER, f=limit - Fraction(1, 10**9)))
-    with pytest.raises(NotProved, match="may stick"):
-        claims_at(replace(PAPER, f=limit + Fraction(1, 10**9)))
+    for more in (limit + Fraction(1, 10**9), Fraction(7, 10), Fraction(99, 100)):
+        with pytest.raises(
+            NotProved, match=r"without sticking, because f/F > 2/sqrt\(4"
+        ) as refused:
+            claims_at(replace(PAPER, f=more))
+        assert "nan" not in str(refused.value)
+    with pytest.raises(NotProved, match="turns without sticking  "):
+        claims_at(replace(PAPER, f=Fraction(7, 10), mu=Fraction(1, 10)))
+
+
+def test_few_digits():
+    """The bound of the drift is one for the turn as it is claimed, with as few digits."""
+    for digits in (6, 7):
+        assert accepted(THEOREMS["segment"], Setting(PAPER, STARTS["elliptic"], digits))
 
 
 def test_what_is_refused():

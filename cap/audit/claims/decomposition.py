@@ -5,10 +5,10 @@ from fractions import Fraction
 from cap.audit.claim import Kind, claim
 from cap.audit.claims.saltation import LATER
 from cap.audit.means import block
-from cap.audit.means.balls import between
+from cap.audit.means.balls import pair
 from cap.audit.means.need import need
 from cap.audit.means.orbits import States, hits_only
-from cap.audit.means.stored import stored
+from cap.audit.means.stored import Stored, stored
 from cap.audit.verdict import (
     Verdict,
     confirmed,
@@ -19,7 +19,7 @@ from cap.audit.verdict import (
     vacuous,
 )
 from cap.flow.propagation import after_periods
-from cap.parameters import PAPER
+from cap.parameters import PAPER, Parameters
 from cap.sets import interval
 
 HEIGHT = Fraction(8, 10**9)  # of the block around the saddle, half
@@ -47,21 +47,25 @@ def funnel() -> Verdict:
     need(found[0].parameters["F"] == 3, "the sinks are at another F")
     sinks = [each.claims["type"] for each in found]
     need(all(kind.startswith(("sink", "superstable")) for kind in sinks), "one is no sink")
-    with interval.workprec(80):
-        f = interval.ball(PAPER.f)
-        turn = (1 - (interval.pi() * f / 2) ** 2).sqrt()  # cos ωt at a turn, sin ωt = -πf/2
-        need(turn > f, "the mass sticks there", cos=turn)
-        need(2 * turn < interval.ball(PAPER.R), "the stroke does not fit between the walls")
-        stroke = between(2 * turn, 5)
+    chaos, segment = (stored(name) for name in ("attractor.json", "segment.json"))
+    need(all(at_the_paper(each) for each in (chaos, segment)), "they are at other parameters")
+    entropy, room = chaos.claims["entropy_per_period"], segment.claims["basin_area"]
+    need(entropy.lower > 0 and room.lower > 0, "the entropy or the area may be zero")
     return imprecise(
         "there may be several attractors: at F = 3 two different periodic sinks are certified "
-        f"({sinks[0]}, {sinks[1]}); at the paper's parameters there is a segment of T-periodic "
-        f"orbits that touch no wall, of stroke {stroke} < R, one for each place that has room: "
-        "they attract nothing along the segment",
-        "Stored certificates; the segment in closed form: v = 0 at sin t = -πf/2 and half a period "
-        "later, F cos t > f there, checked in balls.",
-        certificate="periodic-3.json",
+        f"({sinks[0]}, {sinks[1]}). At the paper's parameters an open set of states tends to a set "
+        f"with the topological entropy {pair(entropy, 6)} per period, and one of the area "
+        f"{pair(room, 5)} to T-periodic orbits that touch no wall, of stroke "
+        f"{pair(segment.claims['stroke'], 5)} < R, a segment of them, along which they attract "
+        "nothing",
+        "Stored certificates: of two sinks, of the attractor and of the segment (segment.json).",
+        certificate="attractor.json",
     )
+
+
+def at_the_paper(each: Stored) -> bool:
+    """Return whether a certificate is about the paper's parameters."""
+    return Parameters(**each.parameters) == PAPER
 
 
 @claim("thm:OmNS-structure", Kind.STEP, stated="a neighbourhood of P* is in Ω_NS, by continuity")

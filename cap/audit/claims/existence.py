@@ -8,7 +8,7 @@ from cap.audit.means.balls import pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.verdict import Verdict, confirmed, corrected
+from cap.audit.verdict import Verdict, confirmed, corrected, refuted
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER
 from cap.sets import interval, matrix
@@ -103,6 +103,26 @@ def elliptic_fixed_point() -> Verdict:
         "wide",
         "The stored certificate, which the checker accepts.",
         certificate="elliptic.json",
+    )
+
+
+@claim("ssec:num-orbit", Kind.THEOREM, stated="a unique non-sticking fixed point")
+def number_of_fixed_points() -> Verdict:
+    """At f = 0.4 the map Φ has a unique non-sticking fixed point."""
+    claims = stored("inventory.json").claims
+    points, segment = claims["fixed_points"], stored("segment.json").claims
+    need(claims["undecided"]["boxes"] == 0, "the inventory is not complete")
+    need(claims["families"] == ["segment"], "no family of orbits that turn is named")
+    elliptic = [each for each in points if -2 < each["trace"].lower <= each["trace"].upper < 2]
+    places = ", ".join(f"({pair(each['x'], 5)}, {pair(each['v'], 5)})" for each in points)
+    return refuted(
+        f"exactly {len(points)} have a velocity that never vanishes, {len(elliptic)} of them "
+        f"elliptic: {places}; and those that touch no wall, and turn without sticking, are a whole "
+        f"segment, with v in {pair(segment['v'], 5)} and one for each x between "
+        f"{pair(segment['left'], 5)} and {pair(segment['right'], 5)}",
+        "The stored inventory, which the checker accepts: orbits with one hit of each wall in "
+        "closed form, all launches of orbits with more hits in boxes.",
+        certificate="inventory.json",
     )
 
 

@@ -2,6 +2,7 @@
 
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import symbols
+from cap.audit.means.balls import pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import sentence, stored
@@ -46,11 +47,15 @@ def horseshoe() -> Verdict:
     counts = [len(each.homoclinic) for each in found]
     least = min(float(each.angles.min()) for each in found)
     need(min(counts) > 50 and least > 5, "the manifolds do not cross transversely", counts=counts)
+    entropy = stored("attractor.json").claims["entropy_per_period"]
+    need(entropy.lower > 0, "the entropy may be zero")
+    chaos = pair(entropy, 6)
     return still_open(
         "nothing in the section proves it. In floats the manifolds of the certified saddle "
-        "(0.3435, 0.7753) cross transversely, at angles of more than 5 degrees, in many points",
+        "(0.3435, 0.7753) cross transversely, at angles of more than 5 degrees, in many points. "
+        f"What is proved is chaos elsewhere: where orbits stick, with the entropy {chaos} per T",
         "cap.floats.manifold with branches of the length 1 and two spacings of points: both find "
-        "crossings (over fifty). Floats prove nothing.",
+        "crossings (over fifty). Floats prove nothing. The entropy: attractor.json.",
         numerical=True,
     )
 

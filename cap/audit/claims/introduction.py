@@ -227,11 +227,20 @@ def single_basin() -> Verdict:
     first, second = (stored(name).claims["box"] for name in ("elliptic.json", "elliptic-2.json"))
     apart = first["v"].upper < second["v"].lower or second["v"].upper < first["v"].lower
     need(apart, "the two elliptic orbits may be the same")
+    plain, lossy = (stored(name) for name in ("segment.json", "segment-2.json"))
+    need(plain.claims["basin_area"].lower > 0 < lossy.claims["basin_area"].lower, "no open set")
+    e, mu = (lossy.parameters[name] for name in ("e", "mu"))
+    need(e < 1 and mu > 0, "it has no losses")
     return refuted(
         "at the paper's parameters there are two islands, around two elliptic orbits, and both "
-        "centres become sinks for small ε and μ (Theorem 8.2): at least two basins",
+        "centres become sinks for small ε and μ (Theorem 8.2): at least two basins. And an open "
+        "set of states tends to T-periodic orbits that touch no wall: at the paper's parameters, "
+        f"whatever ε, of the area {pair(plain.claims['basin_area'], 5)}; at f = "
+        f"{lossy.parameters['f']}, ε = {1 - e}, μ = {mu} of the area "
+        f"{pair(lossy.claims['basin_area'], 5)}",
         "Two different elliptic orbits that never stop, by certificates. An explicit range for the "
         "one is certified (persistence.asymptotic-stability), for the other it is the same by the "
-        "symmetry (x, v, t) -> (-x, -v, t + T/2), which inelastic walls and viscosity keep.",
-        certificate="elliptic-2.json",
+        "symmetry (x, v, t) -> (-x, -v, t + T/2), which inelastic walls and viscosity keep. The "
+        "open sets: segment.json and segment-2.json; without a hit ε does not matter.",
+        certificate="segment-2.json",
     )

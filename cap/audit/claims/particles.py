@@ -7,7 +7,6 @@ from typing import Any
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, identity, reals, same, symbols
 from cap.audit.means.balls import precisely
-from cap.audit.means.collision import collision, standard_form
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted, vacuous
@@ -16,13 +15,27 @@ from cap.sets import interval
 EMPTY = "particles.md#no-trajectory-is-sign-preserving-for-ever"
 
 
+def collision() -> Any:
+    """Return the symbols of two masses that collide, as in theorem symplectic."""
+    from cap.proofs.symplectic_events import Masses  # noqa: PLC0415 (sympy, where it is needed)
+
+    return Masses.symbols(2)
+
+
+def derivative(k: Any) -> Any:
+    """Return S of the collision, of which the theorem derives everything."""
+    from cap.proofs.symplectic_events import saltation  # noqa: PLC0415
+
+    return saltation(k, k.collision, k.normal)
+
+
 @claim("lem:collision-algebra", Kind.THEOREM, stated="involution; momentum and energy preserved")
 def collision_algebra() -> Verdict:
     """The collision map is a linear involution that preserves momentum and kinetic energy,
     exchanges velocities for equal masses, and has four non-zero entries for unequal ones.
     """
     k = collision()
-    C, (m1, m2) = k.matrix, k.m
+    C, (m1, m2) = k.collision, k.m
     need(same(C * C, sp.eye(2)), "it is no involution")
     v = sp.Matrix(k.v)
     momentum, mass = sp.Matrix([[m1, m2]]), sp.diag(m1, m2)
@@ -42,7 +55,7 @@ def mass_weighted_collision() -> Verdict:
     """
     k = collision()
     root = sp.diag(*(sp.sqrt(m) for m in k.m))
-    Q = (root * k.matrix * root.inv()).applyfunc(sp.simplify)
+    Q = (root * k.collision * root.inv()).applyfunc(sp.simplify)
     need(same(Q * Q.T, sp.eye(2)), "it is not orthogonal")
     identity("its determinant", Q.det(), -1)
     normal = sp.Matrix([1 / sp.sqrt(k.m[0]), -1 / sp.sqrt(k.m[1])])
@@ -56,7 +69,7 @@ def condition_at_a_collision() -> Verdict:
     collision.
     """
     k = collision()
-    S, J = k.derivative(), k.form()
+    S, J = derivative(k), k.form
     defect = (S.T * J * S - J).applyfunc(sp.simplify)
     (f1, f2), (s1, s2), (r1, r2) = k.f, k.before, k.after
     jump = f1 * (r1 - s1) + f2 * (r2 - s2)
@@ -80,7 +93,7 @@ def never_stopping_set_is_empty() -> Verdict:
     k = collision()
     (m1, m2), (v1, v2) = k.m, k.v
     closing = symbols("closing")
-    change = (k.matrix * sp.Matrix([v1, v2]))[0] - v1
+    change = (k.collision * sp.Matrix([v1, v2]))[0] - v1
     identity("a collision slows the left one", change, -2 * m2 * (v1 - v2) / (m1 + m2))
     need(change.subs(v1, v2 + closing).simplify().is_negative is True, "it speeds it up")
     t, F, f, w, m = symbols("t F f omega m")
@@ -122,8 +135,8 @@ def invariant_form() -> Verdict:
     """The form that is preserved is the standard form Σ dv_i ∧ dx_i."""
     k = collision()
     kept = {k.after[0]: k.before[0], k.after[1]: k.before[1]}  # signs are preserved
-    S = k.derivative().subs(kept)
-    weighted, plain = k.form(), standard_form()
+    S = derivative(k).subs(kept)
+    weighted, plain = k.form, k.form.subs(dict.fromkeys(k.m, 1))
     need(same(S.T * weighted * S, weighted), "the weighted form is not preserved")
     defect = (S.T * plain * S - plain).applyfunc(sp.simplify)
     need(differs(defect[2, 0], sp.S.Zero), "the standard form is preserved")
@@ -149,7 +162,7 @@ def weights() -> Verdict:
 @claim("thm:multiparticle", Kind.THEOREM, stated="Leb(Φ^(N)(A)) = Leb(A)")
 def volume() -> Verdict:
     """Φ^(N) preserves the Lebesgue measure."""
-    S = collision().derivative()
+    S = derivative(collision())
     identity("the determinant", S.det(), 1)
     return confirmed(
         "true as long as no velocity vanishes, whatever happens to the signs at collisions: the "
@@ -232,8 +245,8 @@ def invariance_of_the_hamiltonian() -> Verdict:
     x = sp.Matrix(reals("x1 x2"))
     (f1, f2), (s1, s2) = k.f, k.before
     # in mass-weighted coordinates positions are reflected as velocities are: x -> C x
-    potential = -k.c * (x[0] + x[1]) + f1 * s1 * x[0] + f2 * s2 * x[1]
-    reflected = k.matrix * x
+    potential = -k.c[0] * (x[0] + x[1]) + f1 * s1 * x[0] + f2 * s2 * x[1]
+    reflected = k.collision * x
     moved = potential.subs({x[0]: reflected[0], x[1]: reflected[1]}, simultaneous=True)
     change = sp.simplify(moved - potential)
     need(differs(change.subs({s1: 1, s2: 1}), sp.S.Zero), "the Hamiltonian is invariant")
@@ -250,20 +263,20 @@ def transitions() -> Verdict:
     symplectic.
     """
     k = collision()
-    S = k.derivative()
+    S = derivative(k)
     need(
         differs(S[2, 0].subs(dict.fromkeys(k.before, 1) | dict.fromkeys(k.after, -1)), sp.S.Zero),
         "K = 0",
     )
     flipped = S.subs({k.before[0]: 1, k.before[1]: 1, k.after[0]: -1, k.after[1]: 1})
-    J = k.form()
+    J = k.form
     defect = (flipped.T * J * flipped - J).applyfunc(sp.simplify)
     need(differs(defect[1, 0], sp.S.Zero), "one flipped sign is symplectic")
     return refuted(
         "the derivative of a collision is ((C, 0), (K, C)) with K != 0, because the time of the "
         "collision depends on the state. The argument would also prove that a collision that flips "
         "one sign is symplectic, which it is not",
-        "From two neighbouring orbits, by sympy (cap.audit.means.collision).",
+        "From two neighbouring orbits, by sympy (cap.proofs.symplectic_events).",
     )
 
 
@@ -272,7 +285,7 @@ def canonical_one_form() -> Verdict:
     """(iii) The reflections preserve the form Σ η_i dξ_i, so generating functions fit together."""
     k = collision()
     root = sp.diag(*(sp.sqrt(m) for m in k.m))
-    Q = (root * k.matrix * root.inv()).applyfunc(sp.simplify)
+    Q = (root * k.collision * root.inv()).applyfunc(sp.simplify)
     eta, dxi = sp.Matrix(reals("e1 e2")), sp.Matrix(reals("d1 d2"))
     identity("(Qη)·(Qdξ)", ((Q * eta).T * (Q * dxi) - eta.T * dxi)[0])
     return imprecise(

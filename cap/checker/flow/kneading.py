@@ -18,7 +18,7 @@ if it begins with K, 2^n - 1 symbols, where s is L if R is in K an odd number of
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from cap.checker.kernel.interval import Interval
@@ -27,7 +27,7 @@ from cap.checker.kernel.rejection import Rejected, need
 _HALF = Fraction(1, 2)
 
 
-def order(symbols: str, other: Iterator[str]) -> int:
+def order(symbols: Iterable[str], other: Iterator[str]) -> int:
     """Return 1 if a sequence that begins with the symbols is larger than the other one, else -1."""
     even = True
     for mine, its in zip(symbols, other, strict=False):

@@ -35,6 +35,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from cap.checker.kernel.complex import Complex
 from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet, RealJet, substituted
@@ -44,37 +45,6 @@ NORMAL_FORM = (
     "in a complex coordinate z around it, with dx^dv = (i/2) dz^dz^- there (so that positive "
     "angles turn from x to v), Phi is z -> z exp(i (Theta + tau_1 |z|^2)) + O(|z|^4)"
 )
-
-
-class Complex(NamedTuple):
-    """The set of x + iy for x in re and y in im."""
-
-    re: Interval
-    im: Interval
-
-    def __add__(self, other: Complex) -> Complex:  # type: ignore[override]
-        return Complex(self.re + other.re, self.im + other.im)
-
-    def __sub__(self, other: Complex) -> Complex:
-        return Complex(self.re - other.re, self.im - other.im)
-
-    def __neg__(self) -> Complex:
-        return Complex(-self.re, -self.im)
-
-    def __mul__(self, other: Complex | int) -> Complex:  # type: ignore[override]
-        if isinstance(other, int):
-            return Complex(self.re * other, self.im * other)
-        re = self.re * other.re - self.im * other.im
-        return Complex(re, self.re * other.im + self.im * other.re)
-
-    def __truediv__(self, other: Complex) -> Complex:
-        norm = other.re.square() + other.im.square()
-        quotient = self * other.conjugate()
-        return Complex(quotient.re / norm, quotient.im / norm)
-
-    def conjugate(self) -> Complex:
-        """Return the set of conjugate numbers."""
-        return Complex(self.re, -self.im)
 
 
 class EllipticFrame(NamedTuple):
@@ -111,7 +81,7 @@ def in_complex_coordinate(x: RealJet, v: RealJet, frame: EllipticFrame) -> Jet[C
     dv = Jet(x.order, {(1, 0): Complex(zero, -p * half), (0, 1): Complex(zero, p * half)})
     image = complexified(x) * Complex(p, zero) + complexified(v) * q
     nonlinear = {power: c for power, c in image.coefficients.items() if sum(power) >= 2}
-    composed = substituted(Jet(x.order, nonlinear), dx, dv, Complex(one, zero))
+    composed = substituted(Jet(x.order, nonlinear), (dx, dv))
     return composed + Jet(x.order, {(1, 0): frame.eigenvalue})
 
 
@@ -139,7 +109,7 @@ def twists(f: Jet[Complex]) -> list[Interval]:
     psi, nu = Jet(f.order, {(1, 0): one}), list[Complex]()
     for d in range(2, f.order + 1):
         low = psi.truncated(d)
-        rest = substituted(low, f, f_conjugate, one) - rotated(low, e, nu)
+        rest = substituted(low, (f, f_conjugate)) - rotated(low, e, nu)
         rest_d = {power: c for power, c in rest.coefficients.items() if sum(power) == d}
         if d % 2:
             nu.append(rest_d.pop((d // 2 + 1, d // 2), Complex(zero, zero)) / e)

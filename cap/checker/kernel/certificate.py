@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.kernel.reading import MAX_BYTES, number, parsed, text
+from cap.checker.kernel.reading import MAX_BYTES, parsed, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Whole, matched, tabled
-from cap.checker.kernel.theorem import Certificate, Parameters, Theorem
+from cap.checker.kernel.theorem import Certificate, Parameters, Theorem, parameter_shapes
 from cap.checker.theorems import NAMES, load
 
 __all__ = ["MAX_BYTES", "Certificate", "read"]
@@ -34,15 +34,17 @@ def read(data: bytes) -> Certificate:
 
 def read_parameters(theorem: type[Theorem], value: object) -> Parameters:
     """Return the parameters; where a theorem is about all f, f is set to 0, and is not used."""
-    read = matched(value, dict.fromkeys(theorem.PARAMETERS, number), "parameters")
+    read = matched(value, parameter_shapes(theorem.PARAMETERS), "parameters")
     p = Parameters(**{"f": Fraction(0)} | read)
+    p = p._replace(masses=tuple(p.masses))
     need(p.omega > 0, "omega is not positive")
     need(0 <= p.f < p.F, "0 <= f < F does not hold")
     need(p.l < p.r, "l < r does not hold")
     need(0 < p.e <= 1, "0 < e <= 1 does not hold")
     need(p.mu >= 0, "mu >= 0 does not hold")
-    large = max(p.F, p.omega, abs(p.l), abs(p.r), p.mu) > MAX_SIZE
-    small = min(p.F, p.omega, p.r - p.l) * MAX_SIZE < 1
+    need(all(m > 0 for m in p.masses), "a mass is not positive")
+    large = max(p.F, p.omega, abs(p.l), abs(p.r), p.mu, *p.masses) > MAX_SIZE
+    small = min(p.F, p.omega, p.r - p.l, *p.masses) * MAX_SIZE < 1
     need(not (large or small), "the parameters are not between 10^-30 and 10^30 in size")
     return p
 

@@ -111,21 +111,24 @@ def raised(p: Power) -> list[Power]:
 RealJet = Jet[Interval]
 
 
-def powers(jet: Jet[S], one: S, highest: int) -> list[Jet[S]]:
-    """Return jet^0, ..., jet^highest."""
-    result = [Jet(jet.order, {(0, 0): one})]
-    for _ in range(highest):
+def powers(jet: Jet[S], highest: int) -> list[Jet[S]]:
+    """Return jet^1, ..., jet^highest."""
+    result = [jet]
+    for _ in range(1, highest):
         result.append(result[-1] * jet)
     return result
 
 
-def substituted(polynomial: Jet[S], x: Jet[S], v: Jet[S], one: S) -> Jet[S]:
-    """Return the polynomial with jets without constant term in the place of its two variables."""
-    order = min(polynomial.order, x.order)
-    x_powers, v_powers = powers(x, one, order), powers(v, one, order)
+def substituted(polynomial: Jet[S], arguments: Sequence[Jet[S]]) -> Jet[S]:
+    """Return a polynomial with jets in the place of its variables, all without constant term."""
+    order = min(polynomial.order, arguments[0].order)
+    known = [powers(argument, order) for argument in arguments]
     total = Jet[S](order, {})
-    for (i, j), c in polynomial.coefficients.items():
-        total = total + x_powers[i] * v_powers[j] * c
+    for power, c in polynomial.coefficients.items():
+        first, *others = (known[n][k - 1] for n, k in enumerate(power) if k)
+        for factor in others:
+            first = first * factor
+        total = total + first * c
     return total
 
 

@@ -8,13 +8,14 @@ as narrow as the digits that are claimed.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Table, Whole
 
@@ -23,7 +24,10 @@ BITS = Field("bits", Whole(64, MAX_BITS), "", "", "precision: numbers are multip
 
 
 class Parameters(NamedTuple):
-    """The exact parameters of x'' = F cos(omega t) - f sgn x' - mu x', l < x < r, v -> -e v."""
+    """The exact parameters of m x'' = F cos(omega t) - f sgn x' - mu x', l < x < r, v -> -e v.
+
+    Without masses m = 1.
+    """
 
     F: Fraction
     omega: Fraction
@@ -32,15 +36,22 @@ class Parameters(NamedTuple):
     r: Fraction
     e: Fraction = Fraction(1)
     mu: Fraction = Fraction(0)
+    masses: tuple[Fraction, ...] = ()
 
 
-WITH_LOSSES = Parameters._fields
+WITH_LOSSES = Parameters._fields[:7]
 SYSTEM = (
     "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
     "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
 )
 WITHOUT_LOSSES = WITH_LOSSES[:5]  # then e = 1, mu = 0
 FOR_ALL_F = ("F", "omega", "l", "r")
+TWO_MASSES = (*WITHOUT_LOSSES, "masses")
+
+
+def parameter_shapes(names: Sequence[str]) -> dict[str, Any]:
+    """Return the shapes of these parameters: numbers, but for the two masses."""
+    return {name: [number] * 2 if name == "masses" else number for name in names}
 
 
 class Certificate(NamedTuple):
@@ -97,8 +108,14 @@ class Theorem(ABC):
         """Return a unit as a number."""
         value, powers = Fraction(1), (word.partition("^") for word in unit.split())
         for name, _, power in powers:
-            value *= {"R": self.R, "omega": self.omega, "F": self.p.F}[name] ** int(power or 1)
+            value *= self.units[name] ** int(power or 1)
         return value
+
+    @property
+    def units(self) -> dict[str, Fraction]:
+        """Return what a unit is a product of: m is the first mass."""
+        mass = self.p.masses[0] if self.p.masses else Fraction(1)
+        return {"R": self.R, "omega": self.omega, "F": self.p.F, "m": mass}
 
     def confirm(self, **computed: Any) -> None:
         """Compare claims with what is computed."""

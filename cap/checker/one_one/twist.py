@@ -126,7 +126,7 @@ def rotating(X: Jet[K], Y: Jet[K], lean: K, stretch: K) -> list[list[list[K]]]:
     one = stretch.integer(1)
     x = Jet(_ORDER, {(1, 0): one, (0, 1): -lean})
     y = Jet(_ORDER, {(0, 1): stretch})
-    X, Y = (substituted(nilpotent(Z), x, y, one) for Z in (X, Y))
+    X, Y = (substituted(nilpotent(Z), (x, y)) for Z in (X, Y))
     rows = X + Y * (lean / stretch), Y * (one / stretch)
     return [[[Z.coefficients[n - j, j] for j in range(n + 1)] for n in (2, 3)] for Z in rows]
 

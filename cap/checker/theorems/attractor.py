@@ -35,9 +35,9 @@ that of S^2 on K is 2h/n.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
@@ -51,14 +51,33 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, lift
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.shapes import Field, Letters, Many, Quantity, Whole, Word, enclosure, region
+from cap.checker.kernel.shapes import (
+    Field,
+    Letters,
+    Many,
+    Quantity,
+    Table,
+    Whole,
+    Word,
+    enclosure,
+    region,
+)
 from cap.checker.kernel.theorem import BITS, MAX_BITS, SYSTEM, WITH_LOSSES, Theorem
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
 _MAX_EVENTS, _MAX_CELLS, _MAX_SYMBOLS = 32, 512, 8192
-_MAX_WORK = 3 << 20
+_MAX_WORK = 5 << 22
+_POSITIVE = (
+    "only where the lower end of entropy is positive: then the entropy of the continuous map G of "
+    "the interval is"
+)
 _WINDOWS = Many(enclosure, 2, _MAX_EVENTS)
+
+
+def _cost(bits: int) -> int:
+    """Return about how long an event takes in an image at this precision."""
+    return 1024 + bits + bits**2 // 256 + bits**3 // (1 << 20)
 
 
 class Cell(NamedTuple):
@@ -76,7 +95,7 @@ class Attractor(Theorem):
 
     PARAMETERS = WITH_LOSSES
     # fmt: off
-    HINTS = (
+    HINTS: ClassVar[Table] = (
         BITS,
         Field("cell_bits", Whole(64, MAX_BITS), "", "", "precision for the cells and the basin"),
         Field("critical", enclosure, "", "", "in I; G' has opposite signs at its ends"),
@@ -85,7 +104,7 @@ class Attractor(Theorem):
               "window for each word, from the beginning of the period of the release"),
         Field("basin_events", _WINDOWS, "", "", "time windows of the events from the basin"),
     )
-    CLAIMS = (
+    CLAIMS: ClassVar[Table] = (
         Field("interval", region, "I", "I", "G maps it into its interior"),
         Field("itinerary", Many(Word(WORDS), 2, _MAX_EVENTS), "", "",
               "the events of every release from I, up to the next release, the last word"),
@@ -109,33 +128,32 @@ class Attractor(Theorem):
              "interval, itinerary, critical_point"),
             ("order", "the kneading sequence of G is decided up to where it differs from those of "
              "the tent maps with the slopes exp(lower) and exp(upper), lower and upper the ends "
-             "of entropy", "kneading, entropy"),
+             "of entropy (if lower = 0, from none; if upper = 0, from the limit of period "
+             "doubling)", "kneading, entropy"),
         ),
         cite(
             "Misiurewicz",
             "Misiurewicz, Horseshoes for mappings of the interval, Bull. Acad. Polon. Sci. 27, "
             "1979",
-            ("positive", "the entropy of the continuous map G of the interval is positive",
-             "entropy"),
+            ("positive", _POSITIVE, "entropy"),
         ),
         cite(
             "Li-Yorke",
             "Li and Yorke, Period three implies chaos, Amer. Math. Monthly 82, 1975; Block and "
-            "Coppel, Dynamics in One Dimension, 1992, Chapters II and VI",
-            ("positive", "the entropy of the continuous map G of the interval is positive",
-             "entropy"),
+            "Coppel, Dynamics in One Dimension, Springer LNM 1513, 1992",
+            ("positive", _POSITIVE, "entropy"),
         ),
     )
     # fmt: on
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
-        """Bound the time: events times the bits of all images, a cell counted as 25."""
+        """Bound the time: a unit takes one to two microseconds, a cell as long as two images."""
         events = len(claims["itinerary"])
         lists = [hints["basin_events"], *(each["events"] for each in hints["cells"])]
         need(all(len(each) == events for each in lists), f"windows are not lists of {events}")
         symbols, cells = len(claims["kneading"]), len(hints["cells"])
-        work = events * (hints["bits"] * symbols + 25 * hints["cell_bits"] * cells)
+        work = events * (_cost(hints["bits"]) * symbols + 2 * _cost(hints["cell_bits"]) * cells)
         need(work <= _MAX_WORK, f"bits, symbols and cells are too much: {work} > {_MAX_WORK}")
 
     def prove(self) -> None:
@@ -257,27 +275,40 @@ class Attractor(Theorem):
         self.confirm(critical_value=value)
         return value
 
-    def kneading(self, c: Interval, x: Interval) -> None:
-        """Prove that the images of the critical point lie on the branches claimed."""
-        left = "R" if self.turn > 0 else "L"  # the branch to the left of c
+    def kneading(self, c: Interval, x: Interval) -> Interval:
+        """Prove that the images of the critical point lie on the branches claimed.
+
+        Return an enclosure of the last one.
+        """
         symbols = self.claims["kneading"]
         for n, symbol in enumerate(symbols, 1):
-            holds = x.is_before(c) if symbol == left else c.is_before(x)
-            need(holds, f"symbol {n} of the kneading sequence may be another one")
-            if n < len(symbols):
+            if n > 1:
                 x = self.image(x, self.windows(x), 1).value
+            holds = self.lies_on(symbol, x, c)
+            need(holds, f"symbol {n} of the kneading sequence may be another one")
+        return x
+
+    def lies_on(self, symbol: str, x: Interval, c: Interval) -> bool:
+        """Return whether all places certainly lie on this branch."""
+        left = "R" if self.turn > 0 else "L"  # the branch to the left of c
+        return x.is_before(c) if symbol == left else c.is_before(x)
+
+    def symbols(self) -> Iterable[str]:
+        """Return the kneading sequence, as far as it is known."""
+        symbols: str = self.claims["kneading"]
+        return symbols
 
     def entropy(self) -> None:
         """Prove the bounds of the entropy, and those per period that follow."""
-        symbols, claim = self.claims["kneading"], self.claims["entropy"]
+        claim = self.claims["entropy"]
         need(claim.lower >= 0, "the entropy claimed is negative")
         if claim.lower > 0:
-            larger = order(symbols, self.tent(claim.lower)) > 0
+            larger = order(self.symbols(), self.tent(claim.lower)) > 0
             need(larger, "the entropy may be below its lower bound")
         if claim.upper == 0:
-            need(order(symbols, doubling()) < 0, "the entropy may be positive")
+            need(order(self.symbols(), doubling()) < 0, "the entropy may be positive")
         else:
-            smaller = order(symbols, self.tent(claim.upper)) < 0
+            smaller = order(self.symbols(), self.tent(claim.upper)) < 0
             need(smaller, "the entropy may be above its upper bound")
         self.narrow("entropy", claim)
         each, n = self.claims["entropy_per_period"], self.claims["half_periods"]
@@ -309,8 +340,16 @@ class Attractor(Theorem):
         x, v = self.claims["basin"]["x"], self.claims["basin"]["v"]
         area = (x.upper - x.lower) * (v.upper - v.lower)
         chaos = _CHAOS if lower > 0 else _NO_CHAOS if upper == 0 else ""
-        events = ", ".join(self.claims["itinerary"])
-        return self.told(SYSTEM + _MAP + chaos + _BASIN, events=events, x=x, v=v, area=area)
+        more = {"events": ", ".join(self.claims["itinerary"]), "x": x, "v": v, "area": area}
+        return self.told(SYSTEM + _MAP + self.about(chaos) + _BASIN, **more, kneading=self.known())
+
+    def known(self) -> str:
+        """Return the kneading sequence for people."""
+        return "".join(self.symbols())
+
+    def about(self, chaos: str) -> str:
+        """Return what is said, and not said, of the orbits in I."""
+        return chaos + _NOT_CLAIMED if chaos == _CHAOS else chaos
 
 
 def sign(x: Interval) -> int:
@@ -333,8 +372,10 @@ _MAP = (
 )
 _CHAOS = (
     "; as it is positive, an iterate of G has a horseshoe (Misiurewicz), and G has periodic points "
-    "of infinitely many periods and an uncountable scrambled set (Li-Yorke); it is not claimed "
-    "that no periodic orbit attracts, nor that there is an invariant density"
+    "of infinitely many periods and an uncountable scrambled set (Li-Yorke)"
+)
+_NOT_CLAIMED = (
+    "; it is not claimed that no periodic orbit attracts, nor that there is an invariant density"
 )
 _NO_CHAOS = "; so G has no horseshoe, nor has an iterate of it"
 _BASIN = (

@@ -1,0 +1,1 @@
+"""Two masses between two walls: flights, contacts, periodic orbits, the normal form."""

@@ -1,0 +1,1 @@
+"""Several masses between two walls, in balls: orbits in event unknowns, derivative, normal form."""

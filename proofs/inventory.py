@@ -1,0 +1,192 @@
+"""Theorem (inventory).  Let 0 < f < F, α = f/F, ρ = Rω²/F, and Φ the time-T map of
+
+    x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω.
+
+ (i)   A T-periodic orbit whose velocity never vanishes is never faster than U F/ω, U = u_0 + V with
+       V = 4 (sqrt(1 - α²) - α arccos α) and 2πα u_0² - 2ρ u_0 - ρV = 0; so it hits each wall m
+       times in a period, 1 <= m <= πU/ρ.
+ (ii)  The fixed points of Φ that belong to such orbits with m = 1 are those listed, with their
+       traces: they are among two symmetric ones and a pair, in closed form.
+ (iii) Each such orbit with m > 1 leaves a wall somewhere in the boxes of launches that are left
+       over, if there are any; so if there are none, the list is complete.
+
+T-periodic orbits that touch no wall turn; they are named, as a family, and not counted.
+
+Proof.  (i), (iii): `cap.maps.inventory`, a search over all launches in boxes that are proved empty.
+(ii): `cap.one_one.closed_form`.  The family is that of the theorem segment: it exists if and only
+if α < 2/sqrt(4 + π²), and the stroke 2 sqrt(1 - (πα/2)²) F/ω² is less than R.
+"""
+
+from fractions import Fraction
+from typing import Any, cast
+
+from cap.certificate.writer import NONE
+from cap.errors import NotProved
+from cap.floats import candidates
+from cap.maps import inventory
+from cap.maps.inventory import Box, Tree
+from cap.maps.launch_set import System, Window
+from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
+from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.one_one import Scale, asymmetry
+from cap.sets import interval
+from cap.sets.interval import Ball
+
+SUMMARY = "all T-periodic orbits whose velocity never vanishes: none is left out"
+SEARCH = candidates.closed_form
+
+LONGEST = Fraction(62832, 10000)  # more than 2π
+SPEEDS = 1000  # U is rounded up to a multiple of 1/SPEEDS
+DEPTH = 40  # halvings of a box of launches
+BITS = 64  # of the search
+SMALLEST = Fraction(1, 10**6)  # of sizes
+
+
+def prove(setting: Setting) -> Proof:
+    """Prove the theorem; there is no box whose size is left to choose."""
+    limits, found, U = lemma_1_launches(setting)
+    with interval.workprec(setting.bits):
+        points, asymmetry_hint = lemma_2_one_hit(setting)
+        claims = {
+            "fixed_points": points,
+            "families": lemma_3_families(setting),
+            "undecided": {"boxes": str(len(found.open)), "size": _size(found.open, U)},
+            "highest_speed": interval.exact_decimal(U),
+            "most_hits": str(limits.hits),
+        }
+    hints = {
+        "bits": str(setting.checker_bits),
+        "asymmetry": asymmetry_hint,
+        "tree": "".join(found.text) or NONE,
+        "flights": [_told(windows) for windows in found.flights],
+    }
+    strings = setting.parameters.elastic_strings()
+    proved = assembled("inventory", setting, strings, (claims, hints))
+    return lambda _part: proved
+
+
+def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree, Fraction]:
+    """*Statement.* No orbit with m > 1 launches from a box of the tree that is not left open.
+
+    *Computed.* U, rounded up; the tree, if more than one hit of each wall is possible.
+    """
+    p = setting.parameters
+    with interval.workprec(BITS):
+        system = System.of(interval.ball(p.f / p.F), interval.ball(p.R * p.omega**2 / p.F))
+        limits = inventory.bounds(system)
+        U = Fraction(int(interval.ends(limits.speed)[1] * SPEEDS) + 1, SPEEDS)
+        if limits.hits < 2:
+            return limits, Tree(), U
+
+        def tell(done: int, waiting: int) -> None:
+            setting.progress(f"{done} boxes of launches examined; {waiting} wait")
+
+        sides = interval.ball(LONGEST), interval.ball(U)
+        return limits, inventory.tree(system, sides, DEPTH, tell), U
+
+
+def lemma_2_one_hit(setting: Setting) -> tuple[list[dict[str, Any]], Any]:
+    """*Statement.* The orbits with one hit of each wall, and no others, have these fixed points.
+
+    *Computed.* The formulas, the signs of the least speeds, δ of the pair between two decimals.
+    """
+    scale, alpha = Scale(setting), interval.ball(setting.parameters.f / setting.parameters.F)
+    points, hint = list[dict[str, Any]](), cast(Any, NONE)
+    bound = 2 / interval.pi()
+    if not (alpha < bound or alpha > bound):
+        raise NotProved("Lemma 2", "f may be 2F/pi", {"f/F": alpha})
+    if alpha > bound:
+        return points, hint
+    for sign in (1, -1):
+        orbit = symmetric(alpha, scale.rho, sign)
+        if not orbit.mean_speed < 0 and _is_orbit(orbit):
+            points.append(point(scale, orbit))
+    pair = _pair(setting, alpha, scale.rho)
+    if pair is not None:
+        ends, orbit = pair
+        hint = [interval.exact_decimal(end) for end in ends]
+        if _is_orbit(orbit):
+            points += [point(scale, orbit), point(scale, orbit.mirrored())]
+    return points, hint
+
+
+def _pair(
+    setting: Setting, alpha: Ball, rho: Ball
+) -> tuple[tuple[Fraction, Fraction], Orbit] | None:
+    """Return δ of the asymmetric orbits between two decimals, and the one of δ > 0."""
+    S = birth(rho)
+    if S > 1 or alpha > friction(S):
+        return None
+    if not alpha < friction(S):
+        raise NotProved("Lemma 2", "a pair may be born at these parameters", {"f/F": alpha})
+    ends = asymmetry(alpha, rho, setting.precise)
+    return ends, asymmetric(interval.hull(*map(interval.ball, ends)), rho)
+
+
+def _is_orbit(orbit: Orbit) -> bool:
+    """Return whether the least speed is positive."""
+    least = orbit.least_speed()
+    if not (least > 0 or least < 0):
+        raise NotProved("Lemma 2", "the least speed may vanish", {"speed": least})
+    return bool(least > 0)
+
+
+def point(scale: Scale, orbit: Orbit) -> dict[str, Any]:
+    """Return the claims on the fixed point of an orbit.
+
+    If t1 > 0 the mass is on its way to the right wall at t = 0, else on its way back from there.
+    """
+    t1, (sin, cos), u1 = orbit.right_hit(), orbit.phases[0], orbit.speeds[0]
+    if t1 > 0:
+        speed = u1 - sin + orbit.alpha * t1
+        v, way = speed, speed * t1
+    elif t1 < 0:
+        v, way = -(u1 + sin + orbit.alpha * t1), -(u1 + sin) * t1
+    else:
+        raise NotProved("Lemma 2", "a mass may be at the right wall at t = 0", {"t1": t1})
+    gap = way + 1 - cos - orbit.alpha * t1 * t1 / 2
+    x = interval.ball(scale.p.r) - gap * scale.F / scale.omega**2
+    return {
+        "x": scale.length(x),
+        "v": scale.speed(v),
+        "trace": scale.number(orbit.trace()),
+        "hits": "2",
+    }
+
+
+def lemma_3_families(setting: Setting) -> list[str]:
+    """*Statement.* T-periodic orbits that touch no wall exist, or do not.
+
+    *Computed.* The force at their turns, and their stroke.
+    """
+    p = setting.parameters
+    alpha, rho = interval.ball(p.f / p.F), interval.ball(p.R * p.omega**2 / p.F)
+    limit = 2 / (4 + interval.pi() ** 2).sqrt()
+    if alpha > limit:
+        return []
+    stroke = 2 * (1 - (interval.pi() * alpha / 2) ** 2).sqrt()
+    if not (alpha < limit and (stroke < rho or stroke > rho)):
+        sets = {"f/F": alpha, "stroke": stroke}
+        raise NotProved("Lemma 3", "whether there are orbits that touch no wall is open", sets)
+    return ["segment"] if stroke < rho else []
+
+
+def _size(boxes: list[Box], U: Fraction) -> str:
+    """Return the integral of u dt du over boxes, rounded up."""
+    total = Fraction(0)
+    for box in boxes:
+        low, high = (U * Fraction(k, 2**box.u_depth) for k in (box.u, box.u + 1))
+        total += LONGEST / 2**box.t_depth * (high * high - low * low) / 2
+    return interval.exact_decimal(-(-total // SMALLEST) * SMALLEST)
+
+
+def _told(windows: list[Window]) -> str:
+    """Return the windows of a box as a string: of each a, and b - a, and m - a."""
+    return ",".join(" ".join(map(str, _numbers(window))) for window in windows)
+
+
+def _numbers(window: Window) -> list[int]:
+    a, b, m = window
+    if b <= a:
+        return [a]
+    return [a, b - a] if m is None else [a, b - a, m - a]

@@ -1,0 +1,221 @@
+"""Theorem (particles_limits).  Let two masses m_1 = m and m_2 move between two walls, T = 2π/ω,
+
+    m_i x_i'' = F cos ωt - f sgn x_i',   l <= x_1 <= x_2 <= r,   elastic walls and collisions,
+
+at rational F, ω, f, l, r and m.  Let z_1 > z_2 be the reduced traces λ + 1/λ of a T-periodic orbit
+on which no mass stops.  If the lemmas below succeed, then there are intervals `flip` and `stop` of
+masses m_2, a box for each, and one itinerary, such that
+
+ (i)   for each m_2 in `flip` there is exactly one T-periodic orbit with the itinerary whose events
+       lie in the box, it depends analytically on m_2, and on it no mass stops.  At the upper end it
+       is elliptic, both pairs of multipliers on the unit circle and simple; at the lower end one
+       pair is real and negative, z_2 < -2.  So for some m_2 in `flip` one multiplier is -1;
+ (ii)  for each m_2 in `stop` the equations of the flights between these events have exactly one
+       solution in the box, which depends analytically on m_2.  At the upper end it is an orbit on
+       which no mass stops; at the lower end a velocity has changed its sign inside of a flight.  So
+       for some m_2 in `stop`, the largest one, the least speed of the orbit is 0: a mass comes to
+       rest for an instant;
+ (iii) for all m_2 between the two intervals there is exactly one such orbit, and no mass stops on
+       it, in a box that depends on m_2; these orbits and those of (i) and (ii) are one analytic
+       family.
+
+Proof.  Krawczyk's inclusion for all m_2 of an interval at once, and for both its ends, in smaller
+boxes inside; the reduced traces and the least speeds depend continuously on m_2.  For (iii) the
+masses between are divided into cells; neighbouring cells have the solution at the node between them
+in common.  Velocities at slow moments are positive by the mean value theorem: from that at the
+lower end of a cell, and their derivatives by m_2 along the family.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from cap.certificate.writer import Pair
+from cap.errors import BadInput, NotProved
+from cap.floats import candidates
+from cap.maps import twist_matrix
+from cap.particles import derivative, flights
+from cap.particles.family import Family
+from cap.particles.model import Event, Guess, Model, events_of
+from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.particle_cells import NODE, REACH_OF_CELLS, Line, Solved, family
+from cap.proofs.particle_orbit import (
+    by_event,
+    lemma_1_existence,
+    problem_of,
+    radius_of,
+    units_of,
+    unknowns,
+)
+from cap.sets import interval
+from cap.sets.interval import Ball
+
+SUMMARY = (
+    "two masses, one made lighter: where their orbit stops to be elliptic, and where a mass stops"
+)
+SEARCH = candidates.lighter
+
+REACH = Fraction(1, 10**8)  # half-width of the box for an interval of masses, in its units
+ROUNDS = 40  # of the secant method
+Quantity = Callable[[Model, Sequence[Event]], Ball]
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """An interval of masses, at whose ends a quantity is negative and positive."""
+
+    lower: Solved
+    upper: Solved
+    family: Family
+    events: list[Event]
+
+
+def prove(setting: Setting) -> Proof:
+    """Prove the theorem; there is no size left to choose."""
+    guess = setting.particles
+    if guess is None or len(guess.further) != 1:
+        raise BadInput("particles_limits begins with two equal masses: give --masses M,M, as 1,1")
+    mass, (last,) = guess.masses[0], guess.further
+    strings: dict[str, Any] = setting.parameters.elastic_strings()
+    strings["masses"] = [str(mass)] * 2
+    with interval.workprec(setting.bits):
+        flip, stop = lemma_1_flip(setting, guess), lemma_2_stop(setting, last)
+        between = lemma_3_family(setting, flip, stop)
+        claims = {
+            "itinerary": [word for word, *_ in guess.events],
+            "flip": _claim(setting, mass, flip),
+            "stop": _claim(setting, mass, stop),
+        }
+        hints = {
+            "bits": str(setting.checker_bits),
+            "radius": interval.exact_decimal(radius_of(setting)),
+            "reach": interval.exact_decimal(REACH),
+            "flip": _hints(flip),
+            "stop": _hints(stop),
+            "nodes": [
+                {"mass": interval.exact_decimal(node.mass), "centre": by_event(node.hint)}
+                for node in between
+            ],
+            "node_radius": interval.exact_decimal(NODE),
+            "cell_reach": interval.exact_decimal(REACH_OF_CELLS),
+        }
+    proved = assembled("particles_limits", setting, strings, (claims, hints))
+    return lambda _part: proved
+
+
+def lemma_1_flip(setting: Setting, guess: Guess) -> Crossing:
+    """*Statement.* (i).  *Computed.* z_2 + 2 at both ends; flights and signs over all masses."""
+    crossing = _crossing(setting, guess, _beyond_minus_one)
+    flights.least_speeds(crossing.family, crossing.events)
+    flights.signs_are_conserved(crossing.family, crossing.events)
+    for end in (crossing.lower, crossing.upper):
+        high, low = twist_matrix.reduced_traces(derivative.monodromy(end.model, end.events))
+        if not (-2 < high < 2 and low < 2):
+            sets = {"z_1": high, "z_2": low}
+            raise NotProved("Lemma 1", "the other pair may not be on the unit circle", sets)
+    return crossing
+
+
+def lemma_2_stop(setting: Setting, guess: Guess) -> Crossing:
+    """*Statement.* (ii).  *Computed.* the speed at the slow moment of a flight at which it is the
+    least near the guess, at both ends; contacts over all masses, and all speeds at the upper end.
+    """
+    near = _solved(setting, guess.masses, guess, None)
+    speeds = [slow.speed for slow in flights.slow_moments(near.model, near.events)]
+    slowest = min(range(len(speeds)), key=lambda k: interval.midpoint(speeds[k]))
+    crossing = _crossing(setting, guess, lambda m, e: flights.slow_moments(m, e)[slowest].speed)
+    flights.no_other_contacts(crossing.family, crossing.events)
+    flights.speeds_at_events(crossing.family, crossing.events)
+    flights.signs_are_conserved(crossing.family, crossing.events)
+    flights.least_speeds(crossing.upper.model, crossing.upper.events)
+    return crossing
+
+
+def lemma_3_family(setting: Setting, flip: Crossing, stop: Crossing) -> list[Solved]:
+    """*Statement.* (iii).  *Computed.* See `cap.proofs.particle_cells`; the preconditioner is
+    interpolated between those of (i) and (ii).
+    """
+    return family(setting, Line(flip.lower, stop.upper))
+
+
+def _beyond_minus_one(model: Model, events: Sequence[Event]) -> Ball:
+    """Return z_2 + 2."""
+    return twist_matrix.reduced_traces(derivative.monodromy(model, events))[1] + 2
+
+
+def _solved(
+    setting: Setting, masses: Sequence[Fraction], guess: Guess, near: Solved | None
+) -> Solved:
+    """Prove that the equations have a zero for these masses, near that for others."""
+    model = Model(setting.parameters, masses)
+    contacts = tuple(model.contact(word) for word, *_ in guess.events)
+    start = list(near.hint.centre) if near else unknowns(model, guess)
+    hint, box = lemma_1_existence(setting, problem_of(model, contacts), start)
+    return Solved(masses[1], hint, model, events_of(model, contacts, box))
+
+
+def _crossing(setting: Setting, guess: Guess, quantity: Quantity) -> Crossing:
+    """Find neighbouring masses between which a quantity changes its sign, and prove it.
+
+    It is found by the secant method.
+    """
+    first = guess.masses[0]
+    places = setting.digits + 1 - interval.decade(first)
+
+    def solved(mass: Fraction, near: Solved | None) -> Solved:
+        return _solved(setting, (first, mass), guess, near)
+
+    here = solved(guess.masses[1], None)
+    there = solved(here.mass - first / 10**6, here)
+    values = [interval.midpoint(quantity(each.model, each.events)) for each in (here, there)]
+    for _ in range(ROUNDS):
+        slope = (values[1] - values[0]) / (there.mass - here.mass)
+        if not slope:
+            break
+        mass = round(there.mass - values[1] / slope, places + 5)
+        if abs(mass - there.mass) * 10 ** (places + 2) < 1:
+            break
+        here, there = there, solved(mass, there)
+        values = [values[1], interval.midpoint(quantity(there.model, there.events))]
+    unit = Fraction(1, 10**places)
+    lower = (there.mass - unit / 2) // unit * unit
+    return _proved(
+        setting, guess, quantity, (solved(lower, there), solved(lower + 2 * unit, there))
+    )
+
+
+def _proved(
+    setting: Setting, guess: Guess, quantity: Quantity, ends: tuple[Solved, Solved]
+) -> Crossing:
+    """Prove that a quantity changes its sign, along one family of zeros."""
+    lower, upper = ends
+    values = [quantity(each.model, each.events) for each in ends]
+    if not values[0] < 0 < values[1]:
+        sets = {"below": values[0], "above": values[1]}
+        raise NotProved("crossing", "no change of sign between two masses", sets)
+    family = Family(setting.parameters, guess.masses[0], (lower.mass, upper.mass))
+    contacts = tuple(family.contact(word) for word, *_ in guess.events)
+    reach = [REACH * unit for unit in units_of(setting, len(upper.hint.centre))]
+    K = problem_of(family, contacts).isolate(upper.hint, reach)
+    small = [radius_of(setting) * unit for unit in units_of(setting, len(reach))]
+    for end in ends:
+        sides = zip(end.hint.centre, upper.hint.centre, small, reach, strict=True)
+        if not all(abs(c - m) + r < far for c, m, r, far in sides):
+            raise NotProved("crossing", "the zeros at the ends may be others", {})
+    return Crossing(lower, upper, family, events_of(family, contacts, K))
+
+
+def _claim(setting: Setting, mass: Fraction, crossing: Crossing) -> Pair:
+    """Return the interval of masses, exactly."""
+    places = setting.digits + 1 - interval.decade(mass)
+    return [interval.decimal(end.mass, max(places, 0)) for end in (crossing.lower, crossing.upper)]
+
+
+def _hints(crossing: Crossing) -> dict[str, Any]:
+    exact = interval.exact_decimal
+    return {
+        "lower": by_event(crossing.lower.hint),
+        "upper": by_event(crossing.upper.hint),
+        "preconditioner": [[exact(q) for q in row] for row in crossing.upper.hint.matrix],
+    }
