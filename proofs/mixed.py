@@ -38,7 +38,7 @@ from cap.sets import interval
 
 SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
 SEARCH = candidates.releasing
-SPEED = Fraction(3)
+SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**5)  # of a share: libraries may steer otherwise by rounding
 PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
 COLUMNS, ROWS, CUTS, DEPTH = 64, 192, 2, 6
@@ -155,7 +155,8 @@ def lemma_shares(setting: Setting, theorem: Mixed) -> tuple[str, tuple[Fraction,
 
 def claims_of(setting: Setting, found: tuple[Fraction | int, ...]) -> dict[str, Any]:
     """Return the claims about the shares found, with some slack."""
-    p, V = setting.parameters, setting.speed or SPEED
+    p = setting.parameters
+    V = setting.speed or SPEED * p.R * p.omega
     a, s, stops = (max(Fraction(0), share - SLACK) for share in found)
     known = a + s + stops
     area = 2 * p.R * V

@@ -70,7 +70,7 @@ def parser() -> Parser:
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
     p.add_argument("--from", dest="lowest", metavar="Q", help="branch: for f from here")
     p.add_argument("--to", dest="highest", metavar="Q", help="branch: for f up to here")
-    p.add_argument("--speed", metavar="Q", help="mixed: for states |v| < Q (default 3)")
+    p.add_argument("--speed", metavar="Q", help="mixed: for states |v| < Q (default 3/2 R omega)")
     p.add_argument(
         "--cuts",
         metavar="N",
