@@ -38,10 +38,11 @@ from cap.sets import interval
 
 SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
 SEARCH = candidates.releasing
-SPEED = Fraction(3)
+SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**5)  # of a share: libraries may steer otherwise by rounding
 PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
 COLUMNS, ROWS, CUTS, DEPTH = 64, 192, 2, 6
+HOPE = 0.1  # part of what is undecided that one cut more may decide, if none was before
 FIRST, MOST, ROUNDS = 1, 9, 8  # cuts of a leaf; rounds in which they are chosen
 
 
@@ -49,14 +50,11 @@ def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     if setting.parameters.e != 1 or setting.parameters.mu:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
-    attracted = attractor.prove(setting)(Fraction(1))
-    nested = {
-        "attractor": attracted["claims"],
-        "segment": segment.prove(setting)(Fraction(1))["claims"],
-    }
+    attracts, attracted = (each.prove(setting)(Fraction(1)) for each in (attractor, segment))
+    nested = {"attractor": attracts["claims"], "segment": attracted["claims"]}
     hints = {
         "bits": str(setting.checker_bits),
-        "attractor": attracted["hints"],
+        "attractor": attracts["hints"],
         "places": PLACES,
         "columns": str(COLUMNS),
         "rows": str(ROWS),
@@ -118,11 +116,17 @@ class Sorted:
         """Return which part of a leaf has a fate."""
         return (counts[0] + counts[1]) / float(1 << self.cuts[n] + DEPTH + less)
 
+    def hope(self, n: int) -> float:
+        """Return what one cut more of a leaf may gain, for each piece: it steers."""
+        left = 1 - self.part(n, self.counts[n])
+        return (self.gains[n] + HOPE * left) / (1 << self.cuts[n]) if left else 0.0
+
     def spend(self, room: int) -> None:
         """Cut leaves once more, those that gain most, until the number of pieces is this."""
-        open_ = [n for n, c in enumerate(self.cuts) if c < MOST and self.gains[n] > 0]
         chosen = list[int]()
-        for n in sorted(open_, key=lambda n: -self.gains[n] / 2 ** self.cuts[n]):
+        for n in sorted(range(len(self.cuts)), key=lambda n: -self.hope(n)):
+            if self.cuts[n] == MOST:
+                continue
             room -= 1 << self.cuts[n]
             if room < 0:
                 break
@@ -151,7 +155,8 @@ def lemma_shares(setting: Setting, theorem: Mixed) -> tuple[str, tuple[Fraction,
 
 def claims_of(setting: Setting, found: tuple[Fraction | int, ...]) -> dict[str, Any]:
     """Return the claims about the shares found, with some slack."""
-    p, V = setting.parameters, setting.speed or SPEED
+    p = setting.parameters
+    V = setting.speed or SPEED * p.R * p.omega
     a, s, stops = (max(Fraction(0), share - SLACK) for share in found)
     known = a + s + stops
     area = 2 * p.R * V

@@ -19,6 +19,7 @@ from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT, Table
 from cap.checker.kernel import quadratic as q
 
 _SLICES = 6  # halvings of the speeds of slow hits
+_NOTHING = Seen([], None, stops=False)  # of orbits of a kind that there is not
 
 
 class Strip(NamedTuple):
@@ -140,10 +141,10 @@ def half(part: Seen, along: int, side: float) -> Seen:
         return Seen(strobes, Cut(end.along, *both), part.stops)
     if isinstance(end, Split):
         low, high = q.ends(end.level)
-        below = half(end.below, along, side) if low <= 0 else end.below
+        below = half(end.below, along, side) if low <= 0 else _NOTHING
         above = end.above
-        if isinstance(above, Seen) and high >= 0:
-            above = half(above, along, side)
+        if isinstance(above, Seen):
+            above = half(above, along, side) if high >= 0 else _NOTHING
         end = Split(q.half(end.level, along, side), below, above)
     elif end is not None:
         end = q.half(end, along, side)

@@ -3,8 +3,9 @@
 *Three fates* of the orbits from the states (x, v) with l < x < r, |v| < V at t = 0, in a system
 without losses but friction:
 
-    attractor   the orbit comes to be released in I (``attractor``): it tends to the orbits
-                released in A, the intersection of all G^k(I)
+    attractor   the orbit, or its image by (x, v, t) -> (l + r - x, -v, t + T/2), comes to be
+                released in I (``attractor``): it tends to the orbits released in A, the
+                intersection of all G^k(I)
     segment     it converges to a T-periodic orbit that touches no wall (``segment``)
     stops       its velocity vanishes at least once
 
@@ -243,11 +244,13 @@ def below(x: Fraction) -> float:
 _WORDS = (
     "with T = 2 pi/omega, of the states (x, v) between the walls with |v| < {V} at t = 0, of area "
     "{area}, at least the part {part[attractor].text[0]} is attracted to the orbits released in A, "
-    "the intersection of all G^k(I) for the release map G on I = {interval}, of topological "
-    "entropy in {entropy}; at least the part {part[segment].text[0]} converges to an orbit of the "
-    "segment of T-periodic orbits that touch no wall; at least the part {part[stops].text[0]} "
-    "stops at least once, these included; of the part {part[undecided].text[1]} at most nothing is "
-    "shown, so the states in the box that never stop have an area of at most {area_0}"
+    "or to their images by (x, v, t) -> (l + r - x, -v, t + T/2), A the intersection of all G^k(I) "
+    "for the release map G (from a release to the right to the next release, mirrored if that is "
+    "to the left) on I = {interval}, of topological entropy in {entropy}; at least the part "
+    "{part[segment].text[0]} converges to an orbit of the segment of T-periodic orbits that touch "
+    "no wall; at least the part {part[stops].text[0]} stops at least once, these included; of the "
+    "part {part[undecided].text[1]} at most nothing is shown, so the states in the box that never "
+    "stop have an area of at most {area_0}"
 )
 
 THEOREM = Mixed
