@@ -1,27 +1,35 @@
-"""The zeros of the equations of two masses, for all second masses between two, in cells."""
+"""The orbits of two masses for all second masses q between two, in cells: nobody stops on them.
 
+In a cell [a, b] of masses there is one zero z(q) of the equations for each q, and z' = dz/dq is
+enclosed.  A velocity s v(t_s) at a slow moment t_s of a flight from the event k has the derivative
+
+    s (-a_k t_k' + (C v_k')_i + (dC/dq v_k)_i - [i = 2] (gain by the forces)/q)
+
+along the family, a_k the acceleration at its start.  If the velocity is w > 0 for q = a, it is at
+least w + (q - a) min w' for q in the cell.
+"""
+
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
-from itertools import pairwise
-from typing import NamedTuple
 
 from cap.errors import NotProved
 from cap.maps import zero
 from cap.maps.zero import Hint, Problem
-from cap.particles import equations
+from cap.particles import equations, flights
 from cap.particles.family import Family
 from cap.particles.model import Event, Model, events_of
 from cap.proofs.fixed_point import Setting
 from cap.proofs.particle_orbit import problem_of, units_of
 from cap.sets import interval
+from cap.sets.interval import Ball
 
-WIDTHS = [Fraction(1, k) for k in (500, 800, 1250, 2000)]  # of cells, of the first mass
-REACHES = Fraction(3, 2)  # half-width of the box of a cell, of its width
-SPARE = Fraction(
-    19, 20
-)  # part of this box with which the proof succeeds, so the checker can follow
-NODE = Fraction(1, 10**7)  # half-width of the box of a node
+WIDEST, NARROWEST = Fraction(1, 400), Fraction(1, 20000)  # cells, of the first mass
+REACH_OF_CELLS = Fraction(8, 5)  # half-width of the box, of the width of the cell: see `_box`
+SPARE = Fraction(19, 20)  # part of this box that suffices, so that the checker can follow
+NODE = Fraction(1, 10**8)  # half-width of the box of a node
+MOST = 60  # nodes
 
 
 @dataclass(frozen=True)
@@ -41,53 +49,43 @@ class Line:
     above: Solved
     below: Solved
 
-    @property
-    def length(self) -> Fraction:
-        """How many."""
-        return self.above.mass - self.below.mass
-
     def preconditioner(self, mass: Fraction) -> tuple[tuple[Fraction, ...], ...]:
         """Return what is linear in the mass, and right at both ends."""
-        part = (self.above.mass - mass) / self.length
+        part = (self.above.mass - mass) / (self.above.mass - self.below.mass)
         pairs = zip(self.above.hint.matrix, self.below.hint.matrix, strict=True)
         return tuple(
             tuple(a + (b - a) * part for a, b in zip(*rows, strict=True)) for rows in pairs
         )
 
 
-class Nodes(NamedTuple):
-    """Zeros for masses between two intervals, and half the width of the boxes of the cells."""
+def family(setting: Setting, line: Line) -> list[Solved]:
+    """Prove that there is one orbit for each mass of a line, all of one family; nobody stops.
 
-    nodes: list[Solved]
-    reach: Fraction
-
-
-def family(setting: Setting, line: Line) -> Nodes:
-    """Prove that there is one zero for each mass of a line, all of one family.
-
-    Zeros at nodes on the line, and one for each mass of the cells between nodes, in a box that
-    contains those of both nodes.  The widest cells are taken that succeed.
+    Returns the nodes between the cells.  Cells are halved until they succeed.
     """
-    *wide, last = WIDTHS
-    for width in wide:
+    nodes = [*_divided(setting, line, (line.above, line.below))][:-1]
+    if len(nodes) > MOST:
+        raise NotProved("Lemma 3", f"more than {MOST} cells of masses are needed", {})
+    return nodes
+
+
+def _divided(setting: Setting, line: Line, ends: tuple[Solved, Solved]) -> Iterator[Solved]:
+    """Give the lower ends of the cells between two zeros."""
+    above, below = ends
+    m, width = above.model.masses[0], above.mass - below.mass
+    if width < m * WIDEST:
         try:
-            return _divided(setting, line, width)
+            _cell(setting, line, ends)
         except NotProved:
-            continue
-    return _divided(setting, line, last)
-
-
-def _divided(setting: Setting, line: Line, width: Fraction) -> Nodes:
-    """Prove that there is one zero for each mass of a line, in cells of a width."""
-    m = line.above.model.masses[0]
-    count, reach = -(-line.length // (m * width)), width * REACHES
-    nodes = [line.above]
-    for k in range(1, count):
-        mass = round(line.above.mass - line.length * k / count, 8 - interval.decade(m))
-        nodes.append(_node(setting, line, mass, nodes[-1]))
-    for above, below in pairwise([*nodes, line.below]):
-        _cell(setting, line, (above, below), reach)
-    return Nodes(nodes[1:], reach)
+            if width < m * NARROWEST:
+                raise
+        else:
+            yield below
+            return
+    middle = round((above.mass + below.mass) / 2, 8 - interval.decade(m))
+    node = _node(setting, line, middle, above)
+    yield from _divided(setting, line, (above, node))
+    yield from _divided(setting, line, (node, below))
 
 
 def _node(setting: Setting, line: Line, mass: Fraction, near: Solved) -> Solved:
@@ -101,26 +99,69 @@ def _node(setting: Setting, line: Line, mass: Fraction, near: Solved) -> Solved:
     return Solved(mass, hint, model, events_of(model, contacts, box))
 
 
-def _cell(setting: Setting, line: Line, nodes: tuple[Solved, Solved], reach: Fraction) -> None:
-    """Prove that for each mass between two there is one zero in a box around both their zeros."""
-    above, below = nodes
+def _cell(setting: Setting, line: Line, ends: tuple[Solved, Solved]) -> None:
+    """Prove that for each mass between two there is one zero in a box around both their zeros,
+    and that it is an orbit on which no mass stops.
+    """
+    above, below = ends
     p, m, contacts = setting.parameters, above.model.masses[0], [e.contact for e in above.events]
-    middle = (above.mass + below.mass) / 2
-    family = Family(p, m, (below.mass, above.mass))
-    centre = Model(p, (m, middle))
+    middle, width = (above.mass + below.mass) / 2, above.mass - below.mass
+    all_of_them = Family(p, m, (below.mass, above.mass))
     q = interval.hull(interval.ball(below.mass), interval.ball(above.mass))
     problem = Problem(
-        partial(equations.value, centre, contacts),
-        partial(equations.slope, family, contacts),
-        lambda z: (
-            q - interval.ball(middle),
-            equations.by_second_mass(family, contacts, z, q),
-        ),
+        partial(equations.value, Model(p, (m, middle)), contacts),
+        partial(equations.slope, all_of_them, contacts),
+        q - interval.ball(middle),
+        lambda z: equations.by_second_mass(all_of_them, contacts, z, q),
     )
-    ends = list(zip(above.hint.centre, below.hint.centre, strict=True))
-    hint = Hint(tuple((a + b) / 2 for a, b in ends), line.preconditioner(middle))
-    units = units_of(setting, len(ends))
-    problem.isolate(hint, [SPARE * reach * unit for unit in units])
-    for (a, b), unit in zip(ends, units, strict=True):
-        if not abs(a - b) / 2 + NODE * unit < reach * unit:
+    pairs = list(zip(above.hint.centre, below.hint.centre, strict=True))
+    hint = Hint(tuple((a + b) / 2 for a, b in pairs), line.preconditioner(middle))
+    reach = [REACH_OF_CELLS * width / m * unit for unit in units_of(setting, len(pairs))]
+    K = problem.isolate(hint, [SPARE * each for each in reach])
+    for (a, b), each in zip(pairs, reach, strict=True):
+        if not abs(a - b) / 2 + 2 * NODE * each / width * m < each:
             raise NotProved("Lemma 3", "the zeros at the ends of a cell may be others", {})
+    events = events_of(all_of_them, contacts, K)
+    flights.no_other_contacts(all_of_them, events)
+    flights.signs_are_conserved(all_of_them, events)
+    flights.speeds_at_events(all_of_them, events)
+    _nobody_stops(all_of_them, events, below, problem.velocity(hint, K), (q, width))
+
+
+def _nobody_stops(
+    model: Family,
+    events: list[Event],
+    below: Solved,
+    moving: Sequence[Ball],
+    masses: tuple[Ball, Fraction],
+) -> None:
+    """Prove that all velocities at slow moments are positive, from those at the lower end."""
+    q, width = masses
+    slow = flights.slow_moments(model, events)
+    least = flights.slow_moments(below.model, below.events)
+    if [(each.number, each.i) for each in slow] != [(each.number, each.i) for each in least]:
+        raise NotProved("Lemma 3", "a slow moment may be at an event", {})
+    for each, end in zip(slow, least, strict=True):
+        rate = _rate(each, moving, q)
+        if not (end.speed > 0 and (rate > 0 or end.speed + rate * interval.ball(width) > 0)):
+            sets = {"speed": end.speed, "its derivative": rate}
+            raise NotProved("Lemma 3", "a mass may stop for some mass of a cell", sets)
+
+
+def _rate(slow: flights.Slow, moving: Sequence[Ball], q: Ball) -> Ball:
+    """Return the derivative of a velocity at a slow moment along the family."""
+    leg, i, model = slow.leg, slow.i, slow.leg.model
+    n, start, o = model.n, leg.start, model.oscillators[i]
+    first = 2 * n * slow.number
+    changes = moving[first + n : first + 2 * n]  # of the velocities before the event
+    rate = -leg.accelerations(start.at)[i] * moving[first]
+    rate = rate + interval.total(
+        c * v for c, v in zip(model.rules[start.contact][i], changes, strict=True)
+    )
+    if 0 < start.contact < n:
+        m = interval.ball(model.masses[0])
+        rate = rate - 2 * m * (start.before[0] - start.before[1]) / ((m + q) * (m + q))
+    if i == 1:
+        gain = o.velocity(leg.flights[i], slow.at) - start.after[i]
+        rate = rate - gain / q
+    return Ball(leg.signs[i] * rate)

@@ -15,13 +15,15 @@ masses m_2, a box for each, and one itinerary, such that
        which no mass stops; at the lower end a velocity has changed its sign inside of a flight.  So
        for some m_2 in `stop`, the largest one, the least speed of the orbit is 0: a mass comes to
        rest for an instant;
- (iii) for all m_2 between the two intervals the equations have exactly one solution in a box that
-       contains those of its ends: all of them, and those of (i) and (ii), are one analytic family.
+ (iii) for all m_2 between the two intervals there is exactly one such orbit, and no mass stops on
+       it, in a box that depends on m_2; these orbits and those of (i) and (ii) are one analytic
+       family.
 
 Proof.  Krawczyk's inclusion for all m_2 of an interval at once, and for both its ends, in smaller
 boxes inside; the reduced traces and the least speeds depend continuously on m_2.  For (iii) the
 masses between are divided into cells; neighbouring cells have the solution at the node between them
-in common.  That no mass stops on the orbits of (iii) is not said.
+in common.  Velocities at slow moments are positive by the mean value theorem: from that at the
+lower end of a cell, and their derivatives by m_2 along the family.
 """
 
 from collections.abc import Callable, Sequence
@@ -37,7 +39,7 @@ from cap.particles import derivative, flights
 from cap.particles.family import Family
 from cap.particles.model import Event, Guess, Model, events_of
 from cap.proofs.fixed_point import Proof, Setting, assembled
-from cap.proofs.particle_cells import NODE, Line, Nodes, Solved, family
+from cap.proofs.particle_cells import NODE, REACH_OF_CELLS, Line, Solved, family
 from cap.proofs.particle_orbit import (
     by_event,
     lemma_1_existence,
@@ -93,10 +95,10 @@ def prove(setting: Setting) -> Proof:
             "stop": _hints(stop),
             "nodes": [
                 {"mass": interval.exact_decimal(node.mass), "centre": by_event(node.hint)}
-                for node in between.nodes
+                for node in between
             ],
             "node_radius": interval.exact_decimal(NODE),
-            "cell_reach": interval.exact_decimal(between.reach),
+            "cell_reach": interval.exact_decimal(REACH_OF_CELLS),
         }
     proved = assembled("particles_limits", setting, strings, (claims, hints))
     return lambda _part: proved
@@ -120,16 +122,17 @@ def lemma_2_stop(setting: Setting, guess: Guess) -> Crossing:
     least near the guess, at both ends; contacts over all masses, and all speeds at the upper end.
     """
     near = _solved(setting, guess.masses, guess, None)
-    speeds = flights.slow_speeds(near.model, near.events)
+    speeds = [slow.speed for slow in flights.slow_moments(near.model, near.events)]
     slowest = min(range(len(speeds)), key=lambda k: interval.midpoint(speeds[k]))
-    crossing = _crossing(setting, guess, lambda m, e: flights.slow_speeds(m, e)[slowest])
+    crossing = _crossing(setting, guess, lambda m, e: flights.slow_moments(m, e)[slowest].speed)
     flights.no_other_contacts(crossing.family, crossing.events)
+    flights.speeds_at_events(crossing.family, crossing.events)
     flights.signs_are_conserved(crossing.family, crossing.events)
     flights.least_speeds(crossing.upper.model, crossing.upper.events)
     return crossing
 
 
-def lemma_3_family(setting: Setting, flip: Crossing, stop: Crossing) -> Nodes:
+def lemma_3_family(setting: Setting, flip: Crossing, stop: Crossing) -> list[Solved]:
     """*Statement.* (iii).  *Computed.* See `cap.proofs.particle_cells`; the preconditioner is
     interpolated between those of (i) and (ii).
     """

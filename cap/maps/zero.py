@@ -52,13 +52,14 @@ class Hint:
 class Problem:
     """G, of which zeros are looked for, and its derivative by rows, both on a box.
 
-    If G depends on a parameter q in an interval, ``value`` is that at some q_0 of it, and ``moves``
-    encloses (q - q_0) dG/dq for all q, as a factor and a vector: then K is that of all q.
+    If G depends on a parameter q in an interval, ``value`` is that at some q_0 of it, ``spread``
+    encloses q - q_0 and ``by_q`` the derivative of G, for all q: then K is that of all q.
     """
 
     value: Callable[[Sequence[Ball]], Sequence[Ball]]
     slope: Callable[[Sequence[Ball]], Rows]
-    moves: Callable[[Sequence[Ball]], tuple[Ball, Sequence[Ball]]] | None = None
+    spread: Ball = interval.ZERO
+    by_q: Callable[[Sequence[Ball]], Sequence[Ball]] | None = None
 
     def operator(self, hint: Hint, box: Box) -> Box:
         """Return an enclosure of K(box), with G' also between the box and m.
@@ -74,12 +75,33 @@ class Problem:
             part = [-_dot(row, column) for column in columns]
             part[i] = 1 + part[i]
             result.append(m[i] - _dot(row, value) + _dot(part, offset))
-        if self.moves:
-            factor, vector = self.moves(m)
-            return tuple(
-                k - factor * _dot(row, vector) for k, row in zip(result, rows, strict=True)
-            )
+        if self.by_q:
+            vector, pairs = self.by_q(m), zip(result, rows, strict=True)
+            return tuple(k - self.spread * _dot(row, vector) for k, row in pairs)
         return tuple(result)
+
+    def velocity(self, hint: Hint, box: Box) -> Box:
+        """Return an enclosure of dz/dq for the zeros z(q), which lie in the ``box``.
+
+        z' = -C G_q + E z' with E = 1 - C G_z, so |z'| <= |C G_q|/(1 - |E|) in the maximum norm.
+        Raises `NotProved` if |E| < 1 is not certain.
+        """
+        columns = list(zip(*self.slope(box), strict=True))
+        vector = self.by_q(box) if self.by_q else [interval.ZERO] * len(box)
+        forced, E = [], []
+        for i, row in enumerate(hint.rows):
+            part = [-_dot(row, column) for column in columns]
+            part[i] = 1 + part[i]
+            E.append(part)
+            forced.append(-_dot(row, vector))
+        norm = _largest([interval.total(map(abs, row)) for row in E])
+        if not norm < 1:
+            raise NotProved("velocity", "the zeros may not move with the parameter", {"|E|": norm})
+        size = _largest([abs(q) for q in forced]) / (1 - norm)
+        moving = [interval.symmetric(size)] * len(box)
+        for _ in range(2):
+            moving = [q + _dot(row, moving) for q, row in zip(forced, E, strict=True)]
+        return tuple(moving)
 
     def isolate(self, hint: Hint, reach: Sequence[Fraction]) -> Box:
         """Prove that exactly one zero lies within ``reach`` of m; return a box that contains it.
@@ -104,6 +126,11 @@ class Problem:
             ):
                 return box
             box = tighter
+
+
+def _largest(sizes: Sequence[Ball]) -> Ball:
+    """Return an upper bound of numbers that are at least 0."""
+    return max((interval.upper(q) for q in sizes), key=float)
 
 
 def _dot(a: Sequence[Ball], b: Sequence[Ball]) -> Ball:

@@ -60,13 +60,25 @@ def no_other_contacts(model: Model, events: Sequence[Event]) -> None:
             _stay_apart(leg, i, number)
 
 
-def slow_speeds(model: Model, events: Sequence[Event]) -> list[Ball]:
-    """Return s v at all slow moments of the flights, which are certainly inside; of any sign.
+class Slow(NamedTuple):
+    """A slow moment of the mass ``i``, certainly inside of the ``leg`` of this number."""
 
-    Raises `NotProved` if one may be at an event.
-    """
-    speeds = []
-    for leg in legs_of(model, events):
+    leg: Leg
+    number: int
+    i: int
+    at: Moment[Ball]
+
+    @property
+    def speed(self) -> Ball:
+        """Return s v there, of any sign."""
+        o, s = self.leg.model.oscillators[self.i], self.leg.signs[self.i]
+        return Ball(s * o.velocity(self.leg.flights[self.i], self.at))
+
+
+def slow_moments(model: Model, events: Sequence[Event]) -> list[Slow]:
+    """Return the slow moments inside of flights; raise `NotProved` if one may be at an event."""
+    found = []
+    for number, leg in enumerate(legs_of(model, events)):
         for i, (o, s) in enumerate(zip(model.oscillators, leg.signs, strict=True)):
             start, end = leg.start.at.t, leg.arrival.t
             for k in slow_numbers(o, s, start, end):
@@ -76,8 +88,16 @@ def slow_speeds(model: Model, events: Sequence[Event]) -> list[Ball]:
                 if not start < slow.t < end:
                     sets = {"slow moment": slow.t, "flight from": start, "to": end}
                     raise NotProved("flight", "a slow moment may be at an event", sets)
-                speeds.append(s * o.velocity(leg.flights[i], slow))
-    return speeds
+                found.append(Slow(leg, number, i, slow))
+    return found
+
+
+def speeds_at_events(model: Model, events: Sequence[Event]) -> None:
+    """Prove that all velocities have the signs of their flights at the ends of these."""
+    for leg in legs_of(model, events):
+        for s, v in zip(leg.signs, leg.end.before, strict=True):
+            if not s * v > 0:
+                raise NotProved("flight", "a mass may stop", {"v at its end": v})
 
 
 def closing_speed(model: Model, event: Event) -> Ball:

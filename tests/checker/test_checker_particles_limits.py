@@ -11,13 +11,13 @@ import pytest
 
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
-from cap.checker.particles.existence import defects
+from cap.checker.particles.existence import defects, dot
 from cap.checker.particles.family import Family, moved, with_second
 from cap.checker.particles.mechanics import Mechanics, contacts
 from cap.checker.theorems import particles_limits
-from cap.checker.theorems.particles_limits import ParticlesLimits
+from cap.checker.theorems.particles_limits import ParticlesLimits, inner_speeds
 from cap.checker.verdict import check, words
-from checker.altered import changed, encode, fits_the_schema, rejected
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.remembered import content
 from checker.tampered import accepted
 
@@ -70,7 +70,7 @@ def test_it_is_verified(limits):
     """Step by step; the schema describes it; the line says what was proved and no more."""
     steps = []
     line = words(check(encode(limits), steps.append))
-    assert len(steps) == 8
+    assert len(steps) == 9
     fits_the_schema(limits)
     assert "one multiplier is -1" in line
     assert "the least speed of the orbit is 0" in line
@@ -160,7 +160,7 @@ def test_nodes(limits):
     nodes = limits["hints"]["nodes"]
     without = nodes[:4] + nodes[5:]
     rejected(changed(limits, "hints", "nodes", without), r"may not be in the box|interior")
-    rejected(changed(limits, "hints", "nodes", []), r"may not be in the box|interior")
+    rejected(changed(limits, "hints", "nodes", []), r"may not be in the box|interior|not certain")
     exchanged = [nodes[0], nodes[2], nodes[1], *nodes[3:]]
     rejected(changed(limits, "hints", "nodes", exchanged), "interior")
     rejected(changed(limits, "hints", "nodes", [nodes[0], *nodes]), "do not fall")
@@ -169,10 +169,80 @@ def test_nodes(limits):
     point = copy.deepcopy(nodes[4]["centre"])
     point[2][0] = str(Fraction(point[2][0]) + Fraction(1, 10**6))
     rejected(changed(limits, "hints", "nodes", 4, "centre", point), "interior of its box")
-    rejected(changed(limits, "hints", "cell_reach", "1/1000"), "may not be in the box")
-    rejected(changed(limits, "hints", "cell_reach", "1/20"), r"interior|not certain")
+    rejected(changed(limits, "hints", "cell_reach", "1/2"), "may not be in the box")
+    rejected(changed(limits, "hints", "cell_reach", "50"), r"interior|not certain|may stop")
     rejected(changed(limits, "hints", "node_radius", "1/100"), r"interior|may not be in the box")
     rejected(changed(limits, "hints", "node_radius", "-1"), "not positive")
+
+
+@pytest.mark.usefixtures("in_between")
+@pytest.mark.parametrize(
+    ("speed", "rate", "why"),
+    [
+        (0, 1, "at a node"),
+        (-1, 1, "at a node"),
+        (1, -1000, "in a cell"),
+        (Fraction(1, 10**9), 0, None),
+        (1, -100, None),
+    ],
+)
+def test_speeds_between(limits, monkeypatch, speed, rate, why):
+    """The speed at a node is positive; it grows, or falls too little in a cell of 0.0016."""
+
+    def one(value):
+        return lambda *_: [Interval.enclosing(value, value, int(limits["hints"]["bits"]))]
+
+    monkeypatch.setattr(particles_limits, "inner_speeds", one(speed))
+    monkeypatch.setattr(particles_limits.Family, "inner_rates", one(rate))
+    if why:
+        rejected(limits, why)
+    else:
+        verify(limits)
+
+
+@pytest.mark.usefixtures("in_between")
+def test_velocities_are_compared_one_by_one(limits, monkeypatch):
+    """As many speeds at a node as rates in its cell."""
+    monkeypatch.setattr(particles_limits, "inner_speeds", lambda _M, _orbit: [])
+    rejected(limits, "critical at a contact")
+
+
+def test_rates(limits):
+    """dz/dm_2 and the rates of speeds, for one mass, against differences of zeros."""
+    certificate = read(encode(limits))
+    p, itinerary = certificate.parameters, certificate.claims["itinerary"]
+    hints, bits, mass = certificate.hints, 200, Fraction(9, 10)
+    rows, found = hints["stop"]["preconditioner"], []
+    centre = [c for contact in hints["nodes"][-1]["centre"] for c in contact]
+    h = Fraction(1, 10**6)
+    for second in (hints["nodes"][-1]["mass"] + k * h for k in (-1, 0, 1)):
+        M = Mechanics(with_second(p, second), bits)
+        z = [M.number(c) for c in centre]
+        for _ in range(30):  # Newton's method, on midpoints
+            G = defects(M, contacts(M, itinerary, z))
+            steps = [dot([M.number(c) for c in row], G) for row in rows]
+            z = [(a - b).midpoint() for a, b in zip(z, steps, strict=True)]
+        found.append((M, z))
+    mass = hints["nodes"][-1]["mass"]
+    family = Family(p, (mass, mass), bits)
+    orbit = contacts(family, itinerary, found[1][1])
+    moving = family.rates(orbit, rows)
+    for below, above, rate in zip(found[0][1], found[2][1], moving, strict=True):
+        assert near(middle(above - below) / (2 * h), rate)
+    speeds = [inner_speeds(M, contacts(M, itinerary, z)) for M, z in (found[0], found[2])]
+    for low, high, rate in zip(*speeds, family.inner_rates(orbit, moving), strict=True):
+        assert near(middle(high - low) / (2 * h), rate)
+
+
+def near(difference, rate):
+    """Return whether a difference lies in a rate that is enclosed, and not too wide."""
+    error = Fraction(1, 10**8)
+    return rate.lower - error <= difference <= rate.upper + error and width(rate) < Fraction(1, 2)
+
+
+def middle(interval):
+    """Return the middle of an interval."""
+    return Fraction(interval.lo + interval.hi, 2 << interval.bits)
 
 
 def test_the_family_is_the_systems_of_its_masses(limits):

@@ -77,6 +77,40 @@ def test_newton_is_given_up():
         refined(quadratic([Fraction(1)] * SIZE), [Fraction(3)] * SIZE, IDENTITY, [10] * SIZE)
 
 
+def roots(middle, width, inverse):
+    """Return z_i² - q = 0 for all q around a middle, with its hint."""
+    q = interval.around(middle, width)
+    problem = Problem(
+        lambda z: [a * a - interval.ball(middle) for a in z],
+        lambda z: [[2 * a if i == j else Ball(0) for j in range(SIZE)] for i, a in enumerate(z)],
+        q - interval.ball(middle),
+        lambda z: [Ball(-1) for _ in z],
+    )
+    rows = tuple(tuple(inverse * (i == j) for j in range(SIZE)) for i in range(SIZE))
+    return problem, Hint((Fraction(2),) * SIZE, rows)
+
+
+def test_a_parameter():
+    """K contains the zeros for all q, and dz/dq = 1/(2 sqrt q) is enclosed."""
+    problem, hint = roots(Fraction(4), Fraction(1, 100), Fraction(1, 4))
+    k = problem.isolate(hint, [Fraction(1, 100)] * SIZE)
+    moving = problem.velocity(hint, k)
+    for q in (3.99, 4.0, 4.01):
+        for side, rate in zip(k, moving, strict=True):
+            assert side.overlaps(Ball(q).sqrt())
+            assert rate.contains(0.5 / q**0.5)
+            assert float(rate.rad()) < 0.01
+
+
+def test_zeros_that_may_not_move_smoothly():
+    """A useless preconditioner, and zeros that may be double, give no derivative."""
+    problem, hint = roots(Fraction(4), Fraction(1, 100), Fraction(3))
+    with pytest.raises(NotProved, match="may not move"):
+        problem.velocity(hint, hint.point)
+    with pytest.raises(NotProved, match="may not move"):
+        problem.velocity(roots(Fraction(4), Fraction(1), Fraction(1, 4))[1], (Ball(0, 9),) * SIZE)
+
+
 def test_indeterminate_values_are_refused():
     """NaN in a value or in a derivative proves nothing."""
     zeros = [Fraction(1)] * SIZE

@@ -82,8 +82,24 @@ class Unseen:
 
 def test_cells_that_are_too_wide(monkeypatch):
     """Where Krawczyk's inclusion fails for all widths, the family is not proved."""
-    monkeypatch.setattr(particle_cells, "WIDTHS", [Fraction(1, 20), Fraction(1, 40)])
+    monkeypatch.setattr(particle_cells, "WIDEST", Fraction(1, 20))
+    monkeypatch.setattr(particle_cells, "NARROWEST", Fraction(1, 40))
     with pytest.raises(NotProved, match=r"Krawczyk|a velocity may vanish"):
+        particles_limits.prove(setting())
+
+
+def test_too_many_cells(monkeypatch):
+    """A list of nodes that the checker would refuse is not begun."""
+    monkeypatch.setattr(particle_cells, "MOST", 3)
+    with pytest.raises(NotProved, match="more than 3 cells"):
+        particles_limits.prove(setting())
+
+
+def test_a_speed_that_falls_in_a_cell(monkeypatch):
+    """Whatever is not certain to stay positive is refused."""
+    monkeypatch.setattr(particle_cells, "NARROWEST", Fraction(1, 100))
+    monkeypatch.setattr(particle_cells, "_rate", lambda *_: Ball(-1000))
+    with pytest.raises(NotProved, match="a mass may stop for some mass of a cell"):
         particles_limits.prove(setting())
 
 

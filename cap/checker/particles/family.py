@@ -6,6 +6,14 @@ With q the second mass, al = 2 q/(m + q) = 2 - 2 m/(m + q), a collision is
 
 so by q both change at the rate -al' (v_1 - v_2), al' = 2 m/(m + q)^2.  The second mass gets from
 the forces, on a flight, what is proportional to 1/q: of A/q the derivative is -(A/q)/q.
+
+*The zeros* z(q) of G in a box move with q: 0 = G_z z' + G_q, so for any matrix C
+
+    z' = -C G_q - R z',      R = C G_z - 1,      |z'| <= |C G_q| / (1 - |R|)     (largest entries).
+
+*A velocity* v_i at a fixed time on the flight after a contact at t_k moves with them at the rate
+
+    (C v')_i + (dC/dq v)_i - a_i(t_k) t_k' - (what the forces give to v_i, if i = 2)/q.
 """
 
 from __future__ import annotations
@@ -16,7 +24,17 @@ from fractions import Fraction
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.theorem import Parameters
-from cap.checker.particles.existence import Ends, Moved, Row, arrivals, defects
+from cap.checker.particles.existence import (
+    SIZE,
+    Ends,
+    Moved,
+    Row,
+    arrivals,
+    defects,
+    dot,
+    slopes,
+    times,
+)
 from cap.checker.particles.mechanics import Contact, Mechanics, contacts
 
 
@@ -46,16 +64,55 @@ class Family(Mechanics):
 
     def by_mass(self, orbit: Sequence[Contact]) -> Row:
         """Return the derivative of G by the second mass."""
-        result, (m, q) = Row(), self.m
-        rate = m * 2 / (m + q).square()
+        result, q = Row(), self.m[1]
         for contact, end in zip(orbit, arrivals(orbit, self), strict=True):
             flight, d = self.flight(contact), end.at.t - contact.at.t
-            push = self.number(0)
-            if contact.word == "meet 1 2":
-                push = -rate * (contact.v[0] - contact.v[1])
+            push = self.push(contact)
             way = self.place(1, flight, end.at) - flight.x[1] - flight.v[1] * d
             gain = self.velocity(1, flight, end.at) - flight.v[1]
             result += [push * d, push * d - way / q, push, push - gain / q]
+        return result
+
+    def push(self, contact: Contact) -> Interval:
+        """Return the derivative, by the second mass, of both velocities after a contact."""
+        if contact.word != "meet 1 2":
+            return self.number(0)
+        m, q = self.m
+        return -(m * 2 / (m + q).square()) * (contact.v[0] - contact.v[1])
+
+    def rates(self, orbit: Sequence[Contact], preconditioner: Sequence[Sequence[Fraction]]) -> Row:
+        """Return z' for all the zeros of the family that lie in the data of an orbit."""
+        pairs = zip(orbit, arrivals(orbit, self), strict=True)
+        parts, by_mass = [slopes(self, *pair) for pair in pairs], self.by_mass(orbit)
+        forced, residuals, sizes = Row(), list[Row](), list[int]()
+        for i, given in enumerate(preconditioner):
+            row = [self.number(c) for c in given]
+            residual = times(row, parts)
+            residual[i] = residual[i] - 1
+            residuals.append(residual)
+            forced.append(-dot(row, by_mass))
+            sizes.append(sum(r.magnitude().hi for r in residual))
+        rest = self.number(1) - Interval(max(sizes), max(sizes), self.bits)
+        need(rest.is_positive(), "the zeros of a family may not move smoothly")
+        largest = max(f.magnitude().hi for f in forced)
+        bound = (Interval(largest, largest, self.bits) / rest).hi
+        result = [Interval(-bound, bound, self.bits)] * len(forced)
+        for _ in range(2):
+            pairs_of = zip(forced, residuals, strict=True)
+            result = [f - dot(residual, result) for f, residual in pairs_of]
+        return result
+
+    def inner_rates(self, orbit: Sequence[Contact], z: Row) -> Row:
+        """Return the rates of s_i v_i at all critical times inside of the flights, from z'."""
+        result = Row()
+        for k, (contact, end) in enumerate(zip(orbit, arrivals(orbit, self), strict=True)):
+            flight, (t, _, *v) = self.flight(contact), z[SIZE * k : SIZE * k + SIZE]
+            for i, s in enumerate(flight.signs):
+                start = dot(self.rule(contact.word)[i], v) + self.push(contact)
+                start = start - self.acceleration(i, s, contact.at) * t
+                for at in self.critical(s, contact.at.t, end.at.t):
+                    gain = (self.velocity(i, flight, at) - flight.v[i]) / self.m[1]
+                    result.append((start - gain if i == 1 else start) * s)
         return result
 
 

@@ -14,7 +14,9 @@ Let q be the second mass, z_1 > z_2 the reduced traces, m the first mass.
    of these velocities, taken with these signs, is 0, the least speed of the orbit is 0.
 4. *Between*: nodes from flip to stop, with a zero of G in a small box each, and for the masses of
    the cell between two nodes exactly one zero in a box that contains the small ones of both: so
-   all the zeros are one analytic family.
+   all the zeros are one analytic family.  Contacts and velocities at contacts as in 3.  A velocity
+   at a critical time, taken with its sign, is w > 0 at the lower node; along the family it is w
+   + (q - node) times a value of its derivative, which is positive in the cell too.
 """
 
 from __future__ import annotations
@@ -30,7 +32,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, arrivals, krawczyk
+from cap.checker.particles.existence import SIZE, Ends, arrivals, krawczyk, of_contacts
 from cap.checker.particles.family import Family, moved, with_second
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
@@ -68,7 +70,8 @@ class ParticlesLimits(Theorem):
         Field("nodes", Many({"mass": number, "centre": POINT}, 0, MOST_NODES), "", "",
               "masses between flip and stop, falling, with the contacts"),
         Field("node_radius", number, "", "", "of the small boxes around them"),
-        Field("cell_reach", number, "", "", "of the boxes between two nodes, around their middle"),
+        Field("cell_reach", number, "", "", "of the boxes between two nodes, around their middle, "
+              "for a cell as wide as the first mass: for others less in proportion"),
     )
     CLAIMS = (
         Field("itinerary", listed(Word(tuple(NORMALS))), "", "",
@@ -131,7 +134,7 @@ class ParticlesLimits(Theorem):
     ) -> tuple[Mechanics, list[Contact]]:
         """Return the system with this second mass and its zero in a small box, proved."""
         M = Mechanics(with_second(self.p, mass), self.hints["bits"])
-        K = krawczyk(M, self.words_of, self.around(centre, radius), centre, rows)
+        K = krawczyk(M, of_contacts(M, self.words_of), self.around(centre, radius), centre, rows)
         return M, contacts(M, self.words_of, K)
 
     def crossing(self, name: str) -> Crossing:
@@ -143,7 +146,7 @@ class ParticlesLimits(Theorem):
         for centre in (lower, upper):
             need(lies_in(self.around(centre, radius), box), "a small box is not in the large one")
         family = Family(self.p, (claim.lower, claim.upper), self.hints["bits"])
-        K = krawczyk(family, self.words_of, box, upper, rows)
+        K = krawczyk(family, of_contacts(family, self.words_of), box, upper, rows)
         pairs = ((claim.lower, lower), (claim.upper, upper))
         ends = [self.zero(mass, centre, radius, rows) for mass, centre in pairs]
         self.step(f"for each mass of {name} there is exactly one zero of G in the box")
@@ -167,14 +170,7 @@ class ParticlesLimits(Theorem):
 
     def stop(self, found: Crossing) -> None:
         """Prove that the least speed becomes 0."""
-        M, orbit = found.family, found.orbit
-        in_order(M, orbit)
-        for contact, end in zip(orbit, arrivals(orbit, M), strict=True):
-            flight = M.flight(contact)
-            admissible(M, contact, flight)
-            kept = all((v * s).is_positive() for v, s in zip(end.v, flight.signs, strict=True))
-            need(kept, "a velocity may have another sign at the end of a flight")
-            apart(M, contact, end)
+        no_other_contacts(found.family, found.orbit)
         self.step("for each mass of stop the contacts are transversal, and there are no others")
         (below, zeros), (above, orbit) = found.ends
         least_speeds(above, orbit)
@@ -185,27 +181,43 @@ class ParticlesLimits(Theorem):
     def between(self) -> None:
         """Prove that the zeros from flip to stop are one family."""
         flip, stop, hints = self.claims["flip"], self.claims["stop"], self.hints
-        nodes = [(node["mass"], flat(node["centre"])) for node in hints["nodes"]]
-        for mass, centre in nodes:
-            self.zero(mass, centre, hints["node_radius"], self.rows(mass))
+        inner = [(node["mass"], flat(node["centre"])) for node in hints["nodes"]]
         first = (flip.lower, flat(hints["flip"]["lower"]))
         last = (stop.upper, flat(hints["stop"]["upper"]))
+        nodes = [first, *inner, last]
         small = max(hints["node_radius"], hints["radius"])
-        for (upper, a), (lower, b) in pairwise([first, *nodes, last]):
+        for (upper, a), (lower, b) in pairwise(nodes):
             need(lower < upper, "the masses of the nodes do not fall")
             centre = [(x + y) / 2 for x, y in zip(a, b, strict=True)]
-            box = self.around(centre, hints["cell_reach"])
+            box = self.around(centre, hints["cell_reach"] * (upper - lower) / self.p.masses[0])
             both = all(lies_in(self.around(c, small), box) for c in (a, b))
             need(both, "the zero at a node may not be in the box of a cell")
-            self.cell((lower, upper), centre, box)
-        self.step(f"{len(nodes) + 1} cells of masses: the zeros from flip to stop are one family")
+            radius = hints["radius"] if lower == stop.upper else hints["node_radius"]
+            speeds = inner_speeds(*self.zero(lower, b, radius, self.rows(lower)))
+            self.cell((lower, upper), centre, box, speeds)
+        self.step(f"{len(inner) + 1} cells of masses: the zeros from flip to stop are one family")
+        self.step("for each mass between flip and stop it is an orbit on which no mass stops")
 
-    def cell(self, second: Ends, centre: Rational, box: Sequence[Ends]) -> None:
-        """Prove that there is one zero in the box for each second mass of an interval."""
+    def cell(
+        self, second: Ends, centre: Rational, box: Sequence[Ends], speeds: list[Interval]
+    ) -> None:
+        """Prove that there is one zero in the box for each second mass of an interval, an orbit on
+        which no mass stops; s_i v_i at critical times is given for the lower end.
+        """
         bits, family = self.hints["bits"], Family(self.p, second, self.hints["bits"])
         value = moved(self.p, second, self.words_of, [family.number(c) for c in centre], bits)
         rows = self.rows((second[0] + second[1]) / 2)
-        krawczyk(family, self.words_of, box, centre, rows, value)
+        K = krawczyk(family, of_contacts(family, self.words_of), box, centre, rows, value)
+        orbit = contacts(family, self.words_of, K)
+        no_other_contacts(family, orbit)
+        rates = family.inner_rates(orbit, family.rates(orbit, rows))
+        need(len(rates) == len(speeds), "a velocity may be critical at a contact")
+        width = self.number(second[1] - second[0])
+        for w, rate in zip(speeds, rates, strict=True):
+            need(w.is_positive(), "a mass may stop at a node")
+            need(
+                rate.is_positive() or (w + rate * width).is_positive(), "a mass may stop in a cell"
+            )
 
     def rows(self, mass: Fraction) -> list[Rational]:
         """Return what is linear in the mass, and the preconditioners at flip and stop."""
@@ -230,6 +242,17 @@ def lies_in(small: Sequence[Ends], large: Sequence[Ends]) -> bool:
     return all(z[0] <= s[0] and s[1] <= z[1] for s, z in zip(small, large, strict=True))
 
 
+def no_other_contacts(M: Mechanics, orbit: Sequence[Contact]) -> None:
+    """Prove that the contacts are transversal, and the only ones if no mass stops between them."""
+    in_order(M, orbit)
+    for contact, end in zip(orbit, arrivals(orbit, M), strict=True):
+        flight = M.flight(contact)
+        admissible(M, contact, flight)
+        kept = all((v * s).is_positive() for v, s in zip(end.v, flight.signs, strict=True))
+        need(kept, "a velocity may have another sign at the end of a flight")
+        apart(M, contact, end)
+
+
 def inner_speeds(M: Mechanics, orbit: Sequence[Contact]) -> list[Interval]:
     """Return s_i v_i at all critical times inside of the flights."""
     speeds = list[Interval]()
@@ -250,8 +273,8 @@ _LIMITS = (
     "m_2 in {stop} the equations of the flights between these contacts have exactly one solution "
     "in a box, an orbit on which no mass stops at the upper end, and for some m_2 in between the "
     "least speed of the orbit is 0; for each m_2 between the two intervals the equations have a "
-    "solution, alone in a box of its own, and these join those of the two intervals to one family "
-    "that is analytic in m_2"
+    "solution, alone in a box of its own, an orbit on which no mass stops, and these join those of "
+    "the two intervals to one family that is analytic in m_2"
 )
 
 THEOREM = ParticlesLimits
