@@ -286,3 +286,9 @@ def test_what_is_malformed(small):
 def test_what_is_no_flight(inventory, told):
     """Refused."""
     rejected(changed(inventory, "hints", "flights", 0, told), "flights")
+
+
+def test_too_much_work(small):
+    """Bits times flights are bounded before anything is computed."""
+    hints = small["hints"] | {"bits": "4096", "flights": [",".join("1" * 150)] * 70}
+    rejected(small | {"hints": hints}, "too much")
