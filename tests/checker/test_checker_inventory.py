@@ -173,6 +173,40 @@ def test_every_window(inventory):
     assert noticed > 0.9 * tried > 50
 
 
+def test_the_middle_of_a_window(inventory):
+    """From a point outside of the window its speeds would be wrong: it is refused."""
+    theorem, gap = parts(inventory)
+    tree, speed = inventory["hints"]["tree"], Fraction(inventory["claims"]["highest_speed"])
+    boxes = [(t, u) for word, t, u in leaves(tree, speed) if word == "."]
+    every = [
+        [list(map(int, part.split())) for part in flights.split(",")]
+        for flights in inventory["hints"]["flights"]
+    ]
+    k = next(k for k, told in enumerate(every) if len(told[0]) == 3)
+    told, sides = every[k], [theorem.between(side) for side in boxes[k]]
+    for more in (1, 1000):
+        told[0][2] = told[0][1] + more
+        with pytest.raises(Rejected, match="not in it"):
+            launches.empty(gap, *sides, theorem.windows(text(told)))
+
+
+def test_the_maps_of_a_window():
+    """A point outside of it gives launches that are not the image: here by 0.01."""
+    gap = launches.Gap(exactly("1/20"), exactly(2))
+    t, u, far = Fraction("2.21856"), Fraction("2.30146"), Fraction(1, 10**5)
+    n = launches.box(exactly(t - far, t + far), exactly(u - far, u + far), first=True)
+    x, w = first_hit(0.05, 2, float(t), float(u))
+    a, b = (launches.phase(exactly(Fraction(x) + d)) for d in (Fraction(-1, 50), Fraction(1, 50)))
+    assert launches.none_before(gap, n, a)
+    assert launches.over(gap, n, b)
+    image = launches.flown(gap, n, launches.Window(a, b, launches.phase(exactly(Fraction(x)))))
+    assert abs(float(image.centre.x.lower) - x - math.pi) < 3e-4
+    assert abs(float(image.speed.lower) - w) < 3e-4
+    outside = launches.phase(exactly(Fraction(x) + Fraction(1, 5)))
+    with pytest.raises(Rejected, match="not in it"):
+        launches.flown(gap, n, launches.Window(a, b, outside))
+
+
 def text(flights):
     """Return windows as a certificate has them."""
     return ",".join(" ".join(map(str, flight)) for flight in flights)
@@ -252,3 +286,9 @@ def test_what_is_malformed(small):
 def test_what_is_no_flight(inventory, told):
     """Refused."""
     rejected(changed(inventory, "hints", "flights", 0, told), "flights")
+
+
+def test_too_much_work(small):
+    """Bits times flights are bounded before anything is computed."""
+    hints = small["hints"] | {"bits": "4096", "flights": [",".join("1" * 150)] * 70}
+    rejected(small | {"hints": hints}, "too much")

@@ -274,3 +274,9 @@ def overlap(one, other):
 def width(interval):
     """Return the width of an interval."""
     return Fraction(interval.hi - interval.lo, 1 << interval.bits)
+
+
+def test_too_much_work(limits):
+    """Bits, contacts and nodes are bounded before anything is computed."""
+    hints = limits["hints"] | {"bits": "4096", "nodes": limits["hints"]["nodes"][:1] * 64}
+    rejected(limits | {"hints": hints}, "too much")

@@ -42,7 +42,8 @@ in [a, b], for y(a) < rho; by the implicit function theorem
 
 Values at all e follow from those at e = 0 by the mean value theorem; at e = 0, x = m - (y(m) -
 rho)/w([a, b]) is Newton's method.  Or else no more is told of the hits than that they are in [a,
-b], with u in w([a, b]), u > 0.
+b], with u in w([a, b]), u > 0.  As w([a, b]) comes from w(m), or from that at the middle, by the
+mean value theorem, m lies in [a, b].
 
 *Closing.*  With g(e) = (t_k - t_0 - k pi - 2 pi, u_k - u_0), its derivative J, and any matrix C, a
 zero e of g lies in -C g(0) + (1 - C J) e.  If no e of the box can, there is none.
@@ -87,7 +88,7 @@ def phase(x: Interval) -> Phase:
 
 
 class Window(NamedTuple):
-    """No hit before a, all by b.  m, if it is there, tells that all hit in between."""
+    """No hit before a, all by b.  m, in [a, b] if it is there, tells that all hit in between."""
 
     a: Phase
     b: Phase
@@ -192,6 +193,7 @@ def flown(gap: Gap, n: Launches, window: Window) -> Launches | None:
     change = (span.cos - gap.alpha) * (span.x - at.x)
     w = every + change
     if m is not None:
+        need(a.x.lo <= m.x.lo and m.x.hi <= b.x.hi, "the middle of a window is not in it")
         need(way(gap, n, b)[1].lo >= gap.rho.hi, "not all may hit in a window")
         need(w.is_positive(), "a hit may not be transverse")
         return mapped(gap, n, (m, span), own + change, w)

@@ -57,6 +57,7 @@ LONGEST = Fraction(62832, 10000)  # L, more than 2 pi
 UNIT = 2**13  # the ends of windows are multiples of 1/UNIT
 MAX_BOXES = 20_000
 MAX_DEPTH = 60
+MAX_WORK = 1 << 25
 MAX_LETTERS = 400  # of the windows of a box: 40 flights
 EMPTY, OPEN, HALVES_T, HALVES_U = ".?tu"
 PART = re.compile("([0-9]{1,7})(?: ([0-9]{1,6}))?(?: ([0-9]{1,6}))?")
@@ -102,6 +103,12 @@ class Inventory(Scaled):
               "no such orbit has more hits of each wall in a period"),
     )
     # fmt: on
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+        """Bound the time: bits times flights."""
+        work = hints["bits"] * sum(told.count(",") + 1 for told in hints["flights"])
+        need(work <= MAX_WORK, f"bits and flights are too much: {work} > {MAX_WORK}")
 
     def prove(self) -> None:
         """Prove the theorem."""

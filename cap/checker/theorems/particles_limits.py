@@ -39,7 +39,7 @@ from cap.checker.particles.monodromy import monodromy, reduced_traces, symplecti
 from cap.checker.particles.orbit import admissible, apart, in_order, least_speeds
 from cap.checker.particles.periodic_orbit import LEAST, MOST, listed
 
-MOST_NODES = 64
+MOST_NODES, MOST_WORK = 64, 1 << 24
 POINT = listed([number] * SIZE)
 ROWS = Many(Many(number, SIZE * LEAST, SIZE * MOST), SIZE * LEAST, SIZE * MOST)
 CROSSING = {"lower": POINT, "upper": POINT, "preconditioner": ROWS}
@@ -105,6 +105,8 @@ class ParticlesLimits(Theorem):
             rows, size = hints[name]["preconditioner"], SIZE * count
             whole = len(rows) == size and all(len(row) == size for row in rows)
             need(whole, f"hints.{name}.preconditioner is not a matrix of {size} rows and columns")
+        work = hints["bits"] * count**2 * len(points)
+        need(work <= MOST_WORK, f"bits, contacts and nodes are too much: {work} > {MOST_WORK}")
 
     def prove(self) -> None:
         """Prove the theorem."""
