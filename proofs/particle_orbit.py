@@ -114,7 +114,7 @@ def lemma_1_existence(
     """
     units = units_of(setting, len(guess))
     point = [interval.ball(q) for q in guess]
-    matrix = inverse(problem.slope(point))
+    matrix = inverse_of(problem.slope(point))
     places = [setting.precise - interval.decade(unit) for unit in units]
     hint = zero.refined(problem, guess, matrix, places)
     box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
@@ -169,7 +169,7 @@ def unknowns(model: Model, guess: Guess) -> list[Fraction]:
     return [Fraction(q) for q in found]
 
 
-def inverse(rows: zero.Rows) -> list[list[Fraction]]:
+def inverse_of(rows: zero.Rows) -> list[list[Fraction]]:
     """Return decimals of about ten digits near the inverse of a matrix."""
     try:
         inverse = np.linalg.inv(np.array([[float(q.mid()) for q in row] for row in rows]))

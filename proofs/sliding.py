@@ -90,7 +90,11 @@ def lemma_3_basin(
     I_1 = a * d**2 / 2 + b * d**3 / 3
     I_2 = a**2 * d**3 / 3 + a * b * d**4 / 2 + b**2 * d**5 / 5
     mean = L**2 * d**2 - 2 * L * d * I_1 * first + d * I_2 * second + 2 * I_1**2 * product
+    volume = setting.rounding.pair(2 * product * mean, setting.units.area**2)
+    if not Fraction(volume[0]) > 0:
+        sets = {"volume": 2 * product * mean}
+        raise NotProved("Lemma 3", "the volume of the open set is below the digits claimed", sets)
     return {
         "basin": {"speed": interval.exact_decimal(speed), "drift": drift.strings},
-        "basin_volume": setting.rounding.pair(2 * product * mean, setting.units.area**2),
+        "basin_volume": volume,
     }

@@ -55,9 +55,9 @@ def parser() -> Parser:
     p.add_argument(
         "--masses",
         metavar="M1,M2",
-        help="particles, particles_saddle, particles_limits, sliding: two masses, as 1,9/10, on "
-        "each of which the forcing F and the friction f act; their orbits are found from equal "
-        "masses",
+        help="particles, particles_saddle, particles_sink, particles_limits, sliding: two masses, "
+        "as 1,9/10, on each of which the forcing F and the friction f act; their orbits are found "
+        "from equal masses, or from random states",
     )
     p.add_argument(
         "--proportional",

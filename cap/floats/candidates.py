@@ -11,7 +11,7 @@ from fractions import Fraction
 from cap.errors import BadInput
 from cap.floats import periodic
 from cap.floats.cycles import Cycle, near
-from cap.floats.particle_candidates import lighter, particles, touching_nothing
+from cap.floats.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.periodic import Guess
 from cap.floats.request import Candidate, Found, Request, Search
 from cap.floats.search import from_hit_times, search
@@ -25,6 +25,7 @@ __all__ = [
     "Found",
     "Request",
     "Search",
+    "attracting",
     "capturing",
     "closed_form",
     "continued",

@@ -4,9 +4,10 @@ from dataclasses import replace
 from fractions import Fraction
 
 from cap.errors import BadInput
+from cap.floats.masses import drawn
 from cap.floats.particle_limits import limits
-from cap.floats.particle_orbits import Continued, NotFound, from_equal_masses
-from cap.floats.particles import Particles, Path
+from cap.floats.particle_orbits import Continued, NotFound, from_equal_masses, period
+from cap.floats.particles import Particles, Path, Unresolved, follow
 from cap.floats.request import Candidate, Found, Request
 from cap.maps.fixed_point import Start
 from cap.particles.model import Guess
@@ -39,6 +40,49 @@ def touching_nothing(request: Request) -> Found:
     masses = ", ".join(map(str, request.masses))
     candidate = Candidate(Start(0.0, 0.0, ()), f"m = {masses}", particles=Guess(request.masses, ()))
     return Found(["Closed form: no search is needed."], [candidate])
+
+
+def attracting(request: Request) -> Found:
+    """Follow random states until one repeats itself after a few periods, with contacts."""
+    _two_masses(request)
+    if request.orbit or request.every:
+        raise BadInput(f"{request.kind} finds its orbit itself: leave out --orbit and --all")
+    system = Particles(request.parameters, request.masses)
+    for seed in drawn(system, SEEDS, 3):
+        found = _settled(system, tuple(seed.tolist()))
+        if found:
+            periods, state, path = found
+            events = tuple((e.word, e.time, e.positions, e.before) for e in path.events)
+            guess = Guess(request.masses, events, periods=periods)
+            start = Start(state[0], state[2], tuple((e.word, e.time) for e in path.events))
+            shown = f"period {periods} T: {', '.join(path.words)}"
+            lines = [f"Of random states, some end on an orbit of {shown}"]
+            return Found(lines, [Candidate(start, shown, particles=guess)])
+    raise BadInput(f"none of {SEEDS} random states ends on a periodic orbit with contacts")
+
+
+SEEDS, SETTLING, LONGEST = 40, 150, 8  # states, periods before, and of the period
+RETURNED = 1e-9
+
+
+def _settled(
+    system: Particles, state: tuple[float, ...]
+) -> tuple[int, tuple[float, ...], Path] | None:
+    """Return the period, a state and the path of the orbit on which a state ends, if it repeats."""
+    T = period(system)
+    try:
+        for _ in range(SETTLING):
+            path = follow(system, state[:2], state[2:], T)
+            state = (*path.x, *path.v)
+        for n in range(1, LONGEST + 1):
+            path = follow(system, state[:2], state[2:], n * T)
+            end = (*path.x, *path.v)
+            contacts = any(word.startswith(("hit", "meet")) for word in path.words)
+            if max(abs(a - b) for a, b in zip(state, end, strict=True)) < RETURNED:
+                return (n, state, path) if contacts else None
+    except (BadInput, Unresolved):
+        pass
+    return None
 
 
 def _two_masses(request: Request) -> None:

@@ -19,6 +19,7 @@ from cap.floats.search import from_hit_times
 
 STEPS = 20
 SMALLEST = Fraction(1, 200)  # step from equal masses
+DOUBLE = 1e-6  # difference of reduced traces that rounding may have made
 CLOSE = 1e-12  # of Newton's steps, beside the size of the state
 
 
@@ -98,6 +99,8 @@ class Continued:
     def kind(self) -> str:
         """What its two pairs of multipliers are."""
         z = self.traces
+        if abs(z[0] - z[1]) < DOUBLE:
+            return "close to a double pair"
         if any(q.imag for q in z):
             return "complex quadruple"
         return " x ".join(

@@ -32,12 +32,13 @@ Vector = tuple[Ball, ...]
 class Guess:
     """An orbit in floats: masses, and of each event its word, time, positions, velocities before.
 
-    ``further`` are others of its family.  It needs no trust.
+    Its period is ``periods`` T; ``further`` are others of its family.  It needs no trust.
     """
 
     masses: tuple[Fraction, ...]
     events: tuple[tuple[str, float, tuple[float, ...], tuple[float, ...]], ...]
     further: tuple["Guess", ...] = ()
+    periods: int = 1
 
 
 class Model:

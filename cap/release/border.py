@@ -8,8 +8,9 @@ Between two branches the events change, and a function of the place x changes it
     slow        the velocity at a time at which F cos ωt = f sgn v, where exp(μt) |v| has a minimum:
                 the mass stops there, or goes on
     horizon     an event, counted up to a time, comes before or after it
+    capture     captures begin near here: the number of hits changes at infinitely many places
 
-All but the last are proved: the events before are the same for all places of the gap, the function
+The first three are proved: the events before are the same for all places of the gap, the function
 has certainly opposite signs at its ends, and a derivative of one sign: so it has exactly one zero.
 """
 
@@ -20,7 +21,15 @@ from fractions import Fraction
 from typing import Any, NamedTuple, cast
 
 from cap.errors import BadInput, NotProved
-from cap.flow.event import BALLS, TAYLOR_MODELS, Enclosure, Expected, rest_time, slow_numbers
+from cap.flow.event import (
+    BALLS,
+    TAYLOR_MODELS,
+    Enclosure,
+    Expected,
+    NoCertainEvent,
+    rest_time,
+    slow_numbers,
+)
 from cap.flow.itinerary import itinerary
 from cap.flow.model import Flight, Moment, Oscillator
 from cap.flow.orbit import PartialOrbit
@@ -35,6 +44,7 @@ from cap.sets.taylor_model import Domain
 
 BITS = 128
 ORDER = 2  # of the Taylor models
+WIDER = 8  # time windows tried for a stop
 NEAR = Fraction(1, 50)  # of a period: so near to a slow moment a stop may be due to it
 
 Gap = tuple[tuple[Fraction, Fraction], Callable[[Ball, Ball], tuple[Any, Enclosure[Any]]]]
@@ -92,6 +102,8 @@ def border(osc: Oscillator[Any], p: Parameters, left: Branch, right: Branch) -> 
     nexts = [branch.itinerary[n] for branch in (left, right) if n < len(branch.itinerary)]
     if len(nexts) < 2:
         return Border(*ends, "horizon", n, proved=False)
+    if any(word.startswith(("settle", "capture")) for word in nexts):
+        return Border(*ends, "capture", n, proved=False)
     if not any(word.startswith(("turn", "stick")) for word in nexts):
         return Border(*ends, "unknown", n, proved=False)
     stops = left if left.itinerary[n].startswith(("turn", "stick")) else right
@@ -195,7 +207,13 @@ class _Gap:
     def _rest(self, orbit: PartialOrbit[Any], kind: Enclosure[Any]) -> Moment[Any]:
         """Return when the velocity of the flights vanishes, whatever walls there are."""
         window = Ball(self.stop) + interval.symmetric(interval.ball(NEAR) * self.osc.T / 100)
-        return rest_time(self.osc, _flight(orbit), Expected("stop", window), kind, 0)
+        for _ in range(WIDER):
+            try:
+                return rest_time(self.osc, _flight(orbit), Expected("stop", window), kind, 0)
+            except NoCertainEvent as miss:
+                window = interval.hull(miss.window, miss.newton)
+                window += interval.symmetric(window - interval.point(window)) / 4
+        raise NotProved("border", "when the velocity vanishes is too uncertain", {"at": window})
 
     def _derivative(self, at: Moment[Any]) -> tuple[Any, Any]:
         """Return the derivatives of x and v at a moment of the flights by the place."""

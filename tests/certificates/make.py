@@ -119,6 +119,17 @@ def lighter(limits):
         put("reject", name, limits, tuple(change))
 
 
+def attracting(sink):
+    """Write lies about an attracting orbit of two masses."""
+    words = sink["claims"]["itinerary"]
+    k = words.index("stick 1")
+    for name, *change in (
+        ("particles_sink_that_does_not_stick", "itinerary", k, "turn 1 right"),
+        ("particles_sink_that_contracts_at_once", "power", "1"),
+    ):
+        put("reject", name, sink, ("claims", *change))
+
+
 def malformed(saddle):
     """Write what is no certificate."""
     good = json.dumps(saddle, indent=1)
@@ -155,4 +166,5 @@ if __name__ == "__main__":
     captured(load("capture.json"), load("capture-2.json"))
     two_masses(load("particles.json"), load("particles_saddle.json"))
     lighter(load("particles_limits.json"))
+    attracting(load("particles_sink.json"))
     malformed(load("saddle-2.json"))

@@ -29,6 +29,8 @@ REASONS = {
     "particles_limits_that_stop_too_late": "interior of its box",
     "particles_limits_with_a_gap_between_cells": "interior of its box",
     "particles_saddle_called_elliptic": "cites",
+    "particles_sink_that_contracts_at_once": "may be larger than claimed",
+    "particles_sink_that_does_not_stick": "interior of its box",
     "particles_twist_with_the_other_sign": "twist_matrix",
     "particles_with_a_collision_that_turns_one_mass": "interior of its box",
     "particles_with_their_masses_exchanged": "interior of its box",

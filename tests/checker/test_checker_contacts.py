@@ -298,7 +298,7 @@ def test_distances_from_integers():
         found = from_integers(Interval.enclosing(low, low + width, BITS))
         for n in range(11):
             q = low + width * n / 10
-            assert found.lower <= abs(q - round(q)) <= found.upper
+            assert found.lower <= abs(q - round(q)) <= found.upper <= HALF
     assert from_integers(thin("9/4")).lower == from_integers(thin("9/4")).upper == Fraction(1, 4)
 
 

@@ -17,9 +17,8 @@ STORED = Path(__file__).parents[2] / "certificates"
 FLOW = {"kernel", "flow", "theorems", "verdict"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
 ROOMS["impulse"] = FLOW - {"flow"}
-ROOMS |= dict.fromkeys(
-    ("particles", "particles_saddle", "particles_limits"), FLOW - {"flow"} | {"particles"}
-)
+TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
+ROOMS |= dict.fromkeys(TWO_MASSES, FLOW - {"flow"} | {"particles"})
 MORE = {"window": {"attractor"}, "persistence": {"periodic"}}
 ROOMS["inventory"] = FLOW | {"one_one"}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}

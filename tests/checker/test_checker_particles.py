@@ -214,6 +214,10 @@ def test_conclusions_from_claims(tori, saddle, monkeypatch):
     lie(tori, "reduced_traces", [low, ["-2", "-1"]], why=r"not in \(-2, 2\)")
     for ends in (["0.5", "0.9"], ["0.6", "1"], ["0.1", "0.2"]):
         lie(tori, "theta", 0, ends, why="theta is not -")
+    plus = changed(tori, "claims", "krein_signs", 0, "+")
+    verify(changed(plus, "claims", "theta", 0, ["0.1", "0.2"]))
+    for ends in (["0", "0.2"], ["0.1", "0.5"]):
+        lie(plus, "theta", 0, ends, why=r"theta is not \+")
     for name in ("0,1", "1,-3", "4,0"):
         lie(tori, "resonance_distances", name, one, why="distance is not positive")
     lie(tori, "twist_matrix", 0, 1, ["1", "2"], why="not symmetric")

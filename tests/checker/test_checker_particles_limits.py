@@ -74,7 +74,7 @@ def test_it_is_verified(limits):
     fits_the_schema(limits)
     assert "one multiplier is -1" in line
     assert "the least speed of the orbit is 0" in line
-    assert line.endswith("no mass stops, and all these are one analytic family")
+    assert line.endswith("to one family that is analytic in m_2")
 
 
 @pytest.mark.usefixtures("at_the_ends")

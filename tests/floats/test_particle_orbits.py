@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats.particle_orbits import NotFound, continued, fixed_point, reduced_traces
+from cap.floats.particle_orbits import Continued, NotFound, continued, fixed_point, reduced_traces
 from cap.floats.particles import Particles
 from cap.parameters import PAPER
 
@@ -28,6 +28,7 @@ def test_equal_masses():
     assert z == pytest.approx(PAIR, abs=1e-4)
     assert path.least_speed == pytest.approx(0.08914, abs=1e-5)
     assert reduced_traces(path.monodromy) == pytest.approx((-0.460287, -0.460287), abs=1e-5)
+    assert Continued((), tuple(z), path).kind == "close to a double pair"
 
 
 def test_an_elliptic_orbit_at_unequal_masses():

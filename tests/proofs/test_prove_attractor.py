@@ -119,7 +119,11 @@ def test_not_long_enough(monkeypatch):
     monkeypatch.setattr(attractor, "ROUNDS", 2)
     setting = Setting(PAPER, Start(number(STORED["critical_point"]), 0.0, ()), 20)
     known = trap(PAPER, setting.start.x)
-    with pytest.raises(NotProved, match="not certain for long enough"):
+    with pytest.raises(NotProved, match="30 symbols do not decide so many digits"):
         attractor.lemma_3_entropy(setting, known, 1, 3)
+    with monkeypatch.context() as patch:
+        patch.setattr(attractor, "kneading_sequence", lambda *_: iter("RLRL"))
+        with pytest.raises(NotProved, match="not certain for long enough"):
+            attractor.lemma_3_entropy(setting, known, 1, 3)
     with pytest.raises(NotProved, match="where G' vanishes"):
         attractor.lemma_3_entropy(setting, known, -1, 3)

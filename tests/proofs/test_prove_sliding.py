@@ -118,5 +118,7 @@ def test_where_it_is_not_proved():
     with pytest.raises(NotProved, match="turns without sticking") as failed:
         proved(Particles(replace(PAPER, f=Fraction(9, 10)), (Fraction(1), Fraction(1))))
     assert "nan" not in str(failed.value)
+    with pytest.raises(NotProved, match="below the digits"):
+        proved(Particles(PAPER, (Fraction(10**30), Fraction(1))))
     with pytest.raises(BadInput, match="friction"):
         proved(Particles(replace(PAPER, f=Fraction(0)), (Fraction(1), Fraction(1))))

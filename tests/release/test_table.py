@@ -145,6 +145,9 @@ def test_borders(found):
     """Each kind is proved, with exactly one place where the events change."""
     seen = borders(found)
     assert {each.kind for each in seen if each.proved} == {"graze", "stop", "slow"}
+    others = [each.kind for each in seen if not each.proved]
+    assert set(others) <= {"horizon", "same", "capture", "unknown"}
+    assert others.count("unknown") <= 1
     assert sum(each.proved for each in seen) > 40
     for each in seen:
         assert each.lower < each.upper

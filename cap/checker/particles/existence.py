@@ -26,7 +26,7 @@ If K(Z) lies in the interior of Z, there is exactly one zero of G in Z, and it l
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -84,9 +84,27 @@ def _moves(word: str, i: int) -> int:
     return int(word == "meet 1 2" or (word == "hit l") == (i == 1))
 
 
+class Equations(NamedTuple):
+    """G of some unknowns, and its derivatives: of each G_k in its contact, and in the next one."""
+
+    value: Callable[[Sequence[Interval]], list[Interval]]
+    slopes: Callable[[Sequence[Interval]], list[tuple[Matrix, Matrix]]]
+
+
+def of_contacts(M: Mechanics, itinerary: Sequence[str]) -> Equations:
+    """Return the equations of an itinerary of contacts."""
+
+    def parts(data: Sequence[Interval]) -> list[tuple[Matrix, Matrix]]:
+        orbit = contacts(M, itinerary, data)
+        pairs = zip(orbit, arrivals(orbit, M), strict=True)
+        return [slopes(M, contact, end) for contact, end in pairs]
+
+    return Equations(lambda data: defects(M, contacts(M, itinerary, data)), parts)
+
+
 def krawczyk(
     M: Mechanics,
-    itinerary: Sequence[str],
+    equations: Equations,
     region: Sequence[Ends],
     centre: Sequence[Fraction],
     preconditioner: Sequence[Sequence[Fraction]],
@@ -101,10 +119,8 @@ def krawczyk(
     box = [Interval.enclosing(*z, M.bits) for z in region]
     middle = [M.number(c) for c in centre]
     offsets = [z - c for z, c in zip(box, middle, strict=True)]
-    G = value.G if value else defects(M, contacts(M, itinerary, middle))
-    orbit = contacts(M, itinerary, box)
-    pairs = zip(orbit, arrivals(orbit, M), strict=True)
-    parts = [slopes(M, contact, end) for contact, end in pairs]
+    G = value.G if value else equations.value(middle)
+    parts = equations.slopes(box)
     K = list[Interval]()
     for i, given in enumerate(preconditioner):
         row = [M.number(c) for c in given]

@@ -100,12 +100,22 @@ def apart(M: Mechanics, contact: Contact, end: Contact) -> None:
     """Prove that the masses do not meet inside the flight from a contact to the next one."""
     flight = M.flight(contact)
     s, other = flight.signs
-    if s != other:
-        return
-    inside = list(M.critical(s, contact.at.t, end.at.t))
-    knots = [knot(M, flight, at) for at in (contact.at, *inside, end.at)]
-    for n, met in ((0, contact), (-1, end)):
-        if met.word == "meet 1 2":
+    if s == other:
+        inside = M.critical(s, contact.at.t, end.at.t)
+        met = contact.word == "meet 1 2", end.word == "meet 1 2"
+        together(M, flight, [contact.at, *inside, end.at], met)
+
+
+def together(
+    M: Mechanics, flight: Flight, times: Sequence[Instant], met: tuple[bool, bool]
+) -> None:
+    """Prove the same for a flight in one direction, from its ends and the critical times inside.
+
+    ``met``: whether the masses meet at its ends.
+    """
+    s, knots = flight.signs[0], [knot(M, flight, at) for at in times]
+    for n in (0, -1):
+        if met[n]:
             knots[n] = knots[n]._replace(gap=M.number(0))
     touching = [k for k in knots if not k.gap.is_positive()]
     ends = (knots[0], knots[-1])

@@ -23,7 +23,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Word, region
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, Matrix, krawczyk
+from cap.checker.particles.existence import SIZE, Ends, Matrix, krawczyk, of_contacts
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
 from cap.checker.particles.orbit import approach, least_speeds
@@ -136,8 +136,8 @@ class PeriodicOrbit(Theorem):
     def krawczyk(self, M: Mechanics, region: Sequence[Ends]) -> list[Interval]:
         """Return K(region) if it lies in the interior of the region."""
         centre = [c for contact in self.hints["centre"] for c in contact]
-        words = self.claims["itinerary"]
-        return krawczyk(M, words, region, centre, self.hints["preconditioner"])
+        equations = of_contacts(M, self.claims["itinerary"])
+        return krawczyk(M, equations, region, centre, self.hints["preconditioner"])
 
     def localisation(self, M: Mechanics) -> list[Interval]:
         """Return K(S), which contains the zero."""

@@ -6,7 +6,8 @@ Let q be the second mass, z_1 > z_2 the reduced traces, m the first mass.
    in it: so there is exactly one zero z(q) of G in the box, and it is analytic in q.  The same in
    small boxes inside for q = a and q = b: they contain z(a) and z(b).
 2. *flip*: for all q in [a, b] z(q) is an orbit on which no mass stops, and z_2(a) < -2 < z_2(b),
-   while z_1 is in (-2, 2) at both.  So z_2 = -2 for some q: there a double multiplier is -1.
+   while z_1 is in (-2, 2) at both: (z_1 + 2)(z_2 + 2), a polynomial in the entries of Phi', is
+   zero for some q, where a double multiplier is -1.
 3. *stop*: for all q in [a, b] the contacts of z(q) are transversal and in order, its masses apart,
    and its velocities at contacts of the signs of their flights.  At b they have these signs at all
    critical times, at a one of them has the other sign.  So for the largest q at which the least
@@ -31,7 +32,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, arrivals, krawczyk
+from cap.checker.particles.existence import SIZE, Ends, arrivals, krawczyk, of_contacts
 from cap.checker.particles.family import Family, moved, with_second
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
@@ -77,7 +78,8 @@ class ParticlesLimits(Theorem):
         Field("itinerary", listed(Word(tuple(NORMALS))), "", "",
               "all contacts in (0, T), in their order"),
         Field("flip", Quantity("m"), "a multiplier is -1 at m_2 =", "m_2",
-              "contains a second mass with the multiplier -1: above it is elliptic, below not"),
+              "contains a second mass with the multiplier -1; elliptic at its upper end, not at "
+              "the lower one"),
         Field("stop", Quantity("m"), "a mass stops at m_2 =", "m_2",
               "contains a second mass with the least speed 0"),
     )
@@ -133,7 +135,7 @@ class ParticlesLimits(Theorem):
     ) -> tuple[Mechanics, list[Contact]]:
         """Return the system with this second mass and its zero in a small box, proved."""
         M = Mechanics(with_second(self.p, mass), self.hints["bits"])
-        K = krawczyk(M, self.words_of, self.around(centre, radius), centre, rows)
+        K = krawczyk(M, of_contacts(M, self.words_of), self.around(centre, radius), centre, rows)
         return M, contacts(M, self.words_of, K)
 
     def crossing(self, name: str) -> Crossing:
@@ -145,7 +147,7 @@ class ParticlesLimits(Theorem):
         for centre in (lower, upper):
             need(lies_in(self.around(centre, radius), box), "a small box is not in the large one")
         family = Family(self.p, (claim.lower, claim.upper), self.hints["bits"])
-        K = krawczyk(family, self.words_of, box, upper, rows)
+        K = krawczyk(family, of_contacts(family, self.words_of), box, upper, rows)
         pairs = ((claim.lower, lower), (claim.upper, upper))
         ends = [self.zero(mass, centre, radius, rows) for mass, centre in pairs]
         self.step(f"for each mass of {name} there is exactly one zero of G in the box")
@@ -206,7 +208,7 @@ class ParticlesLimits(Theorem):
         bits, family = self.hints["bits"], Family(self.p, second, self.hints["bits"])
         value = moved(self.p, second, self.words_of, [family.number(c) for c in centre], bits)
         rows = self.rows((second[0] + second[1]) / 2)
-        K = krawczyk(family, self.words_of, box, centre, rows, value)
+        K = krawczyk(family, of_contacts(family, self.words_of), box, centre, rows, value)
         orbit = contacts(family, self.words_of, K)
         no_other_contacts(family, orbit)
         rates = family.inner_rates(orbit, family.rates(orbit, rows))
@@ -268,12 +270,13 @@ _LIMITS = (
     "m_i x_i'' = F cos(omega t) - f sgn x_i', i = 1, 2, with m_1 = {m[0]}, F = {F}, omega = "
     "{omega}, f = {f}, {l} <= x_1 <= x_2 <= {r}, elastic walls and elastic collisions, and the "
     "contacts {contacts} in a period T = 2 pi/omega: for each m_2 in {flip} there is exactly one "
-    "T-periodic orbit with these contacts in a box, no mass stops on it, at the upper end it is "
+    "T-periodic orbit on which no mass stops with these contacts in a box, at the upper end it is "
     "elliptic and at the lower end not, and for some m_2 in between one multiplier is -1; for each "
     "m_2 in {stop} the equations of the flights between these contacts have exactly one solution "
     "in a box, an orbit on which no mass stops at the upper end, and for some m_2 in between the "
-    "least speed of the orbit is 0; for each m_2 between the two intervals there is an orbit on "
-    "which no mass stops, and all these are one analytic family"
+    "least speed of the orbit is 0; for each m_2 between the two intervals the equations have a "
+    "solution, alone in a box of its own, an orbit on which no mass stops, and these join those of "
+    "the two intervals to one family that is analytic in m_2"
 )
 
 THEOREM = ParticlesLimits
