@@ -1,11 +1,12 @@
 """The orbits of two masses for all second masses q between two, in cells: nobody stops on them.
 
 In a cell [a, b] of masses there is one zero z(q) of the equations for each q, and z' = dz/dq is
-enclosed.  A velocity s v(t_s) at a slow moment t_s of a flight from the event k has the derivative
+enclosed.  A velocity s v(t_s) at a critical moment t_s of a flight from the event k has, along the
+family, the derivative
 
     s (-a_k t_k' + (C v_k')_i + (dC/dq v_k)_i - [i = 2] (gain by the forces)/q)
 
-along the family, a_k the acceleration at its start.  If the velocity is w > 0 for q = a, it is at
+with a_k the acceleration at its start.  If the velocity is w > 0 for q = a, it is at
 least w + (q - a) min w' for q in the cell.
 """
 
@@ -21,15 +22,17 @@ from cap.particles import equations, flights
 from cap.particles.family import Family
 from cap.particles.model import Event, Model, events_of
 from cap.proofs.fixed_point import Setting
-from cap.proofs.particle_orbit import problem_of, units_of
+from cap.proofs.particle_orbit import inverse_of, problem_of, units_of
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-WIDEST, NARROWEST = Fraction(1, 400), Fraction(1, 20000)  # cells, of the first mass
-REACH_OF_CELLS = Fraction(8, 5)  # half-width of the box, of the width of the cell: see `_box`
+WIDTH, NARROWEST = Fraction(1, 620), Fraction(1, 20000)  # of cells, of the first mass
+REACH_OF_CELLS = Fraction(2)  # half-width of the box, of the width of the cell: see `_box`
 SPARE = Fraction(19, 20)  # part of this box that suffices, so that the checker can follow
 NODE = Fraction(1, 10**8)  # half-width of the box of a node
-MOST = 60  # nodes
+MOST = 65  # nodes with both ends, so that the checker reads them
+
+Rows = tuple[tuple[Fraction, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -44,17 +47,34 @@ class Solved:
 
 @dataclass(frozen=True)
 class Line:
-    """The masses from ``above`` down to ``below``, with preconditioners for all of them."""
+    """The masses from ``above`` down to ``below``, with a preconditioner for their middle."""
 
     above: Solved
     below: Solved
+    middle: Rows
 
-    def preconditioner(self, mass: Fraction) -> tuple[tuple[Fraction, ...], ...]:
-        """Return what is linear in the mass, and right at both ends."""
-        part = (self.above.mass - mass) / (self.above.mass - self.below.mass)
-        pairs = zip(self.above.hint.matrix, self.below.hint.matrix, strict=True)
+    @classmethod
+    def between(cls, setting: Setting, above: Solved, below: Solved) -> "Line":
+        """Return the line; a zero near the middle is found with the preconditioner of an end."""
+        m, contacts = above.model.masses[0], tuple(event.contact for event in above.events)
+        mass = round((above.mass + below.mass) / 2, 8 - interval.decade(m))
+        problem = problem_of(Model(setting.parameters, (m, mass)), contacts)
+        pairs = zip(above.hint.centre, below.hint.centre, strict=True)
+        guess, places = [(a + b) / 2 for a, b in pairs], places_of(setting, len(above.hint.centre))
+        near = zero.refined(problem, guess, above.hint.matrix, places)
+        return cls(above, below, tuple(map(tuple, inverse_of(problem.slope(near.point)))))
+
+    def preconditioner(self, mass: Fraction) -> Rows:
+        """Return what is quadratic in the mass, and right at both ends and in the middle."""
+        t = (self.above.mass - mass) / (self.above.mass - self.below.mass)
+        weights = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
+        matrices = self.above.hint.matrix, self.middle, self.below.hint.matrix
         return tuple(
-            tuple(a + (b - a) * part for a, b in zip(*rows, strict=True)) for rows in pairs
+            tuple(
+                sum((w * q for w, q in zip(weights, entries, strict=True)), Fraction(0))
+                for entries in zip(*rows, strict=True)
+            )
+            for rows in zip(*matrices, strict=True)
         )
 
 
@@ -63,25 +83,29 @@ def family(setting: Setting, line: Line) -> list[Solved]:
 
     Returns the nodes between the cells.  Cells are halved until they succeed.
     """
-    nodes = [*_divided(setting, line, (line.above, line.below))][:-1]
-    if len(nodes) > MOST:
-        raise NotProved("Lemma 3", f"more than {MOST} cells of masses are needed", {})
-    return nodes
+    m, length = line.above.model.masses[0], line.above.mass - line.below.mass
+    count, nodes = -(-length // (m * WIDTH)), [line.above]
+    for k in range(1, count + 1):
+        mass = round(line.above.mass - length * k / count, 8 - interval.decade(m))
+        below = line.below if k == count else _node(setting, line, mass, nodes[-1])
+        nodes += _divided(setting, line, (nodes[-1], below))
+        if len(nodes) > MOST:
+            raise NotProved("Lemma 3", f"more than {MOST} cells of masses are needed", {})
+    return nodes[1:-1]
 
 
 def _divided(setting: Setting, line: Line, ends: tuple[Solved, Solved]) -> Iterator[Solved]:
     """Give the lower ends of the cells between two zeros."""
     above, below = ends
     m, width = above.model.masses[0], above.mass - below.mass
-    if width < m * WIDEST:
-        try:
-            _cell(setting, line, ends)
-        except NotProved:
-            if width < m * NARROWEST:
-                raise
-        else:
-            yield below
-            return
+    try:
+        _cell(setting, line, ends)
+    except NotProved:
+        if width < m * NARROWEST:
+            raise
+    else:
+        yield below
+        return
     middle = round((above.mass + below.mass) / 2, 8 - interval.decade(m))
     node = _node(setting, line, middle, above)
     yield from _divided(setting, line, (above, node))
@@ -93,10 +117,15 @@ def _node(setting: Setting, line: Line, mass: Fraction, near: Solved) -> Solved:
     model = Model(setting.parameters, (near.model.masses[0], mass))
     contacts = tuple(event.contact for event in near.events)
     problem, units = problem_of(model, contacts), units_of(setting, len(near.hint.centre))
-    places = [10 - interval.decade(unit) for unit in units]
+    places = places_of(setting, len(units))
     hint = zero.refined(problem, near.hint.centre, line.preconditioner(mass), places)
     box = problem.isolate(hint, [NODE * unit for unit in units])
     return Solved(mass, hint, model, events_of(model, contacts, box))
+
+
+def places_of(setting: Setting, size: int) -> list[int]:
+    """Return the decimals of the hints of nodes."""
+    return [10 - interval.decade(unit) for unit in units_of(setting, size)]
 
 
 def _cell(setting: Setting, line: Line, ends: tuple[Solved, Solved]) -> None:
@@ -135,12 +164,12 @@ def _nobody_stops(
     moving: Sequence[Ball],
     masses: tuple[Ball, Fraction],
 ) -> None:
-    """Prove that all velocities at slow moments are positive, from those at the lower end."""
+    """Prove that all velocities at critical moments are positive, from those at the lower end."""
     q, width = masses
-    slow = flights.slow_moments(model, events)
-    least = flights.slow_moments(below.model, below.events)
+    slow = flights.critical_moments(model, events)
+    least = flights.critical_moments(below.model, below.events)
     if [(each.number, each.i) for each in slow] != [(each.number, each.i) for each in least]:
-        raise NotProved("Lemma 3", "a slow moment may be at an event", {})
+        raise NotProved("Lemma 3", "a speed may be critical at an event", {})
     for each, end in zip(slow, least, strict=True):
         rate = _rate(each, moving, q)
         if not (end.speed > 0 and (rate > 0 or end.speed + rate * interval.ball(width) > 0)):
@@ -148,7 +177,7 @@ def _nobody_stops(
             raise NotProved("Lemma 3", "a mass may stop for some mass of a cell", sets)
 
 
-def _rate(slow: flights.Slow, moving: Sequence[Ball], q: Ball) -> Ball:
+def _rate(slow: flights.Critical, moving: Sequence[Ball], q: Ball) -> Ball:
     """Return the derivative of a velocity at a slow moment along the family."""
     leg, i, model = slow.leg, slow.i, slow.leg.model
     n, start, o = model.n, leg.start, model.oscillators[i]

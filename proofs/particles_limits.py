@@ -22,7 +22,7 @@ masses m_2, a box for each, and one itinerary, such that
 Proof.  Krawczyk's inclusion for all m_2 of an interval at once, and for both its ends, in smaller
 boxes inside; the reduced traces and the least speeds depend continuously on m_2.  For (iii) the
 masses between are divided into cells; neighbouring cells have the solution at the node between them
-in common.  Velocities at slow moments are positive by the mean value theorem: from that at the
+in common.  Velocities at critical moments are positive by the mean value theorem: from that at the
 lower end of a cell, and their derivatives by m_2 along the family.
 """
 
@@ -81,7 +81,8 @@ def prove(setting: Setting) -> Proof:
     strings["masses"] = [str(mass)] * 2
     with interval.workprec(setting.bits):
         flip, stop = lemma_1_flip(setting, guess), lemma_2_stop(setting, last)
-        between = lemma_3_family(setting, flip, stop)
+        line = Line.between(setting, flip.lower, stop.upper)
+        between = lemma_3_family(setting, line)
         claims = {
             "itinerary": [word for word, *_ in guess.events],
             "flip": _claim(setting, mass, flip),
@@ -93,6 +94,7 @@ def prove(setting: Setting) -> Proof:
             "reach": interval.exact_decimal(REACH),
             "flip": _hints(flip),
             "stop": _hints(stop),
+            "middle": [[interval.exact_decimal(q) for q in row] for row in line.middle],
             "nodes": [
                 {"mass": interval.exact_decimal(node.mass), "centre": by_event(node.hint)}
                 for node in between
@@ -122,9 +124,9 @@ def lemma_2_stop(setting: Setting, guess: Guess) -> Crossing:
     least near the guess, at both ends; contacts over all masses, and all speeds at the upper end.
     """
     near = _solved(setting, guess.masses, guess, None)
-    speeds = [slow.speed for slow in flights.slow_moments(near.model, near.events)]
+    speeds = [slow.speed for slow in flights.critical_moments(near.model, near.events)]
     slowest = min(range(len(speeds)), key=lambda k: interval.midpoint(speeds[k]))
-    crossing = _crossing(setting, guess, lambda m, e: flights.slow_moments(m, e)[slowest].speed)
+    crossing = _crossing(setting, guess, lambda m, e: flights.critical_moments(m, e)[slowest].speed)
     flights.no_other_contacts(crossing.family, crossing.events)
     flights.speeds_at_events(crossing.family, crossing.events)
     flights.signs_are_conserved(crossing.family, crossing.events)
@@ -132,11 +134,11 @@ def lemma_2_stop(setting: Setting, guess: Guess) -> Crossing:
     return crossing
 
 
-def lemma_3_family(setting: Setting, flip: Crossing, stop: Crossing) -> list[Solved]:
+def lemma_3_family(setting: Setting, line: Line) -> list[Solved]:
     """*Statement.* (iii).  *Computed.* See `cap.proofs.particle_cells`; the preconditioner is
-    interpolated between those of (i) and (ii).
+    interpolated between those of (i), (ii) and of the middle.
     """
-    return family(setting, Line(flip.lower, stop.upper))
+    return family(setting, line)
 
 
 def _beyond_minus_one(model: Model, events: Sequence[Event]) -> Ball:

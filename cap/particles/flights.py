@@ -60,8 +60,8 @@ def no_other_contacts(model: Model, events: Sequence[Event]) -> None:
             _stay_apart(leg, i, number)
 
 
-class Slow(NamedTuple):
-    """A slow moment of the mass ``i``, certainly inside of the ``leg`` of this number."""
+class Critical(NamedTuple):
+    """A moment with cos ωt = s f/F, certainly inside of the ``leg`` of this number; the mass i."""
 
     leg: Leg
     number: int
@@ -75,20 +75,20 @@ class Slow(NamedTuple):
         return Ball(s * o.velocity(self.leg.flights[self.i], self.at))
 
 
-def slow_moments(model: Model, events: Sequence[Event]) -> list[Slow]:
-    """Return the slow moments inside of flights; raise `NotProved` if one may be at an event."""
+def critical_moments(model: Model, events: Sequence[Event]) -> list[Critical]:
+    """Return the critical moments inside of flights: s v is monotone between them.
+
+    Raises `NotProved` if one may be at an event.
+    """
     found = []
     for number, leg in enumerate(legs_of(model, events)):
-        for i, (o, s) in enumerate(zip(model.oscillators, leg.signs, strict=True)):
-            start, end = leg.start.at.t, leg.arrival.t
-            for k in slow_numbers(o, s, start, end):
-                slow = o.slow(s, k)
-                if slow.t < start or slow.t > end:
-                    continue
-                if not start < slow.t < end:
-                    sets = {"slow moment": slow.t, "flight from": start, "to": end}
-                    raise NotProved("flight", "a slow moment may be at an event", sets)
-                found.append(Slow(leg, number, i, slow))
+        for i, s in enumerate(leg.signs):
+            start, *inside, end = _inflections(leg, s)
+            for at in inside:
+                if not start.t < at.t < end.t:
+                    sets = {"critical": at.t, "flight from": start.t, "to": end.t}
+                    raise NotProved("flight", "a speed may be critical at an event", sets)
+                found.append(Critical(leg, number, i, at))
     return found
 
 

@@ -115,6 +115,7 @@ def test_hints_of_the_ends(limits):
         rows = limits["hints"][name]["preconditioner"]
         rejected(changed(limits, "hints", name, "preconditioner", rows[::-1]), "interior")
         rejected(changed(limits, "hints", name, "preconditioner", rows[:-1]), "32 rows")
+        rejected(changed(limits, "hints", "middle", rows[:-1]), "32 rows")
         fewer = limits["hints"][name]["upper"][:-1]
         rejected(changed(limits, "hints", name, "upper", fewer), "not a list of 8")
     rejected(changed(limits, "hints", "reach", limits["hints"]["radius"]), "not in the large one")
@@ -173,6 +174,7 @@ def test_nodes(limits):
     rejected(changed(limits, "hints", "cell_reach", "50"), r"interior|not certain|may stop")
     rejected(changed(limits, "hints", "node_radius", "1/100"), r"interior|may not be in the box")
     rejected(changed(limits, "hints", "node_radius", "-1"), "not positive")
+    rejected(changed(limits, "hints", "middle", limits["hints"]["middle"][::-1]), "interior")
 
 
 @pytest.mark.usefixtures("in_between")

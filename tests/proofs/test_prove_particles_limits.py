@@ -82,7 +82,7 @@ class Unseen:
 
 def test_cells_that_are_too_wide(monkeypatch):
     """Where Krawczyk's inclusion fails for all widths, the family is not proved."""
-    monkeypatch.setattr(particle_cells, "WIDEST", Fraction(1, 20))
+    monkeypatch.setattr(particle_cells, "WIDTH", Fraction(1, 20))
     monkeypatch.setattr(particle_cells, "NARROWEST", Fraction(1, 40))
     with pytest.raises(NotProved, match=r"Krawczyk|a velocity may vanish"):
         particles_limits.prove(setting())

@@ -67,6 +67,7 @@ class ParticlesLimits(Theorem):
         Field("radius", number, "", "", "of the small boxes around them, in (1/omega, R, R omega, "
               "R omega) for each contact"),
         Field("reach", number, "", "", "of the boxes of flip and stop, around the upper ends"),
+        Field("middle", ROWS, "", "", "a matrix near the inverse of G' between them"),
         Field("nodes", Many({"mass": number, "centre": POINT}, 0, MOST_NODES), "", "",
               "masses between flip and stop, falling, with the contacts"),
         Field("node_radius", number, "", "", "of the small boxes around them"),
@@ -101,10 +102,10 @@ class ParticlesLimits(Theorem):
         points = [hints[name][end] for name in ("flip", "stop") for end in ("lower", "upper")]
         points += [node["centre"] for node in hints["nodes"]]
         need(all(len(point) == count for point in points), f"a hint is not a list of {count}")
-        for name in ("flip", "stop"):
-            rows, size = hints[name]["preconditioner"], SIZE * count
+        matrices, size = [hints[name]["preconditioner"] for name in ("flip", "stop")], SIZE * count
+        for rows in (*matrices, hints["middle"]):
             whole = len(rows) == size and all(len(row) == size for row in rows)
-            need(whole, f"hints.{name}.preconditioner is not a matrix of {size} rows and columns")
+            need(whole, f"a hint is not a matrix of {size} rows and columns")
         work = hints["bits"] * count**2 * len(points)
         need(work <= MOST_WORK, f"bits, contacts and nodes are too much: {work} > {MOST_WORK}")
 
@@ -222,12 +223,13 @@ class ParticlesLimits(Theorem):
             )
 
     def rows(self, mass: Fraction) -> list[Rational]:
-        """Return what is linear in the mass, and the preconditioners at flip and stop."""
+        """Return what is quadratic in the mass: given at flip, in the middle, and at stop."""
         above, below = self.claims["flip"].lower, self.claims["stop"].upper
-        part = (above - mass) / (above - below)
-        ends = (self.hints[name]["preconditioner"] for name in ("flip", "stop"))
-        pairs = zip(*ends, strict=True)
-        return [[a + (b - a) * part for a, b in zip(*rows, strict=True)] for rows in pairs]
+        t = (above - mass) / (above - below)
+        first, last = (self.hints[name]["preconditioner"] for name in ("flip", "stop"))
+        u, v, w = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
+        triples = zip(first, self.hints["middle"], last, strict=True)
+        return [[u * a + v * b + w * c for a, b, c in zip(*rows, strict=True)] for rows in triples]
 
     def words(self) -> str:
         """Return the theorem in one line."""
