@@ -37,7 +37,8 @@ class Setting:
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
     Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
-    A theorem on several masses starts from ``particles``.
+    A theorem on several masses starts from ``particles``.  Of states up to a ``speed``, leaves are
+    cut at most ``cuts`` times; None: as the theorem likes.
     """
 
     parameters: Parameters
@@ -49,6 +50,8 @@ class Setting:
     f_range: tuple[Fraction | None, Fraction | None] = (None, None)
     runner: Runner = field(default_factory=Runner, compare=False)
     particles: Guess | None = None
+    speed: Fraction | None = None
+    cuts: int | None = None
 
     @property
     def units(self) -> Units:

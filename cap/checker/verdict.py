@@ -8,14 +8,17 @@ from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.theorems import load
 
 
-def check(data: bytes, step: Callable[[str], None]) -> Certificate:
+def check(data: bytes, step: Callable[[str], None], jobs: int = 1) -> Certificate:
     """Return the certificate if its theorem is proved; otherwise raise an exception.
 
-    Each step is reported in one line when it is done.
+    Each step is reported in one line when it is done.  With ``jobs`` > 1 a long proof may use as
+    many processes.
     """
     certificate = read(data)
     step(f"the certificate has the form of the theorem '{certificate.theorem}'")
-    load(certificate.theorem)(certificate, step).prove()
+    theorem = load(certificate.theorem)(certificate, step)
+    theorem.jobs = jobs
+    theorem.prove()
     return certificate
 
 

@@ -71,12 +71,25 @@ def parser() -> Parser:
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
     p.add_argument("--from", dest="lowest", metavar="Q", help="branch, attractor: for f from here")
     p.add_argument("--to", dest="highest", metavar="Q", help="branch, attractor: for f up to here")
-    p.add_argument("--jobs", default="1", metavar="N", help="the same: processes (default 1)")
+    p.add_argument("--speed", metavar="Q", help="mixed: for states |v| < Q (default 3/2 R omega)")
+    p.add_argument(
+        "--cuts",
+        metavar="N",
+        help="mixed: leaves are cut in halves N times on average, 1 to 9 (default 2); one more "
+        "doubles the time",
+    )
+    p.add_argument(
+        "--jobs",
+        default="1",
+        metavar="N",
+        help="on a range of f, conservative, mixed: processes (default 1)",
+    )
     p.add_argument(
         "--journal",
         type=Path,
         metavar="FILE",
-        help="the same: a file of what is done, from which an interrupted proof goes on",
+        help="on a range of f, conservative: a file of what is done, from which an interrupted "
+        "proof goes on",
     )
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
@@ -118,6 +131,8 @@ class Asked:
     jobs: int
     journal: Path | None
     out: Path
+    speed: Fraction | None = None
+    cuts: int | None = None
 
     @classmethod
     def of(cls, options: argparse.Namespace, progress: Callable[[str], None]) -> "Asked":
@@ -141,6 +156,8 @@ class Asked:
             integer(options.jobs, "jobs", (1, 1024), 4),
             options.journal,
             options.out,
+            _positive(options.speed),
+            None if options.cuts is None else integer(options.cuts, "cuts", (1, 9), 1),
         )
         asked._fits()
         if asked.journal:
@@ -169,6 +186,8 @@ class Asked:
             f_range=self.f_range,
             runner=runner,
             particles=candidate.particles,
+            speed=self.speed,
+            cuts=self.cuts,
         )
 
     @property
@@ -196,11 +215,18 @@ class Asked:
 
     def _fits(self) -> None:
         """Raise `BadInput` for options of other theorems, or that exclude each other."""
-        theorem, over_f = self.request.kind, (self.jobs > 1, self.journal, any(self.f_range))
+        theorem = self.request.kind
+        over_f = THEOREMS[theorem].over_f == theorem
         if self.request.every and (self.request.orbit or self.into_a_file):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
-        if THEOREMS[theorem].over_f != theorem and any(over_f):
-            raise BadInput("--jobs, --journal, --from and --to are for theorems on a range of f")
+        if any(self.f_range) and not over_f:
+            raise BadInput("--from and --to are for theorems on a range of f")
+        if self.journal and not (over_f or theorem == "conservative"):
+            raise BadInput("--journal is for theorems on a range of f, and for conservative")
+        if self.jobs > 1 and not (over_f or theorem in ("conservative", "mixed")):
+            raise BadInput("--jobs is for theorems on a range of f, for conservative and mixed")
+        if theorem != "mixed" and (self.speed is not None or self.cuts is not None):
+            raise BadInput("--speed and --cuts are for the theorem mixed")
         if self.order and theorem != "elliptic":
             raise BadInput("--order is for the theorem elliptic")
         if self.request.masses and "masses" not in load(theorem).PARAMETERS:
@@ -258,6 +284,15 @@ def _range(options: argparse.Namespace) -> Range:
     if any(a >= b for a, b in pairwise(ends)):
         raise BadInput("the range must be 0 < from < to")
     return low, high
+
+
+def _positive(word: str | None) -> Fraction | None:
+    """Return a positive number, if one is given."""
+    if word is None:
+        return None
+    if exact(word) <= 0:
+        raise BadInput(f"--speed must be positive: {word.strip()}")
+    return exact(word)
 
 
 def _try(path: Path, *, directory: bool = False) -> None:

@@ -59,6 +59,13 @@ def _parser() -> Parser:
         help="list the files that prove this theorem, in the order to read them, with their lines "
         f"of code and of mathematics; one of: {', '.join(NAMES)}",
     )
+    parser.add_argument(
+        "--jobs",
+        type=_processes,
+        default=1,
+        metavar="N",
+        help="processes for theorems that take long (mixed; default 1)",
+    )
     parser.add_argument("--explain", action="store_true", help="print every step of the proof")
     parser.add_argument(
         "--formal",
@@ -90,6 +97,13 @@ def _reading(theorem: str) -> int:
     return 0
 
 
+def _processes(text: str) -> int:
+    """Return a number of processes."""
+    if not (text.isascii() and text.isdigit() and len(text) <= 4 and 1 <= int(text) <= 1024):
+        raise argparse.ArgumentTypeError("an integer from 1 to 1024 is needed")
+    return int(text)
+
+
 def _digits(text: str) -> int:
     """Return a number of digits."""
     if not (text.isascii() and text.isdigit() and len(text) <= 4 and 2 <= int(text) <= 1000):
@@ -101,7 +115,7 @@ def _verify(name: str, options: argparse.Namespace) -> bool:
     """Verify one file, print the verdict, and return whether it is verified."""
     steps, definitions = list[str](), list[str]()
     try:
-        certificate = check(content(Path(name)), steps.append)
+        certificate = check(content(Path(name)), steps.append, options.jobs)
         if options.latex:
             from cap.certificate.latex import macros  # noqa: PLC0415 (for people, if they ask)
 

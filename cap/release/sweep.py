@@ -14,7 +14,8 @@ from cap.runner import Runner
 
 FIRST = 512  # cells
 LEVELS = 44  # halvings
-CLOSE = 1e-4  # of R: G is known as well as that where the events near a wall are not
+CLOSE = 1e-4  # of R: G is known as well as that where the events near a wall are not known,
+FAR, NARROW = 1e-2, 2.0**-18  # of R: or only as well as that on cells as narrow as this
 SHARE = 8  # a gap may have this part of what may be left, divided by the number of gaps
 STUBBORN = 64  # cells in a row that stay undecided: where they are small doubles do not suffice
 SMALL = 2.0**-24  # of R
@@ -27,7 +28,7 @@ def swept(p: Parameters, periods: int, allowed: Fraction, runner: Runner) -> lis
     cells, rows = _first(p), list[Row]()
     for _ in range(LEVELS):
         found = _passages(p, cells, periods, runner)
-        open_ = _undecided(found, CLOSE * float(p.R))
+        open_ = _undecided(found, cells, float(p.R))
         rows += _rows(p, cells[~open_], found, np.flatnonzero(~open_))
         cells = cells[open_]
         left = float((cells[:, 1] - cells[:, 0]).sum())
@@ -59,9 +60,10 @@ def _passages(p: Parameters, cells: Floats, periods: int, runner: Runner) -> Pas
     return Passages(*(np.concatenate([getattr(part, name) for part in done]) for name in names))
 
 
-def _undecided(found: Passages, close: float) -> NDArray[np.bool_]:
+def _undecided(found: Passages, cells: Floats, R: float) -> NDArray[np.bool_]:
     """Return which cells are not decided."""
-    wide = found.value[:, 1] - found.value[:, 0] > close
+    narrow = cells[:, 1] - cells[:, 0] < NARROW * R
+    wide = found.value[:, 1] - found.value[:, 0] > np.where(narrow, FAR, CLOSE) * R
     both = found.maybe & (1 << HIT_R | 1 << HIT_L) == 1 << HIT_R | 1 << HIT_L
     unclear = (found.verdict == SETTLED) & (wide | both)
     return np.asarray((found.verdict == UNDECIDED) | unclear)

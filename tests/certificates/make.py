@@ -8,10 +8,16 @@ them.
 
 import copy
 import json
+import sys
 from fractions import Fraction
 from pathlib import Path
 
 HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE.parent))
+
+
+from checker import mixed_small  # noqa: E402
+
 STORED = HERE.parent.parent / "certificates"
 
 
@@ -149,6 +155,20 @@ def attracting(sink):
         put("reject", name, sink, ("claims", *change))
 
 
+def mixed(true):
+    """Write shares that are too good, a box that is another, an interval that G does not keep."""
+    share = true["claims"]["shares"]["attractor"]
+    larger = [f"{float(share[0]) + 1e-4:.6f}", share[1]]
+    leaves = true["hints"]["leaves"].replace("4", "-")
+    for name, *change in (
+        ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
+        ("mixed_leaves_dropped", "hints", "leaves", leaves),
+        ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
+        ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),
+    ):
+        put("reject", name, true, tuple(change))
+
+
 def malformed(saddle):
     """Write what is no certificate."""
     good = json.dumps(saddle, indent=1)
@@ -187,4 +207,5 @@ if __name__ == "__main__":
     lighter(load("particles_limits.json"))
     released(load("window-1.json"), load("entropies-1.json"), load("cascade-1.json"))
     attracting(load("particles_sink.json"))
+    mixed(mixed_small.certificate())
     malformed(load("saddle-2.json"))

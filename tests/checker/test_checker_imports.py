@@ -16,11 +16,15 @@ MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.chec
 STORED = Path(__file__).parents[2] / "certificates"
 FLOW = {"kernel", "flow", "theorems", "verdict"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
-ROOMS["impulse"] = FLOW - {"flow"}
+ROOMS |= {"impulse": FLOW - {"flow"}, "mixed": FLOW | {"folded"}}
+ROOMS |= {"inventory": FLOW | {"one_one"}}
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, FLOW - {"flow"} | {"particles"})
-MORE = {"window": {"attractor"}, "persistence": {"periodic"}}
-ROOMS["inventory"] = FLOW | {"one_one"}
+MORE = {
+    "window": {"attractor"},
+    "persistence": {"periodic"},
+    "mixed": {"attractor", "segment"},
+}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 

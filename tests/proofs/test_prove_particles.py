@@ -149,7 +149,7 @@ def test_no_orbit_near_the_guess():
         with pytest.raises(NotProved, match=reason):
             theorem.prove(replace(asked, particles=guess))
     with pytest.raises(NotProved, match="beyond floats"):
-        particle_orbit._inverse([[interval.ball(1), interval.ball(1)]] * 2)
+        particle_orbit.inverse_of([[interval.ball(1), interval.ball(1)]] * 2)
     with pytest.raises(BadInput, match="about two masses"):
         theorem.prove(replace(asked, particles=None))
 

@@ -113,6 +113,27 @@ def test_against_balls(p):
     assert known > 8
 
 
+@pytest.mark.parametrize("p", SYSTEMS[1:], ids=["lossy", "viscous", "narrow"])
+def test_other_systems(p, monkeypatch):
+    """Branches and gaps make up [l, r]; floats agree; borders are proved."""
+    monkeypatch.setattr(remainder, "MOST", 0)
+    found = table(p, 2, Fraction(1, 10**5))
+    assert found.undecided + sum(b.length for b in found.branches) == p.R
+    assert found.undecided < p.R / 1000
+    places = np.random.default_rng(3).uniform(float(p.l), float(p.r), 400)
+    floats, seen = images(p, places), 0
+    for k, x in enumerate(places.tolist()):
+        branch = found.at(Fraction(x))
+        if branch is None or not branch.half_periods:
+            continue
+        seen += 1
+        assert floats.half_periods[k] == branch.half_periods
+        low, high = branch.value
+        assert low - 1e-9 <= floats.value[k] <= high + 1e-9
+    assert seen > 100
+    assert any(each.proved for each in borders(found))
+
+
 def test_a_cell_with_a_border_is_undecided():
     """Across the end of a branch nothing is known, near it all."""
     edge = -0.3871770

@@ -71,6 +71,7 @@ class Theorem(ABC):
     HINTS: ClassVar[Table]
     CLAIMS: ClassVar[Table]
     CITES: ClassVar[tuple[Citation, ...]] = ()
+    jobs: int = 1  # processes that a long proof may use
 
     def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
         self.certificate, self.step = certificate, step

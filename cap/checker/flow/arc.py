@@ -1,0 +1,243 @@
+"""Arcs of launches, and their images after one flight, to the second order.
+
+Units: F = omega = 1.  A *launch* (t, E) leaves a wall at the time t with the speed u > 0, E =
+u^2/2.  With s in [-1, 1] an *arc* is the curve t = t_0 + t_1 s, E = e_0 + e_1 s + e_2 s^2.
+
+*A flight* over the distance R against the friction f (f < 0: backward in time) has
+
+    v(T) = u + sin T - sin t - f (T - t),
+    x(T) = u (T - t) + cos t - cos T - (T - t) sin t - f (T - t)^2/2.
+
+v has its local minima at T = 2 pi k - arccos f.  So v > 0 from t to T if it is at both ends and at
+these times between them.  If then x(T) = R, T is when the other wall is hit, with the speed V =
+v(T): in the mirror image (t, E) becomes (T + pi, V^2/2).
+
+*Derivatives.*  On an arc, ' being d/ds, a = cos t - f, A = cos T - f, d = T - t,
+
+    T' = N/V,   N = (u + d a) t' - d u',                     V' = u' + A T' - a t',
+    T'' = (N' - V' T')/V,                                    V'' = u'' + A T'' + A' T' - a' t',
+    N' = (u' + d' a + d a') t' - d' u' - d u'',              a' = -t' sin t,   A' = -T' sin T,
+
+and at a fixed time T, v' = u' - a t', v'' = u'' + t'^2 sin t, x' = d u' - (u + d a) t',
+x'' = d u'' - 2 t' u' + (a + d sin t) t'^2.
+
+*Where T is.*  At s = 0 let r = |x(T_0) - R| for a guess T_0.  As |v'| <= 1 + |f| in time, v > V/2
+within D = 2 r/V of T_0 if (1 + |f|) D <= V/2, so x = R within D.  On the arc, let |T'| <= m
+whenever |T - T_0| <= b.  If D + m <= b, then T never leaves this interval: |T - T_0| <= D + m |s|.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import NamedTuple
+
+from cap.checker.kernel.doubles import PI, Double, cos_sin
+from cap.checker.kernel.rejection import Rejected, need
+
+ATTEMPTS = 4  # to find an interval for T
+SPAN = 40.0  # the longest flight that is followed
+
+Taylor = tuple[Double, Double, Double]
+"""Value and first derivative at s = 0, and second derivative over the whole arc."""
+
+
+def least(z: Taylor) -> float:
+    """Return a number below all values on the arc: z(s) >= z(0) - |z'(0)| + min(z'', 0)/2."""
+    bend = min(0.0, z[2].lower) / 2
+    return (z[0] - z[1].magnitude + bend).lower
+
+
+def negative(z: Taylor) -> Taylor:
+    """Return -z."""
+    return -z[0], -z[1], -z[2]
+
+
+class Arc(NamedTuple):
+    """t = t_0 + t_1 s, E = e_0 + e_1 s + e_2 s^2 for s in [-1, 1]."""
+
+    t: Double
+    dt: Double
+    e: Double
+    e1: Double
+    e2: Double
+
+    def halves(self) -> tuple[Arc, Arc]:
+        """Return the arcs s <= 0 and s >= 0."""
+        dt, e1, e2 = self.dt * 0.5, self.e1 * 0.5, self.e2 * 0.25
+        slope = self.e2 * 0.5
+        return (
+            Arc(self.t - dt, dt, self.e - e1 + e2, e1 - slope, e2),
+            Arc(self.t + dt, dt, self.e + e1 + e2, e1 + slope, e2),
+        )
+
+
+class Point(NamedTuple):
+    """A launch and its derivatives along an arc, at one s or over all."""
+
+    t: Double
+    cos: Double
+    sin: Double
+    u: Double
+    du: Double
+    d2u: Double
+
+
+def _point(t: Double, energy: Double, slope: Double, bend: Double) -> Point:
+    """Return it: u = sqrt(2 E), u' = E'/u, u'' = (E'' - u'^2)/u."""
+    u = (energy * 2.0).sqrt()
+    du = slope / u
+    return Point(t, *cos_sin(t), u, du, (bend - du * du) / u)
+
+
+class Launches:
+    """The launches of an arc, followed against the friction ``f`` to a wall at the distance R."""
+
+    def __init__(self, arc: Arc, f: Double, R: Double) -> None:
+        self.dt, self.f, self.R = arc.dt, f, R
+        bend = arc.e2 * 2.0
+        reach = arc.e1.magnitude + arc.e2.magnitude
+        self.near = _point(arc.t, arc.e, arc.e1, bend)
+        self.all = _point(
+            arc.t.widened(arc.dt.magnitude),
+            arc.e.widened(reach),
+            arc.e1.widened(bend.magnitude),
+            bend,
+        )
+
+    def velocity(self, T: Double) -> Taylor:
+        """Return v at a fixed time."""
+        sin = cos_sin(T)[1]
+        return self.speed(self.near, T, sin), self._slope(self.near), self._bend()
+
+    def speed(self, at: Point, T: Double, sin: Double) -> Double:
+        """Return v(T) at one s, or an interval for all; sin is that of T."""
+        return at.u + sin - at.sin - self.f * (T - at.t)
+
+    def _slope(self, at: Point) -> Double:
+        return at.du - (at.cos - self.f) * self.dt
+
+    def _bend(self) -> Double:
+        return self.all.d2u + self.dt * self.dt * self.all.sin
+
+    def place(self, T: Double) -> Taylor:
+        """Return x at a fixed time."""
+        near, whole, dt = self.near, self.all, self.dt
+        d, w = T - near.t, T - whole.t
+        cos = cos_sin(T)[0]
+        first = d * near.du - (near.u + d * (near.cos - self.f)) * dt
+        turn = whole.cos - self.f + w * whole.sin
+        second = w * whole.d2u - dt * whole.du * 2.0 + turn * dt * dt
+        return self.way(T, cos), first, second
+
+    def way(self, T: Double, cos: Double) -> Double:
+        """Return x(T) at s = 0; cos is that of T."""
+        at, d = self.near, T - self.near.t
+        return at.u * d + at.cos - cos - d * at.sin - self.f * d * d * 0.5
+
+    def minima(self, low: float, high: float) -> list[Double]:
+        """Return the times of the local minima of v that may be in [low, high]."""
+        rest = math.acos(self.f.mid)
+        margin = 1e-9
+        first = math.ceil((low + rest - margin) / (2 * math.pi))
+        last = math.floor((high + rest + margin) / (2 * math.pi))
+        return [PI * (2.0 * k) - _arccos(self.f) for k in range(first, last + 1)]
+
+    def moves(self, until: float) -> bool:
+        """Return whether v > 0 at all its local minima from the launch to a time."""
+        low = self.all.t.lower
+        return all(least(self.velocity(T)) > 0 for T in self.minima(low, until))
+
+
+def _arccos(y: Double) -> Double:
+    """Return the arccosine, for |y| < 0.999: near a guess a, |arccos y - a| <= |cos a - y|/sin."""
+    a = math.acos(y.mid)
+    far = (cos_sin(Double(a))[0] - y).magnitude
+    sine = cos_sin(Double(a, 2e-3))[1].lower  # over more than a and arccos y
+    need(abs(y.mid) < 0.999 and sine > 0 and far < 1e-3 * sine, "f is too near F")
+    return Double(a, far / sine * (1 + 1e-9))
+
+
+class Image:
+    """The image of an arc all of whose flights reach the other wall."""
+
+    def __init__(self, launches: Launches) -> None:
+        near, whole, dt, f = launches.near, launches.all, launches.dt, launches.f
+        T = _hit(launches)
+        cos, sin = cos_sin(T)
+        V = launches.speed(near, T, sin)
+        N = _numerator(launches, near, T)
+        T1 = N / V
+        V1 = near.du + (cos - f) * T1 - (near.cos - f) * dt
+        Ts, dTs = _window(launches, T, T1)
+        need(launches.moves(Ts.upper), "a flight may stop")
+        cos, sin = cos_sin(Ts)
+        Vs = launches.speed(whole, Ts, sin)
+        A, a, d, d1 = cos - f, whole.cos - f, Ts - whole.t, dTs - dt
+        dVs = whole.du + A * dTs - a * dt
+        a1, A1 = -(whole.sin * dt), -(sin * dTs)
+        dN = (whole.du + d1 * a + d * a1) * dt - d1 * whole.du - d * whole.d2u
+        T2 = (dN - dVs * dTs) / Vs
+        V2 = whole.d2u + A * T2 + A1 * dTs - a1 * dt
+        self.T: Taylor = (T, T1, T2)
+        self.E: Taylor = (V * V * 0.5, V * V1, dVs * dVs + Vs * V2)
+        self.dT, self.all = dTs, Ts
+
+    @cached_property
+    def times(self) -> Double:
+        """All times of the hits."""
+        T, T1, T2 = self.T
+        return T.widened(T1.magnitude + T2.magnitude / 2)
+
+
+def _numerator(launches: Launches, at: Point, T: Double) -> Double:
+    """Return N."""
+    d = T - at.t
+    return (at.u + d * (at.cos - launches.f)) * launches.dt - d * at.du
+
+
+def _window(launches: Launches, T: Double, T1: Double) -> tuple[Double, Double]:
+    """Return an interval that contains all T of the arc, and one that contains all T'."""
+    whole, bound = launches.all, 1.2 * T1.magnitude + 2 * T.rad + 1e-12
+    for _ in range(ATTEMPTS):
+        Ts = Double(T.mid, bound)
+        V = launches.speed(whole, Ts, cos_sin(Ts)[1])
+        need(V.is_positive(), "a wall may be reached without speed")
+        slope = _numerator(launches, whole, Ts) / V
+        if (T.rad + slope.magnitude) * (1 + 1e-12) <= bound:
+            return Ts, slope
+        bound = 1.3 * (T.rad + slope.magnitude)
+    raise Rejected("no interval was found for the times of the hits")
+
+
+def _hit(launches: Launches) -> Double:
+    """Return an interval around the time of the hit at s = 0."""
+    guess = _guess(launches.near.t.mid, launches.near.u.mid, launches.f.mid, launches.R.mid)
+    T = Double(guess)
+    cos, sin = cos_sin(T)
+    V = launches.speed(launches.near, T, sin).lower
+    need(V > 0, "a wall may be reached without speed")
+    r = (launches.way(T, cos) - launches.R).magnitude
+    D = 2 * r / V * (1 + 1e-12)
+    need((1 + launches.f.magnitude) * D <= V / 2, "the time of a hit is not certain")
+    return Double(guess, D)
+
+
+def _guess(t: float, u: float, f: float, R: float) -> float:
+    """Return a float near the first time at which x = R: it needs no trust."""
+    s, c = math.sin(t), math.cos(t)
+
+    def x(T: float) -> float:
+        return u * (T - t) + c - math.cos(T) - (T - t) * s - f * (T - t) ** 2 / 2
+
+    low, T = t, t
+    while x(T) < R:
+        low, T = T, T + 0.25
+        need(t + SPAN > T, "a flight does not end")
+    for _ in range(60):
+        v = u + math.sin(T) - s - f * (T - t)
+        step = (x(T) - R) / v if v > 0 else math.inf
+        if abs(step) < 1e-15 * max(1.0, abs(T)):
+            break
+        T = T - step if low <= T - step <= low + 0.25 else (low + T) / 2
+    return T

@@ -1,0 +1,1 @@
+"""The flow folded by its symmetry, over boxes of states, in quadratic models."""

@@ -1,0 +1,133 @@
+"""The theorem about the conservative part: all states but a set of small area stop.
+
+Let e = 1, mu = 0, 0 < f < F.  Omega_NS is the set of the states (x, v) at t = 0 whose velocity
+never vanishes afterwards.  *Claimed:* its area is at most ``area``; almost all of it has |v| <=
+``speed``.
+
+*Launches.*  Units F = omega = 1.  A launch (t, u), t modulo 2 pi, leaves a wall at the time t with
+the speed u > 0; in the mirror image all leave the left one.  If it flies to the other wall without
+a stop, and hits it at T with the speed V > 0, then G(t, u) = (T + pi, V).  G is injective (a flight
+can be followed backward) and preserves u du dt = dE dt, E = u^2/2 (the flow preserves dx dv, and u
+dt is the flux of dx through a wall).  S is the set of launches whose orbit never stops.  `ceiling`:
+S has finite measure, G maps S onto S up to a null set, and almost all of S lies below the ceiling W
+= c: hence u^2 <= 2 (a + c), v^2 <= u^2 + 2 (1 - f) R.
+
+*Area.*  Let N_t be the set of the states at the time t whose velocity never vanishes afterwards.  A
+state of N_t reaches a wall within a bounded time, at a launch of S; the flow preserves dx dv: so
+N_t has finite area.  The flow from t to t + s maps N_t into N_{t+s}, injectively, and preserves
+area; N_{t + 2 pi} = N_t: so all N_t have one area, and almost all states of N_t come, by n periods
+of the flow, from states of N_t, for each n.  Those have hit a wall: almost all states of N_t are on
+a flight that began with a launch of S.  These (x, v, t modulo 2 pi), with their mirror images, have
+the volume 2 (integral over S of d dE dt), d the time of the flight.  So
+
+    area(Omega_NS) = (1/pi) integral over S of d dE dt.
+
+*Where S is.*  `strips`: no launch of S is in a cell of the family ``forward``, and almost none in
+one of the family ``backward``, which is about backward orbits, for the friction -f, with -t for t:
+almost every launch of S has a backward orbit in S.  So S lies, up to a null set, in the gaps that
+both leave; its measure is at most their area A in (t, E) (`overlap`).
+
+*From measure to area.*  Outside of the columns W > c, so S has its times t in an interval [t_b,
+t_e] shorter than 2 pi.  G sends t to t + d + pi - 2 pi k, with an integer k, and k <= 1: else a
+flight would hit after t_b + 3 pi, and there is none (`returns_in_time`).  As G preserves the
+measure of S, and t is bounded on it, the integral over S of d + pi - 2 pi k vanishes.  So that of d
+is at most pi times the measure of S, and area(Omega_NS) <= A.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import pairwise
+
+from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
+from cap.checker.flow.columns import Column, column, lines
+from cap.checker.flow.overlap import gaps, mirrored, shared
+from cap.checker.flow.strips import Ceiling, World
+from cap.checker.kernel.doubles import Double, enclosing
+from cap.checker.kernel.reading import number, text
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, Many, bound
+from cap.checker.kernel.theorem import SYSTEM, Theorem
+
+_CEILING = {"height": number, "phase": number, "level": number}
+
+
+class Conservative(Theorem):
+    """An upper bound of the area of the states whose velocity never vanishes."""
+
+    # fmt: off
+    HINTS = (
+        Field("ceiling", _CEILING, "", "", "a, b, c: launches that never stop have "
+              "E + a cos(t - b) <= c, in units F = omega = 1"),
+        Field("lines", text, "", "", "the lines between columns of launches, as integers"),
+        Field("forward", Many(text, 1, 4096), "", "", "cells of launches whose orbits stop or rise "
+              "above, column by column"),
+        Field("backward", Many(text, 1, 4096), "", "", "the same for backward orbits"),
+    )
+    CLAIMS = (
+        Field("area", bound, "", "", "an upper bound of the area of the states (x, v) whose "
+              "velocity never vanishes, at whatever speed"),
+        Field("speed", bound, "", "", "almost all of them have at most this |v|"),
+    )
+    # fmt: on
+
+    def prove(self) -> None:
+        """Prove the theorem."""
+        F, omega = self.p.F, self.p.omega
+        f, R = enclosing(self.p.f / F), enclosing(self.R * omega**2 / F)
+        at = self.hints["ceiling"]
+        a, b, c = (enclosing(at[name]) for name in _CEILING)
+        lines_at = lines(self.hints["lines"])
+        flights, ceiling = Flights(f, R), Ceiling(a, b, c)
+        boxes = descends(flights, ceiling)
+        self.step(f"almost all launches that never stop are below the ceiling ({boxes} boxes)")
+        closed(ceiling, lines_at[0], lines_at[-1])
+        returns_in_time(flights, lines_at[0], lines_at[-1])
+        self.step("they begin in the columns, and the next ones do half a period later on average")
+        below = Ceiling(a, -b, c)
+        mirror = [-line for line in reversed(lines_at)]
+        forward = self.family("forward", World(f, R, ceiling, lines_at, []))
+        backward = self.family("backward", World(-f, R, below, mirror, []))
+        self.compare_area(lines_at, forward, backward)
+        self.compare_speed(at["height"] + at["level"])
+
+    def family(self, name: str, world: World) -> list[Column]:
+        """Prove that no launch of S is in a cell of a family."""
+        texts = self.hints[name]
+        need(len(texts) == len(world.lines) - 1, f"{name} has not one entry for each column")
+        world.columns = [column(words) for words in texts]
+        for j in range(len(texts)):
+            world.prove(j)
+        cells = sum(len(run.levels) for runs in world.columns for run in runs)
+        self.step(f"{name}: from {cells} cells orbits stop, or leave by the ceiling")
+        return world.columns
+
+    def compare_area(self, at: list[float], forward: list[Column], backward: list[Column]) -> None:
+        """Compare the area that is left with the one claimed."""
+        total = Double(0.0)
+        pairs = zip(pairwise(at), forward, reversed(backward), strict=True)
+        for (low, high), one, two in pairs:
+            area = shared(gaps(one), mirrored(gaps(two)))
+            total = total + Double(area) * (high - low)
+        left = Fraction(total.upper) * self.p.F**2 / self.p.omega**3
+        need(left <= self.claims["area"], "more area is left than is claimed")
+        self.step("the launches that are left have at most the area claimed")
+
+    def compare_speed(self, energy: Fraction) -> None:
+        """Compare the largest speed."""
+        square = 2 * energy * (self.p.F / self.p.omega) ** 2 + 2 * (self.p.F - self.p.f) * self.R
+        fast = self.claims["speed"] >= 0 and square <= self.claims["speed"] ** 2
+        need(fast, "the speed may be larger than claimed")
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        return self.told(SYSTEM + _AREA)
+
+
+_AREA = (
+    "the states (x, v) at t = 0 whose velocity never vanishes afterwards, of whatever speed, are a "
+    "set of area at most {area}, and almost all of them have |v| <= {speed}; from all other states "
+    "the velocity vanishes at least once"
+)
+
+THEOREM = Conservative

@@ -1,0 +1,87 @@
+"""The picture of a certificate of `mixed`: ``python -m cap.explore.mixed FILE --out PICTURE``.
+
+Every coloured pixel is proved, by the checker's arithmetic, as far as the theorems `attractor` and
+`segment` in the certificate are true; beside it, what floats say.
+"""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems.mixed import Mixed
+from cap.command import entry
+from cap.command.console import Parser, printable, program, protected, quoted
+from cap.command.option import integer
+from cap.command.progress import Progress
+from cap.errors import BadInput
+from cap.explore.export import IMAGES, kind
+from cap.files import replacing
+from cap.runner import Runner
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command line; return its exit status."""
+    options = _parser().parse_args([protected(word) for word in words])
+    progress = Progress()
+    try:
+        _draw(options.file, options.out, integer(options.jobs, "jobs", (1, 1024), 4), progress)
+    except BadInput as error:
+        progress.clear()
+        _parser().error(printable(str(error)))
+    finally:
+        progress.clear()
+    print(quoted(options.out))
+    return 0
+
+
+def _parser() -> Parser:
+    parser = Parser(
+        prog=program("cap.explore.mixed"),
+        description="Draw the basins that a certificate of the theorem mixed proves: every "
+        "coloured pixel is proved, of grey ones nothing is shown; beside it, what floats say.  It "
+        "takes as long as the certificate takes to verify.",
+        epilog="Example: python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
+    )
+    parser.add_argument("file", type=Path, metavar="FILE", help="a certificate of mixed")
+    parser.add_argument(
+        "--out", type=Path, default=Path("mixed.png"), metavar="FILE", help="default mixed.png"
+    )
+    parser.add_argument("--jobs", default="1", metavar="N", help="processes (default 1)")
+    return parser
+
+
+def _draw(file: Path, out: Path, jobs: int, progress: Progress) -> None:
+    """Write the picture of a certificate."""
+    suffix = kind(out)
+    if suffix not in IMAGES:
+        raise BadInput(f"no picture: {quoted(out)}")
+    theorem = _theorem(file)
+    runner = Runner(jobs, progress.tell, whole=True)
+
+    def work(function: Callable[[Any], Any], tasks: Any) -> list[Any]:
+        return runner.map(function, list(tasks), "leaves", processes=True)
+
+    from cap.pictures.proved import draw  # noqa: PLC0415 (matplotlib is slow to load)
+
+    figure = draw(theorem, work)
+    with replacing(out) as target:
+        figure.savefig(target, format=suffix)
+
+
+def _theorem(file: Path) -> Mixed:
+    """Return the theorem of a certificate."""
+    try:
+        certificate = read(file.read_bytes())
+    except OSError as error:
+        raise BadInput(f"cannot read {quoted(file)}: {error.strerror}") from None
+    except Rejected as reason:
+        raise BadInput(f"{quoted(file)} is no certificate: {reason}") from None
+    if certificate.theorem != "mixed":
+        raise BadInput(f"{quoted(file)} is about the theorem {certificate.theorem}, not mixed")
+    return Mixed(certificate, lambda _step: None)
+
+
+if __name__ == "__main__":
+    entry.leave(entry.run("cap.explore.mixed:main", None))

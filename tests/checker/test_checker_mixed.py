@@ -1,0 +1,110 @@
+"""The theorem ``mixed``: what is true is verified, every lie is noticed."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import pytest
+
+from cap.checker.folded.places import shares
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems.mixed import Mixed
+from cap.checker.verdict import check, words
+from checker.altered import changed, encode, rejected, verify
+from checker.mixed_small import certificate, here, small
+
+LEAF = "hints", "leaves"
+
+
+@pytest.fixture(scope="module")
+def true():
+    """Return a small certificate."""
+    return certificate()
+
+
+def test_it_is_verified(true):
+    """With its lemmas, in one process and in two; and it says what was shown."""
+    steps = verify(true)
+    assert any("entropy" in step or "tent maps" in step for step in steps)
+    assert steps[-1] == "the shares follow from the leaves of the box"
+    told = words(check(encode(true), lambda _step: None, jobs=2))
+    part = true["claims"]["shares"]
+    assert f"at least the part {part['attractor'][0]} is attracted" in told
+    assert f"of the part {part['undecided'][1]} at most nothing is shown" in told
+
+
+def shift(pair, by):
+    """Return a pair with its lower end moved."""
+    return [f"{float(pair[0]) + by:.6f}", pair[1]]
+
+
+PARTS = {}  # for leaves, computed once
+
+
+def sums(lie):
+    """Check the sums of a certificate, without its lemmas."""
+    judge = small()[1]
+    theorem = Mixed(read(encode(lie)), lambda _step: None)
+    theorem.box()
+    leaves = theorem.hints["leaves"]
+    if leaves not in PARTS:
+        counts = here(partial(shares, theorem.p, judge), theorem.leaves())
+        PARTS[leaves] = theorem.parts(counts, leaves)
+    theorem.sums(PARTS[leaves])
+
+
+def test_shares_enlarged(true):
+    """Each share, and the area, a little too good."""
+    sums(true)
+    claims = true["claims"]["shares"]
+    for name in ("attractor", "segment", "stops"):
+        lie = changed(true, "claims", "shares", name, shift(claims[name], 1e-4))
+        with pytest.raises(Rejected, match=f"shares.{name} does not contain"):
+            sums(lie)
+    upper = float(claims["undecided"][1])
+    lie = changed(true, "claims", "shares", "undecided", ["0", f"{upper - 1e-4:.6f}"])
+    with pytest.raises(Rejected, match="undecided does not contain"):
+        sums(lie)
+    area = float(true["claims"]["never_stopping_area"][1])
+    lie = changed(true, "claims", "never_stopping_area", ["0", f"{area - 1e-3:.6f}"])
+    with pytest.raises(Rejected, match="never_stopping_area does not contain"):
+        sums(lie)
+
+
+def test_leaves_dropped(true):
+    """A leaf that counts is not followed; or is missing, or is one too many."""
+    leaves = true["hints"]["leaves"]
+    with pytest.raises(Rejected, match="does not contain"):
+        sums(changed(true, *LEAF, leaves.replace("4", "-")))
+    rejected(changed(true, *LEAF, leaves[:-1]), "as many leaves")
+    rejected(changed(true, *LEAF, leaves + "-"), "as many leaves")
+    rejected(changed(true, *LEAF, "x" + leaves[1:]), "not a sequence")
+
+
+def test_other_boxes(true):
+    """Past a wall, not to a wall, not symmetric; and an odd number of rows."""
+    for x in (["-1", "1.1"], ["-0.9", "1"]):
+        rejected(changed(true, "claims", "box", "x", x), "wall to wall")
+    for v in (["-3", "4"], ["3", "3"], ["3", "-3"]):
+        rejected(changed(true, "claims", "box", "v", v), "box")
+    odd = changed(changed(true, "hints", "rows", "3"), "hints", "columns", "1")
+    rejected(changed(odd, *LEAF, "---"), "both signs")
+
+
+def test_other_lemmas(true):
+    """An interval that G does not keep, other entropy, a larger basin of the segment."""
+    at = "claims", "attractor"
+    rejected(changed(true, *at, "interval", ["-0.7", "-0.5"]), "interval")
+    entropy = ["0.443", "0.4430000000001"]
+    rejected(changed(true, *at, "entropy", entropy), "entropy")
+    basin = {"speed": "0.2", "drift": ["4.81839722", "0.211206897"]}
+    rejected(changed(true, "claims", "segment", "basin", basin), "wall|fast|drift")
+
+
+def test_work_is_bounded(true):
+    """Too many pieces are refused before anything is computed."""
+    many = {"parts": "8192", "cuts": "9", "depth": "14"}
+    rejected(changed(true, "hints", "places", many), "too many pieces")
+    nines = "9" * len(true["hints"]["leaves"])
+    rejected(changed(true, *LEAF, nines), "too many pieces")
