@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import pkgutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import pytest
 
 import cap.checker
 from cap.checker.theorems import NAMES
+from checker.altered import changed
 
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
 STORED = Path(__file__).parents[2] / "certificates"
@@ -25,6 +27,7 @@ MORE = {
     "persistence": {"periodic"},
     "mixed": {"attractor", "segment"},
 }
+LONG = {"conservative", "mixed"}
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
 
 
@@ -57,11 +60,15 @@ def test_the_command_line_adds_only_itself():
 
 
 @pytest.mark.parametrize("theorem", NAMES)
-def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem):
+def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem, tmp_path):
     """Of the theorems itself, and that of which it is a special case; the list for referees has
-    just what was loaded.
+    just what was loaded.  What takes a minute is rejected at once instead, without friction.
     """
     path = next(p for p in sorted(STORED.glob("*.json")) if p.stem.split("-")[0] == theorem)
+    if theorem in LONG:
+        lie = changed(json.loads(path.read_text()), "parameters", "f", "0")
+        path = tmp_path / path.name
+        path.write_text(json.dumps(lie))
     modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
     used = {m.removeprefix("cap.checker.") for m in modules if m.startswith("cap.checker.")}
     assert {m.partition(".")[0] for m in used} == ROOMS.get(theorem, FLOW)
