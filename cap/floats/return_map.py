@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
+from cap.floats.events import HIT, TURN
 from cap.floats.findings import Findings, Floats
 from cap.floats.releases import Images, images
 from cap.floats.variation import value_of, varied
@@ -34,6 +35,8 @@ NEAR = 0.05  # of the parameter, to both sides, if no range is given
 class ReleaseMap(Findings):
     """G at places x (N,): see `cap.floats.releases.Images`; ``branch`` (N,) numbers branches.
 
+    ``hits`` (N,) and ``turns`` (N,) count events up to the next release.
+
     ``orbit`` (M,) are iterates of one place, ``late`` (K,) those of several after a transient.
     ``interval`` (2,) is one that G maps into itself with one turning point ``critical``; nan if
     none was found.
@@ -43,6 +46,8 @@ class ReleaseMap(Findings):
     value: Floats
     slope: Floats
     half_periods: NDArray[np.int64]
+    hits: NDArray[np.int64]
+    turns: NDArray[np.int64]
     branch: NDArray[np.int64]
     orbit: Floats
     late: Floats
@@ -56,6 +61,8 @@ class ReleaseMap(Findings):
             "G": self.value,
             "slope": self.slope,
             "half_periods": self.half_periods,
+            "hits": self.hits,
+            "turns": self.turns,
             "branch": self.branch,
         }
 
@@ -167,6 +174,8 @@ def graph(
         value=found.value,
         slope=found.slope,
         half_periods=found.half_periods,
+        hits=found.counts[:, HIT : HIT + 2].sum(axis=1),
+        turns=found.counts[:, TURN : TURN + 2].sum(axis=1),
         branch=_branches(found),
         orbit=orbit,
         late=settled,

@@ -1,5 +1,7 @@
 """Pictures of the release map: its graph, and its orbits over a parameter."""
 
+from collections import Counter
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
@@ -27,7 +29,7 @@ def graph(findings: ReleaseMap, figure: FigureBase) -> None:
     axes = figure.subplots(1, 2 if trapped else 1, squeeze=False)[0]
     _branches(findings, axes[0])
     _cobweb(findings.orbit, axes[0])
-    axes[0].legend(title="half-periods", loc="upper left", ncols=2)
+    axes[0].legend(title="hits, turns", loc="upper left", ncols=2)
     limits = float(findings.parameters.l), float(findings.parameters.r)
     axes[0].set_xlim(limits)
     axes[0].set_ylim(limits)
@@ -45,20 +47,19 @@ def graph(findings: ReleaseMap, figure: FigureBase) -> None:
 
 
 def _branches(findings: ReleaseMap, axes: Axes) -> None:
-    """Draw each branch in the colour of its duration, rare ones in grey."""
-    durations, counts = np.unique(findings.half_periods, return_counts=True)
-    common = [int(n) for n in durations[counts > RARE * len(findings.x)] if n]
-    colours = {n: CYCLE[k % len(CYCLE)] for k, n in enumerate(common)}
-    for n, colour in colours.items():
-        axes.plot([], [], color=colour, lw=1.1, label=str(n))
+    """Draw each branch in the colour of its events, rare ones in grey."""
+    events = list(zip(findings.hits.tolist(), findings.turns.tolist(), strict=True))
+    seen = Counter(pair for pair, n in zip(events, findings.half_periods, strict=True) if n)
+    common = sorted(pair for pair, count in seen.items() if count > RARE * len(findings.x))
+    colours = {pair: CYCLE[k % len(CYCLE)] for k, pair in enumerate(common)}
+    for pair, colour in colours.items():
+        axes.plot([], [], color=colour, lw=1.1, label="{}, {}".format(*pair))
     axes.plot([], [], ".", ms=3, color=GREY, label="others")
     for k in range(int(findings.branch.max()) + 1):
-        own = findings.branch == k
-        n = int(findings.half_periods[own][0])
-        mark = "-" if n in colours and own.sum() > 2 else "."
-        axes.plot(
-            findings.x[own], findings.value[own], mark, ms=1.5, color=colours.get(n, GREY), lw=1.1
-        )
+        own = np.flatnonzero(findings.branch == k)
+        colour = colours.get(events[own[0]], GREY)
+        mark = "-" if colour != GREY and len(own) > 2 else "."
+        axes.plot(findings.x[own], findings.value[own], mark, ms=1.5, color=colour, lw=1.1)
 
 
 def _cobweb(orbit: Floats, axes: Axes) -> None:
