@@ -47,6 +47,8 @@ def attracting(request: Request) -> Found:
     _two_masses(request)
     if request.orbit or request.every:
         raise BadInput(f"{request.kind} finds its orbit itself: leave out --orbit and --all")
+    if not request.parameters.f:
+        raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     system = Particles(request.parameters, request.masses)
     for seed in drawn(system, SEEDS, 3):
         found = _settled(system, tuple(seed.tolist()))

@@ -106,3 +106,6 @@ def test_bad_input(capsys):
     assert proving(capsys, "particles_sink", "--masses", "1,9/10", "--orbit", "0", "1")[0] == 2
     with pytest.raises(BadInput, match="two masses"):
         attracting(Request("particles_sink", particle_orbits.A))
+    frictionless = replace(particle_orbits.A, f=Fraction(0))
+    with pytest.raises(BadInput, match="needs friction"):
+        attracting(Request("particles_sink", frictionless, masses=(Fraction(1), Fraction(9, 10))))
