@@ -11,6 +11,7 @@ from cap.floats.findings import Floats
 from cap.floats.return_map import ReleaseMap, ReleaseOrbits
 from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, SYMBOLS, parameters, title
 
+STYLES = ("-", "--", ":")  # one for each round of the colours
 RARE = 0.01  # of the places
 WIDE = 0.004  # of the range of a parameter: a window so wide has room for its period
 
@@ -47,18 +48,20 @@ def graph(findings: ReleaseMap, figure: FigureBase) -> None:
 
 
 def _branches(findings: ReleaseMap, axes: Axes) -> None:
-    """Draw each branch in the colour of its events, rare ones in grey."""
+    """Draw each branch in the colour and style of its events, rare ones in grey."""
     events = list(zip(findings.hits.tolist(), findings.turns.tolist(), strict=True))
     seen = Counter(pair for pair, n in zip(events, findings.half_periods, strict=True) if n)
     common = sorted(pair for pair, count in seen.items() if count > RARE * len(findings.x))
-    colours = {pair: CYCLE[k % len(CYCLE)] for k, pair in enumerate(common)}
-    for pair, colour in colours.items():
-        axes.plot([], [], color=colour, lw=1.1, label="{}, {}".format(*pair))
+    common = common[: len(STYLES) * len(CYCLE)]
+    rounds = [divmod(k, len(CYCLE)) for k in range(len(common))]
+    styles = {pair: (STYLES[n], CYCLE[k]) for pair, (n, k) in zip(common, rounds, strict=True)}
+    for pair, (style, colour) in styles.items():
+        axes.plot([], [], style, color=colour, lw=1.1, label="{}, {}".format(*pair))
     axes.plot([], [], ".", ms=3, color=GREY, label="others")
     for k in range(int(findings.branch.max()) + 1):
         own = np.flatnonzero(findings.branch == k)
-        colour = colours.get(events[own[0]], GREY)
-        mark = "-" if colour != GREY and len(own) > 2 else "."
+        style, colour = styles.get(events[own[0]], (".", GREY))
+        mark = style if len(own) > 2 else "."
         axes.plot(findings.x[own], findings.value[own], mark, ms=1.5, color=colour, lw=1.1)
 
 
