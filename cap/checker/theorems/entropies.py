@@ -27,7 +27,7 @@ the greatest is smaller, at most h.
 *Cycles.*  Let J be the interval of the numbers at most ``reach`` from at + rate (theta - theta_0).
 For all f of the piece H^p, p the period claimed, takes J into its interior, with a derivative in
 (-1, 1), so it has one fixed point there, which attracts J; and the image of c with the number
-claimed lies in J.
+claimed lies in J.  H(J), .., H^(p-1)(J) are disjoint from J: so p is the least period.
 """
 
 from __future__ import annotations
