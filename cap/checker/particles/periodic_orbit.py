@@ -184,7 +184,7 @@ ORBIT = (
     "m_i x_i'' = F cos(omega t) - f sgn x_i', i = 1, 2, with m_1 = {m[0]}, m_2 = {m[1]}, F = {F}, "
     "omega = {omega}, f = {f}, {l} <= x_1 <= x_2 <= {r}, elastic walls and elastic collisions: "
     "there is one and only one orbit of period T = 2 pi/omega on which no mass ever stops, which "
-    "has in (0, T) exactly these contacts, in this order: {contacts}, and has them in the box of "
+    "has in [0, T) exactly these contacts, in this order: {contacts}, and has them in the box of "
     "the certificate; at t = 0, P*: x_1 in {x[0]}, x_2 in {x[1]}, v_1 in {v[0]}, v_2 in {v[1]}; "
     "the least speeds are in {least_speeds[0]} and {least_speeds[1]}; s_1 + s_2, s_i the sign of "
     "v_i, is the same before and after every collision, so near P* the time-T map Phi preserves "

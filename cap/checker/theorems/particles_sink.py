@@ -149,7 +149,7 @@ class ParticlesSink(Theorem):
 _SINK = (
     "m_i x_i'' = F cos(omega t) - f sgn x_i', i = 1, 2, with m_1 = {m[0]}, m_2 = {m[1]}, F = {F}, "
     "omega = {omega}, f = {f}, {l} <= x_1 <= x_2 <= {r}, elastic walls and elastic collisions: "
-    "with T = 2 pi/omega there is one and only one orbit of period {period} T that has in (0, "
+    "with T = 2 pi/omega there is one and only one orbit of period {period} T that has in [0, "
     "{period} T) exactly these events, in this order: {words}, and has them in the box of the "
     "certificate; at t = 0 x_1 in {x[0]}, x_2 in {x[1]}, v_1 in {v[0]}, v_2 in {v[1]}; it attracts "
     "all orbits that begin near enough to this state: in the coordinates x/R, v/(R omega) the "
