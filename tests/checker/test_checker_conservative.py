@@ -157,6 +157,35 @@ def test_a_cell_that_is_too_large(end):
     altered(90, enlarged)
 
 
+@pytest.mark.parametrize("level", [1 << 29, 1 << 31])
+def test_no_level_is_above_a_gap(level):
+    """However high the level of a cell, it may not fly to where there is none."""
+    whole, j, n = world(), 114, 1
+    before, run = whole.columns[j][n - 1 : n + 1]
+    pairs = zip(before.edges[-1], run.edges[0], strict=True)
+    low = tuple(round(0.05 * p + 0.95 * q) for q, p in pairs)  # most of the gap below the run
+    other = run._replace(edges=[low, *run.edges], levels=[level, *run.levels])
+    whole.columns[j] = [*whole.columns[j][:n], other, *whole.columns[j][n + 1 :]]
+    with pytest.raises(Rejected):
+        whole.falls(j, level, low, run.edges[0])
+
+
+def test_a_run_of_too_many_edges():
+    """It is rejected before anything is made of their number."""
+    with pytest.raises(Rejected, match="more edges than are listed"):
+        column(written([4 * (1 << 40) + 2]))
+
+
+def test_an_arccosine_that_is_wrong(monkeypatch):
+    """The times of the minima are not believed of the library."""
+    launches = Launches(Arc(Double(4.0), Double(0.01), Double(0.7), Double(0.0), Double(0.0)), F, R)
+    assert launches.minima(4.0, 20.0)
+    exact = math.acos
+    monkeypatch.setattr("math.acos", lambda y: exact(y) + 1e-8)
+    with pytest.raises(Rejected):
+        launches.minima(4.0, 20.0)
+
+
 def test_an_island_is_no_cell():
     """A disk around the elliptic orbit is mapped to where no cell is."""
     whole = world()

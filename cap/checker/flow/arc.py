@@ -154,7 +154,7 @@ def _arccos(y: Double) -> Double:
     a = math.acos(y.mid)
     far = (cos_sin(Double(a))[0] - y).magnitude
     sine = cos_sin(Double(a, 2e-3))[1].lower  # over more than a and arccos y
-    need(abs(y.mid) < 0.999 and sine > 0 and far < 1e-3 * sine, "f is too near F")
+    need(abs(y.mid) < 0.999 and sine > 0 and far < 1e-10 * sine, "f is too near F")
     return Double(a, far / sine * (1 + 1e-9))
 
 

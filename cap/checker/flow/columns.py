@@ -59,10 +59,12 @@ def integers(text: str) -> list[int]:
 
 def column(text: str) -> Column:
     """Return the runs of a column, from the lowest to the highest, none above the next."""
-    rest, runs, before = iter(integers(text)), Column(), (0, 0, 0)
+    found = integers(text)
+    rest, runs, before = iter(found), Column(), (0, 0, 0)
     for head in rest:
         m = head >> 2
         need(m >= 1, "a run has no edge")
+        need(m <= len(found), "a run has more edges than are listed")
         levels = [next(rest, -1) for _ in range(m - 1)]
         need(all(level > 0 for level in levels), "a cell has no level")
         edges = list[Edge]()

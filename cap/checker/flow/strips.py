@@ -42,6 +42,7 @@ from cap.checker.kernel.rejection import Rejected, need
 
 MOST = 2_000_000  # arcs: some minutes
 HALVINGS = 12  # of an arc, until what is to be shown of it is certain
+NO_CELL = math.inf  # where a run ends; above all levels
 LATE = (1e-5, 1e-4, 1e-3, 1e-2)  # before and after a stop, v > 0 and v < 0 are tried
 
 
@@ -198,7 +199,7 @@ class World:
             k = sum(height <= E for height in heights)  # the number of edges below
             if not ((k > 0 or run.bottom) and (k < len(heights) or run.top)):
                 continue
-            levels = [0 if run.bottom else 1 << 30, *run.levels, 0 if run.top else 1 << 30]
+            levels = [0 if run.bottom else NO_CELL, *run.levels, 0 if run.top else NO_CELL]
             need(levels[k] < level, "a cell may fly into one of no lower level")
             low = high = k
             while low > 0 and levels[low - 1] < level:

@@ -51,7 +51,7 @@ from cap.checker.kernel.theorem import BITS, MAX_BITS, WITH_LOSSES, Theorem
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
 _MAX_PERIOD = 16
 _SHARES = ("positive", "periodic", "undecided")
-_MAX_WORK = 3 << 22  # about two minutes
+_MAX_WORK = 5 << 22  # about three minutes
 CYCLE = {
     "period": Whole(1, _MAX_PERIOD),
     "at": number,
