@@ -23,7 +23,15 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Word, region
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, Matrix, krawczyk, of_contacts
+from cap.checker.particles.existence import (
+    SIZE,
+    Ends,
+    Matrix,
+    krawczyk,
+    lies_in,
+    needs_matrix,
+    of_contacts,
+)
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
 from cap.checker.particles.orbit import approach, least_speeds
@@ -103,9 +111,7 @@ class PeriodicOrbit(Theorem):
         for name in ("box", "hit_times", "closing_speeds"):
             need(len(claims[name]) == count, f"claims.{name} is not a list of {count}")
         need(len(hints["centre"]) == count, f"hints.centre is not a list of {count}")
-        rows, size = hints["preconditioner"], SIZE * count
-        whole = len(rows) == size and all(len(row) == size for row in rows)
-        need(whole, f"hints.preconditioner is not a matrix of {size} rows and columns")
+        needs_matrix(hints["preconditioner"], count, "hints.preconditioner")
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -147,8 +153,7 @@ class PeriodicOrbit(Theorem):
         for contact in self.hints["centre"]:
             reach = [(c, radius * unit) for c, unit in zip(contact, units, strict=True)]
             small += [(c - r, c + r) for c, r in reach]
-        sides = zip(small, self.box, strict=True)
-        need(all(z[0] <= s[0] and s[1] <= z[1] for s, z in sides), "S is not in the box")
+        need(lies_in(small, self.box), "S is not in the box")
         result = self.krawczyk(M, small)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains the zero")
         return result
