@@ -17,6 +17,7 @@ REASONS = {
     "cascade_to_the_other_side": "in the direction claimed",
     "cascade_with_a_later_doubling": "parameters[1] does not contain",
     "entropies_that_are_too_large": "below its lower bound",
+    "entropies_with_a_cycle_followed_twice": "period of a cycle may be smaller",
     "entropies_with_a_larger_share_of_cycles": "the share with cycles",
     "box_of_two_fixed_points": "before a window begins",
     "box_past_the_wall": "between the walls",
