@@ -51,7 +51,7 @@ from cap.checker.kernel.theorem import BITS, MAX_BITS, WITH_LOSSES, Theorem
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
 _MAX_PERIOD = 16
 _SHARES = ("positive", "periodic", "undecided")
-_MAX_WORK = 5 << 22  # about three minutes
+_MAX_WORK = 1 << 26  # about five minutes
 CYCLE = {
     "period": Whole(1, _MAX_PERIOD),
     "at": number,
@@ -114,7 +114,7 @@ class Entropies(Theorem):
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
-        """Bound the time: events times bits, an event of a cell counted as 12 of an image."""
+        """Bound the time: cells and images, times their events, times bits and what all cost."""
         work = 0
         need(len(hints["strips"]) == len(claims["strips"]), "hints and claims are not as many")
         for hint, claim in zip(hints["strips"], claims["strips"], strict=True):
@@ -125,7 +125,7 @@ class Entropies(Theorem):
             need(same, "windows of a cell are not as many as its words")
             images = sum(len(q["kneading"]) + 12 for q in pieces)
             images += sum(q["cycle"]["period"] * 8 for q in pieces if q["cycle"])
-            work += hints["bits"] * (12 * sum(lengths) + max(lengths) * images)
+            work += (hints["bits"] + 256) * (max(lengths) + 3) * (len(lengths) + images)
         need(work <= _MAX_WORK, f"bits, cells and symbols are too much: {work} > {_MAX_WORK}")
 
     def prove(self) -> None:
