@@ -10,7 +10,7 @@ import pdoc
 import cap
 
 # pdoc has no names for the constructor of a record whose annotations are strings, also inherited
-OF_RECORDS = r"Error parsing type annotation (ForwardRef\(.*\)|\w+) for cap\.[\w.]+\.__init__"
+OF_RECORDS = r"Error parsing type annotation (ForwardRef\(.*\)|[^()]+) for cap\.[\w.]+\.__init__"
 
 
 def main(folder: Path) -> None:

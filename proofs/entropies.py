@@ -48,6 +48,7 @@ OVER_F = "entropies"
 BITS = 80
 STEP = Fraction(1, 500)  # of F: the strips, at first
 FINEST = Fraction(1, 16)  # of a strip, at least
+WEAK = STEP / 4  # of F: wider strips are halved if the entropy of a piece may be 0
 PARTS = 8  # of a strip, at most: the pieces
 WIDE = Fraction(1, 20)  # bounds of the entropy that are close enough
 PLACES, SHARP = 6, 40  # decimals of the entropy, bits of slopes
@@ -60,7 +61,7 @@ def prove(setting: Setting) -> Proof:
     cuts = [low + (high - low) * Fraction(k, number) for k in range(number + 1)]
     step = partial(examine, setting.parameters)
     smallest = (high - low) / number * FINEST
-    key = f"entropies at {setting.parameters}, {STEP}, {PARTS}, {WIDE}, {BITS} bits"
+    key = f"entropies at {setting.parameters}, {STEP}, {PARTS}, {WIDE}, {WEAK}, {BITS} bits"
     found = subdivide(step, cells_between(cuts), smallest, setting.runner, key)
     strips = [_read(verdict) for _, verdict in found if verdict != UNDECIDED]
     if not strips:
@@ -120,10 +121,18 @@ def examine(p: Parameters, cell: Cell) -> str:
     with interval.workprec(BITS):
         for near in critical_points(middle):
             try:
-                return json.dumps(lemma_1_strip(middle, near, cell))
+                strip = lemma_1_strip(middle, near, cell)
             except NotProved:
                 continue
+            wide = cell.upper - cell.lower > WEAK * p.F
+            return UNDECIDED if wide and weak(strip) else json.dumps(strip)
     return UNDECIDED
+
+
+def weak(strip: dict[str, Any]) -> bool:
+    """Return whether the entropy of a piece may be 0 and may be positive: finer strips may tell."""
+    bounds = [tuple(map(Fraction, q["entropy"])) for q in strip["claim"]["pieces"]]
+    return any(low <= 0 < high for low, high in bounds)
 
 
 def lemma_1_strip(p: Parameters, near: float, cell: Cell) -> dict[str, Any]:

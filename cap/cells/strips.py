@@ -111,28 +111,32 @@ def together(found: Sequence[Strips]) -> Columns:
 
 
 def cut(world: World, columns: Columns, check: Check) -> list[list[Run]]:
-    """Cut strips into cells, level by level; those of a level that do not hold are left out."""
+    """Cut strips into cells, level by level; those that do not hold are halved, or left out."""
     every = range(len(columns.number))
     room = np.empty(len(every), np.int64), np.empty(PIECES, np.int8)
     frame = Frame(np.array(world.lines), world.numbers, *room)
     for level in range(world.flights + 1):
         fit(columns, frame, level)
-        listed = [runs(columns, j) for j in every]
         wanted = [j for j in every if level == 0 or (columns.level[j] == level).any()]
-        for j, low, high in check(listed, wanted, level):
-            _drop(columns, j, level, low, high)
+        while wanted:
+            bad = check([runs(columns, j) for j in every], wanted, level)
+            for j, low, high in bad:
+                _halve(columns, j, level, low, high)
+            wanted = sorted({j for j, *_ in bad})
     return [runs(columns, j) for j in every]
 
 
-def _drop(columns: Columns, j: int, level: int, low: Edge, high: Edge) -> None:
-    """Take back a cell, given by its edges."""
+def _halve(columns: Columns, j: int, level: int, low: Edge, high: Edge) -> None:
+    """Halve a cell, given by its edges, or take it back if it is one piece."""
     if level == 0:
         columns.bottom[j, 0] = -1.0
     for i in np.flatnonzero(columns.level[j] == level).tolist():
         for m in np.flatnonzero(columns.held[j, i]).tolist():
             size = int(columns.held[j, i, m])
             if (edge(columns, j, i, m), edge(columns, j, i, m + size)) == (low, high):
-                columns.held[j, i, m] = 0
+                columns.held[j, i, m] = size // 2
+                if size > 1:
+                    columns.held[j, i, m + size // 2] = size // 2
 
 
 def even(a: Fraction, b: Fraction, c: Fraction, width: Fraction) -> tuple[float, ...]:

@@ -169,18 +169,27 @@ def attracting(found: Core, part: Family, images: list[Near]) -> Attracting | No
 
 def within(part: Family, y: Near, J: tuple[Fraction, Fraction, Fraction]) -> bool:
     """Return whether y certainly lies inside J."""
-    at, rate, reach = map(interval.ball, J)
-    distance = (y.at - at) + (part.theta - part.origin) * (y.rate - rate)
-    return bool(abs(distance) + y.reach < reach)
+    return bool(_distance(part, y, J) + y.reach < interval.ball(J[2]))
+
+
+def _distance(part: Family, y: Near, J: tuple[Fraction, Fraction, Fraction]) -> Ball:
+    """Return how far the line of y is from that in the middle of J."""
+    at, rate = map(interval.ball, J[:2])
+    return abs((y.at - at) + (part.theta - part.origin) * (y.rate - rate))
 
 
 def contracts(
     found: Core, part: Family, J: tuple[Fraction, Fraction, Fraction], period: int
 ) -> bool:
-    """Return whether it is certain that H^period contracts J into its interior, for all f."""
+    """Return whether it is certain that H^period contracts J into its interior, for all f.
+
+    And that no image before that meets J: so the period is the least one.
+    """
     y, slope = Near(*map(interval.ball, J)), Ball(1)
     try:
-        for _ in range(period):
+        for n in range(period):
+            if n and not _distance(part, y, J) - y.reach > interval.ball(J[2]):
+                return False
             y, here = image(found, part, y)
             slope *= here
     except NotProved:

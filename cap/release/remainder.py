@@ -17,7 +17,7 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 
 BITS = 128
-MOST = 90  # cells
+MOST = 400  # cells
 FINEST = Fraction(1, 2**40)  # of R
 
 

@@ -217,6 +217,14 @@ def test_other_orbits_have_one_hit_of_each_wall(name, f, R, stops):
         assert abs(float(member.trace) - float(claims["trace"][0])) > 1
 
 
+def test_the_page_about_the_format_has_each_table_once():
+    """A merge can double a table, or leave it in the section of another theorem."""
+    page = (STORED / "FORMAT.md").read_text(encoding="utf-8")
+    marks = re.findall("<!-- .* of .* -->", page)
+    assert len(marks) > 40
+    assert len(set(marks)) == len(marks)
+
+
 def test_one_hit_of_each_wall_is_never_all_that_is_said():
     """Where orbits are named by it, pages, summaries and titles say whether they turn."""
     pages = [ROOT / "README.md", ROOT / "docs/tutorial.md", STORED / "FORMAT.md"]

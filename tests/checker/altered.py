@@ -24,10 +24,12 @@ def fits_the_schema(certificate):
     """Check that the JSON Schema describes a certificate, and refuses one field more or less."""
     schema = json.loads(SCHEMA.read_text())
     jsonschema.validate(certificate, schema)
-    fewer = {k: v for k, v in certificate["claims"].items() if k != "itinerary"}
-    for claims in (fewer, certificate["claims"] | {"extra": "1"}):
+    claims = certificate["claims"]
+    dropped = "itinerary" if "itinerary" in claims else next(iter(claims))
+    fewer = {k: v for k, v in claims.items() if k != dropped}
+    for other in (fewer, claims | {"extra": "1"}):
         with pytest.raises(jsonschema.ValidationError):
-            jsonschema.validate(certificate | {"claims": claims}, schema)
+            jsonschema.validate(certificate | {"claims": other}, schema)
 
 
 def verify(certificate):

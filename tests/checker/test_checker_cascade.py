@@ -128,6 +128,14 @@ def test_the_hints():
     rejected(changed(TWO, *path, "events", 0, events[0][1:]), "windows are not lists")
 
 
+@pytest.mark.parametrize("to", [lambda t: -t, lambda t: 4 - t, lambda t: t + 4])
+def test_theta(to):
+    """At -theta the mass is released where the force becomes too weak; beyond pi/2, f < 0."""
+    path = "hints", "cycles", 0, "centre"
+    theta = Fraction(TWO["hints"]["cycles"][0]["centre"][1])
+    rejected(changed(TWO, *path, 1, str(to(theta))), "theta is not between 0 and pi/2")
+
+
 def test_the_itinerary():
     """No other word, and a release at its end alone."""
     for n in range(6):

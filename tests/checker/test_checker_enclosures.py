@@ -11,6 +11,7 @@ import pytest
 from mpmath import mp, mpf
 from support import rounds, seeded
 
+from cap.checker.one_one.taylor_model import rounded
 from checker.parts import (
     Enclosure,
     Interval,
@@ -32,7 +33,6 @@ from checker.parts import (
     over_intervals,
     real,
     regularised_twist,
-    rounded,
 )
 
 F = Fraction

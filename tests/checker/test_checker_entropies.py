@@ -146,6 +146,7 @@ def test_the_cycle(at):
     elsewhere = str(Fraction(cycle["at"]) + Fraction(1, 9))
     refused(at, "may not lie in J", n, lie(*path, "at", elsewhere))
     refused(at, "may not take J", n, lie(*path, "period", "1"))
+    refused(at, "period of a cycle may be smaller", n, lie(*path, "period", "6"))
     refused(at, "may not lie in J", n, lie(*path, "image", "1"))
 
 
@@ -199,6 +200,16 @@ def test_the_order():
         other = Entropies(read(encode(changed(STORED, "claims", name, "1/7"))), lambda _: None)
         with pytest.raises(Rejected, match="the share"):
             other.shares()
+
+
+def test_one_release_only(at):
+    """What follows a release on the way is not said of the release map, but of an iterate."""
+    twice = copy.deepcopy(STORED)
+    cell = twice["hints"]["strips"][0]["cells"][0]
+    for name in ("words", "events"):
+        cell[name] *= 2
+    with pytest.raises(Rejected, match="only release"):
+        list(at(twice).covered())
 
 
 def test_words_of_cells():

@@ -8,6 +8,7 @@ import pytest
 from mpmath import mp, mpf
 from support import number, rational
 
+from cap.checker.flow.hits import slope
 from cap.checker.flow.mechanics import Mechanics, least
 from checker.hybrid import Flow
 from checker.parts import (
@@ -16,7 +17,6 @@ from checker.parts import (
     Rejected,
     Zero,
     rest_of,
-    slope,
     stick,
 )
 from checker.test_checker_events import BITS, STICKY, UNIT, mechanics, passage, point

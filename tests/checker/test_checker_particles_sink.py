@@ -265,6 +265,19 @@ def test_which_release(orbit):
         stops.release_time(M, orbit.events[k]._replace(at=M.instant(wide)))
 
 
+def test_a_critical_time_beside_a_release(orbit):
+    """Just below f = F two critical times lie close together; a release is at one of them only."""
+    close = Parameters(*orbit.M.p[:2], Fraction(9999, 10000), *orbit.M.p[3:5], masses=(1, 1))
+    M, n = Mechanics(close, BITS), numbered(orbit, "release 2 right")
+    release = orbit.events[n]._replace(at=M.instant(M.two_pi - M.theta[1]))
+    assert abs(middle(stops.release_time(M, release) - release.at.t)) < 1e-30
+    end = orbit.events[n + 1]._replace(at=M.instant(M.two_pi + thin("1/2")))
+    assert len(passage.critical(M, 1, release, end)) == 1
+    wide = M.instant(release.at.t + Interval.enclosing(*[Fraction(q, 20) for q in (-1, 1)], BITS))
+    with pytest.raises(Rejected, match="critical at an event"):
+        passage.critical(M, 1, release._replace(at=wide), end)
+
+
 def test_who_rests():
     """From a stick to a release or a hit, around the period."""
     itinerary = ["meet 1 2", "stick 1", "turn 2 left", "release 1 left", "stick 2"]

@@ -64,8 +64,9 @@ def funnel() -> Verdict:
 
 
 def at_the_paper(each: Stored) -> bool:
-    """Return whether a certificate is about the paper's parameters."""
-    return Parameters(**each.parameters) == PAPER
+    """Return whether a certificate is about the paper's parameters, and one mass."""
+    parameters = dict(each.parameters)
+    return not parameters.pop("masses") and Parameters(**parameters) == PAPER
 
 
 @claim("thm:OmNS-structure", Kind.STEP, stated="a neighbourhood of P* is in Ω_NS, by continuity")

@@ -2,7 +2,8 @@
 
 So f/F, and the times (2 pi k - theta)/w and (2 pi k + pi - theta)/w at which p has its local minima
 and a mass at rest is released (``mechanics``), are simple functions of a variable, and what
-depends on f by several ways is enclosed in mean value form.  The last variable is theta.
+depends on f by several ways is enclosed in mean value form.  The last variable is theta, which must
+lie in (0, pi/2): with -theta for theta, at these times p would have its maxima.
 
 *Events.*  Every formula of ``mechanics``, ``hits`` and ``stops`` holds for each value of the
 variables separately; conditions are tested with enclosures over the box, of f as well.
@@ -22,6 +23,7 @@ from cap.checker.flow.mechanics import Box, Ends, Minima, Moment
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, cos_sin_jet, lift
+from cap.checker.kernel.rejection import need
 from cap.checker.kernel.theorem import Parameters
 
 
@@ -41,6 +43,9 @@ class Driven(Lossy):
     def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:  # noqa: ARG002
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
         self.theta, half_turn = self.variables[-1], pi(self.bits)
+        theta = self.theta.value
+        acute = theta.is_positive() and theta.is_before(half_turn / 2)
+        need(acute, "theta is not between 0 and pi/2: 0 < f < F may not hold")
         pairs = [cos_sin_jet(jet) for jet in (self.theta.centre, self.theta.box)]
         self.cosine, self.sine = (self.centred(*jets) for jets in zip(*pairs, strict=True))
 

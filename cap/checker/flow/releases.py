@@ -7,7 +7,7 @@ from cap.checker.flow.hits import SIDES
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Flight
 from cap.checker.kernel.jet import Centred, lift
-from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.rejection import Rejected, need
 
 
 def next_release(M: Lossy, phi: LossyMap, start: Flight) -> tuple[Centred, int]:
@@ -15,6 +15,8 @@ def next_release(M: Lossy, phi: LossyMap, start: Flight) -> tuple[Centred, int]:
 
     And how many half-periods it comes after the release to the right in the first period.
     """
+    earlier = any(word.startswith("release") for word in phi.itinerary[:-1])
+    need(not earlier, "the release at the end is not the only release")
     events, flight = phi.follow(M, start)
     verb, _, side = phi.itinerary[-1].partition(" ")
     if verb != "release" or not isinstance(flight, Flight):

@@ -181,7 +181,11 @@ class Strip:
         need(arrived, "the image of the critical point may not lie in J")
         here = Near(line, Interval.enclosing(-reach, reach, self.bits))
         slope = here.rest.integer(1)
-        for _ in range(claim["period"]):
+        for n in range(claim["period"]):
+            if n:
+                y = H.distance(here, line)
+                apart = y.lower > reach or y.upper < -reach
+                need(apart, "the period of a cycle may be smaller")
             image = self.image(H, here)
             here, slope = H.straightened(image), slope * image[(1, 0)]
         inside = H.distance(here, line).lies_inside(-reach, reach)

@@ -133,6 +133,18 @@ def krawczyk(
     return K
 
 
+def needs_matrix(rows: Sequence[Sequence[Fraction]], count: int, name: str) -> None:
+    """Reject what is not a matrix for the unknowns of so many events."""
+    size = SIZE * count
+    whole = len(rows) == size and all(len(row) == size for row in rows)
+    need(whole, f"{name} is not a matrix of {size} rows and columns")
+
+
+def lies_in(small: Sequence[Ends], large: Sequence[Ends]) -> bool:
+    """Return whether one box lies in another."""
+    return all(z[0] <= s[0] and s[1] <= z[1] for s, z in zip(small, large, strict=True))
+
+
 def dot(row: Sequence[Interval], column: Sequence[Interval]) -> Interval:
     """Return the sum of products."""
     total = row[0] * column[0]

@@ -79,10 +79,13 @@ def closing(M: Mechanics, event: Occurrence) -> Interval:
 
 
 def critical(M: Mechanics, s: int, start: Occurrence, end: Occurrence) -> list[Instant]:
-    """Return the critical times inside a flight; those at a release are at its end."""
-    found = list[Instant]()
+    """Return the critical times inside a flight; that of a release is at its end.
+
+    A release right is where F cos wt increases through f, one left where it decreases through -f.
+    """
+    found, release = list[Instant](), {1: (None, "right"), -1: ("left", None)}[s]
     for k in range(-1, 2 * _MOST + 1):
-        for angle in (M.theta[s], -M.theta[s] + M.two_pi):
+        for angle, side in zip((M.theta[s], -M.theta[s] + M.two_pi), release, strict=True):
             t = (angle + M.two_pi * k) / M.omega
             if t.is_before(start.at.t) or end.at.t.is_before(t):
                 continue
@@ -90,7 +93,8 @@ def critical(M: Mechanics, s: int, start: Occurrence, end: Occurrence) -> list[I
                 found.append(M.instant(t))
                 continue
             near = [e for e in (start, end) if not (e.at.t.is_before(t) or t.is_before(e.at.t))]
-            need(all(e.kind == "release" for e in near), "a velocity may be critical at an event")
+            its_own = all((e.kind, e.word.split()[-1]) == ("release", side) for e in near)
+            need(its_own, "a velocity may be critical at an event")
     return found
 
 

@@ -23,7 +23,15 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Word, region
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, Matrix, krawczyk, of_contacts
+from cap.checker.particles.existence import (
+    SIZE,
+    Ends,
+    Matrix,
+    krawczyk,
+    lies_in,
+    needs_matrix,
+    of_contacts,
+)
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
 from cap.checker.particles.orbit import approach, least_speeds
@@ -103,9 +111,7 @@ class PeriodicOrbit(Theorem):
         for name in ("box", "hit_times", "closing_speeds"):
             need(len(claims[name]) == count, f"claims.{name} is not a list of {count}")
         need(len(hints["centre"]) == count, f"hints.centre is not a list of {count}")
-        rows, size = hints["preconditioner"], SIZE * count
-        whole = len(rows) == size and all(len(row) == size for row in rows)
-        need(whole, f"hints.preconditioner is not a matrix of {size} rows and columns")
+        needs_matrix(hints["preconditioner"], count, "hints.preconditioner")
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -147,8 +153,7 @@ class PeriodicOrbit(Theorem):
         for contact in self.hints["centre"]:
             reach = [(c, radius * unit) for c, unit in zip(contact, units, strict=True)]
             small += [(c - r, c + r) for c, r in reach]
-        sides = zip(small, self.box, strict=True)
-        need(all(z[0] <= s[0] and s[1] <= z[1] for s, z in sides), "S is not in the box")
+        need(lies_in(small, self.box), "S is not in the box")
         result = self.krawczyk(M, small)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains the zero")
         return result
@@ -184,7 +189,7 @@ ORBIT = (
     "m_i x_i'' = F cos(omega t) - f sgn x_i', i = 1, 2, with m_1 = {m[0]}, m_2 = {m[1]}, F = {F}, "
     "omega = {omega}, f = {f}, {l} <= x_1 <= x_2 <= {r}, elastic walls and elastic collisions: "
     "there is one and only one orbit of period T = 2 pi/omega on which no mass ever stops, which "
-    "has in (0, T) exactly these contacts, in this order: {contacts}, and has them in the box of "
+    "has in [0, T) exactly these contacts, in this order: {contacts}, and has them in the box of "
     "the certificate; at t = 0, P*: x_1 in {x[0]}, x_2 in {x[1]}, v_1 in {v[0]}, v_2 in {v[1]}; "
     "the least speeds are in {least_speeds[0]} and {least_speeds[1]}; s_1 + s_2, s_i the sign of "
     "v_i, is the same before and after every collision, so near P* the time-T map Phi preserves "

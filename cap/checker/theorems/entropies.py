@@ -27,7 +27,7 @@ the greatest is smaller, at most h.
 *Cycles.*  Let J be the interval of the numbers at most ``reach`` from at + rate (theta - theta_0).
 For all f of the piece H^p, p the period claimed, takes J into its interior, with a derivative in
 (-1, 1), so it has one fixed point there, which attracts J; and the image of c with the number
-claimed lies in J.
+claimed lies in J.  H(J), .., H^(p-1)(J) are disjoint from J: so p is the least period.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ from cap.checker.kernel.theorem import BITS, MAX_BITS, WITH_LOSSES, Theorem
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
 _MAX_PERIOD = 16
 _SHARES = ("positive", "periodic", "undecided")
-_MAX_WORK = 3 << 22  # about two minutes
+_MAX_WORK = 5 << 22  # about three minutes
 CYCLE = {
     "period": Whole(1, _MAX_PERIOD),
     "at": number,

@@ -32,7 +32,15 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, arrivals, krawczyk, of_contacts
+from cap.checker.particles.existence import (
+    SIZE,
+    Ends,
+    arrivals,
+    krawczyk,
+    lies_in,
+    needs_matrix,
+    of_contacts,
+)
 from cap.checker.particles.family import Family, moved, with_second
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
@@ -102,10 +110,11 @@ class ParticlesLimits(Theorem):
         points = [hints[name][end] for name in ("flip", "stop") for end in ("lower", "upper")]
         points += [node["centre"] for node in hints["nodes"]]
         need(all(len(point) == count for point in points), f"a hint is not a list of {count}")
-        matrices, size = [hints[name]["preconditioner"] for name in ("flip", "stop")], SIZE * count
-        for rows in (*matrices, hints["middle"]):
-            whole = len(rows) == size and all(len(row) == size for row in rows)
-            need(whole, f"a hint is not a matrix of {size} rows and columns")
+        for rows in (
+            *(hints[name]["preconditioner"] for name in ("flip", "stop")),
+            hints["middle"],
+        ):
+            needs_matrix(rows, count, "a hint")
         work = hints["bits"] * count**2 * len(points)
         need(work <= MOST_WORK, f"bits, contacts and nodes are too much: {work} > {MOST_WORK}")
 
@@ -239,11 +248,6 @@ class ParticlesLimits(Theorem):
 def flat(point: Sequence[Rational]) -> Rational:
     """Return the unknowns of all contacts."""
     return [c for contact in point for c in contact]
-
-
-def lies_in(small: Sequence[Ends], large: Sequence[Ends]) -> bool:
-    """Return whether one box lies in another."""
-    return all(z[0] <= s[0] and s[1] <= z[1] for s, z in zip(small, large, strict=True))
 
 
 def no_other_contacts(M: Mechanics, orbit: Sequence[Contact]) -> None:

@@ -23,7 +23,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, bound, region
 from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, krawczyk
+from cap.checker.particles.existence import SIZE, Ends, krawczyk, lies_in, needs_matrix
 from cap.checker.particles.mechanics import NORMALS, Mechanics
 from cap.checker.particles.passage import derivative, follows, row_sums
 from cap.checker.particles.stops import WORDS, events, flight, legs, of_events, place, velocity
@@ -85,9 +85,7 @@ class ParticlesSink(Theorem):
         for name in ("box", "event_times"):
             need(len(claims[name]) == count, f"claims.{name} is not a list of {count}")
         need(len(hints["centre"]) == count, f"hints.centre is not a list of {count}")
-        rows, size = hints["preconditioner"], SIZE * count
-        whole = len(rows) == size and all(len(row) == size for row in rows)
-        need(whole, f"hints.preconditioner is not a matrix of {size} rows and columns")
+        needs_matrix(hints["preconditioner"], count, "hints.preconditioner")
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -134,8 +132,7 @@ class ParticlesSink(Theorem):
             reach = [(c, radius * unit) for c, unit in zip(event, units, strict=True)]
             small += [(c - r, c + r) for c, r in reach]
         box = [z[:2] for event in self.claims["box"] for z in event]
-        sides = zip(small, box, strict=True)
-        need(all(z[0] <= s[0] and s[1] <= z[1] for s, z in sides), "S is not in the box")
+        need(lies_in(small, box), "S is not in the box")
         result = self.krawczyk(M, small)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains the zero")
         return result
@@ -149,7 +146,7 @@ class ParticlesSink(Theorem):
 _SINK = (
     "m_i x_i'' = F cos(omega t) - f sgn x_i', i = 1, 2, with m_1 = {m[0]}, m_2 = {m[1]}, F = {F}, "
     "omega = {omega}, f = {f}, {l} <= x_1 <= x_2 <= {r}, elastic walls and elastic collisions: "
-    "with T = 2 pi/omega there is one and only one orbit of period {period} T that has in (0, "
+    "with T = 2 pi/omega there is one and only one orbit of period {period} T that has in [0, "
     "{period} T) exactly these events, in this order: {words}, and has them in the box of the "
     "certificate; at t = 0 x_1 in {x[0]}, x_2 in {x[1]}, v_1 in {v[0]}, v_2 in {v[1]}; it attracts "
     "all orbits that begin near enough to this state: in the coordinates x/R, v/(R omega) the "

@@ -1,6 +1,6 @@
 """One flight of many intervals: compiled intervals of doubles, and crival's arrays, in one run.
 
-    pip install crival; python benchmarks/bench_intervals.py
+    pip install crival; python benchmarks/peer_intervals.py
 
 Speed and gap after a flight, by the formula of `cap.cells.flight` without viscosity, for N times
 and speeds that are intervals.  crival rounds correctly: how wide its enclosures are beside ours is
