@@ -24,8 +24,9 @@ the volume 2 (integral over S of d dE dt), d the time of the flight.  So
 
 *Where S is.*  `strips`: almost no launch of S is in a cell of the family ``forward`` (its orbit
 would meet W >= c, and that happens on a null set), or of the family ``backward``, which is about
-backward orbits, for the friction -f, with -t for t: almost every launch of S has one in S.  So S lies, up to a null set, in the gaps that
-both leave; its measure is at most their area A in (t, E) (`overlap`).
+backward orbits, for the friction -f, with -t for t: almost every launch of S has one in S.  So S
+lies, up to a null set, in the gaps that both leave; its measure is at most their area A in (t, E)
+(`overlap`).
 
 *From measure to area.*  Outside of the columns W > c, so S has its times t in an interval [t_b,
 t_e] shorter than 2 pi.  G sends t to t + d + pi - 2 pi k, with an integer k, and k <= 1: else a
