@@ -176,6 +176,14 @@ def test_a_run_of_too_many_edges():
         column(written([4 * (1 << 40) + 2]))
 
 
+def test_a_column_that_is_too_long():
+    """Gaps may all meet each other, as curved ones do: their number is bounded."""
+    few, many = (written([*([4, n, 0, 0] * n), 6, n, 0, 0]) for n in (1000, 2000))
+    assert len(gaps(column(few))) == 1001
+    with pytest.raises(Rejected, match="too many edges"):
+        column(many)
+
+
 def test_an_arccosine_that_is_wrong(monkeypatch):
     """The times of the minima are not believed of the library."""
     launches = Launches(Arc(Double(4.0), Double(0.01), Double(0.7), Double(0.0), Double(0.0)), F, R)

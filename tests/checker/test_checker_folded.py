@@ -13,6 +13,7 @@ from cap.checker.folded.fates import ATTRACTOR, SEGMENT, half
 from cap.checker.folded.flights import System
 from cap.checker.folded.follow import Box, Cut, Slow, Split, follow, slowest
 from cap.checker.folded.places import Leaf, across, shares
+from cap.checker.folded.stops import halt
 from cap.checker.kernel import quadratic as q
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters
@@ -146,6 +147,19 @@ def test_fates_of_orbits_in_floats():
             assert not resting.any()
         found[ATTRACTOR if a else SEGMENT] += 1
     assert found[ATTRACTOR] > 10
+
+
+def test_a_stop_is_not_before_the_start():
+    """A zero of s in an arc is a stop only if all flights begin before the end of the arc."""
+    y = System(SYSTEMS["paper"])
+    theta = y.theta[0]
+    T = -theta - 0.2
+    models = q.constant(y.a * T - math.sin(T)), q.constant(-3.0)
+    early = y.fresh((-theta - 0.3, -theta - 0.29), 0.0, *models)
+    assert halt(y, early, T, 0).ends == pytest.approx((T, T))
+    for last in (-theta, -theta + 0.1):
+        with pytest.raises(Rejected, match="begin after the arc"):
+            halt(y, early._replace(begun=(-theta - 0.3, last)), T, 0)
 
 
 def test_without_friction_there_is_no_folded_flow():

@@ -24,6 +24,7 @@ from cap.checker.kernel.rejection import need
 UNIT = 2.0**-28
 LINE = 2.0**-8
 MOST = 4096  # columns
+LONGEST = 4096  # integers in a column: pairs of its gaps may have to be compared
 LARGEST = 1 << 40  # of coefficients, in units; sums of three of them are exact in doubles
 _DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 _VALUES = {digit: value for value, digit in enumerate(_DIGITS)}
@@ -60,6 +61,7 @@ def integers(text: str) -> list[int]:
 def column(text: str) -> Column:
     """Return the runs of a column, from the lowest to the highest, none above the next."""
     found = integers(text)
+    need(len(found) <= LONGEST, "a column has too many edges")
     rest, runs, before = iter(found), Column(), (0, 0, 0)
     for head in rest:
         m = head >> 2

@@ -3,8 +3,9 @@
 *A stop.*  Let T be a polynomial in an arc (theta, 2 pi - theta), modulo 2 pi, a - cos t >= m > 0
 and |s| <= g at T, for all orbits.  As the derivative of cos is at most 1, s' <= -m/2 within m/2 of
 T.  So if 2 g/m < m/2, s vanishes within e = 2 g/m of T; and if s > 0 from the start to the last
-slow time, nowhere before, for s has no minimum in the arc.  If p < 0 then, nothing else happens
-before.
+slow time, nowhere before, for s has no minimum in the arc; nor is T before the start, if that is
+before the end of the arc: s >= 0 there, and s decreases in the arc.  If p < 0 then, nothing else
+happens before.
 
 *After it.*  A stop before pi - theta is a stick, with a release at pi - theta against the direction
 of the flight; one from there to pi + theta a turn; one after it a stick, with a release at 2 pi -
@@ -85,6 +86,7 @@ def halt(y: System, f: Flight, near: float, k: int) -> Halt:
     after = turn + y.theta[0] + more + y.theta[1] + 1e-13
     inside = after < low and high < y.slows[k][0] - y.slows[k][1]
     need(inside, "a stop may be in another arc")
+    need(f.begun[1] < y.slows[k][0] - y.slows[k][1], "a flight may begin after the arc of a stop")
     y.moving(f, after)
     p = q.widened(y.place(f, D, cosine), (left + 2 * e) * e * 2)
     spread = q.bound((0.0, *D[1:])) + e_all

@@ -22,10 +22,11 @@ the volume 2 (integral over S of d dE dt), d the time of the flight.  So
 
     area(Omega_NS) = (1/pi) integral over S of d dE dt.
 
-*Where S is.*  `strips`: no launch of S is in a cell of the family ``forward``, and almost none in
-one of the family ``backward``, which is about backward orbits, for the friction -f, with -t for t:
-almost every launch of S has a backward orbit in S.  So S lies, up to a null set, in the gaps that
-both leave; its measure is at most their area A in (t, E) (`overlap`).
+*Where S is.*  `strips`: almost no launch of S is in a cell of the family ``forward`` (its orbit
+would meet W >= c, and that happens on a null set), or of the family ``backward``, which is about
+backward orbits, for the friction -f, with -t for t: almost every launch of S has one in S.  So S
+lies, up to a null set, in the gaps that both leave; its measure is at most their area A in (t, E)
+(`overlap`).
 
 *From measure to area.*  Outside of the columns W > c, so S has its times t in an interval [t_b,
 t_e] shorter than 2 pi.  G sends t to t + d + pi - 2 pi k, with an integer k, and k <= 1: else a
@@ -92,7 +93,7 @@ class Conservative(Theorem):
         self.compare_speed(at["height"] + at["level"])
 
     def family(self, name: str, world: World) -> list[Column]:
-        """Prove that no launch of S is in a cell of a family."""
+        """Prove that almost no launch of S is in a cell of a family."""
         texts = self.hints[name]
         need(len(texts) == len(world.lines) - 1, f"{name} has not one entry for each column")
         world.columns = [column(words) for words in texts]
