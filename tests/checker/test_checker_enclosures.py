@@ -11,6 +11,7 @@ import pytest
 from mpmath import mp, mpf
 from support import rounds, seeded
 
+from cap.checker.one_one import pairs as pairs_of_orbits
 from cap.checker.one_one.taylor_model import rounded
 from checker.parts import (
     Enclosure,
@@ -28,7 +29,6 @@ from checker.parts import (
     elliptic_frame,
     friction,
     half_turn,
-    home,
     in_complex_coordinate,
     over_intervals,
     real,
@@ -69,7 +69,7 @@ def pairs(rho, delta):
     pair = family.at(delta, 2)
     for jet in (*pair[:7], *pair.speeds, pair.trace, *(z for hit in pair.hits for z in hit)):
         yield from jet.coefficients.values()
-    yield home("slowest").slowest(pair)
+    yield pairs_of_orbits.slowest(pair)
     yield regularised_twist(family, family.at(delta))
 
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 from mpmath import mp, mpf
 
+from cap.checker.one_one import pairs as of_pairs
 from checker.altered import changed, rejected, verify
 from checker.forge_impact import (
     PAPER,
@@ -245,13 +246,13 @@ def test_a_cell_on_which_the_least_speed_may_rise(early, monkeypatch, n):
 
 def test_a_cell_on_which_a_hit_may_be_slowest(early, monkeypatch):
     """If L were larger by 1, it would not be below the speeds at the hits."""
-    computed = home("slowest").slowest
+    computed = of_pairs.slowest
 
     def slowest(pair):
         L = computed(pair)
         return L + 1
 
-    monkeypatch.setattr(home("slowest"), "slowest", slowest)
+    monkeypatch.setattr(of_pairs, "slowest", slowest)
     rejected(early, "the least speed may be that at a hit")
 
 

@@ -8,7 +8,10 @@ import pytest
 from support import holds, width
 
 from cap.errors import NotProved
+from cap.floats import particle_candidates
 from cap.floats.candidates import Request, non_sticking
+from cap.floats.particle_orbits import from_equal_masses
+from cap.floats.particles import Particles
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.strobe import oscillator
 from cap.maps import fixed_point, normal_form, twist_matrix
@@ -126,9 +129,8 @@ def test_equal_masses():
     The multipliers are double there, so the frame is that of the planes of the two orbits.
     """
     equal = Fraction(1), Fraction(1)
-    found = particle_orbits.particles(
-        Request("particles", PAPER, masses=(Fraction(1), Fraction(1)))
-    ).candidates[0]
+    system = Particles(PAPER, equal)
+    found = particle_candidates._of_masses(system, next(from_equal_masses(system)))
     asked = replace(
         particle_orbits.setting(), parameters=PAPER, start=found.start, particles=found.particles
     )
