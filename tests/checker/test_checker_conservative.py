@@ -20,8 +20,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
-from checker.altered import changed, encode, rejected, verify
-from checker.tampered import fits_the_schema
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
 FILE = Path(__file__).parents[1] / "certificates/accept/conservative_by_three_flights.json"
 CERTIFICATE = json.loads(FILE.read_text())

@@ -19,8 +19,8 @@ from cap.checker.verdict import check, words
 from cap.floats.particles import Particles, follow
 from cap.parameters import PAPER
 from cap.parameters import Parameters as Exact
-from checker.altered import changed, encode, leaves, rejected, verify
-from checker.tampered import accepted, fits_the_schema, moved
+from checker.altered import changed, encode, fits_the_schema, leaves, rejected, verify
+from checker.tampered import accepted, moved
 
 STORED = Path(__file__).parents[2] / "certificates/particles_sink.json"
 HIDDEN = "cap.checker.kernel.theorem.Theorem.compare"
