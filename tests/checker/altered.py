@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 from functools import cache
 from pathlib import Path
@@ -55,7 +54,7 @@ def rejected(certificate, why):
 def changed(certificate, *path_and_value):
     """Return a copy with another value at a path, the last argument."""
     *path, last, value = path_and_value
-    result = copy.deepcopy(certificate)
+    result = json.loads(encode(certificate))
     part = result
     for key in path:
         part = part[key]

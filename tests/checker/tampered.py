@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import copy
+import json
 from fractions import Fraction
 
 from cap.checker.kernel.rejection import Rejected
@@ -64,13 +64,13 @@ def malformed(certificate):
             continue
         keys = list(part) if isinstance(part, dict) else range(len(part))
         for key in keys:
-            bad = copy.deepcopy(certificate)
+            bad = json.loads(encode(certificate))
             del at(bad, path)[key]
             yield (*path, key), bad
             for junk in (None, 1, 0.5, True, [], {}, "", "nan", "None", ["2", "1"]):
                 if junk != part[key] and ((*path, key) != ("provenance",) or junk != {}):
                     yield (*path, key, junk), changed(certificate, *path, key, junk)
-        bad = copy.deepcopy(certificate)
+        bad = json.loads(encode(certificate))
         if isinstance(part, dict):
             at(bad, path)["surplus"] = "1"
         else:

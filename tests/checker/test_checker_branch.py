@@ -26,8 +26,8 @@ NARROW_ZERO = "0.240703080213486"
 
 @pytest.fixture(scope="module")
 def whole():
-    """Return a valid certificate down to the end of the branch, in cells of a hundredth."""
-    return forge_branch()
+    """Return a valid certificate down to the end of the branch, in cells of a fiftieth."""
+    return forge_branch(width="0.02")
 
 
 @pytest.fixture(scope="module")
