@@ -48,6 +48,7 @@ from cap.runner import Plan, Runner
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 SEARCH = candidates.every_motion
+OPTIONS = ("jobs", "journal")
 
 FLIGHTS = 12  # that launches are followed, forward and backward
 WIDTH = Fraction(1, 64)  # of columns

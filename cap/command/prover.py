@@ -10,7 +10,8 @@ from cap.certificate import report
 from cap.certificate import writer as certificate
 from cap.command.console import printable, protected, quoted, say
 from cap.command.progress import Progress
-from cap.command.prover_options import Asked, parser, without_options
+from cap.command.prover_options import Asked
+from cap.command.prover_parser import parser, without_options
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
 from cap.proofs import symbolic, theorems
