@@ -20,8 +20,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
-from checker.altered import changed, encode, rejected, verify
-from checker.tampered import fits_the_schema
+from checker.altered import changed, encode, fits_the_schema, rejected
 
 FILE = Path(__file__).parents[1] / "certificates/accept/conservative_by_three_flights.json"
 CERTIFICATE = json.loads(FILE.read_text())
@@ -261,9 +260,7 @@ def test_curved_gaps_are_not_lost():
 
 
 def test_the_certificate():
-    """It is verified; the schema describes it; its line says what is claimed."""
-    steps = verify(CERTIFICATE)
-    assert len(steps) == 6
+    """The schema describes it; that it is verified says `test_certificates.py`."""
     fits_the_schema(CERTIFICATE)
 
 

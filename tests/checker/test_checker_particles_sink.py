@@ -19,8 +19,9 @@ from cap.checker.verdict import check, words
 from cap.floats.particles import Particles, follow
 from cap.parameters import PAPER
 from cap.parameters import Parameters as Exact
-from checker.altered import changed, encode, leaves, rejected, verify
-from checker.tampered import accepted, fits_the_schema, moved
+from checker import remembered
+from checker.altered import changed, encode, fits_the_schema, leaves, rejected, verify
+from checker.tampered import accepted, moved
 
 STORED = Path(__file__).parents[2] / "certificates/particles_sink.json"
 HIDDEN = "cap.checker.kernel.theorem.Theorem.compare"
@@ -40,14 +41,16 @@ def once():
 
     known, before = {}, theorem.krawczyk
 
-    def krawczyk(M, equations, *rest):
-        key = M.p, M.bits, *map(str, rest), repr(equations.value.__closure__[1].cell_contents)
+    def krawczyk(M, equations, region, centre, C):
+        words = repr(equations.value.__closure__[1].cell_contents)
+        key = M.p, M.bits, str(region), str(centre), id(C), words
         if key not in known:
-            known[key] = before(M, equations, *rest)
+            known[key] = before(M, equations, region, centre, C)
         return known[key]
 
     theorem.krawczyk = krawczyk
-    yield
+    with remembered.hints_read_once():
+        yield
     theorem.krawczyk = before
 
 
