@@ -85,9 +85,9 @@ def content(value):
 @contextmanager
 def contacts_computed_once():
     """Compute Krawczyk's operator and the map to third order once for equal arguments."""
-    orbit, theorem = home("PeriodicOrbit"), home("Particles")
+    zero, theorem = home("ZeroOfEvents"), home("Particles")
     known = {}
-    places = [(orbit, "krawczyk")]
+    places = [(zero, "krawczyk")]
     places += [(theorem, name) for name in ("third_order", "in_complex_coordinates")]
 
     def remembered(function):

@@ -30,10 +30,10 @@ def moved(pair):
 
 
 def survivors(certificate, skipped=()):
-    """Return the paths of the claims that can be moved without being noticed."""
+    """Return the claims that can be moved unnoticed; paths, or their beginnings, are skipped."""
     result = []
     for path, pair in leaves(certificate["claims"]):
-        if path[0] not in skipped:
+        if path[0] not in skipped and path not in skipped:
             for ends in moved(pair):
                 value = [str(end) for end in ends]
                 if accepted(changed(certificate, "claims", *path, value)):

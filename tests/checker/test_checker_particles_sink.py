@@ -13,7 +13,7 @@ import pytest
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters
-from cap.checker.particles import passage, stops
+from cap.checker.particles import passage, stops, zero
 from cap.checker.particles.mechanics import Mechanics
 from cap.checker.verdict import check, words
 from cap.floats.particles import Particles, follow
@@ -37,9 +37,7 @@ def sink():
 @pytest.fixture(scope="module", autouse=True)
 def once():
     """Compute Krawczyk's operator once for equal certificates."""
-    from cap.checker.theorems import particles_sink as theorem  # noqa: PLC0415
-
-    known, before = {}, theorem.krawczyk
+    known, before = {}, zero.krawczyk
 
     def krawczyk(M, equations, region, centre, C):
         words = repr(equations.value.__closure__[1].cell_contents)
@@ -48,10 +46,10 @@ def once():
             known[key] = before(M, equations, region, centre, C)
         return known[key]
 
-    theorem.krawczyk = krawczyk
+    zero.krawczyk = krawczyk
     with remembered.hints_read_once():
         yield
-    theorem.krawczyk = before
+    zero.krawczyk = before
 
 
 def thin(q):
