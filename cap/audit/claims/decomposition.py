@@ -8,7 +8,7 @@ from cap.audit.means import block
 from cap.audit.means.balls import pair
 from cap.audit.means.need import need
 from cap.audit.means.orbits import States, hits_only
-from cap.audit.means.stored import Stored, stored
+from cap.audit.means.stored import at_the_paper, stored
 from cap.audit.verdict import (
     Verdict,
     confirmed,
@@ -19,7 +19,7 @@ from cap.audit.verdict import (
     vacuous,
 )
 from cap.flow.propagation import after_periods
-from cap.parameters import PAPER, Parameters
+from cap.parameters import PAPER
 from cap.sets import interval
 
 HEIGHT = Fraction(8, 10**9)  # of the block around the saddle, half
@@ -61,12 +61,6 @@ def funnel() -> Verdict:
         "Stored certificates: of two sinks, of the attractor and of the segment (segment.json).",
         certificate="attractor.json",
     )
-
-
-def at_the_paper(each: Stored) -> bool:
-    """Return whether a certificate is about the paper's parameters, and one mass."""
-    parameters = dict(each.parameters)
-    return not parameters.pop("masses") and Parameters(**parameters) == PAPER
 
 
 @claim("thm:OmNS-structure", Kind.STEP, stated="a neighbourhood of P* is in Ω_NS, by continuity")

@@ -1,5 +1,6 @@
 """Claims of the introduction that are not only summaries of what follows."""
 
+import math
 from fractions import Fraction
 
 from cap.audit import labels
@@ -9,8 +10,9 @@ from cap.audit.means.balls import between, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.orbits import at
-from cap.audit.means.stored import stored
+from cap.audit.means.stored import at_the_paper, stored
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
+from cap.checker.kernel.shapes import Enclosure
 from cap.proofs.census import census
 from cap.sets import interval
 
@@ -115,6 +117,39 @@ def an_elliptic_orbit_exists() -> Verdict:
         "The stored certificate, checked now.",
         certificate="elliptic.json",
     )
+
+
+@claim("ssec:intro-mixed", Kind.THEOREM, stated="islands and dissipative attractors coexist")
+def coexistence() -> Verdict:
+    """Stability islands of Hamiltonian type and dissipative attractors coexist in the same phase
+    space at the same parameter values.
+    """
+    island, shares, never = (
+        stored(f"{name}.json") for name in ("elliptic", "mixed", "conservative")
+    )
+    need(
+        all(at_the_paper(each) for each in (island, shares, never)), "they are at other parameters"
+    )
+    part, V = shares.claims["shares"], shares.claims["box"]["v"].upper
+    need(island.claims["twist"].lower > 0, "the twist may vanish")
+    need(part["attractor"].lower > 0 and part["segment"].lower > 0, "a share may be zero")
+    area = math.ceil(never.claims["area"] * 1000) / 1000
+    attracted, settled, stopping = (least(part[name]) for name in ("attractor", "segment", "stops"))
+    return confirmed(
+        f"true at the paper's parameters, with shares: of the states |v| < {float(V):g} at t = 0 "
+        f"at least {attracted} of the area tend to one chaotic set (or its mirror image), at least "
+        f"{settled} to T-periodic orbits that touch no wall, at least {stopping} stop at least "
+        "once, these included. Around P* the velocity never vanishes on a set of positive area; "
+        f"but all such states have, in the whole plane, at most the area {area:g}",
+        "The stored certificates, checked now; Moser's theorem for the island of elliptic.json. "
+        "Never stopping: conservative.json. What is left of the area is undecided.",
+        certificate="mixed.json",
+    )
+
+
+def least(share: Enclosure) -> str:
+    """Return a lower bound in per cent, rounded down."""
+    return f"{math.floor(share.lower * 1000) / 10:g} %"
 
 
 @claim("ssec:intro-mixed", Kind.WORDS, stated="one transformation removes both discontinuities")

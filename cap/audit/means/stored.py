@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from cap.audit.means.need import need
 from cap.errors import NotProved
+from cap.parameters import PAPER, Parameters
 
 FOLDER = Path(__file__).resolve().parents[2] / "certificates"
 _asked: set[str] = set()
@@ -33,6 +34,12 @@ def sentence(name: str) -> str:
 
     stored(name)
     return words(read((FOLDER / name).read_bytes()))
+
+
+def at_the_paper(each: Stored) -> bool:
+    """Return whether a certificate is about the paper's parameters, and one mass."""
+    parameters = dict(each.parameters)
+    return not parameters.pop("masses") and Parameters(**parameters) == PAPER
 
 
 @cache
