@@ -19,7 +19,7 @@ SETTING = Setting(PAPER, Start(0.0, 0.0, ()), 6)
 
 def test_two_flights(monkeypatch):
     """With wide columns: the checker accepts it, and more flights leave less."""
-    monkeypatch.setattr(conservative, "WIDTH", Fraction(1, 16))
+    monkeypatch.setattr(conservative, "WIDTH", Fraction(1, 8))
     areas = []
     for flights in (1, 2):
         monkeypatch.setattr(conservative, "FLIGHTS", flights)
