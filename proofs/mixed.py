@@ -43,6 +43,7 @@ SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**5)  # of a share: libraries may steer otherwise by rounding
 PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
 COLUMNS, ROWS, CUTS, DEPTH = 64, 192, 2, 6
+HALVED = 9  # most halvings of a leaf in all, on average: the checker does no more work
 HOPE = 0.1  # part of what is undecided that one cut more may decide, if none was before
 FIRST, MOST, ROUNDS = 1, 9, 8  # cuts of a leaf; rounds in which they are chosen
 
@@ -59,7 +60,7 @@ def prove(setting: Setting) -> Proof:
         "places": PLACES,
         "columns": str(COLUMNS),
         "rows": str(ROWS),
-        "depth": str(DEPTH),
+        "depth": str(halvings(setting)),
         "leaves": str(FIRST) * (COLUMNS * ROWS),
     }
     draft = certificate_of(setting, claims_of(setting, (0, 0, 0)) | nested, hints)
@@ -73,16 +74,14 @@ def silent(_step: str) -> None:
     """Hear nothing."""
 
 
-def efforts(setting: Setting) -> dict[str, Any]:
-    """Return the hints on how places and leaves are cut."""
-    cuts = CUTS if setting.cuts is None else setting.cuts
-    return {
-        "places": PLACES,
-        "columns": str(COLUMNS),
-        "rows": str(ROWS),
-        "depth": str(cuts + DEPTH - CUTS),
-        "leaves": str(cuts) * (COLUMNS * ROWS),
-    }
+def halvings(setting: Setting) -> int:
+    """Return how many times more than it is cut a leaf is halved: the checker limits the sum."""
+    return min(DEPTH, HALVED - cuts_of(setting))
+
+
+def cuts_of(setting: Setting) -> int:
+    """Return how often leaves are cut, on average."""
+    return CUTS if setting.cuts is None else setting.cuts
 
 
 class Sorted:
@@ -92,6 +91,7 @@ class Sorted:
         self.runner = replace(setting.runner, journal=None)
         self.judge = theorem.judge(self.work("releases"))
         self.leaves, self.p = list(theorem.leaves()), theorem.p
+        self.depth = halvings(setting)
         self.cuts = [FIRST - 1] * len(self.leaves)
         self.counts = [(0, 0, 0)] * len(self.leaves)
         self.gains = [1.0] * len(self.leaves)
@@ -106,7 +106,7 @@ class Sorted:
         """Cut some leaves once more."""
         for n in chosen:
             self.cuts[n] += 1
-        tasks = [self.leaves[n].cut(self.cuts[n], DEPTH) for n in chosen]
+        tasks = [self.leaves[n].cut(self.cuts[n], self.depth) for n in chosen]
         counted = self.work("leaves")(partial(shares, self.p, self.judge), tasks)
         for n, counts in zip(chosen, counted, strict=True):
             before = self.part(n, self.counts[n], -1)
@@ -115,7 +115,7 @@ class Sorted:
 
     def part(self, n: int, counts: tuple[int, int, int], less: int = 0) -> float:
         """Return which part of a leaf has a fate."""
-        return (counts[0] + counts[1]) / float(1 << self.cuts[n] + DEPTH + less)
+        return (counts[0] + counts[1]) / float(1 << self.cuts[n] + self.depth + less)
 
     def hope(self, n: int) -> float:
         """Return what one cut more of a leaf may gain, for each piece: it steers."""
@@ -147,7 +147,7 @@ def lemma_shares(setting: Setting, theorem: Mixed) -> tuple[str, tuple[Fraction,
     Returns how often each is cut, and the parts.
     """
     found = Sorted(setting, theorem)
-    wanted = len(found.leaves) << (CUTS if setting.cuts is None else setting.cuts)
+    wanted = len(found.leaves) << cuts_of(setting)
     for n in range(ROUNDS):
         found.spend((wanted - found.pieces) // (ROUNDS - n))
     letters = "".join(map(str, found.cuts))

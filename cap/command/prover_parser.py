@@ -36,8 +36,8 @@ OF_SOME = {
         Option("speed", exact_positive, "for states |v| < Q (default 3/2 R omega)", "Q"),
         Option(
             "cuts",
-            count(1, 9),
-            "leaves are cut in halves N times on average, 1 to 9 (default 2); one more doubles the "
+            count(1, 6),
+            "leaves are cut in halves N times on average, 1 to 6 (default 2); one more doubles the "
             "time",
             "N",
         ),

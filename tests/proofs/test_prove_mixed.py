@@ -1,7 +1,9 @@
 """The theorem mixed: a coarse proof at another speed, its picture, and refusals."""
 
+import json
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +11,8 @@ from support import proving
 
 from cap.certificate import report
 from cap.certificate.writer import dumps
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.rejection import Rejected
 from cap.explore import mixed as picture
 from cap.floats.candidates import Request
 from cap.parameters import PAPER
@@ -16,6 +20,8 @@ from cap.pictures import proved as painting
 from cap.proofs import mixed
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
+
+STORED = Path(__file__).parents[2] / "certificates/mixed.json"
 
 
 @pytest.fixture(scope="module")
@@ -84,3 +90,16 @@ def test_refusals(capsys, tmp_path, monkeypatch, words, complaint):
     status, _, err = proving(capsys, *words, "--out", "mixed.json")
     assert status == 2
     assert complaint in err
+
+
+@pytest.mark.parametrize("cuts", [1, 2, 4, 6])
+def test_what_may_be_asked_for_is_not_too_much(cuts):
+    """With as many cuts as the command line allows the checker does the work, not with more."""
+    stored = {**json.loads(STORED.read_text()), "provenance": {}}
+    setting = replace(Setting(PAPER, (Fraction(0), Fraction(0)), 8), cuts=cuts)
+    stored["hints"]["leaves"] = str(cuts) * (mixed.COLUMNS * mixed.ROWS)
+    stored["hints"]["depth"] = str(mixed.halvings(setting))
+    read(json.dumps(stored).encode())
+    stored["hints"]["leaves"] = "9" * (mixed.COLUMNS * mixed.ROWS)
+    with pytest.raises(Rejected, match="too many pieces"):
+        read(json.dumps(stored).encode())
