@@ -79,6 +79,12 @@ def parser() -> Parser:
         "doubles the time",
     )
     p.add_argument(
+        "--flights",
+        metavar="N",
+        help="conservative: launches are followed for N flights forward and backward, 1 to 40 "
+        "(default 20); more take longer, and leave less area",
+    )
+    p.add_argument(
         "--jobs",
         default="1",
         metavar="N",
@@ -133,6 +139,7 @@ class Asked:
     out: Path
     speed: Fraction | None = None
     cuts: int | None = None
+    flights: int | None = None
 
     @classmethod
     def of(cls, options: argparse.Namespace, progress: Callable[[str], None]) -> "Asked":
@@ -158,6 +165,7 @@ class Asked:
             options.out,
             _positive(options.speed),
             None if options.cuts is None else integer(options.cuts, "cuts", (1, 9), 1),
+            None if options.flights is None else integer(options.flights, "flights", (1, 40), 2),
         )
         asked._fits()
         if asked.journal:
@@ -188,6 +196,7 @@ class Asked:
             particles=candidate.particles,
             speed=self.speed,
             cuts=self.cuts,
+            flights=self.flights,
         )
 
     @property
@@ -227,6 +236,8 @@ class Asked:
             raise BadInput("--jobs is for theorems on a range of f, for conservative and mixed")
         if theorem != "mixed" and (self.speed is not None or self.cuts is not None):
             raise BadInput("--speed and --cuts are for the theorem mixed")
+        if theorem != "conservative" and self.flights is not None:
+            raise BadInput("--flights is for the theorem conservative")
         if self.order and theorem != "elliptic":
             raise BadInput("--order is for the theorem elliptic")
         if self.request.masses and "masses" not in load(theorem).PARAMETERS:
