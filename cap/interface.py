@@ -20,7 +20,8 @@ from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.verdict import check, words
 from cap.command.console import quoted
-from cap.command.prover_options import Asked, parser
+from cap.command.prover_options import Asked
+from cap.command.prover_parser import parser
 from cap.command.verifier import content, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
@@ -231,8 +232,6 @@ def _word(name: str, value: Any) -> Any:
         return _state(value)
     if name == "masses" and isinstance(value, tuple | list):
         return ",".join(_word(name, mass) for mass in value)
-    if name == "journal":
-        return Path(value)
     if isinstance(value, float) and not math.isfinite(value):
         raise BadInput(f"{name} = {value!r} is no number: write a decimal or a fraction, as text")
     if isinstance(value, float):

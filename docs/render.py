@@ -75,20 +75,22 @@ def rendered(script: str) -> str:
 
 
 def _command(words: str, *, fails: bool) -> str:
-    """Run a command; return it with what it prints."""
+    """Run a command; return it with what it prints: on standard error, only if it is to fail.
+
+    What else is there, how far a computation is, depends on how busy the machine is.
+    """
     program, *rest = shlex.split(words)
     path = os.pathsep.join([str(ROOT), *filter(None, [os.environ.get("PYTHONPATH")])])
     run = subprocess.run(  # noqa: S603 (the script is ours)
         [sys.executable if program == "python" else program, *rest],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
+        capture_output=True,
         text=True,
         env={**os.environ, "PYTHONPATH": path},
         check=False,
     )
     if (run.returncode != 0) != fails:
-        raise Failure(f"exit status {run.returncode}: {words}\n{run.stdout}")
-    return f"$ {words}\n{_wrapped(run.stdout)}"
+        raise Failure(f"exit status {run.returncode}: {words}\n{run.stdout}{run.stderr}")
+    return f"$ {words}\n{_wrapped(run.stdout + run.stderr * fails)}"
 
 
 def _python(cell: Cell, scope: dict[str, Any]) -> str:

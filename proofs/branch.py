@@ -62,6 +62,7 @@ from cap.sets.taylor_model import Domain, TaylorModel
 SUMMARY = "these orbits for all f of a range: trace, resonances, twist, end, invariant curves"
 SEARCH = candidates.closed_form
 OVER_F = "branch"
+OPTIONS = ("jobs", "journal")
 
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow

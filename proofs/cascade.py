@@ -39,6 +39,7 @@ from cap.sets.interval import Ball
 SUMMARY = "where cycles of the release map double their period as f varies, and the ratios"
 SEARCH = candidates.range_of_f
 OVER_F = "cascade"
+OPTIONS = ("jobs", "journal")
 
 NUMBER = 6  # of doublings
 LOOKS = 24  # values of f at which cycles are looked for

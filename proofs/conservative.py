@@ -54,6 +54,7 @@ from cap.runner import Plan, Runner
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 SEARCH = candidates.every_motion
+OPTIONS = ("flights", "jobs", "journal")
 
 FLIGHTS = 20  # that launches are followed, forward and backward, if nothing else is asked for
 WIDE, FINE = Fraction(1, 64), Fraction(1, 256)  # widths of columns

@@ -43,6 +43,7 @@ from cap.sets.taylor_model import Domain, TaylorModel
 
 SUMMARY = "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves"
 SEARCH = candidates.non_sticking
+OPTIONS = ("order",)
 
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 

@@ -44,6 +44,7 @@ from cap.sets import interval
 SUMMARY = "entropy of the release map for all f of a range, piece by piece; cycles that attract"
 SEARCH = candidates.range_of_f
 OVER_F = "entropies"
+OPTIONS = ("jobs", "journal")
 
 BITS = 80
 STEP = Fraction(1, 500)  # of F: the strips, at first

@@ -10,6 +10,9 @@
  (iii) Each such orbit with m > 1 leaves a wall somewhere in the boxes of launches that are left
        over, if there are any; so if there are none, the list is complete.
 
+Orbits with m > 1 are not proved to exist: near one, boxes are left over.  Floats find some with m =
+3 at small friction (R = 1, F = ω = 1, f = 1/100), where the boxes are too many for a certificate.
+
 T-periodic orbits that touch no wall turn; they are named, as a family, and not counted.
 
 Proof.  (i), (iii): `cap.maps.inventory`, a search over all launches in boxes that are proved empty.
@@ -21,10 +24,11 @@ from fractions import Fraction
 from typing import Any, cast
 
 from cap.certificate.writer import NONE
+from cap.checker.theorems.inventory import MAX_BOXES
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps import inventory
-from cap.maps.inventory import Box, Tree
+from cap.maps.inventory import Box, Effort, TooMany, Tree
 from cap.maps.launch_set import System, Window
 from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
 from cap.proofs.fixed_point import Proof, Setting, assembled
@@ -82,7 +86,12 @@ def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree, Fraction
             setting.progress(f"{done} boxes of launches examined; {waiting} wait")
 
         sides = interval.ball(LONGEST), interval.ball(U)
-        return limits, inventory.tree(system, sides, DEPTH, tell), U
+        try:
+            return limits, inventory.tree(system, sides, Effort(DEPTH, MAX_BOXES), tell), U
+        except TooMany:
+            words = "more boxes of launches than a certificate may have: the friction is too small"
+            sets = {"boxes": MAX_BOXES, "f/F": system.alpha, "hits": limits.hits}
+            raise NotProved("Lemma 1", words, sets) from None
 
 
 def lemma_2_one_hit(setting: Setting) -> tuple[list[dict[str, Any]], Any]:

@@ -38,6 +38,7 @@ from cap.sets import interval
 
 SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
 SEARCH = candidates.releasing
+OPTIONS = ("jobs", "speed", "cuts")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**5)  # of a share: libraries may steer otherwise by rounding
 PLACES = {"parts": "512", "cuts": "6", "depth": "10"}

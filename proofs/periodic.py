@@ -37,6 +37,7 @@ from cap.sets.interval import Ball
 
 SUMMARY = "an nT-periodic orbit exists, with any events; its type; the basin of a sink"
 SEARCH = candidates.cyclic
+OPTIONS = ("period",)
 
 
 def prove(setting: Setting) -> Proof:

@@ -45,6 +45,12 @@ class Theorem:
         return name
 
     @property
+    def options(self) -> tuple[str, ...]:
+        """The options of the command line that it takes, beside those that all take."""
+        options: tuple[str, ...] = getattr(self._module, "OPTIONS", ())
+        return options
+
+    @property
     def search(self) -> Search:
         """The search for the orbits that it may be about."""
         found: Search = self._module.SEARCH

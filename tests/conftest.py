@@ -86,6 +86,6 @@ def pairs_computed_once():
 
 @pytest.fixture(scope="module")
 def contacts_computed_once():
-    """Let the checker compute the operator of Krawczyk and the jets of two masses once."""
-    with remembered.contacts_computed_once():
+    """Let the checker read hints and compute Krawczyk's operator and jets of two masses once."""
+    with remembered.contacts_computed_once(), remembered.hints_read_once():
         yield

@@ -40,6 +40,15 @@ def test_two_commands():
     assert commands[-1] == second
 
 
+def test_every_step():
+    """No step of CI is written and not run."""
+    text = "\n".join(CI)
+    written = set(re.findall(r"^(\w+)\(\) {", text, re.MULTILINE)) - {"begin", "finish"}
+    (run,) = re.findall(r"^for step in (.*); do", text, re.MULTILINE)
+    assert len(written) > 5
+    assert sorted(run.split()) == sorted(written)
+
+
 def test_the_citation():
     """`CITATION.cff` and `CHANGELOG.md` know the version."""
     assert f"\nversion: {cap.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")

@@ -31,6 +31,12 @@ print("x =", x)
 
 # %%
 # !python -c "print('of a command')"
+
+# %%
+# !python -c "import sys; print('half is done', file=sys.stderr)"
+
+# %% tags=["raises-exception"]
+# !python -c "raise SystemExit('an error')"
 """
 SHOWN = """# Title
 
@@ -53,6 +59,16 @@ x = 0.6666666666666666
 ```console
 $ python -c "print('of a command')"
 of a command
+```
+
+```console
+$ python -c "import sys; print('half is done', file=sys.stderr)"
+
+```
+
+```console
+$ python -c "raise SystemExit('an error')"
+an error
 ```
 """
 

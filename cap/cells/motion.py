@@ -19,18 +19,8 @@ from cap.sets.records import Record
 
 FLY, REST, WALL, NEAR, LOST = 0, 1, 2, 3, 4
 
-WORDS = (
-    "hit r",
-    "hit l",
-    "turn right",
-    "turn left",
-    "stick",
-    "capture r",
-    "capture l",
-    "release right",
-    "release left",
-)
 HIT_R, HIT_L, TURN_RIGHT, TURN_LEFT, STICK, CAPTURE_R, CAPTURE_L, RELEASE_R, RELEASE_L = range(9)
+# the places in `cap.flow.words.WORDS`
 STOPPED = 9  # a turn, a stick or a capture: not a word, but a bit beside theirs
 LONGEST = 15  # words of an itinerary that a number keeps: four bits each
 

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.cells.motion import LONGEST, WORDS
+from cap.cells.motion import LONGEST
 from cap.errors import BadInput
+from cap.flow.words import WORDS
 
 Floats = NDArray[np.float64]
 Numbers = NDArray[np.int64]

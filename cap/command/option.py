@@ -63,6 +63,14 @@ def positive(words: Sequence[str], name: str) -> float:
     return value
 
 
+def exact_positive(words: Sequence[str], name: str) -> Fraction:
+    """Read a positive number, exactly."""
+    value = exact(words[0])
+    if value <= 0:
+        raise BadInput(f"--{name} must be positive: {words[0].strip()}")
+    return value
+
+
 def positive_to(most: float) -> Reader:
     """Read a positive number up to a limit."""
 

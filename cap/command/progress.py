@@ -3,6 +3,10 @@
 import os
 import sys
 import time
+from collections.abc import Callable
+
+from cap.command.console import printable, say
+from cap.errors import BadInput
 
 PATIENCE = 1.0  # seconds without a bar
 REFRESH = 0.1  # seconds between two states of the line on a terminal
@@ -81,3 +85,15 @@ def _duration(seconds: float) -> str:
         if seconds >= 2 * unit:
             return f"{seconds / unit:.0f} {name}"
     return f"{seconds:.0f} s"
+
+
+def answered(run: Callable[[], int], progress: Progress) -> int:
+    """Run a command and return its status; bad input becomes one line, and the status 2."""
+    try:
+        return run()
+    except BadInput as error:
+        progress.clear()
+        say(f"error: {printable(str(error))}", sys.stderr)
+        return 2
+    finally:
+        progress.clear()

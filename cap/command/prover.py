@@ -8,9 +8,10 @@ from collections.abc import Sequence
 
 from cap.certificate import report
 from cap.certificate import writer as certificate
-from cap.command.console import printable, protected, quoted, say
-from cap.command.progress import Progress
-from cap.command.prover_options import Asked, parser, without_options
+from cap.command.console import protected, quoted, say
+from cap.command.progress import Progress, answered
+from cap.command.prover_options import Asked
+from cap.command.prover_parser import parser, without_options
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
 from cap.proofs import symbolic, theorems
@@ -28,16 +29,13 @@ def main(words: Sequence[str]) -> int:
             print(f"{name:<12} {symbolic.proof(name).SUMMARY}")
         return 0
     progress = Progress()
-    try:
+
+    def run() -> int:
         if options.theorem in symbolic.NAMES:
             return _symbolic(without_options(options).theorem)
         return _run(Asked.of(options, progress.tell).writable(), progress)
-    except BadInput as error:
-        progress.clear()
-        say(f"error: {printable(str(error))}", sys.stderr)
-        return 2
-    finally:
-        progress.clear()
+
+    return answered(run, progress)
 
 
 def _symbolic(name: str) -> int:

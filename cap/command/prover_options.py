@@ -9,11 +9,13 @@ from errno import ENOENT
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 from cap.certificate import naming
 from cap.checker.theorems import load
-from cap.command.console import Parser, program, quoted
-from cap.command.option import choice, integer, masses
+from cap.command.console import quoted
+from cap.command.option import integer, masses
+from cap.command.prover_parser import NAMES, OF_SOME, takers
 from cap.errors import BadInput
 from cap.files import tried
 from cap.floats.candidates import Candidate, Request
@@ -23,107 +25,7 @@ from cap.proofs.symbolic import NAMES as SYMBOLIC
 from cap.proofs.theorems import THEOREMS
 from cap.runner import Runner, Tell
 
-NAMES = (*THEOREMS, *SYMBOLIC)
-ORDERS = ("3", "5", "7", "9")
 Range = tuple[Fraction | None, Fraction | None]
-
-
-def parser() -> Parser:
-    """Return the command line's parser."""
-    p = Parser(
-        prog=program("cap.prove"),
-        description="Prove a theorem on x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where "
-        "v becomes -e v at the walls, and write a certificate that `python -m cap.verify FILE` "
-        "checks.  Orbits are searched for in floats, from many seeds or from the state given.",
-        epilog="Numbers are integers, decimals or p/q, all exact: 0.4 means 2/5.  Examples: "
-        "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
-        "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "
-        "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
-        "python -m cap.prove capture;  python -m cap.prove branch --from 2/5;  "
-        "python -m cap.prove attractor --from 0.39 --to 0.43 --jobs 2",
-    )
-    p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(NAMES))
-    p.add_argument("--list", action="store_true", help="say what can be proved")
-    for name, value in PAPER.strings().items():
-        p.add_argument(f"--{name}", metavar="Q", help=f"default {value}")
-    p.add_argument(
-        "--orbit",
-        nargs=2,
-        metavar=("X", "V"),
-        help="prove the orbit to which Newton's method leads from this state at t = 0 (capture: of "
-        "this state; attractor: the critical point near X)",
-    )
-    p.add_argument(
-        "--masses",
-        metavar="M1,M2",
-        help="particles, particles_saddle, particles_sink, particles_limits, sliding: two masses, "
-        "as 1,9/10, on each of which the forcing F and the friction f act; their orbits are found "
-        "from equal masses, or from random states",
-    )
-    p.add_argument(
-        "--proportional",
-        action="store_true",
-        help="with --masses: the friction f m_i instead of f; there is nothing to prove then, and "
-        "this says why",
-    )
-    p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
-    p.add_argument("--period", default="1", metavar="N", help="periodic: of period N T (default 1)")
-    p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
-    p.add_argument("--from", dest="lowest", metavar="Q", help="branch, attractor: for f from here")
-    p.add_argument("--to", dest="highest", metavar="Q", help="branch, attractor: for f up to here")
-    p.add_argument("--speed", metavar="Q", help="mixed: for states |v| < Q (default 3/2 R omega)")
-    p.add_argument(
-        "--cuts",
-        metavar="N",
-        help="mixed: leaves are cut in halves N times on average, 1 to 9 (default 2); one more "
-        "doubles the time",
-    )
-    p.add_argument(
-        "--flights",
-        metavar="N",
-        help="conservative: launches are followed for N flights forward and backward, 1 to 40 "
-        "(default 20); more take longer, and leave less area",
-    )
-    p.add_argument(
-        "--jobs",
-        default="1",
-        metavar="N",
-        help="on a range of f, conservative, mixed: processes (default 1)",
-    )
-    p.add_argument(
-        "--journal",
-        type=Path,
-        metavar="FILE",
-        help="on a range of f, conservative: a file of what is done, from which an interrupted "
-        "proof goes on",
-    )
-    p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
-    p.add_argument(
-        "--order",
-        metavar="N",
-        help="odd order of the normal form, 3 to 9 (default 3, or 5 with a resonance of order 5 to "
-        "8 near)",
-    )
-    p.add_argument(
-        "--out",
-        type=Path,
-        default=Path("certificates"),
-        metavar="PATH",
-        help="a file ending in .json, which is replaced; or a directory (default: certificates): "
-        "there the name tells the theorem, the parameters that are not the paper's, and the orbit "
-        "if one is asked for, and no other file is replaced",
-    )
-    return p
-
-
-def without_options(options: argparse.Namespace) -> argparse.Namespace:
-    """Return the options of a theorem without numbers; raise `BadInput` if any is given."""
-    if options != parser().parse_args([options.theorem]):
-        raise BadInput(
-            f"the theorem {options.theorem} is about all parameters and writes no certificate: "
-            "give no options"
-        )
-    return options
 
 
 @dataclass(frozen=True)
@@ -132,14 +34,11 @@ class Asked:
 
     request: Request
     digits: int
-    order: int | None
     f_range: Range
+    out: Path
     jobs: int
     journal: Path | None
-    out: Path
-    speed: Fraction | None = None
-    cuts: int | None = None
-    flights: int | None = None
+    more: dict[str, Any]  # what else the theorem takes, by the names that `Setting` has
 
     @classmethod
     def of(cls, options: argparse.Namespace, progress: Callable[[str], None]) -> "Asked":
@@ -155,17 +54,15 @@ class Asked:
         if any(f_range):
             theorem = THEOREMS[options.theorem].over_f or options.theorem
             options = argparse.Namespace(**{**vars(options), "theorem": theorem})
+        more = _of_some(options)
         asked = cls(
-            _request(options, progress),
+            _request(options, more.pop("period", 1), progress),
             integer(options.digits, "digits", (6, 1000), 4),
-            int(choice(*ORDERS)([options.order], "order")) if options.order else None,
             f_range,
-            integer(options.jobs, "jobs", (1, 1024), 4),
-            options.journal,
             options.out,
-            _positive(options.speed),
-            None if options.cuts is None else integer(options.cuts, "cuts", (1, 9), 1),
-            None if options.flights is None else integer(options.flights, "flights", (1, 40), 2),
+            more.pop("jobs", 1),
+            more.pop("journal", None),
+            more,
         )
         asked._fits()
         if asked.journal:
@@ -189,14 +86,11 @@ class Asked:
             self.request.parameters,
             candidate.start,
             self.digits,
-            order=self.order or candidate.order,
             progress=lambda words: runner.tell(words, None),
             f_range=self.f_range,
             runner=runner,
             particles=candidate.particles,
-            speed=self.speed,
-            cuts=self.cuts,
-            flights=self.flights,
+            **{"order": candidate.order, **self.more},
         )
 
     @property
@@ -225,28 +119,24 @@ class Asked:
     def _fits(self) -> None:
         """Raise `BadInput` for options of other theorems, or that exclude each other."""
         theorem = self.request.kind
-        over_f = THEOREMS[theorem].over_f == theorem
         if self.request.every and (self.request.orbit or self.into_a_file):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
-        if any(self.f_range) and not over_f:
+        if any(self.f_range) and THEOREMS[theorem].over_f != theorem:
             raise BadInput("--from and --to are for theorems on a range of f")
-        if self.journal and not (over_f or theorem == "conservative"):
-            raise BadInput("--journal is for theorems on a range of f, and for conservative")
-        if self.jobs > 1 and not (over_f or theorem in ("conservative", "mixed")):
-            raise BadInput("--jobs is for theorems on a range of f, for conservative and mixed")
-        if theorem != "mixed" and (self.speed is not None or self.cuts is not None):
-            raise BadInput("--speed and --cuts are for the theorem mixed")
-        if theorem != "conservative" and self.flights is not None:
-            raise BadInput("--flights is for the theorem conservative")
-        if self.order and theorem != "elliptic":
-            raise BadInput("--order is for the theorem elliptic")
         if self.request.masses and "masses" not in load(theorem).PARAMETERS:
             raise BadInput(f"the theorem {theorem} is about one mass: leave out --masses")
-        if theorem != "periodic" and self.request.periods > 1:
-            raise BadInput("--period is for the theorem periodic")
 
 
-def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Request:
+def _of_some(options: argparse.Namespace) -> dict[str, Any]:
+    """Return the values of the options that not all theorems take; this one must take them."""
+    given = {name: vars(options)[name] for name in OF_SOME if vars(options)[name] is not None}
+    for name in given:
+        if name not in THEOREMS[options.theorem].options:
+            raise BadInput(f"--{name} is an option of: {', '.join(takers(name))}")
+    return {name: OF_SOME[name].read(word) for name, word in given.items()}
+
+
+def _request(options: argparse.Namespace, periods: int, progress: Callable[[str], None]) -> Request:
     """Return what the search is asked for."""
     if options.proportional:
         raise BadInput(_proportional(options.theorem))
@@ -270,7 +160,7 @@ def _request(options: argparse.Namespace, progress: Callable[[str], None]) -> Re
         Parameters(*map(exact, words)),
         (orbit[0], orbit[1]) if orbit else None,
         every=options.all,
-        periods=integer(options.period, "period", (1, 16), 4),
+        periods=periods,
         progress=progress,
         masses=masses([options.masses], "masses") if options.masses is not None else (),
     )
@@ -295,15 +185,6 @@ def _range(options: argparse.Namespace) -> Range:
     if any(a >= b for a, b in pairwise(ends)):
         raise BadInput("the range must be 0 < from < to")
     return low, high
-
-
-def _positive(word: str | None) -> Fraction | None:
-    """Return a positive number, if one is given."""
-    if word is None:
-        return None
-    if exact(word) <= 0:
-        raise BadInput(f"--speed must be positive: {word.strip()}")
-    return exact(word)
 
 
 def _try(path: Path, *, directory: bool = False) -> None:

@@ -64,7 +64,7 @@ def _parser() -> Parser:
         type=_processes,
         default=1,
         metavar="N",
-        help="processes for theorems that take long (mixed; default 1)",
+        help="processes, where a proof takes long and can be divided (default 1)",
     )
     parser.add_argument("--explain", action="store_true", help="print every step of the proof")
     parser.add_argument(

@@ -15,7 +15,7 @@ from cap.command import entry
 from cap.command.console import Parser, printable, program, protected, quoted, say
 from cap.command.entry import INTERRUPTED
 from cap.command.option import Option, integer
-from cap.command.progress import Progress
+from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
 from cap.parameters import PAPER, Parameters, exact
@@ -96,7 +96,8 @@ def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     progress = Progress()
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells where it keeps its fonts
-    try:
+
+    def run() -> int:
         _in_order(words)
         options = parser().parse_args([protected(word) for word in words])
         if options.paper and options.command:
@@ -106,12 +107,8 @@ def main(words: Sequence[str]) -> int:
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
         return _run(options, COMMANDS[options.command], progress)
-    except BadInput as error:
-        progress.clear()
-        say(f"error: {printable(str(error))}", sys.stderr)
-        return 2
-    finally:
-        progress.clear()
+
+    return answered(run, progress)
 
 
 def _in_order(words: Sequence[str]) -> None:

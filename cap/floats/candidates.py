@@ -224,8 +224,7 @@ def range_of_f(request: Request) -> Found:
 
 
 def _nothing(request: Request, about: str) -> Found:
-    if request.orbit or request.every:
-        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    request.no_orbit(f"the theorem {request.kind} needs no orbit")
     line = f"{about.capitalize()}: no search is needed."
     return Found([line], [Candidate(Start(0.0, 0.0, ()), about)])
 

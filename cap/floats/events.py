@@ -36,17 +36,6 @@ from cap.floats.flight import (
 
 Floats = NDArray[np.float64]
 
-WORDS = (
-    "hit r",
-    "hit l",
-    "turn right",
-    "turn left",
-    "stick",
-    "capture r",
-    "capture l",
-    "release right",
-    "release left",
-)
 HIT, TURN, STICK, CAPTURE, RELEASE = 0, 2, 4, 5, 7  # to the right; one more is to the left
 
 GRAZING = 1e-12  # speed, length or force in these units: rounding may have decided
@@ -57,9 +46,9 @@ ONE = (1.0, 0.0, 0.0, 1.0)
 class Log(NamedTuple):
     """What is kept of the orbits, to be written to; the first axis is the orbit, but in ``table``.
 
-    ``counts`` and ``first`` (time since the start) for each of `WORDS`; ``flags`` (grazing, lost);
-    ``table`` the events (period, time, word, wall, depth, v before, v after) of a single orbit, as
-    many as there are rows.
+    ``counts`` and ``first`` (time since the start) for each of `cap.flow.words.WORDS`; ``flags``
+    (grazing, lost); ``table`` the events (period, time, word, wall, depth, v before, v after) of a
+    single orbit, as many as there are rows.
     """
 
     counts: NDArray[np.int64]

@@ -38,7 +38,7 @@ class Motion(NamedTuple):
 
     The position is the distance ``depth`` >= 0 from the nearer ``wall`` (1 is r, -1 is l): small
     bounces keep their relative precision.  ``word`` is the event that has just happened, a place in
-    `events.WORDS` or `NONE`; ``grazing``, whether rounding may have chosen it.
+    `cap.flow.words.WORDS` or `NONE`; ``grazing``, whether rounding may have chosen it.
     """
 
     time: float

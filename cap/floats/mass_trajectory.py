@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats.findings import Floats
+from cap.floats.history import History, arrays
 from cap.floats.masses import OfMasses, checked, drawn, elliptic_orbit, meant, system_of
 from cap.floats.particle_orbits import period
 from cap.floats.particles import Event, Particles, Path, Unresolved, follow
@@ -21,24 +21,12 @@ MOST_PERIODS = 200  # drawn
 
 
 @dataclass(frozen=True, kw_only=True)
-class MassTrajectory(OfMasses):
-    """The orbit of a state from t = 0: t (K,), x and v (K, N), with both velocities at a contact.
+class MassTrajectory(OfMasses, History):
+    """The orbit of N masses: x, v (K, N); ``before``, ``after`` (E, N); ``strobe`` (M, 2N).
 
-    ``words``, ``times``, ``places`` (E,): the events and where they happen; ``before``, ``after``
-    (E, N): the velocities.  ``strobe`` (M, 2N): the states at t = 0, T, 2T, …  ``least_speed`` of
-    all masses, 0 if one stops.
+    ``least_speed`` of all masses, 0 if one stops.
     """
 
-    period: float
-    t: Floats
-    x: Floats
-    v: Floats
-    words: NDArray[np.str_]
-    times: Floats
-    places: Floats
-    before: Floats
-    after: Floats
-    strobe: Floats
     least_speed: float
 
     def columns(self) -> dict[str, Floats]:
@@ -50,13 +38,8 @@ class MassTrajectory(OfMasses):
     def lines(self) -> list[str]:
         """Return the events in their order."""
         head = f"orbit of {_state(self.strobe[0])} at {self.system}"
-        shown = zip(self.words, self.times, self.places, self.before, self.after, strict=True)
-        rows = [f"  t = {t:<14.10g} {w:<16} x = {x:< .8g}  v {_listed(b)} -> {_listed(a)}"
-                for w, t, x, b, a in shown]  # fmt: skip
-        most = 40
-        rest = [f"  … {len(rows) - most} more"] if len(rows) > most else []
         stops = f"least speed {self.least_speed:.6g}" if self.least_speed else "a mass stops"
-        return [head, *rows[:most], *rest, f"  ends at {_state(self.strobe[-1])}; {stops}"]
+        return self.listed(head, _row, f"  ends at {_state(self.strobe[-1])}; {stops}")
 
 
 def trajectory(  # noqa: PLR0913 (the options of the command)
@@ -84,7 +67,6 @@ def trajectory(  # noqa: PLR0913 (the options of the command)
     except Unresolved as reason:
         raise BadInput(f"the orbit cannot be followed to its end: {reason}") from None
     samples = np.array(list(_samples(system, start, path, periods * T)))
-    events = path.events
     return MassTrajectory(
         parameters=p,
         masses=masses,
@@ -93,13 +75,9 @@ def trajectory(  # noqa: PLR0913 (the options of the command)
         t=samples[:, 0],
         x=samples[:, 1 : n + 1],
         v=samples[:, n + 1 :],
-        words=np.array([event.word for event in events], dtype=np.str_),
-        times=np.array([event.time for event in events]),
-        places=np.array([event.x for event in events]),
-        before=np.array([event.before for event in events]).reshape(-1, n),
-        after=np.array([event.after for event in events]).reshape(-1, n),
         strobe=strobe,
         least_speed=path.least_speed,
+        **arrays(path.events, (n,)),
     )
 
 
@@ -171,6 +149,10 @@ def _between(
         pairs = [(o.position(flight, at), o.velocity(flight, at)) if flight else (a, 0.0)
                  for o, flight, a in zip(oscillators, flights, x, strict=True)]  # fmt: skip
         yield [at.t, *(place for place, _ in pairs), *(speed for _, speed in pairs)]
+
+
+def _row(t: float, word: str, x: float, before: Floats, after: Floats) -> str:
+    return f"  t = {t:<14.10g} {word:<16} x = {x:< .8g}  v {_listed(before)} -> {_listed(after)}"
 
 
 def _state(z: Floats) -> str:

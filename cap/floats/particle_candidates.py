@@ -19,8 +19,7 @@ def particles(request: Request) -> Found:
     `particles` asks for two pairs of multipliers on the unit circle, `particles_saddle` for one.
     """
     _two_masses(request)
-    if request.orbit or request.every:
-        raise BadInput(f"{request.kind} finds its orbit itself: leave out --orbit and --all")
+    request.no_orbit(f"{request.kind} finds its orbit itself")
     system = Particles(request.parameters, request.masses)
     wanted, others = (2 if request.kind == "particles" else 1), list[Continued | NotFound]()
     for found in from_equal_masses(system):
@@ -35,8 +34,7 @@ def touching_nothing(request: Request) -> Found:
     """Return two masses without an orbit: what they do while they touch nothing has formulas."""
     _two_masses(request)
     request.parameters.elastic_strings()
-    if request.orbit or request.every:
-        raise BadInput(f"the theorem {request.kind} needs no orbit: leave out --orbit and --all")
+    request.no_orbit(f"the theorem {request.kind} needs no orbit")
     masses = ", ".join(map(str, request.masses))
     candidate = Candidate(Start(0.0, 0.0, ()), f"m = {masses}", particles=Guess(request.masses, ()))
     return Found(["Closed form: no search is needed."], [candidate])
@@ -45,8 +43,7 @@ def touching_nothing(request: Request) -> Found:
 def attracting(request: Request) -> Found:
     """Follow random states until one repeats itself after a few periods, with contacts."""
     _two_masses(request)
-    if request.orbit or request.every:
-        raise BadInput(f"{request.kind} finds its orbit itself: leave out --orbit and --all")
+    request.no_orbit(f"{request.kind} finds its orbit itself")
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     system = Particles(request.parameters, request.masses)
@@ -101,8 +98,7 @@ def lighter(request: Request) -> Found:
     """
     if len(request.masses) != 2 or request.masses[0] != request.masses[1]:
         raise BadInput(f"{request.kind} begins with two equal masses: give --masses M,M, as 1,1")
-    if request.orbit or request.every:
-        raise BadInput(f"{request.kind} finds its orbits itself: leave out --orbit and --all")
+    request.no_orbit(f"{request.kind} finds its orbits itself")
     system = Particles(request.parameters, request.masses)
     try:
         flip, stop = limits(system)

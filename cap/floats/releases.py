@@ -16,14 +16,14 @@ from cap.parameters import Parameters
 
 EARLY = 1e-9  # periods before the release
 LONGEST = 32  # half-periods
-MIRRORED = [1, 0, 3, 2, 4, 6, 5, 8, 7]  # of `cap.floats.events.WORDS`
+MIRRORED = [1, 0, 3, 2, 4, 6, 5, 8, 7]  # of `cap.flow.words.WORDS`
 
 
 @dataclass(frozen=True)
 class Images:
     """The next releases of N masses: ``value`` (N,), ``slope`` G' (N,), nan where there is none.
 
-    ``half_periods`` (N,) until then, 0 if there is none.  ``counts`` (N, 9) of `events.WORDS`.
+    ``half_periods`` (N,) until then, 0 if there is none.  ``counts`` (N, 9) of all events.
     """
 
     value: Floats

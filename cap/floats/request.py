@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import NamedTuple
 
+from cap.errors import BadInput
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
 from cap.particles.model import Guess
@@ -24,6 +25,11 @@ class Request:
     periods: int = 1
     masses: tuple[Fraction, ...] = ()
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
+
+    def no_orbit(self, why: str) -> None:
+        """Raise `BadInput`, which says why, if an orbit or every one is asked for."""
+        if self.orbit or self.every:
+            raise BadInput(f"{why}: leave out --orbit and --all")
 
 
 class Candidate(NamedTuple):

@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike
 
 from cap.errors import BadInput
 from cap.floats import events
-from cap.floats.events import WORDS, Log
+from cap.floats.events import Log
 from cap.floats.findings import Floats
 from cap.floats.flight import FULL_TURN, System
+from cap.flow.words import WORDS
 from cap.parameters import Parameters
 
 

@@ -21,8 +21,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from cap.errors import BadInput
 from cap.floats import events
-from cap.floats.events import WORDS, Floats, Log
+from cap.floats.events import Floats, Log
 from cap.floats.flight import FULL_TURN, System
+from cap.flow.words import WORDS
 from cap.parameters import Parameters
 
 _WORTH_A_THREAD = 256  # orbits

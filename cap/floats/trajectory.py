@@ -5,12 +5,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import cycles, swarm
-from cap.floats.findings import Findings, Floats, State
+from cap.floats.findings import Floats, State
 from cap.floats.fixed_point import elliptic_point
+from cap.floats.history import History, arrays
 from cap.floats.swarm import Event
 from cap.floats.words import described
 from cap.flow.itinerary import oscillator
@@ -24,23 +24,8 @@ MOST_EVENTS = 200_000
 
 
 @dataclass(frozen=True, kw_only=True)
-class Trajectory(Findings):
-    """The orbit of a state from t = 0: t, x, v (N,), with both velocities at each hit.
-
-    ``words``, ``times``, ``places``, ``before``, ``after`` (K,): the events, where they happen, and
-    the velocities just before and after.  ``strobe`` (M, 2): the states at t = 0, T, 2T, …
-    """
-
-    period: float
-    t: Floats
-    x: Floats
-    v: Floats
-    words: NDArray[np.str_]
-    times: Floats
-    places: Floats
-    before: Floats
-    after: Floats
-    strobe: Floats
+class Trajectory(History):
+    """The orbit of one mass: x, v (K,); ``before``, ``after`` (E,); ``strobe`` (M, 2)."""
 
     def columns(self) -> dict[str, Floats]:
         """Return time, position and velocity."""
@@ -55,13 +40,9 @@ class Trajectory(Findings):
         """Return the events in their order."""
         x, v = self.strobe[0]
         head = f"orbit of (x, v) = ({x:.10g}, {v:.10g}) at {described(self.parameters)}"
-        shown = zip(self.words, self.times, self.places, self.before, self.after, strict=True)
-        rows = [f"  t = {t:<14.10g} {w:<14} x = {x:< .8g}  v {b:.8g} -> {a:.8g}"
-                for w, t, x, b, a in shown]  # fmt: skip
-        most = 40
-        rest = [f"  … {len(rows) - most} more"] if len(rows) > most else []
+        row = "  t = {:<14.10g} {:<14} x = {:< .8g}  v {:.8g} -> {:.8g}".format
         x, v = self.strobe[-1]
-        return [head, *rows[:most], *rest, f"  ends at ({x:.10g}, {v:.10g})"]
+        return self.listed(head, row, f"  ends at ({x:.10g}, {v:.10g})")
 
 
 def trajectory(
@@ -93,12 +74,8 @@ def trajectory(
         t=samples[:, 0],
         x=samples[:, 1],
         v=samples[:, 2],
-        words=np.array([event.word for event in events], dtype=np.str_),
-        times=np.array([event.time for event in events]),
-        places=np.array([event.x for event in events]),
-        before=np.array([event.before for event in events]),
-        after=np.array([event.after for event in events]),
         strobe=ends.states[0],
+        **arrays(events),
     )
 
 

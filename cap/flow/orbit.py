@@ -21,14 +21,11 @@ from cap.flow.event import (
     slow_numbers,
 )
 from cap.flow.model import Flight, Moment, Oscillator
+from cap.flow.words import WORDS
 from cap.sets import interval
 from cap.sets.interval import ONE, ZERO, Ball
 from cap.sets.matrix import Matrix
 
-WORDS = {
-    *("hit r", "hit l", "turn right", "turn left", "stick", "capture r", "capture l"),
-    *("release right", "release left"),
-}
 SIDES = {"r": 1, "l": -1, "right": 1, "left": -1}
 
 

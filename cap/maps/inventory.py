@@ -38,6 +38,17 @@ WIDEST = 1.0  # larger boxes are halved at once
 PROGRESS = 500  # boxes
 
 
+class TooMany(Exception):
+    """The boxes of launches are more than they may be."""
+
+
+class Effort(NamedTuple):
+    """Boxes are halved ``depth`` times at most; ``most`` leaves are not too many."""
+
+    depth: int
+    most: int
+
+
 class Bounds(NamedTuple):
     """U and the largest m: no orbit is faster, or has more hits of each wall."""
 
@@ -76,14 +87,16 @@ def bounds(system: System) -> Bounds:
 
 
 def tree(
-    system: System, sides: tuple[Ball, Ball], depth: int, tell: Callable[[int, int], None]
+    system: System, sides: tuple[Ball, Ball], effort: Effort, tell: Callable[[int, int], None]
 ) -> Tree:
-    """Return a tree of the launches in [0, T] × [0, U], ``sides`` = (T, U).
+    """Return a tree of the launches in [0, T] × [0, U], ``sides`` = (T, U), or raise `TooMany`.
 
-    Boxes are halved ``depth`` times at most.  ``tell`` hears of the boxes done and waiting.
+    ``tell`` hears of the boxes done and waiting.
     """
     found, waiting, done = Tree(), [Box(0, 0, 0, 0)], 0
     while waiting:
+        if len(found.flights) + len(found.open) + len(waiting) > effort.most:
+            raise TooMany
         box = waiting.pop()
         done += 1
         if done % PROGRESS == 0:
@@ -95,7 +108,7 @@ def tree(
         if windows is not None:
             found.text.append(EMPTY)
             found.flights.append(windows)
-        elif box.t_depth + box.u_depth >= depth:
+        elif box.t_depth + box.u_depth >= effort.depth:
             found.text.append(OPEN)
             found.open.append(box)
         else:

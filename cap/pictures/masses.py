@@ -24,10 +24,10 @@ from cap.pictures.style import (
     PURPLE,
     RED,
     SKY,
-    UNITS,
     parameters,
     star,
 )
+from cap.pictures.times import legend, mark, time_axis, walls
 
 MARKS = {  # of events: marker, colour
     "hit": ("o", BLUE),
@@ -51,22 +51,18 @@ def orbit(findings: MassTrajectory, figure: FigureBase) -> None:
         mass = short(str(findings.masses[i]))
         top.plot(t, findings.x[:, i], color=colour, lw=1.0, label=f"$m_{i + 1} = {mass}$")
         low.plot(t, findings.v[:, i], color=colour, lw=0.9)
-    for wall in (findings.parameters.l, findings.parameters.r):
-        top.axhline(float(wall), color=GREY, ls="--", lw=0.7)
+    walls(top, findings)
     low.axhline(0, color=GREY, lw=0.5)
     kinds = np.array([str(word).split()[0] for word in findings.words], dtype=np.str_)
     for kind, (marker, colour) in MARKS.items():
         chosen = kinds == kind
         if chosen.any():
-            top.plot(findings.times[chosen] / findings.period, findings.places[chosen], marker,
-                     ms=4.5, mfc="white", mec=colour, mew=1.0, ls="none",
-                     label=NAMES.get(kind, kind))  # fmt: skip
-    low.set_xlim(0, max(float(t[-1]), 1e-9))
-    low.set_xlabel(UNITS["t"])
+            x, y = findings.times[chosen] / findings.period, findings.places[chosen]
+            mark(top, (x, y), (marker, colour), NAMES.get(kind, kind))
+    time_axis(low, findings)
     top.set_ylabel("positions $x_i$  [length]")
     low.set_ylabel(r"velocities $\dot x_i$  [length / time]")
-    handles, labels = top.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=max(1, len(labels)))
+    legend(top, figure)
     _title(figure, findings, "Positions and velocities")
 
 

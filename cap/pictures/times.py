@@ -9,6 +9,7 @@ from matplotlib.figure import FigureBase
 from cap.floats.chatter import Chatter
 from cap.floats.findings import Floats
 from cap.floats.gallery import Gallery
+from cap.floats.history import History
 from cap.floats.trajectory import Trajectory
 from cap.pictures.style import (
     BLUE,
@@ -49,11 +50,10 @@ def orbit(findings: Trajectory, figure: FigureBase) -> None:
 def position(axes: Axes, findings: Trajectory) -> None:
     """Draw x(t), with the walls."""
     axes.plot(findings.t / findings.period, findings.x, color="black", lw=0.9)
-    for wall in (findings.parameters.l, findings.parameters.r):
-        axes.axhline(float(wall), color=GREY, ls="--", lw=0.7)
+    walls(axes, findings)
     for name, chosen in _events(findings).items():
         _mark(axes, name, findings.times[chosen] / findings.period, findings.places[chosen])
-    _time_axis(axes, findings)
+    time_axis(axes, findings)
     axes.set_ylabel(UNITS["x"])
 
 
@@ -63,7 +63,7 @@ def velocity(axes: Axes, findings: Trajectory) -> None:
     axes.plot(findings.t / findings.period, findings.v, color="black", lw=0.9)
     for name, chosen in _events(findings).items():
         _mark(axes, name, findings.times[chosen] / findings.period, findings.before[chosen])
-    _time_axis(axes, findings)
+    time_axis(axes, findings)
     axes.set_ylabel(UNITS["v"])
 
 
@@ -87,7 +87,14 @@ def legend(axes: Axes, figure: FigureBase) -> None:
     figure.legend(handles, labels, loc="outside lower center", ncols=max(1, len(labels)))
 
 
-def _time_axis(axes: Axes, findings: Trajectory) -> None:
+def walls(axes: Axes, findings: History) -> None:
+    """Draw both walls over the time."""
+    for wall in (findings.parameters.l, findings.parameters.r):
+        axes.axhline(float(wall), color=GREY, ls="--", lw=0.7)
+
+
+def time_axis(axes: Axes, findings: History) -> None:
+    """Let the axis be the time, in periods."""
     axes.set_xlim(0, max(float(findings.t[-1]) / findings.period, 1e-9))
     axes.set_xlabel(UNITS["t"])
 
@@ -105,9 +112,14 @@ def _events(findings: Trajectory) -> dict[str, "np.ndarray[tuple[int], np.dtype[
 
 
 def _mark(axes: Axes, name: str, x: Floats, y: Floats) -> None:
-    marker, colour = MARKS[name]
     words = {"hit r": "hit at $r$", "hit l": "hit at $l$"}.get(name, name)
-    axes.plot(x, y, marker, ms=4.5, mfc="white", mec=colour, mew=1.1, ls="none", label=words)
+    mark(axes, (x, y), MARKS[name], words)
+
+
+def mark(axes: Axes, at: tuple[Floats, Floats], look: tuple[str, str], words: str) -> None:
+    """Mark places by a marker in a colour, and name it in the legend."""
+    marker, colour = look
+    axes.plot(*at, marker, ms=4.5, mfc="white", mec=colour, mew=1.1, ls="none", label=words)
 
 
 def gallery(findings: Gallery, figure: FigureBase) -> None:

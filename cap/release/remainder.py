@@ -2,16 +2,19 @@
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from fractions import Fraction
 from heapq import heappop, heappush
 from typing import Any
 
 from cap.errors import BadInput, NotProved
+from cap.flow.event import Expected
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
+from cap.maps.fixed_point import Itinerary
 from cap.parameters import Parameters
-from cap.release.cell import cell
-from cap.release.passage import foreseen
+from cap.release.cell import cell, slack
+from cap.release.passage import foreseen, words
 from cap.release.rows import Row, clipped, gaps_between, shortened
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -54,13 +57,30 @@ def _row(
     if (Fraction(a), Fraction(b)) != ends:
         return None
     try:
-        found = cell(osc, *ends, foreseen(p, (a + b) / 2)[0])
+        found = cell(osc, *ends, _expected(p, a, b))
     except (NotProved, BadInput):
         return None
     if found.half_periods >= 2 * periods:
         return None
     kind = shortened(tuple(event.word for event in found.times)), found.half_periods
     return Row(a, b, kind, clipped(p, outward(found.value)), outward(found.slope))
+
+
+def _expected(p: Parameters, a: float, b: float) -> Itinerary:
+    """Return the events foreseen in the middle, with their times at the ends in the windows.
+
+    It steers: windows that are too narrow are enlarged one by one, which takes long.
+    """
+    events = foreseen(p, (a + b) / 2)[0]
+    for end in (a, b):
+        with suppress(BadInput):
+            others = foreseen(p, end)[0]
+            if words(others) == words(events):
+                both = zip(events, others, strict=True)
+                events = tuple(
+                    Expected(e.word, interval.hull(e.window, other.window)) for e, other in both
+                )
+    return slack(events)
 
 
 def outward(x: Ball) -> tuple[float, float]:

@@ -10,12 +10,13 @@ from flows import expected
 from support import holds, rounds, seeded
 
 from cap.cells.flow import OPEN, SMOOTH, UNION, Goals, Region, flow, number_of, words_of
-from cap.cells.motion import STOPPED, WORDS
+from cap.cells.motion import STOPPED
 from cap.errors import BadInput, NotProved
 from cap.floats import swarm
 from cap.flow.event import BALLS
 from cap.flow.itinerary import itinerary
 from cap.flow.strobe import oscillator, strobe
+from cap.flow.words import WORDS
 from cap.maps.fixed_point import windows_for
 from cap.parameters import PAPER
 from cap.sets import interval
@@ -109,7 +110,7 @@ def check_orbit(p, images, k, orbits, i):
     scale = float(p.R), float(p.F / p.omega)
     for (low, high), value, unit in zip(images.states[k], orbits.states[i], scale, strict=True):
         assert low - ALMOST * unit <= value <= high + ALMOST * unit
-    happened = {word for word, n in zip(swarm.events.WORDS, orbits.counts[i], strict=True) if n}
+    happened = {word for word, n in zip(WORDS, orbits.counts[i], strict=True) if n}
     if not any("capture" in word for word in names(images.possibly[k])):
         assert names(images.surely[k]) <= happened <= names(images.possibly[k])
 

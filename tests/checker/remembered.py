@@ -5,8 +5,10 @@ Every step of the checker stays as it is.
 
 from __future__ import annotations
 
+import json
 from contextlib import contextmanager
 
+from cap.checker.kernel import certificate
 from checker.parts import Interval, Jet, Pairs, PeriodMap, TaylorModel, home
 
 
@@ -49,6 +51,24 @@ def pairs_computed_once():
     Pairs.along, branch.regularised_twist = along, twist
 
 
+@contextmanager
+def hints_read_once():
+    """Read equal hints once; they are the same object then."""
+    known, tabled = {}, certificate.tabled
+
+    def once(value, table, where):
+        if where != "hints":
+            return tabled(value, table, where)
+        key = json.dumps(value), id(table)
+        if key not in known:
+            known[key] = tabled(value, table, where)
+        return known[key]
+
+    certificate.tabled = once
+    yield
+    certificate.tabled = tabled
+
+
 def content(value):
     """Return a text that tells values apart by what they contain."""
     if isinstance(value, Jet):
@@ -65,9 +85,9 @@ def content(value):
 @contextmanager
 def contacts_computed_once():
     """Compute Krawczyk's operator and the map to third order once for equal arguments."""
-    orbit, theorem = home("PeriodicOrbit"), home("Particles")
+    zero, theorem = home("ZeroOfEvents"), home("Particles")
     known = {}
-    places = [(orbit, "krawczyk")]
+    places = [(zero, "krawczyk")]
     places += [(theorem, name) for name in ("third_order", "in_complex_coordinates")]
 
     def remembered(function):

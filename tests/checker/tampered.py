@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-import copy
 import json
 from fractions import Fraction
 
-import jsonschema
-import pytest
-
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
-from checker.altered import SCHEMA, changed, encode, leaves
+from checker.altered import changed, encode, leaves
 
 
 def accepted(certificate):
@@ -34,10 +30,10 @@ def moved(pair):
 
 
 def survivors(certificate, skipped=()):
-    """Return the paths of the claims that can be moved without being noticed."""
+    """Return the claims that can be moved unnoticed; paths, or their beginnings, are skipped."""
     result = []
     for path, pair in leaves(certificate["claims"]):
-        if path[0] not in skipped:
+        if path[0] not in skipped and path not in skipped:
             for ends in moved(pair):
                 value = [str(end) for end in ends]
                 if accepted(changed(certificate, "claims", *path, value)):
@@ -68,26 +64,15 @@ def malformed(certificate):
             continue
         keys = list(part) if isinstance(part, dict) else range(len(part))
         for key in keys:
-            bad = copy.deepcopy(certificate)
+            bad = json.loads(encode(certificate))
             del at(bad, path)[key]
             yield (*path, key), bad
             for junk in (None, 1, 0.5, True, [], {}, "", "nan", "None", ["2", "1"]):
                 if junk != part[key] and ((*path, key) != ("provenance",) or junk != {}):
                     yield (*path, key, junk), changed(certificate, *path, key, junk)
-        bad = copy.deepcopy(certificate)
+        bad = json.loads(encode(certificate))
         if isinstance(part, dict):
             at(bad, path)["surplus"] = "1"
         else:
             at(bad, path).append("1")
         yield (*path, "more"), bad
-
-
-def fits_the_schema(certificate):
-    """Check that the JSON Schema describes a certificate, and refuses one field more or less."""
-    schema = json.loads(SCHEMA.read_text())
-    jsonschema.validate(certificate, schema)
-    for part in ("parameters", "claims", "hints"):
-        fields = certificate[part]
-        for wrong in (dict(list(fields.items())[1:]), fields | {"extra": "1"}):
-            with pytest.raises(jsonschema.ValidationError):
-                jsonschema.validate(certificate | {part: wrong}, schema)

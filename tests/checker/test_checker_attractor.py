@@ -21,8 +21,8 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems import attractor
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.verdict import words
-from checker.altered import changed, encode, rejected
-from checker.tampered import accepted, fits_the_schema
+from checker.altered import changed, encode, fits_the_schema, rejected
+from checker.tampered import accepted
 
 STORED = json.loads((Path(__file__).parents[2] / "certificates/attractor.json").read_text())
 

@@ -12,10 +12,10 @@ from cap.certificate.latex import macros
 from cap.checker.kernel.certificate import read
 from cap.checker.theorems.branch import LOW_ORDER, RATIOS, united
 from cap.checker.verdict import check, words
-from checker.altered import changed, decimal, encode, rejected, verify
+from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge import Flow, _twists
 from checker.forge_impact import WALLS, System, _mp, forge_branch
-from checker.tampered import accepted, fits_the_schema, malformed, survivors
+from checker.tampered import accepted, malformed, survivors
 
 pytestmark = pytest.mark.usefixtures("pairs_computed_once")
 
@@ -26,8 +26,8 @@ NARROW_ZERO = "0.240703080213486"
 
 @pytest.fixture(scope="module")
 def whole():
-    """Return a valid certificate down to the end of the branch, in cells of a hundredth."""
-    return forge_branch()
+    """Return a valid certificate down to the end of the branch, in cells of a fiftieth."""
+    return forge_branch(width="0.02")
 
 
 @pytest.fixture(scope="module")

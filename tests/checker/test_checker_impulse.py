@@ -10,9 +10,9 @@ from mpmath import mp, workdps
 from cap.certificate.latex import macros
 from cap.checker.kernel.theorem import Theorem
 from cap.checker.verdict import check, words
-from checker.altered import changed, encode, rejected, verify
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.forge import _decimal
-from checker.tampered import accepted, fits_the_schema, malformed, survivors
+from checker.tampered import accepted, malformed, survivors
 
 PAPER = {"F": "1", "omega": "1", "f": "7/10", "l": "-1", "r": "1", "e": "1", "mu": "0"}
 SYSTEMS = {

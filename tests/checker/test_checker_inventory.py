@@ -18,9 +18,9 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.inventory import Inventory, leaves
 from cap.checker.verdict import check, words
-from checker.altered import changed, encode, rejected, verify
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.altered import leaves as enclosures
-from checker.tampered import accepted, fits_the_schema, malformed, moved
+from checker.tampered import accepted, malformed, moved
 
 STORED = Path(__file__).parents[2] / "certificates"
 BITS = 80

@@ -10,8 +10,8 @@ import pytest
 
 from cap.certificate.latex import macros
 from cap.checker.verdict import check, words
-from checker.altered import changed, encode, leaves, rejected, verify
-from checker.tampered import accepted, fits_the_schema, malformed, moved
+from checker.altered import changed, encode, fits_the_schema, leaves, rejected, verify
+from checker.tampered import accepted, malformed, moved
 
 pytestmark = pytest.mark.usefixtures("contacts_computed_once")
 

@@ -13,14 +13,15 @@ import pytest
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters
-from cap.checker.particles import passage, stops
+from cap.checker.particles import passage, stops, zero
 from cap.checker.particles.mechanics import Mechanics
 from cap.checker.verdict import check, words
 from cap.floats.particles import Particles, follow
 from cap.parameters import PAPER
 from cap.parameters import Parameters as Exact
-from checker.altered import changed, encode, leaves, rejected, verify
-from checker.tampered import accepted, fits_the_schema, moved
+from checker import remembered
+from checker.altered import changed, encode, fits_the_schema, leaves, rejected, verify
+from checker.tampered import accepted, moved
 
 STORED = Path(__file__).parents[2] / "certificates/particles_sink.json"
 HIDDEN = "cap.checker.kernel.theorem.Theorem.compare"
@@ -36,19 +37,19 @@ def sink():
 @pytest.fixture(scope="module", autouse=True)
 def once():
     """Compute Krawczyk's operator once for equal certificates."""
-    from cap.checker.theorems import particles_sink as theorem  # noqa: PLC0415
+    known, before = {}, zero.krawczyk
 
-    known, before = {}, theorem.krawczyk
-
-    def krawczyk(M, equations, *rest):
-        key = M.p, M.bits, *map(str, rest), repr(equations.value.__closure__[1].cell_contents)
+    def krawczyk(M, equations, region, centre, C):
+        words = repr(equations.value.__closure__[1].cell_contents)
+        key = M.p, M.bits, str(region), str(centre), id(C), words
         if key not in known:
-            known[key] = before(M, equations, *rest)
+            known[key] = before(M, equations, region, centre, C)
         return known[key]
 
-    theorem.krawczyk = krawczyk
-    yield
-    theorem.krawczyk = before
+    zero.krawczyk = krawczyk
+    with remembered.hints_read_once():
+        yield
+    zero.krawczyk = before
 
 
 def thin(q):

@@ -11,8 +11,8 @@ from mpmath import mp, mpf
 
 from cap.certificate.latex import macros
 from cap.checker.verdict import check, words
-from checker.altered import changed, encode, leaves, rejected, verify
-from checker.tampered import accepted, fits_the_schema, malformed, moved
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.tampered import accepted, malformed, survivors
 
 STORED = Path(__file__).parents[2] / "certificates"
 
@@ -87,11 +87,7 @@ def test_it_is_verified(sliding):
 
 def test_every_number(sliding):
     """No enclosure can be moved or widened."""
-    for path, pair in leaves(sliding["claims"]):
-        if path != ("basin", "drift"):
-            for ends in moved(pair):
-                value = [str(end) for end in ends]
-                assert not accepted(changed(sliding, "claims", *path, value)), path
+    assert survivors(sliding, {("basin", "drift")}) == []
 
 
 def test_every_parameter(sliding):

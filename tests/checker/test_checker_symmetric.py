@@ -9,9 +9,9 @@ import pytest
 from cap.certificate.latex import macros
 from cap.checker.kernel.theorem import Theorem
 from cap.checker.verdict import check, words
-from checker.altered import changed, encode, rejected, verify
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.forge_impact import PAPER, WALLS, forge_pitchfork, forge_symmetric
-from checker.tampered import accepted, fits_the_schema, malformed, survivors
+from checker.tampered import accepted, malformed, survivors
 
 SYSTEMS = {
     "paper": PAPER,

@@ -44,7 +44,7 @@ SLOW = {"F": "1", "omega": "1", "f": "0.39", "l": "-1", "r": "1"}
             "orbit": ("1.2576445", "1.162979"),
             "theorem": "saddle",
         },
-        {"digits": 300, "theorem": "saddle"},
+        {"digits": 150, "theorem": "saddle"},
     ],
     ids=str,
 )

@@ -39,7 +39,7 @@ def get(value, trail):
 
 def changed(certificate, trail, text):
     """Return a copy with another value at a path."""
-    result = copy.deepcopy(certificate)
+    result = json.loads(json.dumps(certificate))
     get(result, trail[:-1])[trail[-1]] = text
     return result
 

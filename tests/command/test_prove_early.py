@@ -19,14 +19,14 @@ def _no_search(monkeypatch):
 @pytest.mark.parametrize(
     ("words", "complaint"),
     [
-        (("saddle", "--jobs", "2"), "for theorems on a range"),
+        (("saddle", "--jobs", "2"), "an option of: attractor on a range of f"),
         (("branch", "--jobs", "0"), "--jobs must be"),
         (("branch", "--jobs", "x"), "--jobs must be"),
         (("branch", "--from", "1/2", "--to", "1/3"), "0 < from < to"),
         (("saddle", "--from", "1/2"), "for theorems on a range"),
-        (("saddle", "--journal", "j"), "for theorems on a range"),
-        (("saddle", "--period", "2"), "for the theorem periodic"),
-        (("saddle", "--order", "5"), "for the theorem elliptic"),
+        (("saddle", "--journal", "j"), "an option of: attractor on a range of f"),
+        (("saddle", "--period", "2"), "an option of: periodic"),
+        (("saddle", "--order", "5"), "an option of: elliptic"),
         (("saddle", "--digits", "5"), "--digits must be"),
         (("saddle", "--all", "--out", "a.json"), "--all goes neither"),
         (("saddle", "--l", "1", "--r", "1." + "0" * 30 + "1"), "at least 1e-30 apart"),

@@ -9,7 +9,8 @@ import pytest
 from cap import prove, verify
 from cap.audit import command as audit
 from cap.command.console import protected
-from cap.command.prover_options import Asked, parser, without_options
+from cap.command.prover_options import Asked
+from cap.command.prover_parser import parser, without_options
 from cap.command.verifier import main as verifier
 from cap.explore import explorer
 from cap.explore.commands import COMMANDS

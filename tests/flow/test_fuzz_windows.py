@@ -14,9 +14,9 @@ from test_fuzz_propagation import DIGITS, check_events, check_state, simulated
 
 from cap.errors import NotProved
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
-from cap.flow.orbit import WORDS
 from cap.flow.propagation import Happened, Image
 from cap.flow.strobe import State, follow, oscillator
+from cap.flow.words import WORDS
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.taylor_model import Domain

@@ -24,8 +24,8 @@ SETTING = Setting(PAPER, Start(0.0, 0.0, ()), 6)
 @pytest.fixture(autouse=True)
 def wide(monkeypatch):
     """Columns are wide, and few."""
-    monkeypatch.setattr(conservative, "WIDE", Fraction(1, 16))
-    monkeypatch.setattr(conservative, "FINE", Fraction(1, 32))
+    monkeypatch.setattr(conservative, "WIDE", Fraction(1, 8))
+    monkeypatch.setattr(conservative, "FINE", Fraction(1, 16))
 
 
 def test_two_flights():

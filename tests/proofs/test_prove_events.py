@@ -285,7 +285,7 @@ def test_captures_in_other_units(capsys, tmp_path, words, latest):
 
 
 @pytest.mark.parametrize(
-    ("epsilon", "mu"), [("1/1000000", "0"), ("1/3000", "1/7000"), ("1/50", "1/50")]
+    ("epsilon", "mu"), [("1/1000000", "0"), ("1/3000", "1/7000"), ("1/200", "1/200")]
 )
 def test_persistence_at_other_losses(capsys, tmp_path, monkeypatch, epsilon, mu):
     """Hardly any; no finite decimals; so many that it takes several cells to reach them."""

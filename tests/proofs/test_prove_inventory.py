@@ -13,7 +13,8 @@ from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Request
 from cap.floats.search import from_hit_times
 from cap.floats.swarm import follow
-from cap.maps.inventory import Tree
+from cap.maps.inventory import Effort, TooMany, Tree, tree
+from cap.maps.launch_set import System
 from cap.parameters import PAPER
 from cap.proofs import inventory
 from cap.proofs.fixed_point import Setting
@@ -71,6 +72,26 @@ def test_on_the_way_back_at_the_start(monkeypatch):
     np.testing.assert_allclose(after.states, states, atol=1e-9)
     traces = [float(Fraction(point["trace"][0])) for point in points]
     np.testing.assert_allclose(np.trace(after.monodromy, axis1=1, axis2=2), traces, rtol=1e-6)
+
+
+def test_too_many_boxes(monkeypatch):
+    """Where a certificate would have more boxes than it may, that is said before all are there."""
+    monkeypatch.setattr(inventory, "MAX_BOXES", 300)
+    with pytest.raises(NotProved, match="more boxes of launches than a certificate may have"):
+        inventory.prove(setting(PAPER))
+
+
+@pytest.mark.parametrize(("depth", "most"), [(4, 16), (4, 15)])
+def test_the_number_of_leaves_is_bounded(depth, most):
+    """A tree of this depth has as many leaves as boxes of this size, as none is empty."""
+    with interval.workprec(64):
+        system = System.of(interval.ball(Fraction(2, 5)), interval.ball(2))
+        sides, effort = (interval.ball(100), interval.ball(100)), Effort(depth, most)
+        if most == 16:
+            assert len(tree(system, sides, effort, lambda *_: None).open) == 16
+        else:
+            with pytest.raises(TooMany):
+                tree(system, sides, effort, lambda *_: None)
 
 
 def test_what_is_left_open_is_told(monkeypatch):

@@ -75,8 +75,6 @@ def test_its_picture(coarse, tmp_path, capsys, monkeypatch):
         (("mixed", "--e", "9/10"), "e = 1, mu = 0"),
         (("mixed", "--cuts", "0"), "--cuts must be"),
         (("mixed", "--speed", "0"), "--speed must be positive"),
-        (("saddle", "--cuts", "2"), "for the theorem mixed"),
-        (("saddle", "--speed", "2"), "for the theorem mixed"),
     ],
     ids=lambda words: " ".join(words) if isinstance(words, tuple) else "",
 )

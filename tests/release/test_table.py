@@ -189,6 +189,24 @@ def test_taylor_models_take_over():
     assert kinds == {("stick", "release left")}
 
 
+def test_with_both_losses():
+    """Taylor models decide most of what doubles leave; their cells agree with floats."""
+    p = replace(PAPER, e=Fraction(9, 10), mu=Fraction(1, 20))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(remainder, "MOST", 0)
+        before = table(p, 2, Fraction(1, 25_000))
+    rows = [row for branch in before.branches for row in branch.rows]
+    known = set(rows)
+    more = remainder.refined(p, rows, 2, p.R / 25_000)
+    assert before.undecided > p.R / 25_000 >= sum(b - a for a, b in gaps_between(p, more))
+    new = [row for row in more if row not in known]
+    places = np.array([(row.lower + row.upper) / 2 for row in new])
+    floats = images(p, places)
+    for k, row in enumerate(new):
+        assert floats.half_periods[k] == row.kind[1]
+        assert row.value[0] - 1e-9 <= floats.value[k] <= row.value[1] + 1e-9
+
+
 def test_second_derivative(found):
     """G'' is enclosed, as the differences of G' have it; after a capture it is zero."""
     branch = found.at(Fraction("-0.6"))

@@ -44,7 +44,7 @@ Taylor = tuple[Double, Double, Double]
 
 def least(z: Taylor) -> float:
     """Return a number below all values on the arc: z(s) >= z(0) - |z'(0)| + min(z'', 0)/2."""
-    bend = min(0.0, z[2].lower) / 2
+    bend = 0.0 if z[2].lower >= 0 else z[2].lower / 2  # NaN stays NaN
     return (z[0] - z[1].magnitude + bend).lower
 
 

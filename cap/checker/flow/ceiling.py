@@ -132,7 +132,8 @@ def descends(flights: Flights, ceiling: Ceiling) -> int:
     def holds(flight: Flight) -> bool:
         if flights.never(flight):
             return True
-        after, speed = a * cos_sin(flight.T - b)[0], max(0.0, flight.V.upper)
+        after, fastest = a * cos_sin(flight.T - b)[0], flight.V.upper
+        speed = 0.0 if fastest <= 0 else fastest  # NaN stays NaN
         if (Double(speed) * speed * 0.5 - after - c).upper <= 0:
             return True
         change = flight.sum * flight.difference * 0.5

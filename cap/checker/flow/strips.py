@@ -162,7 +162,10 @@ class World:
             if not (begin.upper < B.lower and flies):
                 return False
         lows = [*launches.minima(B.lower, T.upper), T]
-        depth = max(0.0, *(-least(launches.velocity(low)) for low in lows))
+        slowest = [least(launches.velocity(low)) for low in lows]
+        if not all(v > -math.inf for v in slowest):  # `max` would pass over NaN
+            return False
+        depth = max(0.0, *(-v for v in slowest))
         fallen = least(negative(launches.velocity(T))) > 0
         most = -least(negative(launches.place(T)))
         return fallen and (self.R - (T - B) * depth - most).is_positive()

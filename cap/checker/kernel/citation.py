@@ -12,6 +12,11 @@ MOSER = (
     "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
     "Theorem kam of the paper",
 )
+HADAMARD_PERRON = (
+    "Hadamard-Perron",
+    "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
+    "Theorem 6.2.8",
+)
 
 
 def cite(theorem: str, reference: str, *hypotheses: tuple[str, str, str]) -> Citation:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
-from itertools import pairwise
+from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.kernel.citation import NEUMAIER, cite
@@ -22,19 +22,12 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Word, region
-from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import (
-    SIZE,
-    Ends,
-    Matrix,
-    krawczyk,
-    lies_in,
-    needs_matrix,
-    of_contacts,
-)
+from cap.checker.kernel.theorem import BITS
+from cap.checker.particles.existence import SIZE, Ends, Equations, Matrix, of_contacts
 from cap.checker.particles.mechanics import NORMALS, Contact, Mechanics, contacts
 from cap.checker.particles.monodromy import monodromy, reduced_traces, symplectic
 from cap.checker.particles.orbit import approach, least_speeds
+from cap.checker.particles.zero import ZeroOfEvents
 
 LEAST, MOST = 2, 16  # contacts
 UNKNOWNS = ("t", "x", "v1", "v2")
@@ -67,10 +60,10 @@ class Located(NamedTuple):
     reduced_traces: list[Interval]
 
 
-class PeriodicOrbit(Theorem):
+class PeriodicOrbit(ZeroOfEvents):
     """A T-periodic orbit of two masses on which no mass stops."""
 
-    PARAMETERS = TWO_MASSES
+    LISTED = ("box", "hit_times", "closing_speeds")
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS,
@@ -104,21 +97,10 @@ class PeriodicOrbit(Theorem):
     )
     # fmt: on
 
-    @classmethod
-    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
-        """Reject what is not the same number of contacts everywhere."""
-        count = len(claims["itinerary"])
-        for name in ("box", "hit_times", "closing_speeds"):
-            need(len(claims[name]) == count, f"claims.{name} is not a list of {count}")
-        need(len(hints["centre"]) == count, f"hints.centre is not a list of {count}")
-        needs_matrix(hints["preconditioner"], count, "hints.preconditioner")
-
     def prove(self) -> None:
         """Prove the theorem."""
         M = Mechanics(self.p, self.hints["bits"])
-        self.krawczyk(M, self.box)
-        self.step("K(box) lies in the interior of the box: exactly one zero of G")
-        orbit = contacts(M, self.claims["itinerary"], self.localisation(M))
+        orbit = contacts(M, self.claims["itinerary"], self.zero(M))
         self.orbit(M, orbit)
         D = monodromy(M, orbit)
         symplectic(M, D)
@@ -139,24 +121,14 @@ class PeriodicOrbit(Theorem):
         """The box claimed."""
         return [contact[name][:2] for contact in self.claims["box"] for name in UNKNOWNS]
 
-    def krawczyk(self, M: Mechanics, region: Sequence[Ends]) -> list[Interval]:
-        """Return K(region) if it lies in the interior of the region."""
-        centre = [c for contact in self.hints["centre"] for c in contact]
-        equations = of_contacts(M, self.claims["itinerary"])
-        return krawczyk(M, equations, region, centre, self.hints["preconditioner"])
+    def equations(self, M: Mechanics) -> Equations:
+        """Return the equations of the contacts."""
+        return of_contacts(M, self.claims["itinerary"])
 
-    def localisation(self, M: Mechanics) -> list[Interval]:
-        """Return K(S), which contains the zero."""
-        radius, units = self.hints["radius"], (1 / self.omega, self.R, *[self.R * self.omega] * 2)
-        need(radius > 0, "radius is not positive")
-        small = list[Ends]()
-        for contact in self.hints["centre"]:
-            reach = [(c, radius * unit) for c, unit in zip(contact, units, strict=True)]
-            small += [(c - r, c + r) for c, r in reach]
-        need(lies_in(small, self.box), "S is not in the box")
-        result = self.krawczyk(M, small)
-        self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains the zero")
-        return result
+    def units_of(self, word: str) -> tuple[Fraction, ...]:  # noqa: ARG002 (those of all contacts)
+        """Return the units of the unknowns of a contact."""
+        speed = self.R * self.omega
+        return 1 / self.omega, self.R, speed, speed
 
     def orbit(self, M: Mechanics, orbit: Sequence[Contact]) -> None:
         """Prove that the zero is an orbit on which no mass stops, and compare its claims."""
@@ -171,13 +143,9 @@ class PeriodicOrbit(Theorem):
             v=[M.velocity(i, flight, end) for i in (0, 1)],
         )
         self.step("on the orbit nobody stops, and nothing else happens; the claims contain it")
-        claims, times = self.claims, self.claims["hit_times"]
-        need(times[0].lower > 0, "the first contact may be before 0")
-        increasing = all(s.upper < t.lower for s, t in pairwise(times))
-        need(increasing, "the times of the contacts are not increasing")
-        need(times[-1].upper * self.omega < 2 * self.pi().lower, "the last contact is not before T")
+        self.in_order("hit_times", 1, "contact")
         for name in ("closing_speeds", "least_speeds"):
-            need(all(u.lower > 0 for u in claims[name]), f"{name} are not all positive")
+            need(all(u.lower > 0 for u in self.claims[name]), f"{name} are not all positive")
 
     def told(self, sentence: str, **more: object) -> str:
         """Return a sentence with the numbers claimed."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.kernel.citation import cite
+from cap.checker.kernel.citation import HADAMARD_PERRON, cite
 from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
@@ -30,9 +30,7 @@ class ParticlesSaddle(PeriodicOrbit):
     CITES = (
         KRAWCZYK,
         cite(
-            "Hadamard-Perron",
-            "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
-            "Theorem 6.2.8",
+            *HADAMARD_PERRON,
             ("smooth", "Phi is real analytic near the fixed point: all contacts are transverse, "
              "one at a time, and no velocity vanishes", "closing_speeds, least_speeds"),
             ("split", "one eigenvalue of the derivative lies outside the unit circle, and no "

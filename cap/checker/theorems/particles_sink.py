@@ -13,20 +13,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import pairwise
+from fractions import Fraction
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, cite
-from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, bound, region
-from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
-from cap.checker.particles.existence import SIZE, Ends, krawczyk, lies_in, needs_matrix
+from cap.checker.kernel.theorem import BITS
+from cap.checker.particles.existence import SIZE, Ends, Equations
 from cap.checker.particles.mechanics import NORMALS, Mechanics
 from cap.checker.particles.passage import derivative, follows, row_sums
 from cap.checker.particles.stops import WORDS, events, flight, legs, of_events, place, velocity
+from cap.checker.particles.zero import ZeroOfEvents
 
 LEAST, MOST = 2, 32  # events
 MAX_PERIODS, MAX_POWER = 8, 64
@@ -37,10 +36,10 @@ def listed(shape: Any) -> Many:
     return Many(shape, LEAST, MOST)
 
 
-class ParticlesSink(Theorem):
+class ParticlesSink(ZeroOfEvents):
     """An attracting periodic orbit of two masses."""
 
-    PARAMETERS = TWO_MASSES
+    LISTED = ("box", "event_times")
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS,
@@ -78,21 +77,10 @@ class ParticlesSink(Theorem):
     )
     # fmt: on
 
-    @classmethod
-    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
-        """Reject what is not the same number of events everywhere."""
-        count = len(claims["itinerary"])
-        for name in ("box", "event_times"):
-            need(len(claims[name]) == count, f"claims.{name} is not a list of {count}")
-        need(len(hints["centre"]) == count, f"hints.centre is not a list of {count}")
-        needs_matrix(hints["preconditioner"], count, "hints.preconditioner")
-
     def prove(self) -> None:
         """Prove the theorem."""
         M = Mechanics(self.p, self.hints["bits"])
-        self.krawczyk(M, [z[:2] for event in self.claims["box"] for z in event])
-        self.step("K(box) lies in the interior of the box: exactly one zero of G")
-        found = events(M, self.claims["itinerary"], self.localisation(M))
+        found = events(M, self.claims["itinerary"], self.zero(M))
         n = self.claims["period"]
         follows(M, found, n)
         last, end = legs(M, found, n)[-1][0], M.instant(M.number(0))
@@ -104,38 +92,26 @@ class ParticlesSink(Theorem):
             event_times=[event.at.t for event in found],
         )
         self.step("the events are what their words say, and nothing else happens")
-        times = self.claims["event_times"]
-        need(times[0].lower > 0, "the first event may be before 0")
-        increasing = all(s.upper < t.lower for s, t in pairwise(times))
-        need(increasing, "the times of the events are not increasing")
-        before = times[-1].upper * self.omega < 2 * n * self.pi().lower
-        need(before, "the last event is not before nT")
+        self.in_order("event_times", n, "event")
         sums = row_sums(M, derivative(M, found, n), self.claims["power"])
         kappa = self.claims["contraction"]
         need(sums.upper <= kappa, "the power of the derivative may be larger than claimed")
         need(kappa < 1, "the contraction is not below 1")
         self.step("a power of the derivative contracts: the orbit attracts")
 
-    def krawczyk(self, M: Mechanics, region: Sequence[Ends]) -> list[Interval]:
-        """Return K(region) if it lies in the interior of the region."""
-        centre = [c for event in self.hints["centre"] for c in event]
-        equations = of_events(M, self.claims["itinerary"], self.claims["period"])
-        return krawczyk(M, equations, region, centre, self.hints["preconditioner"])
+    @property
+    def box(self) -> list[Ends]:
+        """The box claimed."""
+        return [z[:2] for event in self.claims["box"] for z in event]
 
-    def localisation(self, M: Mechanics) -> list[Interval]:
-        """Return K(S), which contains the zero."""
-        radius, R, speed = self.hints["radius"], self.R, self.R * self.omega
-        need(radius > 0, "radius is not positive")
-        small = list[Ends]()
-        for word, event in zip(self.claims["itinerary"], self.hints["centre"], strict=True):
-            units = (1 / self.omega, R, speed if word in NORMALS else R, speed)
-            reach = [(c, radius * unit) for c, unit in zip(event, units, strict=True)]
-            small += [(c - r, c + r) for c, r in reach]
-        box = [z[:2] for event in self.claims["box"] for z in event]
-        need(lies_in(small, box), "S is not in the box")
-        result = self.krawczyk(M, small)
-        self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains the zero")
-        return result
+    def equations(self, M: Mechanics) -> Equations:
+        """Return the equations of the events."""
+        return of_events(M, self.claims["itinerary"], self.claims["period"])
+
+    def units_of(self, word: str) -> tuple[Fraction, ...]:
+        """Return the units of the unknowns of an event."""
+        speed = self.R * self.omega
+        return 1 / self.omega, self.R, speed if word in NORMALS else self.R, speed
 
     def words(self) -> str:
         """Return the theorem in one line."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 from cap.checker.flow.fixed_point import Point
 from cap.checker.flow.itinerary import Passage
 from cap.checker.flow.non_sticking import KRAWCZYK, NonSticking
-from cap.checker.kernel.citation import cite
+from cap.checker.kernel.citation import HADAMARD_PERRON, cite
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 
@@ -27,9 +27,7 @@ class Saddle(NonSticking):
     CITES = (
         KRAWCZYK,
         cite(
-            "Hadamard-Perron",
-            "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
-            "Theorem 6.2.8",
+            *HADAMARD_PERRON,
             ("smooth", "Phi is real analytic near the fixed point: "
              "all hits are transverse and no velocity vanishes", "hit_speeds, least_speed"),
             ("hyperbolic", "one eigenvalue of the Jacobian lies outside the unit circle and one "
