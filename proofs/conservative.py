@@ -153,7 +153,7 @@ def _tried_all(runner: Runner, world: Checked, cover: Cover) -> Cover:
 def failing(runner: Runner, world: Checked, cover: Cover) -> list[tuple[int, Edge, Edge]]:
     """Return the cells with which the checker does not succeed, and their columns."""
     C = len(cover.top)
-    texts = [listed(runs(cover, j)) for j in range(C)]
+    texts = [_readable(listed(runs(cover, j))) for j in range(C)]
     parts = [(k, min(k + PART, C)) for k in range(0, C, PART)]
     key = f"cells {world.f} {world.R} {sha256(repr(texts).encode()).hexdigest()}"
     plan = Plan[tuple[int, int], Any](
@@ -166,6 +166,15 @@ def failing(runner: Runner, world: Checked, cover: Cover) -> list[tuple[int, Edg
     )
     results = runner.run(partial(_tried, world, texts), parts, plan)
     return [(j, (a, b, c), (d, e, f)) for _, bad in results for j, (a, b, c), (d, e, f) in bad]
+
+
+def _readable(text: str) -> str:
+    """Return the text of a column; the checker refuses those that are too long."""
+    try:
+        column(text)
+    except Rejected as reason:
+        raise NotProved("Lemma 4", f"the cells are too many for the checker ({reason})") from None
+    return text
 
 
 def _tried(world: Checked, texts: list[str], part: tuple[int, int]) -> list[tuple[int, Edge, Edge]]:

@@ -71,6 +71,13 @@ def test_a_cell_that_does_not_hold_is_left_out():
     assert counts[0] > counts[1] > counts[2] == 0
 
 
+def test_too_many_cells(monkeypatch):
+    """What the checker does not read is not proved; that is said before anything is tried."""
+    monkeypatch.setattr("cap.checker.flow.columns.LONGEST", 8)
+    with pytest.raises(NotProved, match="too many"):
+        conservative.prove(replace(SETTING, flights=1))
+
+
 def test_other_parameters_need_another_ceiling():
     """At f = 1/10 the function does not decrease: not proved, before any strip is looked for."""
     setting = replace(SETTING, parameters=replace(PAPER, f=Fraction(1, 10)))
