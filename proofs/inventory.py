@@ -3,8 +3,9 @@
     x'' = F cos ωt - f sgn x',   l < x < r,   elastic walls,   T = 2π/ω.
 
  (i)   A T-periodic orbit whose velocity never vanishes is never faster than U F/ω, U = u_0 + V with
-       V = 4 (sqrt(1 - α²) - α arccos α) and 2πα u_0² - 2ρ u_0 - ρV = 0; so it hits each wall m
-       times in a period, 1 <= m <= πU/ρ.
+       V = 4 (sqrt(1 - α²) - α arccos α) and u_0 the lesser of the positive roots of 2πα u² - 2ρ u -
+       ρV and 16πα u⁴ - ρ² (4u² + (8 + 12α) u + 8 + 6πα + 12α²); so it hits each wall m times in a
+       period, 1 <= m <= πU/ρ.
  (ii)  The fixed points of Φ that belong to such orbits with m = 1 are those listed, with their
        traces: they are among two symmetric ones and a pair, in closed form.
  (iii) Each such orbit with m > 1 leaves a wall somewhere in the boxes of launches that are left
@@ -40,7 +41,6 @@ SUMMARY = "all T-periodic orbits whose velocity never vanishes: none is left out
 SEARCH = candidates.closed_form
 
 LONGEST = Fraction(62832, 10000)  # more than 2π
-SPEEDS = 1000  # U is rounded up to a multiple of 1/SPEEDS
 DEPTH = 40  # halvings of a box of launches
 BITS = 64  # of the search
 SMALLEST = Fraction(1, 10**6)  # of sizes
@@ -48,14 +48,14 @@ SMALLEST = Fraction(1, 10**6)  # of sizes
 
 def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no box whose size is left to choose."""
-    limits, found, U = lemma_1_launches(setting)
+    limits, found = lemma_1_launches(setting)
     with interval.workprec(setting.bits):
         points, asymmetry_hint = lemma_2_one_hit(setting)
         claims = {
             "fixed_points": points,
             "families": lemma_3_families(setting),
-            "undecided": {"boxes": str(len(found.open)), "size": _size(found.open, U)},
-            "highest_speed": interval.exact_decimal(U),
+            "undecided": {"boxes": str(len(found.open)), "size": _size(found.open, limits.speed)},
+            "highest_speed": interval.exact_decimal(limits.speed),
             "most_hits": str(limits.hits),
         }
     hints = {
@@ -69,25 +69,24 @@ def prove(setting: Setting) -> Proof:
     return lambda _part: proved
 
 
-def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree, Fraction]:
+def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree]:
     """*Statement.* No orbit with m > 1 launches from a box of the tree that is not left open.
 
-    *Computed.* U, rounded up; the tree, if more than one hit of each wall is possible.
+    *Computed.* U, rounded up; the most hits; if these are several of each wall, the tree.
     """
     p = setting.parameters
     with interval.workprec(BITS):
         system = System.of(interval.ball(p.f / p.F), interval.ball(p.R * p.omega**2 / p.F))
         limits = inventory.bounds(system)
-        U = Fraction(int(interval.ends(limits.speed)[1] * SPEEDS) + 1, SPEEDS)
         if limits.hits < 2:
-            return limits, Tree(), U
+            return limits, Tree()
 
         def tell(done: int, waiting: int) -> None:
             setting.progress(f"{done} boxes of launches examined; {waiting} wait")
 
-        sides = interval.ball(LONGEST), interval.ball(U)
+        sides = interval.ball(LONGEST), interval.ball(limits.speed)
         try:
-            return limits, inventory.tree(system, sides, Effort(DEPTH, MAX_BOXES), tell), U
+            return limits, inventory.tree(system, sides, Effort(DEPTH, MAX_BOXES), tell)
         except TooMany:
             words = "more boxes of launches than a certificate may have: the friction is too small"
             sets = {"boxes": MAX_BOXES, "f/F": system.alpha, "hits": limits.hits}

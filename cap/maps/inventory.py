@@ -10,8 +10,14 @@ period, integrating by parts,
 
 u_0 the least speed and V = 4 (sqrt(1 - α²) - α arccos α), the integral of the positive part of
 |cos t| - α, which u' does not exceed: so the rises of u, and its falls, add up to V at most.  Hence
-2πα u_0² - 2G u_0 - GV <= 0, which bounds u_0; u is nowhere above U = u_0 + V; and m hits of each
-wall in a period need 2mG <= 2πU.
+2πα u_0² - 2G u_0 - GV <= 0, which bounds u_0.  By parts once more on each flight, from hit to hit,
+with Z = (X² - G²/4)/2, Z' = s u X, which vanishes at hits, |Z| <= G²/8, u'' = -s sin t:
+
+    2πα = -∫ s Z (cos t/u² - (4 s sin t cos t - 3α sin t)/u³ - 3 (s cos t - α)² cos t/u⁴)
+       <= (G²/8) (4/u_0² + (8 + 12α)/u_0³ + (8 + 6πα + 12α²)/u_0⁴),
+
+which bounds u_0, too, and better unless G is small.  u is nowhere above U = u_0 + V; and m hits of
+each wall in a period need 2mG <= 2πU.
 
 *Search.*  Of the 2m launches of such an orbit take the slowest, (t, u), 0 <= t <= 2π, 0 < u <= U.
 Later ones (t_k, u_k), k = 1, ..., 2m, have u_k >= u, and t_k - kπ - t, the time that has passed, is
@@ -26,6 +32,7 @@ does not meet the box of ε, or g(0) + ∂g ε does not contain 0, g has no zero
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.maps.launch_set import LaunchSet, System, Window, fly, is_smooth
@@ -36,6 +43,8 @@ from cap.sets.interval import Ball
 EMPTY, SPLIT_T, SPLIT_U, OPEN = ".", "t", "u", "?"
 WIDEST = 1.0  # larger boxes are halved at once
 PROGRESS = 500  # boxes
+SHARP = 2**20  # of the bound of u_0
+SPEEDS = 1000
 
 
 class TooMany(Exception):
@@ -50,9 +59,9 @@ class Effort(NamedTuple):
 
 
 class Bounds(NamedTuple):
-    """U and the largest m: no orbit is faster, or has more hits of each wall."""
+    """U, a multiple of 1/SPEEDS, and the largest m: none is faster, or has more hits of a wall."""
 
-    speed: Ball
+    speed: Fraction
     hits: int
 
 
@@ -82,8 +91,27 @@ def bounds(system: System) -> Bounds:
     a, rise = 2 * system.pi * system.alpha, 4 * (system.sine - system.alpha * system.arc)
     G = system.width
     least = (G + (G * G + a * G * rise).sqrt()) / a
-    speed: Ball = least + rise
-    return Bounds(speed, int(interval.ends(system.pi * speed / G)[1]))
+    bound = min(interval.ends(least)[1], _least(system)) + interval.ends(rise)[1]
+    speed = Fraction(int(bound * SPEEDS) + 1, SPEEDS)
+    return Bounds(speed, int(interval.ends(system.pi * interval.ball(speed) / G)[1]))
+
+
+def _least(system: System) -> Fraction:
+    """Return a bound of u_0: more than the only positive root of a polynomial of degree 4."""
+    alpha, G = system.alpha, system.width
+    a, b = 16 * system.pi * alpha, 8 + 12 * alpha
+    c = 8 + 6 * system.pi * alpha + 12 * alpha * alpha
+
+    def excess(u: Ball) -> Ball:
+        return a * u**4 - G * G * (4 * u * u + b * u + c)
+
+    low, high = Fraction(0), Fraction(1)
+    while not excess(interval.ball(high)) > 0:
+        low, high = high, 2 * high
+    while high - low > high / SHARP:
+        middle = (low + high) / 2
+        low, high = (low, middle) if excess(interval.ball(middle)) > 0 else (middle, high)
+    return high
 
 
 def tree(

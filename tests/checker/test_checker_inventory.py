@@ -7,6 +7,7 @@ import math
 from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 from mpmath import mp, mpf
 from oracle_flow import orbit
@@ -90,9 +91,40 @@ def test_every_number(inventory, without_launches):
     rejected(changed(inventory, "claims", "fixed_points", [*points[:3], points[2]]), "contain")
     rejected(changed(inventory, "claims", "fixed_points", 0, "hits", "4"), "not between")
     rejected(changed(inventory, "claims", "families", []), "families")
-    rejected(changed(inventory, "claims", "most_hits", "5"), "may be more than most_hits")
-    rejected(changed(inventory, "claims", "most_hits", "7"), "more than the bound")
-    rejected(changed(inventory, "claims", "highest_speed", "4"), "too low")
+    rejected(changed(inventory, "claims", "most_hits", "4"), "may be more than most_hits")
+    rejected(changed(inventory, "claims", "most_hits", "6"), "more than the bound")
+    rejected(changed(inventory, "claims", "highest_speed", "3618/1000"), "too low")
+    rejected(changed(inventory, "claims", "highest_speed", "1"), "too low")
+
+
+def test_what_bounds_the_least_speed(inventory):
+    """The two integrations by parts, on the paper's orbit; what they give holds for it."""
+    claims = json.loads((STORED / "elliptic.json").read_text())["claims"]
+    t, u = ([float(Fraction(q[0])) for q in claims[name]] for name in ("hit_times", "hit_speeds"))
+    alpha, rho = 0.4, 2.0
+    once = twice = 0.0
+    least = math.inf
+    for s, begin, end, v in ((-1, t[0], t[1], u[0]), (1, t[1], t[0] + math.tau, u[1])):
+        x = np.linspace(begin, end, 20_001)
+        w = v + s * (np.sin(x) - math.sin(begin)) - alpha * (x - begin)
+        way = (v - s * math.sin(begin)) * (x - begin) - s * (np.cos(x) - math.cos(begin))
+        X = s * (way - alpha * (x - begin) ** 2 / 2 - rho / 2)
+        cos, sin, force = np.cos(x), np.sin(x), s * np.cos(x) - alpha
+        g = sin / w + force * cos / w**2
+        Z = (X**2 - rho**2 / 4) / 2
+        assert abs(Z[-1]) < 1e-9
+        slope = (
+            cos / w**2 - (4 * s * sin * cos - 3 * alpha * sin) / w**3 - 3 * force**2 * cos / w**4
+        )
+        once += np.trapezoid(X * g, x)
+        twice -= np.trapezoid(s * Z * slope, x)
+        least = min(least, w.min())
+    assert [once, twice] == pytest.approx([math.tau * alpha] * 2, rel=1e-7)
+    theorem, _ = parts(inventory)
+    for speed, holds in ((least, True), (1.8, True), (1.9, False), (2.3, False)):
+        excess = list(theorem.excesses(theorem.number(Fraction(speed))))
+        assert any(each.is_positive() for each in excess) is not holds
+    assert [e.is_positive() for e in theorem.excesses(theorem.number(2))] == [False, True]
 
 
 def test_the_hint_of_the_pair(inventory, without_launches):

@@ -10,9 +10,21 @@ s cos t - alpha.  Over a period u' has the integral 0, so integration by parts g
               <= (rho/2)(4/u_0 + int |u'|/u_0^2),    u_0 = min u > 0.
 
 The positive part of u' is at most that of |cos t| - alpha, with the integral V = 4 (sqrt(1 -
-alpha^2) - alpha arccos alpha); so int |u'| <= 2V, and 2 pi alpha u_0^2 - 2 rho u_0 - rho V <= 0:
-u_0 is at most the positive root of this.  From the time of u_0 on u rises by V at most, in a
-period: u <= U = u_0 + V.  And 2 m rho = int u <= 2 pi U.
+alpha^2) - alpha arccos alpha); so int |u'| <= 2V, and 2 pi alpha u_0^2 - 2 rho u_0 - rho V <= 0.
+Once more: let g = sin t/u + u' cos t/u^2, and Z = (X^2 - rho^2/4)/2, which is 0 at hits, Z' = s u
+X, -rho^2/8 <= Z <= 0.  By parts on each flight, where u'' = -s sin t,
+
+    int X g = int s Z' g/u = - int s Z (g/u)',
+    (g/u)' = cos t/u^2 - (4 s sin t cos t - 3 alpha sin t)/u^3 - 3 (s cos t - alpha)^2 cos t/u^4.
+
+The integrals over a period of |cos t|, |sin t|, |sin t cos t|, |cos t|^3, cos^2 t are 4, 4, 2, 8/3,
+pi; so
+
+    16 pi alpha u_0^4 <= rho^2 (4 u_0^2 + (8 + 12 alpha) u_0 + 8 + 6 pi alpha + 12 alpha^2).
+
+Each of the two inequalities has one change of sign among its coefficients: where it fails for some
+number, it fails for all larger ones, so u_0 is below it.  From the time of u_0 on u rises by V at
+most, in a period: u <= u_0 + V.  If U is a bound of that, 2 m rho = int u <= 2 pi U.
 
 *m = 1*: the closed form (``closed_form``, ``pairs``) has all of them: plus, minus, and at most one
 pair, delta and -delta.  alpha(delta) decreases strictly, so delta is between two numbers if alpha
@@ -125,15 +137,28 @@ class Inventory(Scaled):
 
     def limits(self) -> None:
         """Compare the bounds of speed and number of hits."""
-        alpha, rho = self.alpha, self.rho
-        V = ((-alpha.square() + 1).sqrt() - alpha * arccos(alpha)) * 4
-        a = self.pi() * 2 * alpha
-        U = (rho + (rho.square() + a * rho * V).sqrt()) / a + V
-        need(U.upper <= self.claims["highest_speed"], "highest_speed is too low")
+        rho = self.rho
+        U = self.number(self.claims["highest_speed"])
+        too_fast = U - self.rise
+        fails = any(each.is_positive() for each in self.excesses(too_fast))
+        need(too_fast.is_positive() and fails, "highest_speed is too low")
         most = self.pi() * U / rho
         need(most.upper < self.claims["most_hits"] + 1, "there may be more than most_hits hits")
         need(self.claims["most_hits"] <= most.upper, "most_hits is more than the bound")
         self.step("all of these orbits are slower than claimed, with no more hits than claimed")
+
+    def excesses(self, u: Interval) -> Iterator[Interval]:
+        """Give what is not positive for the least speed u of such an orbit."""
+        alpha, rho, pi_alpha = self.alpha, self.rho, self.pi() * self.alpha
+        yield u.square() * pi_alpha * 2 - u * rho * 2 - rho * self.rise
+        cubic = u.square() * 4 + u * (alpha * 12 + 8) + 8 + pi_alpha * 6 + alpha.square() * 12
+        yield u.square().square() * pi_alpha * 16 - rho.square() * cubic
+
+    @property
+    def rise(self) -> Interval:
+        """V."""
+        alpha = self.alpha
+        return ((-alpha.square() + 1).sqrt() - alpha * arccos(alpha)) * 4
 
     def points(self) -> None:
         """Compare the fixed points with one hit of each wall."""
