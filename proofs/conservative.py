@@ -19,20 +19,26 @@ Proof (all of it in `cap.checker.theorems.conservative` and the modules that it 
    G is onto S.  Only the boundaries of cells are followed, as arcs, to the second order.
 5. *Area.*  What the cells of both families leave is at most ``area``.
 
-The strips are found in doubles, and nothing rests on that.  Each cell is tried with the checker as
-soon as it is found: those that do not hold are left out, and it is the checker's verdict on all of
-them that proves the theorem.
+The cells are found in doubles, by compiled code, and nothing rests on that; those that take away
+little are left out.  Each is tried with the checker: those that do not hold are left out, too, and
+it is the checker's verdict on all of them that proves the theorem.
 """
 
+import json
 import math
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
+from hashlib import sha256
 from itertools import pairwise
 from typing import Any
 
-from cap.cells.listing import Edge, Run, listed, written
-from cap.cells.strips import World, all_strips, cut, even
+import numpy as np
+
+from cap.cells import strips
+from cap.cells.cover import Cover
+from cap.cells.listing import Edge, edges_of, listed, runs, written
+from cap.cells.strips import Family, World
 from cap.checker.flow.ceiling import Flights, descends
 from cap.checker.flow.columns import LINE, column
 from cap.checker.flow.overlap import gaps, mirrored, shared
@@ -48,17 +54,19 @@ from cap.runner import Plan, Runner
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 SEARCH = candidates.every_motion
-OPTIONS = ("jobs", "journal")
+OPTIONS = ("flights", "jobs", "journal")
 
-FLIGHTS = 12  # that launches are followed, forward and backward
-WIDTH = Fraction(1, 64)  # of columns
+FLIGHTS = 20  # that launches are followed, forward and backward, if nothing else is asked for
+WIDE, FINE = Fraction(1, 64), Fraction(1, 256)  # widths of columns
+WITHIN = 0.48, 0.84  # of the times: there columns are fine, as most of what is left is there
+WORTH = 2e-7  # the area that a cell takes away is at least this
+ROUNDS = 4  # of trying with the checker
+PART = 16  # columns that are tried together
 CEILING = (
     Fraction(4, 5),
     Fraction(1, 10),
     Fraction(16, 25),
 )  # of R/2, of 1 and of R/2, near f = 2F/5
-
-Found = list[tuple[int, Edge, Edge]]
 
 
 def prove(setting: Setting) -> Proof:
@@ -67,22 +75,24 @@ def prove(setting: Setting) -> Proof:
     if not (p.f > 0 and p.e == 1 and p.mu == 0):
         raise BadInput("the theorem conservative needs f > 0, e = 1 and mu = 0")
     R = p.R * p.omega**2 / p.F
-    a, b, c = CEILING[0] * R / 2, CEILING[1], CEILING[2] * R / 2
-    lemma_3_ceiling(p, (a, b, c))
-    scaled = float(p.f / p.F), float(R), float(a), float(b), float(c)
-    world = World(*scaled, even(a, b, c, WIDTH), FLIGHTS)
-    found = {}
-    for name, each in (("forward", world), ("backward", world.mirrored)):
-        columns = all_strips(each, _keeping(setting.runner, name))
-        found[name] = cut(each, columns, partial(failing, setting, checked(p, each, (a, b, c))))
+    ceiling = CEILING[0] * R / 2, CEILING[1], CEILING[2] * R / 2
+    lemma_3_ceiling(p, ceiling)
+    a, b, c = map(float, ceiling)
+    begin, end = strips.window(a, b, c)
+    near = tuple(begin + part * (end - begin) for part in WITHIN)
+    lines = strips.lines((begin, end), WIDE, FINE, (near[0], near[1]))
+    world = World(float(p.f / p.F), float(R), a, b, c, lines)
+    family = strips.found(world, setting.flights or FLIGHTS, setting.runner)
+    family = tried(setting, world, ceiling, strips.worthy(family, WORTH))
+    texts = [[listed(runs(each, j)) for j in range(len(lines) - 1)] for each in family]
     hints = {
-        "ceiling": {"height": str(a), "phase": str(b), "level": str(c)},
-        "lines": _lines(world.lines),
-        **{name: [listed(runs) for runs in each] for name, each in found.items()},
+        "ceiling": dict(zip(("height", "phase", "level"), map(str, ceiling), strict=True)),
+        "lines": _lines(lines),
+        **dict(zip(("forward", "backward"), texts, strict=True)),
     }
     claims = {
         "area": _above(_area(world, hints) * float(p.F**2 / p.omega**3)),
-        "speed": _speed(p.F / p.omega, (a + c), (p.F - p.f) * p.R),
+        "speed": _speed(p.F / p.omega, (ceiling[0] + ceiling[2]), (p.F - p.f) * p.R),
     }
     parameters = p.elastic_strings()
     proved = assembled("conservative", setting, parameters, (claims, hints))
@@ -116,22 +126,76 @@ def checked(p: Parameters, world: World, ceiling: tuple[Fraction, Fraction, Frac
     return Checked(f, R, top, list(world.lines), [])
 
 
-def failing(
-    setting: Setting, world: Checked, columns: list[list[Run]], wanted: list[int], level: int
-) -> Found:
-    """Return the cells of a level with which the checker does not succeed."""
-    own = setting.runner
-    runner = Runner(own.jobs, own.tell, own.executor, whole=True)
-    parts = [tuple(wanted[k : k + 8]) for k in range(0, len(wanted), 8)]
-    plan = Plan[tuple[int, ...], Found](total=len(wanted), weight=len, words=f"level {level}")
-    task = partial(_tried, world, [listed(runs) for runs in columns], level)
-    return [each for _, found in runner.run(task, parts, plan) for each in found]
+def tried(
+    setting: Setting, world: World, ceiling: tuple[Fraction, Fraction, Fraction], family: Family
+) -> Family:
+    """Return the cells with which the checker succeeds."""
+    worlds = zip(("forward", "backward"), (world, world.mirrored), family, strict=True)
+    found = [
+        _tried_all(
+            _keeping(setting.runner, name), checked(setting.parameters, each, ceiling), cover
+        )
+        for name, each, cover in worlds
+    ]
+    return found[0], found[1]
 
 
-def _tried(world: Checked, texts: list[str], level: int, wanted: tuple[int, ...]) -> Found:
+def _tried_all(runner: Runner, world: Checked, cover: Cover) -> Cover:
+    """Return the cells of a family with which the checker succeeds."""
+    for _ in range(ROUNDS):
+        bad = failing(runner, world, cover)
+        if not bad:
+            return cover
+        cover, runner = _without(cover, bad), replace(runner, journal=None)
+    raise NotProved("Lemma 4", "cells do not hold", {"cells": len(bad)})
+
+
+def failing(runner: Runner, world: Checked, cover: Cover) -> list[tuple[int, Edge, Edge]]:
+    """Return the cells with which the checker does not succeed, and their columns."""
+    C = len(cover.top)
+    texts = [_readable(listed(runs(cover, j))) for j in range(C)]
+    parts = [(k, min(k + PART, C)) for k in range(0, C, PART)]
+    key = f"cells {world.f} {world.R} {sha256(repr(texts).encode()).hexdigest()}"
+    plan = Plan[tuple[int, int], Any](
+        key,
+        encode=json.dumps,
+        decode=json.loads,
+        total=C,
+        weight=lambda part: part[1] - part[0],
+        words="columns checked",
+    )
+    results = runner.run(partial(_tried, world, texts), parts, plan)
+    return [(j, (a, b, c), (d, e, f)) for _, bad in results for j, (a, b, c), (d, e, f) in bad]
+
+
+def _readable(text: str) -> str:
+    """Return the text of a column; the checker refuses those that are too long."""
+    try:
+        column(text)
+    except Rejected as reason:
+        raise NotProved("Lemma 4", f"the cells are too many for the checker ({reason})") from None
+    return text
+
+
+def _tried(world: Checked, texts: list[str], part: tuple[int, int]) -> list[tuple[int, Edge, Edge]]:
     """Return the cells of some columns with which the checker does not succeed."""
     world.columns = [column(text) for text in texts]
-    return [(j, *cell) for j in wanted for cell in fails(world, j, level)]
+    found = []
+    for j in range(*part):
+        levels = {0, *(level for run in world.columns[j] for level in run.levels)}
+        found += [(j, *cell) for level in sorted(levels) for cell in fails(world, j, level)]
+    return found
+
+
+def _without(cover: Cover, bad: list[tuple[int, Edge, Edge]]) -> Cover:
+    """Return the cells that hold without some others, and without some bottoms."""
+    without = set(bad)
+    for j, low, high in bad:
+        if low == high:
+            cover.has_bottom[j] = False
+    own = strips.columns_of(cover).tolist()
+    pairs = ((j, *edges_of(cover, i)) for i, j in enumerate(own))
+    return strips.holding(strips.kept(cover, np.array([each not in without for each in pairs])))
 
 
 def _lines(lines: tuple[float, ...]) -> str:

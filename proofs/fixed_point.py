@@ -38,7 +38,8 @@ class Setting:
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
     Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
     A theorem on several masses starts from ``particles``.  Of states up to a ``speed``, leaves are
-    cut at most ``cuts`` times; None: as the theorem likes.
+    cut at most ``cuts`` times; launches are followed for so many ``flights``; None: as the theorem
+    likes.
     """
 
     parameters: Parameters
@@ -52,6 +53,7 @@ class Setting:
     particles: Guess | None = None
     speed: Fraction | None = None
     cuts: int | None = None
+    flights: int | None = None
 
     @property
     def units(self) -> Units:

@@ -1,276 +1,243 @@
-"""Compiled, in doubles: strips of launches that end alike, as cells between two parabolas.
+"""Compiled, in doubles: cells of a level, between the cells of lower levels.
 
-It steers; nothing rests on it.  A cell of level k lies in a column of times; all its launches fly
-to the other wall, and into cells of level k - 1 there.  See `cap.cells.fates`.
+It steers; nothing rests on it.  In a gap of a column, launches that fly into cells of one link are
+a strip; it is followed through the column, and bounded by two parabolas.  If what lies between them
+does not hold as one cell, it is halved.
 """
 
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from cap.cells.fates import NODES, Floats, Integers, fly
+from cap.cells.cover import (
+    NO_LINK,
+    Cover,
+    Floats,
+    Integers,
+    holds,
+    link,
+    same,
+    time,
+)
+from cap.cells.ends import CLOSE, Gap, bounds, end_of, followed, touches
 from cap.sets.compiled import kernel
 from cap.sets.kept import kept
 
-UNIT = 2.0**-28  # edges are multiples of it
-SLACK = 1e-7  # by which images lie inside
-FIRST = 3e-7  # by which the first cell tried is smaller than its strip
-WIDER, TRIES = 4.0, 5
-PIECES = 16  # of a strip, at most
-THIN = 4e-6  # pieces are not thinner
-SAMPLES = 9  # of an edge, and of a side
+UNIT = 2.0**-28  # coefficients of edges are multiples of it
+INWARD = 2e-7  # by which a cell is smaller than its strip at first
+WIDER, TRIES = 5.0, 3
 
 
-class Columns(NamedTuple):
-    """Strips and cells of the columns between lines.
+class Grain(NamedTuple):
+    """How fine strips are looked for.
 
-    ``number`` (C,) of strips, their ``fates`` (C, N) and ``ends`` (C, N, 5, 2).  Of cells
-    ``level`` (C, N), -1 where there is none, and ``held`` (C, N, PIECES): at the first of the
-    pieces that a cell consists of, how many they are.  ``edges`` (C, N, 6): the parabolas that
-    bound all pieces; ``top`` (C, 3), one above the ceiling; ``bottom`` (C, 3), one below which all
-    launches stop, at -1 if there is none.
+    The step in energy; their least width; how often they are halved; how many arcs are spent on one
+    cell.
     """
 
+    step: float
+    thin: float
+    halvings: int
+    arcs: int
+
+
+class Found(NamedTuple):
+    """New cells of columns: ``number`` (C,), ``cells`` (C, K, 6)."""
+
     number: Integers
-    fates: Integers
+    cells: Floats
+
+
+class Room(NamedTuple):
+    """Room of a thread: ends of a strip (5, 2), its edges (6,), targets (C + 1, 3), 0 (3,)."""
+
     ends: Floats
-    level: Integers
     edges: Floats
-    top: Floats
-    bottom: Floats
-    held: NDArray[np.int8]
-
-
-class Frame(NamedTuple):
-    """The lines between columns, y = f, R, a, b, c, n, and room for targets and cuts of a cell."""
-
-    lines: Floats
-    y: Floats
     seen: Integers
-    cuts: NDArray[np.int8]
+    floor: Floats
+
+
+class Wanted(NamedTuple):
+    """Where cells are looked for: ``number`` (C,) intervals of energies, ``ends`` (C, K, 2)."""
+
+    number: Integers
+    ends: Floats
+
+
+class Search(NamedTuple):
+    """What the cells of a level are looked for with."""
+
+    cover: Cover
+    new: Found
+    wanted: Wanted
+    level: int
+    grain: Grain
+    room: Room
 
 
 @kernel
-def _at(a: float, b: float, c: float, s: float) -> float:
-    return a + s * (b + s * c)
+def _rounded(x: float) -> float:
+    return math.floor(x / UNIT + 0.5) * UNIT
 
 
 @kernel
-def _through(z: Floats, p: Floats, inward: float) -> None:
+def _copy(p: Floats, q: Floats) -> None:
+    for k in range(3):
+        q[k] = p[k]
+
+
+@kernel
+def through(z: Floats, p: Floats, inward: float) -> None:
     """Write the parabola through values at -1, 0, 1, moved by more than it errs at -1/2, 1/2."""
     a, b, c = z[2], 0.5 * (z[4] - z[0]), 0.5 * (z[4] + z[0]) - z[2]
     sign = 1.0 if inward > 0 else -1.0
-    miss = max(sign * (z[1] - _at(a, b, c, -0.5)), sign * (z[3] - _at(a, b, c, 0.5)), 0.0)
-    p[0] = math.floor((a + inward + sign * 1.2 * miss) / UNIT) * UNIT
-    p[1], p[2] = math.floor(b / UNIT) * UNIT, math.floor(c / UNIT) * UNIT
+    one, two = z[1] - (a - 0.5 * b + 0.25 * c), z[3] - (a + 0.5 * b + 0.25 * c)
+    miss = max(sign * one, sign * two, 0.0)
+    p[0], p[1], p[2] = _rounded(a + inward + sign * 1.2 * miss), _rounded(b), _rounded(c)
 
 
 @kernel
-def _time(lines: Floats, j: int, s: float) -> float:
-    return float(0.5 * (lines[j] * (1 - s) + lines[j + 1] * (1 + s)))
+def above(p: Floats, q: Floats) -> bool:
+    """Return whether the edge q is certainly above p."""
+    a, b, c = q[0] - p[0], q[1] - p[1], q[2] - p[2]
+    apart = abs(b) >= 2 * c or 4 * a * c > b * b * (1 + 1e-9)
+    return bool(a + c - abs(b) > 2 * UNIT and a > 2 * UNIT and apart)
 
 
 @kernel
-def _edge(columns: Columns, j: int, i: int, m: int, s: float) -> float:
-    """Return an edge of a piece of a strip: between its lower and its upper parabola."""
-    p, E, power = columns.edges[j, i], 0.0, 1.0
-    for k in range(3):
-        E += power * round((p[k] + (p[3 + k] - p[k]) * m / PIECES) / UNIT) * UNIT
-        power *= s
-    return float(E)
+def _holds(search: Search, j: int, p: Floats) -> bool:
+    return holds(search.cover, j, search.level, p, search.room.seen, search.grain.arcs) > 0
 
 
 @kernel
-def _run(columns: Columns, j: int, i: int, s: float, E: float) -> int:
-    """Return the first piece of the run of pieces in which E is, or -1."""
-    held, m = columns.held[j, i], 0
-    while m < PIECES:
-        first = m
-        while m < PIECES and held[m] > 0:
-            m += held[m]
-        if m == first:
-            m += 1
-        elif _edge(columns, j, i, first, s) + SLACK <= E <= _edge(columns, j, i, m, s) - SLACK:
-            return first
-    return -1
+def _cut(search: Search, j: int) -> float:
+    """Add the cells into which what lies between two edges can be cut; return which part it is."""
+    new, grain, room = search.new, search.grain, search.room
+    most, edges = 1 << grain.halvings, room.edges
+    depth, k, total, cells = 0, 0, 0, new.cells[j]
+    width = edges[3] - edges[0]
+    while True:
+        size, m = most >> depth, new.number[j]
+        if m == len(cells):
+            return total / most
+        p, n = cells[m], k * size
+        for q in range(3):
+            p[q] = _rounded(edges[q] + (edges[3 + q] - edges[q]) * n / most)
+            p[3 + q] = _rounded(edges[q] + (edges[3 + q] - edges[q]) * (n + size) / most)
+        good = above(p[:3], p[3:]) and _holds(search, j, p)
+        if good:
+            total += size
+            new.number[j] += 1
+        elif depth < grain.halvings and width * size > grain.thin * most:
+            depth, k = depth + 1, 2 * k
+            continue
+        k += 1
+        while depth > 0 and k % 2 == 0:
+            k, depth = k // 2, depth - 1
+        if depth == 0:
+            return total / most
 
 
 @kernel
-def _target(columns: Columns, j: int, fate: int, s: float, E: float) -> int:
-    """Return the run of pieces in which a launch lies; -1 if in none.
-
-    -2: above the top; -3: below the bottom.
-    """
-    if fate == 0:
-        top = columns.top[j]
-        return -2 if _at(top[0], top[1], top[2], s) + SLACK <= E else -1
-    if fate == -1:
-        bottom = columns.bottom[j]
-        return -3 if _at(bottom[0], bottom[1], bottom[2], s) - SLACK >= E else -1
-    for i in range(columns.number[j]):
-        if columns.level[j, i] >= 0 and columns.fates[j, i] == fate:
-            first = _run(columns, j, i, s, E)
-            if first >= 0:
-                return i * PIECES + first
-    return -1
-
-
-@kernel
-def _lands(columns: Columns, frame: Frame, t: float, E: float, fate: int) -> bool:
-    """Return whether a launch lands where the others of its cell do, by column."""
-    lines, y, seen = frame.lines, frame.y, frame.seen
-    if E <= 0:
-        return False
-    T, V = fly(t, math.sqrt(2 * E), y[0], y[1])
-    if V <= 0:
-        return False
-    t = lines[0] + (T + math.pi - lines[0]) % (2 * math.pi)
-    if t >= lines[-1]:
-        return True
-    j = int(np.searchsorted(lines, t, "right")) - 1
-    s = 2 * (t - lines[j]) / (lines[j + 1] - lines[j]) - 1
-    to = _target(columns, j, fate - 1 if fate > 0 else fate + 1, s, 0.5 * V * V)
-    if to == -1 or (seen[j] != -1 and seen[j] != to):
-        return False
-    seen[j] = to
-    return True
-
-
-@kernel
-def _holds(columns: Columns, frame: Frame, j: int, i: int, m: int, size: int) -> bool:
-    """Return whether samples of the boundary of a cell land in one run per column."""
-    for k in range(len(frame.seen)):
-        frame.seen[k] = -1
-    fate = columns.fates[j, i]
-    for k in range(SAMPLES):
-        s = 2.0 * k / (SAMPLES - 1) - 1
-        t = _time(frame.lines, j, s)
-        low, high = _edge(columns, j, i, m, s), _edge(columns, j, i, m + size, s)
-        if low + 8 * UNIT >= high:
+def _bounded(gap: Gap, inward: float, room: Room) -> bool:
+    """Write the edges of a strip; return whether they lie within the gap."""
+    ends, edges = room.ends, room.edges
+    if touches(ends, gap, 0):
+        _copy(gap.low, edges[:3])
+    else:
+        through(ends[:, 0], edges[:3], inward)
+        if not above(gap.low, edges[:3]):
             return False
-        last = SAMPLES - 1
-        step = 1 if k in (0, last) else last
-        for q in range(0, SAMPLES, step):
-            if not _lands(columns, frame, t, low + q * (high - low) / last, fate):
-                return False
-    return True
+    if touches(ends, gap, 1):
+        _copy(gap.high, edges[3:6])
+    else:
+        through(ends[:, 1], edges[3:6], -inward)
+        if not above(edges[3:6], gap.high):
+            return False
+    return above(edges[:3], edges[3:6])
 
 
 @kernel
-def _pieces(columns: Columns, frame: Frame, j: int, i: int) -> int:
-    """Find pieces of a strip that hold, the largest first; return how much of it they are."""
-    width = columns.edges[j, i, 3] - columns.edges[j, i, 0]
-    cuts = frame.cuts
-    for m in range(PIECES):
-        cuts[m] = 0
-    total, size = 0, PIECES
-    while size >= 1 and (size == PIECES or width * size > THIN * PIECES):
-        for m in range(0, PIECES, size):
-            taken = False
-            for q in range(m + 1):
-                if cuts[q] > 0 and m < q + cuts[q]:
-                    taken = True
-            if not taken and _holds(columns, frame, j, i, m, size):
-                cuts[m] = size
-                total += size
-        if total == PIECES:
-            break
-        size //= 2
-    return total
-
-
-@kernel
-def _cell(columns: Columns, frame: Frame, j: int, i: int) -> bool:
-    """Find the cells in a strip, which are a little smaller than that."""
-    ends, edges = columns.ends[j, i], columns.edges[j, i]
-    width, inward = ends[2, 1] - ends[2, 0], FIRST
-    best, kept_at = 0.0, 0.0
+def _fitted(search: Search, j: int, gap: Gap) -> None:
+    """Add the cells of a strip, whose ends are known."""
+    new, room = search.new, search.room
+    first, best, kept_at, inward = new.number[j], 0.0, INWARD, INWARD
+    width = room.ends[2, 1] - room.ends[2, 0]
     for _ in range(TRIES):
         if inward > 0.3 * width:
             break
-        _through(ends[:, 0], edges[:3], inward)
-        _through(ends[:, 1], edges[3:], -inward)
-        part = _pieces(columns, frame, j, i)
-        if part * (width - 2 * inward) > best:
-            best, kept_at = part * (width - 2 * inward), inward
-            for m in range(PIECES):
-                columns.held[j, i, m] = frame.cuts[m]
-        if part == PIECES:
-            break
+        new.number[j] = first
+        if _bounded(gap, inward, room):
+            share = _cut(search, j)
+            if share == 1:
+                return
+            if share * (width - 2 * inward) > best:
+                best, kept_at = share * (width - 2 * inward), inward
         inward *= WIDER
-    if best > 0:
-        _through(ends[:, 0], edges[:3], kept_at)
-        _through(ends[:, 1], edges[3:], -kept_at)
-    return best > 0
+    new.number[j] = first
+    if best > 0 and _bounded(gap, kept_at, room):
+        _cut(search, j)
 
 
 @kernel
-def _begin(columns: Columns, frame: Frame) -> None:
-    """Forget all cells, and find tops and bottoms."""
-    for j in range(len(columns.top)):
-        for i in range(columns.number[j]):
-            columns.level[j, i] = -1
-            for m in range(PIECES):
-                columns.held[j, i, m] = 0
-        z = columns.ends[j, -1, :, 0]  # a row that is no strip's
-        for k in range(5):
-            z[k] = _ceiling(frame.y, _time(frame.lines, j, NODES[k]))
-        _through(z, columns.top[j], 1e-7)
-        _bottom(columns, frame, j)
+def _next(wanted: Wanted, j: int, E: float) -> float:
+    """Return the least energy from E on at which cells are looked for."""
+    for k in range(wanted.number[j]):
+        if wanted.ends[j, k, 1] > E:
+            return max(E, float(wanted.ends[j, k, 0]))
+    return math.inf
 
 
 @kernel
-def _ceiling(y: Floats, t: float) -> float:
-    return float(y[4] - y[2] * math.cos(t - y[3]))
+def _gap(cover: Cover, j: int, i: int, room: Room) -> Gap:
+    """Return the gap below a cell of a column, or below the top."""
+    low = room.floor
+    if i > cover.start[j]:
+        low = cover.cells[i - 1, 3:]
+    elif cover.has_bottom[j]:
+        low = cover.bottom[j]
+    return Gap(low, cover.cells[i, :3] if i < cover.start[j + 1] else cover.top[j])
 
 
 @kernel
-def _stops(y: Floats, t: float, E: float) -> bool:
-    return _ceiling(y, t) - SLACK > E and (E <= 0 or fly(t, math.sqrt(2 * E), y[0], y[1])[1] <= 0)
+def _column(search: Search, j: int) -> None:
+    """Find the cells of a column."""
+    cover, new, wanted, grain, room = (
+        search.cover,
+        search.new,
+        search.wanted,
+        search.grain,
+        search.room,
+    )
+    t, ends = time(cover.lines, j, 0.0), room.ends
+    new.number[j] = 0
+    for i in range(cover.start[j], cover.start[j + 1] + 1):
+        gap = _gap(cover, j, i, room)
+        if same(gap.low, gap.high):
+            continue
+        bottom, top = bounds(gap, 0.0)
+        E = _next(wanted, j, bottom + min(0.5 * grain.step, 0.5 * (top - bottom)))
+        while top > E:
+            to = link(cover, t, E)
+            if to == NO_LINK:
+                E = _next(wanted, j, E + grain.step)
+                continue
+            lower = end_of(cover, (t, E), to, -0.5 * grain.step, (bottom, CLOSE))
+            upper = end_of(cover, (t, E), to, 0.5 * grain.step, (top, CLOSE))
+            if upper - lower > grain.thin:
+                ends[2, 0], ends[2, 1] = lower, upper
+                before = new.number[j]
+                if followed(cover, j, gap, to, ends):
+                    _fitted(search, j, gap)
+                if new.number[j] > before:
+                    gap = Gap(new.cells[j, new.number[j] - 1, 3:], gap.high)
+                    bottom, top = bounds(gap, 0.0)
+            E = _next(wanted, j, max(E, upper) + grain.step)
 
 
-@kernel
-def _bottom(columns: Columns, frame: Frame, j: int) -> None:
-    """Find an edge on which launches stop."""
-    z, p = columns.ends[j, -1, :, 0], columns.bottom[j]
-    for k in range(5):
-        t, low = _time(frame.lines, j, NODES[k]), 0.0
-        high = _ceiling(frame.y, t)
-        for _ in range(50):
-            middle = 0.5 * (low + high)
-            if _stops(frame.y, t, middle):
-                low = middle
-            else:
-                high = middle
-        z[k] = low
-    inward = FIRST
-    for _ in range(12):
-        _through(z, p, -inward)
-        good = True
-        for k in range(SAMPLES):
-            s = 2.0 * k / (SAMPLES - 1) - 1
-            E = _at(p[0], p[1], p[2], s)
-            good = good and E > 0 and _stops(frame.y, _time(frame.lines, j, s), E)
-        if good:
-            return
-        inward *= 3
-    p[0], p[1], p[2] = -1.0, 0.0, 0.0
-
-
-def _fit(columns: Columns, frame: Frame, level: int) -> None:
-    """Find the cells of a level, those of lower levels being known; 0 is the first.
-
-    The last row of the strips of each column is not one of them.
-    """
-    if level == 0:
-        _begin(columns, frame)
-    for j in range(len(columns.top)):
-        for i in range(columns.number[j]):
-            fate = columns.fates[j, i]
-            if level > 0 and fate in (level, -1 - level) and _cell(columns, frame, j, i):
-                columns.level[j, i] = level
+def _fit(search: Search, columns: Integers) -> None:
+    """Find the cells of a level in some columns, those of lower levels being known."""
+    for j in columns:
+        _column(search, j)
 
 
 fit = kept(_fit, error_model="numpy")

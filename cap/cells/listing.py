@@ -1,11 +1,10 @@
 """Columns of cells as text, as `cap.checker.flow.columns` reads them."""
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
-from cap.cells.fates import Floats
-from cap.cells.fit import PIECES, UNIT, Columns
+from cap.cells.cover import Cover, Floats
+from cap.cells.fit import UNIT
 
 DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 BOTTOM, TOP = 1, 2
@@ -44,64 +43,29 @@ def listed(runs: Sequence[Run]) -> str:
     return written(numbers)
 
 
-def runs(columns: Columns, j: int) -> list[Run]:
-    """Return the runs of a column, none above the next; what does not fit is left out."""
-    found = [Run([_units(columns.bottom[j])], [], BOTTOM)] if columns.bottom[j, 0] > 0 else []
-    for i in range(columns.number[j]):
-        if columns.level[j, i] > 0:
-            found += _pieces(columns, j, i, int(columns.level[j, i]))
-    top = Run([_units(columns.top[j])], [], TOP)
-    return _joined([*found, top])
-
-
-def _units(p: Floats) -> Edge:
-    a, b, c = (round(q / UNIT) for q in p)
-    return a, b, c
-
-
-def edge(columns: Columns, j: int, i: int, m: int) -> Edge:
-    """Return an edge of a piece of a strip, in units: as `cap.cells.fit` computes it."""
-    low, high = columns.edges[j, i, :3], columns.edges[j, i, 3:]
-    a, b, c = (round((p + (q - p) * m / PIECES) / UNIT) for p, q in zip(low, high, strict=True))
-    return a, b, c
-
-
-def _pieces(columns: Columns, j: int, i: int, level: int) -> list[Run]:
-    """Return the runs of pieces of a strip."""
-    found, m = list[Run](), 0
-    held = columns.held[j, i].tolist()
-    while m < PIECES:
-        if not held[m]:
-            m += 1
-            continue
-        edges = [edge(columns, j, i, m)]
-        while m < PIECES and held[m]:
-            m += held[m]
-            edges.append(edge(columns, j, i, m))
-        found.append(Run(edges, [level] * (len(edges) - 1), 0))
+def runs(cover: Cover, j: int) -> list[Run]:
+    """Return the runs of a column."""
+    found = [Run([_units(cover.bottom[j])], [], BOTTOM)] if cover.has_bottom[j] else []
+    for i in range(cover.start[j], cover.start[j + 1]):
+        low, high = edges_of(cover, i)
+        if not (found and found[-1].edges[-1] == low):
+            found.append(Run([low], [], 0))
+        found[-1].edges.append(high)
+        found[-1].levels.append(int(cover.levels[i]))
+    top = _units(cover.top[j])
+    if found and found[-1].edges[-1] == top:
+        last = found.pop()
+        found.append(last._replace(kind=last.kind | TOP))
+    else:
+        found.append(Run([top], [], TOP))
     return found
 
 
-def _joined(found: list[Run]) -> list[Run]:
-    """Join runs that share an edge, and leave out those that are not above the one before."""
-    joined = list[Run]()
-    for run in found:
-        if not all(below(*pair) for pair in pairwise(run.edges)):
-            continue
-        if joined and joined[-1].edges[-1] == run.edges[0]:
-            last = joined.pop()
-            kind = last.kind | run.kind
-            joined.append(Run(last.edges + run.edges[1:], last.levels + run.levels, kind))
-            continue
-        if run.kind & TOP:
-            while joined and not below(joined[-1].edges[-1], run.edges[0]):
-                joined.pop()
-        if not joined or below(joined[-1].edges[-1], run.edges[0]):
-            joined.append(run)
-    return joined
+def edges_of(cover: Cover, i: int) -> tuple[Edge, Edge]:
+    """Return the edges of a cell."""
+    return _units(cover.cells[i, :3]), _units(cover.cells[i, 3:])
 
 
-def below(one: Edge, two: Edge) -> bool:
-    """Return whether an edge is certainly below another in the whole column."""
-    a, b, c = (q - p for p, q in zip(one, two, strict=True))
-    return a + c > abs(b) and (abs(b) >= 2 * c or 4 * a * c > b * b)
+def _units(p: Floats) -> Edge:
+    a, b, c = (round(float(q) / UNIT) for q in p)
+    return a, b, c

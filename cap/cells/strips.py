@@ -1,40 +1,35 @@
-"""Strips of launches that end alike: found column by column, and cut into cells level by level.
+"""Strips of launches that end alike, in both directions of time, cut into cells flight by flight.
 
 It steers, in doubles: what comes out is to be proved.
 """
 
 from __future__ import annotations
 
-import base64
-import io
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 
-from cap.cells.fates import Floats, Integers, column
-from cap.cells.fit import PIECES, Columns, Frame, fit
-from cap.cells.listing import Edge, Run, edge, runs
-from cap.runner import Plan, Runner
+from cap.cells.cover import NEITHER, Cover, Integers
+from cap.cells.fit import Found, Grain, Room, Search, Wanted, fit
+from cap.cells.links import link
+from cap.cells.margins import begin
+from cap.cells.worth import choose, want, weigh
+from cap.runner import Runner
 
-MOST = 4000  # strips in a column
-STEP = 5e-5  # energies are tried so far apart
-THICK = 1e-5  # strips thinner than this are left out
+GRAIN = Grain(step=3e-5, thin=6e-6, halvings=4, arcs=60)
+MARGIN = 7e-4  # so near what the other family leaves cells are looked for
+MOST = 250  # new cells of a column; energies that are looked for
+GAPS = 4000  # of a column
 
-Check = Callable[[list[list[Run]], list[int], int], list[tuple[int, Edge, Edge]]]
-"""Given the runs of all columns, some columns, and a level: the cells of it that do not hold."""
+Family = tuple[Cover, Cover]
 
 
 @dataclass(frozen=True)
 class World:
-    """Flights against the friction f over R; the ceiling E + a cos(t - b) = c; lines of columns.
-
-    Launches are followed for so many ``flights``.
-    """
+    """Flights against the friction f over R; the ceiling E + a cos(t - b) = c; lines of columns."""
 
     f: float
     R: float
@@ -42,12 +37,6 @@ class World:
     b: float
     c: float
     lines: tuple[float, ...]
-    flights: int
-
-    @property
-    def numbers(self) -> Floats:
-        """What compiled code takes."""
-        return np.array([self.f, self.R, self.a, self.b, self.c, self.flights])
 
     @property
     def mirrored(self) -> World:
@@ -55,93 +44,137 @@ class World:
         lines = tuple(-t for t in reversed(self.lines))
         return replace(self, f=-self.f, b=-self.b, lines=lines)
 
-
-class Strips(NamedTuple):
-    """The strips of a column: fates (N,) and ends (N, 5, 2)."""
-
-    fates: Integers
-    ends: Floats
-
-
-def strips(world: World, j: int) -> Strips:
-    """Find the strips of a column in which launches end within so many flights."""
-    low, high = world.lines[j], world.lines[j + 1]
-    fates, ends = np.zeros(MOST, np.int64), np.zeros((MOST, 5, 2))
-    middle, half = (low + high) / 2, (high - low) / 2
-    found = column(middle, half, world.numbers, np.array([STEP, THICK]), fates, ends)
-    return Strips(fates[:found].copy(), ends[:found].copy())
-
-
-def all_strips(world: World, runner: Runner) -> Columns:
-    """Find the strips of all columns."""
-    count = len(world.lines) - 1
-    key = f"strips {world} {STEP} {THICK}"
-    plan = Plan[int, Strips](key, encode=_text, decode=_strips, total=count, words="strips")
-    found = dict(runner.run(partial(strips, world), range(count), plan))
-    return together([found[j] for j in range(count)])
+    def cover(self) -> Cover:
+        """Return columns without cells, but with what is above the ceiling and stops at once."""
+        C = len(self.lines) - 1
+        none, edges = np.zeros(0, np.int64), np.zeros((C, 3))
+        cover = Cover(
+            np.array(self.lines),
+            np.array([self.f, self.R, self.a, self.b, self.c]),
+            np.zeros(C + 1, np.int64),
+            np.zeros((0, 6)),
+            none,
+            none,
+            edges,
+            edges.copy(),
+            np.zeros(C, np.bool_),
+            np.zeros(C, np.int64),
+        )
+        begin(cover, np.zeros(5))
+        return cover
 
 
-def _text(found: Strips) -> str:
-    buffer = io.BytesIO()
-    np.savez(buffer, *found)
-    return base64.b64encode(buffer.getvalue()).decode()
+def found(world: World, flights: int, runner: Runner) -> Family:
+    """Return the cells of forward and of backward orbits, after so many flights of each."""
+    one, two = world.cover(), world.mirrored.cover()
+    for level in range(1, flights + 1):
+        runner.tell("flights followed", (level - 1) / flights)
+        one = _grown(one, two, level, runner)
+        two = _grown(two, one, level, runner)
+    return one, two
 
 
-def _strips(text: str) -> Strips:
-    with np.load(io.BytesIO(base64.b64decode(text))) as arrays:
-        return Strips(*(arrays[name] for name in arrays.files))
+def _grown(cover: Cover, other: Cover, level: int, runner: Runner) -> Cover:
+    """Return columns with the cells of one more level, near what the other family leaves."""
+    C = len(cover.top)
+    link(cover, np.zeros(1 + C + len(cover.cells), np.int64))
+    wanted = Wanted(np.zeros(C, np.int64), np.zeros((C, MOST, 2)))
+    want(other, MARGIN, wanted, np.zeros((GAPS, 2)), np.zeros((GAPS, 2)))
+    new = Found(np.zeros(C, np.int64), np.zeros((C, MOST, 6)))
+    parts = [np.arange(k, C, 8) for k in range(8)]
+    quiet = Runner(runner.jobs, whole=True)
+    quiet.map(partial(_fitted, cover, new, wanted, level), parts, "")
+    return _with(cover, new, level)
 
 
-def together(found: Sequence[Strips]) -> Columns:
-    """Return the strips of all columns in arrays, without cells."""
-    C, N = len(found), 1 + max(len(each.fates) for each in found)
-    columns = Columns(
-        np.array([len(each.fates) for each in found]),
-        np.zeros((C, N), np.int64),
-        np.zeros((C, N, 5, 2)),
-        np.full((C, N), -1),
-        np.zeros((C, N, 6)),
-        np.zeros((C, 3)),
-        np.zeros((C, 3)),
-        np.zeros((C, N, PIECES), np.int8),
+def _fitted(cover: Cover, new: Found, wanted: Wanted, level: int, columns: Integers) -> None:
+    room = Room(np.zeros((5, 2)), np.zeros(6), _seen(cover), np.zeros(3))
+    fit(Search(cover, new, wanted, level, GRAIN, room), columns)
+
+
+def _seen(cover: Cover) -> Integers:
+    """Return room for targets, none of which is chosen."""
+    seen = np.full((len(cover.top) + 1, 3), NEITHER, np.int64)
+    seen[-1, 0] = 0
+    return seen
+
+
+def columns_of(cover: Cover) -> Integers:
+    """Return the columns of the cells."""
+    return np.repeat(np.arange(len(cover.top)), np.diff(cover.start))
+
+
+def _with(cover: Cover, new: Found, level: int) -> Cover:
+    """Return columns with new cells."""
+    listed = [new.cells[j, :n] for j, n in enumerate(new.number)]
+    own = np.concatenate([columns_of(cover), np.repeat(np.arange(len(cover.top)), new.number)])
+    cells = np.concatenate([cover.cells, *listed])
+    levels = np.append(cover.levels, np.full(len(cells) - len(cover.levels), level))
+    order = np.lexsort((cells[:, 0], own))
+    return cover._replace(
+        start=_starts(own, len(cover.top)),
+        cells=cells[order],
+        levels=levels[order],
+        links=np.zeros(len(order), np.int64),
     )
-    for j, each in enumerate(found):
-        columns.fates[j, : len(each.fates)], columns.ends[j, : len(each.fates)] = each
-    return columns
 
 
-def cut(world: World, columns: Columns, check: Check) -> list[list[Run]]:
-    """Cut strips into cells, level by level; those that do not hold are halved, or left out."""
-    every = range(len(columns.number))
-    room = np.empty(len(every), np.int64), np.empty(PIECES, np.int8)
-    frame = Frame(np.array(world.lines), world.numbers, *room)
-    for level in range(world.flights + 1):
-        fit(columns, frame, level)
-        wanted = [j for j in every if level == 0 or (columns.level[j] == level).any()]
-        while wanted:
-            bad = check([runs(columns, j) for j in every], wanted, level)
-            for j, low, high in bad:
-                _halve(columns, j, level, low, high)
-            wanted = sorted({j for j, *_ in bad})
-    return [runs(columns, j) for j in every]
+def _starts(own: Integers, C: int) -> Integers:
+    return np.append(0, np.cumsum(np.bincount(own, minlength=C)))
 
 
-def _halve(columns: Columns, j: int, level: int, low: Edge, high: Edge) -> None:
-    """Halve a cell, given by its edges, or take it back if it is one piece."""
-    if level == 0:
-        columns.bottom[j, 0] = -1.0
-    for i in np.flatnonzero(columns.level[j] == level).tolist():
-        for m in np.flatnonzero(columns.held[j, i]).tolist():
-            size = int(columns.held[j, i, m])
-            if (edge(columns, j, i, m), edge(columns, j, i, m + size)) == (low, high):
-                columns.held[j, i, m] = size // 2
-                if size > 1:
-                    columns.held[j, i, m + size // 2] = size // 2
+def worthy(family: Family, least: float) -> Family:
+    """Return the cells that take away at least so much area of what the others leave.
+
+    What is taken away by cells that fly into a cell, is taken away by it, too.
+    """
+    one, two = family
+    one = _chosen(one, two, least)
+    return one, _chosen(two, one, least)
 
 
-def even(a: Fraction, b: Fraction, c: Fraction, width: Fraction) -> tuple[float, ...]:
-    """Return lines so far apart, around the times at which E + a cos(t - b) = c has E >= 0."""
-    rest = math.acos(float(c / a))
-    first = math.floor((float(b) + rest) / width)
-    last = math.ceil((float(b) + 2 * math.pi - rest) / width)
-    return tuple(float(j * width) for j in range(first, last + 1))
+def _chosen(cover: Cover, other: Cover, least: float) -> Cover:
+    worth, own = np.zeros(len(cover.cells)), columns_of(cover)
+    weigh(cover, other, worth, np.zeros((GAPS, 2)))
+    order = np.argsort(-cover.levels, kind="stable")
+    choose(cover, least, order, own, worth, _seen(cover))
+    return kept(cover, worth >= least)
+
+
+def kept(cover: Cover, which: np.ndarray) -> Cover:
+    """Return columns with some of their cells."""
+    own = columns_of(cover)[which]
+    return cover._replace(
+        start=_starts(own, len(cover.top)),
+        cells=cover.cells[which],
+        levels=cover.levels[which],
+        links=cover.links[which],
+    )
+
+
+def holding(cover: Cover) -> Cover:
+    """Return the cells that hold without those that were left out."""
+    while True:
+        order = np.argsort(-cover.levels, kind="stable")
+        worth, own = np.ones(len(cover.cells)), columns_of(cover)
+        choose(cover, 1.0, order, own, worth, _seen(cover))
+        if (worth >= 1).all():
+            return cover
+        cover = kept(cover, worth >= 1)
+
+
+def lines(
+    ends: tuple[float, float], wide: Fraction, fine: Fraction, within: tuple[float, float]
+) -> tuple[float, ...]:
+    """Return lines from one time to another: columns are narrower within some times."""
+    found, last = [math.floor(ends[0] / wide) * wide], ends[1]
+    while found[-1] < last:
+        near = within[0] <= found[-1] < within[1]
+        found.append(found[-1] + (fine if near else wide))
+    return tuple(float(t) for t in found)
+
+
+def window(a: float, b: float, c: float) -> tuple[float, float]:
+    """Return between which times E + a cos(t - b) = c has E >= 0."""
+    rest = math.acos(c / a)
+    return b + rest, b + 2 * math.pi - rest

@@ -41,6 +41,13 @@ OF_SOME = {
             "time",
             "N",
         ),
+        Option(
+            "flights",
+            count(1, 40),
+            "launches are followed for N flights forward and backward, 1 to 40 (default 20); more "
+            "take longer, and leave less",
+            "N",
+        ),
         Option("jobs", count(1, 1024), "processes (default 1)", "N"),
         Option(
             "journal",

@@ -2,42 +2,80 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
+import numpy as np
 import pytest
 from support import proving
 
-from cap.cells.strips import World, even, strips, together
+from cap.cells import strips
+from cap.cells.listing import edges_of
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from cap.proofs import conservative
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
+from cap.runner import Runner
 
 SETTING = Setting(PAPER, Start(0.0, 0.0, ()), 6)
 
 
-def test_two_flights(monkeypatch):
-    """With wide columns: the checker accepts it, and more flights leave less."""
-    monkeypatch.setattr(conservative, "WIDTH", Fraction(1, 8))
+@pytest.fixture(autouse=True)
+def wide(monkeypatch):
+    """Columns are wide, and few."""
+    monkeypatch.setattr(conservative, "WIDE", Fraction(1, 8))
+    monkeypatch.setattr(conservative, "FINE", Fraction(1, 16))
+
+
+def test_two_flights():
+    """The checker accepts the theorem, and more flights leave less."""
     areas = []
     for flights in (1, 2):
-        monkeypatch.setattr(conservative, "FLIGHTS", flights)
-        found = accepted(THEOREMS["conservative"], SETTING)
+        found = accepted(THEOREMS["conservative"], replace(SETTING, flights=flights))
         areas.append(Fraction(found["claims"]["area"]))
         assert Fraction(found["claims"]["speed"]) ** 2 >= Fraction(528, 100)
     assert areas[1] < areas[0] < 3
 
 
-def test_fates_are_those_of_orbits():
-    """Strips lie one above the other, of all fates within three flights."""
-    lines = even(*conservative.CEILING, Fraction(1, 16))
-    world = World(0.4, 2.0, *map(float, conservative.CEILING), lines, 3)
-    found = together([strips(world, j) for j in (40, 50)])
-    assert set(found.fates[1, : found.number[1]].tolist()) == {-1, -2, -3, -4}
-    middle = found.ends[1, : found.number[1], 2]
-    assert (middle[:, 0] < middle[:, 1]).all()
-    assert (middle[1:, 0] >= middle[:-1, 1] - 1e-8).all()
+def family(flights):
+    """Return a world with its cells."""
+    a, b, c = map(float, conservative.CEILING)
+    lines = strips.lines(strips.window(a, b, c), Fraction(1, 16), Fraction(1, 32), (3.5, 4.0))
+    world = strips.World(0.4, 2.0, a, b, c, lines)
+    return world, *strips.found(world, flights, Runner())
+
+
+def test_cells_are_in_order():
+    """In each column each is above the one before; the lines are of two widths."""
+    world, one, two = family(2)
+    assert {round(32 * (b - a)) for a, b in pairwise(world.lines)} == {1, 2}
+    for cover in (one, two):
+        own = strips.columns_of(cover)
+        assert set(cover.levels.tolist()) == {1, 2}
+        for s in (-1, 0, 1):
+            ends = cover.cells @ np.array([[1, 0], [s, 0], [s * s, 0], [0, 1], [0, s], [0, s * s]])
+            assert (ends[:, 0] < ends[:, 1]).all()
+            follows = own[1:] == own[:-1]
+            assert (ends[1:, 0] >= ends[:-1, 1])[follows].all()
+
+
+def test_a_cell_that_does_not_hold_is_left_out():
+    """Also those that fly into it; what is worth little is left out, too."""
+    _, one, two = family(2)
+    j, i = int(strips.columns_of(one)[0]), 0
+    fewer = conservative._without(one, [(j, *edges_of(one, i))])
+    assert 0 < len(fewer.cells) < len(one.cells)
+    assert len(strips.holding(fewer).cells) == len(fewer.cells)
+    counts = [len(strips.worthy((one, two), least)[0].cells) for least in (1e-9, 1e-4, 10.0)]
+    assert counts[0] > counts[1] > counts[2] == 0
+
+
+def test_too_many_cells(monkeypatch):
+    """What the checker does not read is not proved; that is said before anything is tried."""
+    monkeypatch.setattr("cap.checker.flow.columns.LONGEST", 8)
+    with pytest.raises(NotProved, match="too many"):
+        conservative.prove(replace(SETTING, flights=1))
 
 
 def test_other_parameters_need_another_ceiling():
@@ -47,7 +85,9 @@ def test_other_parameters_need_another_ceiling():
         conservative.prove(setting)
 
 
-@pytest.mark.parametrize("words", [("--orbit", "0", "1"), ("--f", "0"), ("--e", "9/10")])
+@pytest.mark.parametrize(
+    "words", [("--orbit", "0", "1"), ("--f", "0"), ("--e", "9/10"), ("--flights", "0")]
+)
 def test_bad_input(capsys, tmp_path, monkeypatch, words):
     """The theorem is about all motions, with friction and nothing else lost."""
     monkeypatch.chdir(tmp_path)
