@@ -37,7 +37,7 @@ OF_SOME = {
         Option(
             "cuts",
             count(1, 6),
-            "leaves are cut in halves N times on average, 1 to 6 (default 2); one more doubles the "
+            "leaves are cut in halves N times on average, 1 to 6 (default 4); one more doubles the "
             "time",
             "N",
         ),
