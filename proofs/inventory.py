@@ -88,7 +88,7 @@ def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree]:
         try:
             return limits, inventory.tree(system, sides, Effort(DEPTH, MAX_BOXES), tell)
         except TooMany:
-            words = "more boxes of launches than a certificate may have: the friction is too small"
+            words = "more boxes of launches than a certificate may have: f or R is too small"
             sets = {"boxes": MAX_BOXES, "f/F": system.alpha, "hits": limits.hits}
             raise NotProved("Lemma 1", words, sets) from None
 

@@ -77,7 +77,7 @@ def test_on_the_way_back_at_the_start(monkeypatch):
 def test_too_many_boxes(monkeypatch):
     """Where a certificate would have more boxes than it may, that is said before all are there."""
     monkeypatch.setattr(inventory, "MAX_BOXES", 300)
-    with pytest.raises(NotProved, match="more boxes of launches than a certificate may have"):
+    with pytest.raises(NotProved, match="than a certificate may have: f or R is too small"):
         inventory.prove(setting(PAPER))
 
 
