@@ -19,7 +19,7 @@ from cap.cells.cover import (
     time,
 )
 from cap.cells.ends import CLOSE, Gap, bounds, end_of, followed, touches
-from cap.sets.compiled import kernel
+from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
 
 UNIT = 2.0**-28  # coefficients of edges are multiples of it
@@ -240,4 +240,4 @@ def _fit(search: Search, columns: Integers) -> None:
         _column(search, j)
 
 
-fit = kept(_fit, error_model="numpy")
+fit = kept(_fit, sources(), error_model="numpy")

@@ -24,7 +24,7 @@ from cap.cells.motion import FLY, LOST, STOPPED, Motion
 from cap.cells.period import DEEPEST, Choices, World, advanced, follow_branch
 from cap.cells.targets import Targets, strobe_label
 from cap.cells.units import inner_box, place, speed_of
-from cap.sets.compiled import PROBE, compiled, kernel, rounds_to_nearest, rows, sources
+from cap.sets.compiled import PROBE, compiled, kernel, rounds_to_nearest, rows
 from cap.sets.doubles import Interval, hull, is_finite, lower, magnitude, upper
 from cap.sets.records import Record, assign
 
@@ -267,11 +267,10 @@ def _write(world: World, room: Room, i: int, count: int, cell: Cell, out: Result
         _write_derivative(world, cell.derivative, out.derivative[i])
 
 
-def _compiled(digest: str) -> Follow:
+def _compiled() -> Follow:
     @compiled
     def follow(world, targets, boxes, periods, memory, out):  # type: ignore[no-untyped-def]
         """Follow cells; see `FOLLOW`."""
-        _ = digest
         room, cell, probe = memory
         if not rounds_to_nearest(probe):
             return False
@@ -287,7 +286,7 @@ def _compiled(digest: str) -> Follow:
     return cast(Follow, follow)
 
 
-FOLLOW = _compiled(sources())
+FOLLOW = _compiled()
 """Follow the cells ``boxes`` (N, 4), rows (x low, x high, v low, v high), for some periods.
 
 (world, targets, boxes, periods, memory, out) -> whether the processor rounds as it should.

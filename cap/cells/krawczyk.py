@@ -21,7 +21,7 @@ from cap.cells.period import World, follow_branch
 from cap.cells.targets import Targets
 from cap.cells.units import inner_box, place, speed_of
 from cap.sets.circular import PI, TURN, acos
-from cap.sets.compiled import compiled, kernel, rounds_to_nearest, sources
+from cap.sets.compiled import compiled, kernel, rounds_to_nearest
 from cap.sets.doubles import (
     Interval,
     between,
@@ -118,11 +118,10 @@ def _write(world: World, box: Floats, cell: Cell, i: int, out: Found) -> None:
     out.itinerary[i] = n.itinerary
 
 
-def _compiled(digest: str) -> Search:
+def _compiled() -> Search:
     @compiled
     def search(world, targets, boxes, frictions, memory, out):  # type: ignore[no-untyped-def]
         """Prove fixed points; see `SEARCH`."""
-        _ = digest
         if not rounds_to_nearest(memory.probe):
             return False
         cell = memory.cell
@@ -136,7 +135,7 @@ def _compiled(digest: str) -> Search:
     return cast(Search, search)
 
 
-SEARCH = _compiled(sources())
+SEARCH = _compiled()
 """Prove fixed points of Φ in ``boxes`` (N, 4), at the values (N, 2) of α, or at that of the world.
 
 (world, targets, boxes, frictions, memory, out) -> whether the processor rounds as it should.

@@ -18,7 +18,7 @@ from cap.cells.period import World
 from cap.cells.scout import HIT, STOP, scout
 from cap.cells.transverse import hit, stop
 from cap.cells.windows import windows
-from cap.sets.compiled import compiled, kernel, rounds_to_nearest, sources
+from cap.sets.compiled import compiled, kernel, rounds_to_nearest
 from cap.sets.doubles import Interval, between, is_positive, lower, upper
 
 Floats = NDArray[np.float64]
@@ -86,11 +86,10 @@ def _write(world: World, n: Motion, i: int, out: Flights) -> None:
         entries[2 * j], entries[2 * j + 1] = lower(entry), upper(entry)
 
 
-def _compiled(digest: str) -> Fly:
+def _compiled() -> Fly:
     @compiled
     def fly(world, cells, n, probe, out):  # type: ignore[no-untyped-def]
         """Follow flights; see `FLY_OVER`."""
-        _ = digest
         if not rounds_to_nearest(probe):
             return False
         for i in range(len(cells)):
@@ -104,7 +103,7 @@ def _compiled(digest: str) -> Fly:
     return cast(Fly, fly)
 
 
-FLY_OVER = _compiled(sources())
+FLY_OVER = _compiled()
 """Follow the flights of ``cells`` (N, 4), rows (t low, t high, u low, u high), to the next wall.
 
 (world, cells, a motion, probe, out) -> whether the processor rounds as it should.

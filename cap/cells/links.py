@@ -1,7 +1,7 @@
 """Compiled: which cells touch each other, in a column or over a line.  It steers."""
 
 from cap.cells.cover import Cover, Integers, at, same
-from cap.sets.compiled import kernel
+from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
 
 FAR = 1e9
@@ -84,4 +84,4 @@ def _link(cover: Cover, parent: Integers) -> None:
         cover.links[i] = _root(parent, 1 + C + i)
 
 
-link = kept(_link, error_model="numpy")
+link = kept(_link, sources(), error_model="numpy")

@@ -7,7 +7,7 @@ import math
 from cap.cells.cover import Cover, Floats, at, time
 from cap.cells.fit import through
 from cap.cells.hits import fly
-from cap.sets.compiled import kernel
+from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
 
 SLACK = 1e-7  # by which launches do it certainly
@@ -62,4 +62,4 @@ def _begin(cover: Cover, z: Floats) -> None:
         cover.has_bottom[j] = _bottom(cover, j, z)
 
 
-begin = kept(_begin, error_model="numpy")
+begin = kept(_begin, sources(), error_model="numpy")

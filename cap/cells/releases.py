@@ -21,7 +21,7 @@ from cap.cells.motion import CAPTURE_L, CAPTURE_R, FLY, LOST, REST, WALL, Motion
 from cap.cells.period import MOST_EVENTS, World, pass_event
 from cap.cells.results import MOVING, RELEASED, SETTLED, UNDECIDED
 from cap.cells.units import inner_box, place
-from cap.sets.compiled import compiled, kernel, rounds_to_nearest, sources
+from cap.sets.compiled import compiled, kernel, rounds_to_nearest
 from cap.sets.doubles import Interval, is_finite, lower, upper
 from cap.sets.records import assign
 
@@ -124,11 +124,10 @@ def _write(world: World, n: Motion, m: Derivative, value: Floats, slope: Floats)
     slope[0], slope[1] = lower(rate), upper(rate)
 
 
-def _compiled(digest: str) -> Pass:
+def _compiled() -> Pass:
     @compiled
     def pass_on(world, cells, periods, memory, out):  # type: ignore[no-untyped-def]
         """Follow cells to the next release; see `PASS_ON`."""
-        _ = digest
         room, cell, probe = memory
         n, m, source = cell.motion, cell.derivative, doubleton(room.now, 0)
         if not rounds_to_nearest(probe):
@@ -156,7 +155,7 @@ def _compiled(digest: str) -> Pass:
     return cast(Pass, pass_on)
 
 
-PASS_ON = _compiled(sources())
+PASS_ON = _compiled()
 """Follow the masses that rest in the ``cells`` (N, 2), rows (x low, x high), for some periods.
 
 (world, cells, periods, memory, out) -> whether the processor rounds as it should.

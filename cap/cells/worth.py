@@ -13,7 +13,7 @@ from cap.cells.cover import (
     holds,
 )
 from cap.cells.fit import Wanted
-from cap.sets.compiled import kernel
+from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
 
 THIN = 1e-6  # gaps that are thinner are not looked at
@@ -73,7 +73,7 @@ def _join(room: Floats, n: int, low: float, high: float) -> int:
     return n
 
 
-want = kept(_want, error_model="numpy")
+want = kept(_want, sources(), error_model="numpy")
 
 
 def _weigh(cover: Cover, other: Cover, worth: Floats, gaps: Floats) -> None:
@@ -94,7 +94,7 @@ def _weigh(cover: Cover, other: Cover, worth: Floats, gaps: Floats) -> None:
                     m += 1
 
 
-weigh = kept(_weigh, error_model="numpy")
+weigh = kept(_weigh, sources(), error_model="numpy")
 
 
 def _choose(
@@ -123,4 +123,4 @@ def _choose(
     return arcs
 
 
-choose = kept(_choose, error_model="numpy")
+choose = kept(_choose, sources(), error_model="numpy")

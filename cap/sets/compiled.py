@@ -9,6 +9,7 @@ division gives infinities and NaN instead of exceptions.
 import operator
 import platform
 from collections.abc import Callable
+from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any, TypeVar, cast
@@ -62,13 +63,11 @@ overload(operator.truediv, jit_options=IEEE, strict=False)(_quotient)
 
 
 def compiled(function: F) -> F:
-    """Compile a function that Python calls, and keep it: see `cap.sets.kept`.
-
-    Let `sources` be in its closure.
-    """
-    return kept(function, **IEEE)
+    """Compile a function that Python calls, and keep it: see `cap.sets.kept`."""
+    return kept(function, sources(), **IEEE)
 
 
+@cache
 def sources() -> str:
     """Return a digest of all that may be compiled: the arithmetic, and the flow of cells."""
     here = Path(__file__).parent

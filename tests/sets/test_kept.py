@@ -31,6 +31,17 @@ def test_it_is_kept():
     assert sum(again.stats.cache_hits.values()) == 1
 
 
+@pytest.mark.parametrize(("digest", "loaded"), [("same", 1), ("other", 0)])
+def test_what_was_compiled_of_other_sources_is_not_loaded(digest, loaded):
+    """Numba sees no change of a function that is compiled into another: the digest does."""
+    numbers = np.array([1.0, 2.0])
+    kept(twice, "same")(numbers)
+    again = kept(twice, digest + ("" if loaded else str(os.getpid())))
+    again(numbers)
+    assert list(numbers) == [4, 8]
+    assert sum(again.stats.cache_hits.values()) == loaded
+
+
 @pytest.mark.parametrize("method", ["_save_overload", "_load_overload"])
 def test_a_cache_that_fails(monkeypatch, method):
     """A full disk, a file that may not be read: it is compiled and used."""
