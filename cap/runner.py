@@ -38,8 +38,9 @@ class Plan(Generic[A, B]):
     the tasks that a result calls for.  ``weight`` is the size of a task, ``total`` that of all;
     with ``words`` the progress is told under this name.
 
-    With ``threads`` the function releases the interpreter lock and may write to arrays: it stays in
-    this process.  Else ``function``, tasks and results are pickled where there is an executor.
+    Our own workers are processes; with ``threads``, where the function releases the interpreter
+    lock, they are threads: nothing is loaded again for them, and nothing pickled.  With ``inside``,
+    where it writes to arrays, say, it is done by our own workers whatever the executor is.
     """
 
     key: str = ""
@@ -51,16 +52,17 @@ class Plan(Generic[A, B]):
     total: float | None = None
     words: str = ""
     threads: bool = False
+    inside: bool = False
 
 
 @dataclass
 class Runner:
-    """How tasks are done: on which executor (None: ``jobs`` processes, or here if that is 1).
+    """How tasks are done: on which executor (None: ``jobs`` workers of our own, or here if 1).
 
     ``journal``: where results are kept.  After ctrl-C what is done is kept, ``interrupted`` is set,
     and no other task begins; with ``whole``, `KeyboardInterrupt` is raised (the journal has what is
-    done).  Processes of our own end at once, an executor's finish what they have begun.  ``jobs``
-    is the number of workers of an executor that does not tell it.
+    done).  Processes of our own end at once, threads and an executor finish what they have begun.
+    ``jobs`` is the number of workers of an executor that does not tell it.
     """
 
     jobs: int = 1
@@ -97,7 +99,8 @@ class Runner:
         In threads, unless ``processes``.
         """
         done: dict[int, B] = {}
-        plan = Plan[tuple[int, A], B](words=words, total=len(tasks), threads=not processes)
+        here = not processes
+        plan = Plan[tuple[int, A], B](words=words, total=len(tasks), threads=here, inside=here)
         with self.keeping():
             for (k, _), result in self.run(_Second(function), enumerate(tasks), plan):
                 done[k] = result
@@ -119,7 +122,7 @@ class Runner:
 
     def _pool(self, plan: Plan[A, B]) -> Any:
         """Return what gives the executor; threads and processes of our own end with it."""
-        if self.executor is not None and not plan.threads:
+        if self.executor is not None and not plan.inside:
             return nullcontext(self.executor)
         if self.jobs == 1 or (plan.total is not None and plan.total < 2):
             return nullcontext()

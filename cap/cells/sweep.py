@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, fields
 from fractions import Fraction
 from functools import partial
-from itertools import pairwise
+from math import lcm
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,14 +59,17 @@ class Grid:
 def _edges(ends: tuple[Fraction, Fraction], parts: int, first: int, last: int) -> Floats:
     """Return the edges of the parts from ``first`` to before ``last``."""
     low, high = Fraction(ends[0]), Fraction(ends[1])
-    edges = [float(low + (high - low) * k / parts) for k in range(first, last + 1)]
-    if first == 0 and edges[0] > low:
-        edges[0] = float(np.nextafter(edges[0], -np.inf))
-    if last == parts and edges[-1] < high:
-        edges[-1] = float(np.nextafter(edges[-1], np.inf))
-    if any(a >= b for a, b in pairwise(edges)):
+    step = (high - low) / parts
+    whole = lcm(low.denominator, step.denominator)
+    origin, width = int(low * whole), int(step * whole)
+    edges = np.array([(origin + width * k) / whole for k in range(first, last + 1)])  # rounded once
+    if first == 0 and float(edges[0]) > low:
+        edges[0] = np.nextafter(edges[0], -np.inf)
+    if last == parts and float(edges[-1]) < high:
+        edges[-1] = np.nextafter(edges[-1], np.inf)
+    if not (edges[:-1] < edges[1:]).all():
         raise BadInput("the cells of a grid are too small for doubles")
-    return np.array(edges)
+    return edges
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +99,7 @@ def sweep(request: Sweep, runner: Runner, piece: int = PIECE) -> Iterator[tuple[
         weight=lambda part: part.stop - part.start,
         total=count,
         words="cells",
+        threads=True,
     )
     return runner.run(partial(_follow, request), cuts, plan)
 
