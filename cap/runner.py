@@ -139,6 +139,18 @@ class _Second(Generic[A, B]):
         return self.function(pair[1])
 
 
+@dataclass(frozen=True)
+class _Written(Generic[A, B]):
+    """A function, and its result as a string if that is asked for: both are the worker's work."""
+
+    function: Callable[[A], B]
+    encode: Callable[[B], str] | None
+
+    def __call__(self, task: A) -> tuple[B, str | None]:
+        result = self.function(task)
+        return result, self.encode(result) if self.encode else None
+
+
 @contextmanager
 def _processes(jobs: int) -> Iterator[futures.Executor]:
     """Give fresh processes; after an error they end at once, though a task may take minutes."""
@@ -164,16 +176,17 @@ class _Run(Generic[A, B]):
         self, runner: Runner, pool: futures.Executor | None, memo: Journal | None, plan: Plan[A, B]
     ) -> None:
         self.runner, self.pool, self.memo, self.plan = runner, pool, memo, plan
-        self.working: dict[futures.Future[B], A] = {}
+        self.working: dict[futures.Future[tuple[B, str | None]], A] = {}
         self.extra: deque[A] = deque()
         self.done = 0.0
 
     def results(self, function: Callable[[A], B], tasks: Iterable[A]) -> Iterator[tuple[A, B]]:
         """Give the results."""
         waiting = iter(tasks)
+        work = _Written(function, self.plan.encode if self.memo else None)
         try:
             while True:
-                yield from self._begin(function, waiting)
+                yield from self._begin(work, waiting)
                 if not self.working:
                     return
                 finished, _ = futures.wait(self.working, return_when=futures.FIRST_COMPLETED)
@@ -183,7 +196,7 @@ class _Run(Generic[A, B]):
             for future in self.working:
                 future.cancel()
 
-    def _begin(self, function: Callable[[A], B], waiting: Iterator[A]) -> Iterator[tuple[A, B]]:
+    def _begin(self, work: "_Written[A, B]", waiting: Iterator[A]) -> Iterator[tuple[A, B]]:
         """Give tasks to the executor while there is room; do them here if there is none."""
         while len(self.working) < self._room():
             found = self._next(waiting)
@@ -194,9 +207,9 @@ class _Run(Generic[A, B]):
             if known is not None:
                 yield self._finish(task, self.plan.decode(known))
             elif self.pool is None:
-                yield self._kept(task, function(task))
+                yield self._kept(task, work(task))
             else:
-                self.working[self.pool.submit(function, task)] = task
+                self.working[self.pool.submit(work, task)] = task
 
     def _next(self, waiting: Iterator[A]) -> list[A]:
         """Return the next task, if there is one; those that results call for come first."""
@@ -209,10 +222,11 @@ class _Run(Generic[A, B]):
         workers = getattr(self.pool, "_max_workers", None) or self.runner.jobs
         return AHEAD * max(workers, self.runner.jobs)
 
-    def _kept(self, task: A, result: B) -> tuple[A, B]:
+    def _kept(self, task: A, done: tuple[B, str | None]) -> tuple[A, B]:
         """Write a result to the journal, and note it."""
-        if self.memo:
-            self.memo.put(self.plan.name(task), self.plan.encode(result))
+        result, text = done
+        if self.memo and text is not None:
+            self.memo.put(self.plan.name(task), text)
         return self._finish(task, result)
 
     def _finish(self, task: A, result: B) -> tuple[A, B]:

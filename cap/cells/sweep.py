@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, fields
 from fractions import Fraction
 from functools import partial
-from math import lcm
+from math import ceil, lcm
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,8 @@ from cap.runner import Plan, Runner
 
 Floats = NDArray[np.float64]
 
-PIECE = 50_000  # cells: some tenths of a second
+PIECE = 25_000  # cells, times periods: a tenth of a second
+LEAST = 1_000  # cells: what is done once for a piece takes less than a fifth of it
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,11 +84,16 @@ class Sweep:
     goals: Goals = NOWHERE
 
 
-def sweep(request: Sweep, runner: Runner, piece: int = PIECE) -> Iterator[tuple[slice, Images]]:
+def sweep(
+    request: Sweep, runner: Runner, piece: int | None = None
+) -> Iterator[tuple[slice, Images]]:
     """Give the images of the cells of a grid in pieces, as they come: (which cells, images).
 
-    All pieces together are all cells, unless the runner was interrupted.
+    All pieces together are all cells, unless the runner was interrupted.  ``piece``: how many cells
+    one has, by default fewer if there are more periods; an interrupt waits for those begun.
     """
+    if piece is None:
+        piece = max(PIECE // max(ceil(request.periods), 1), LEAST)
     if piece < 1:
         raise BadInput(f"a piece must have cells: {piece}")
     count = request.grid.count
