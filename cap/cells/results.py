@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.cells.motion import LONGEST
 from cap.errors import BadInput
 from cap.flow.words import WORDS
 
 Floats = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
+LONGEST = 15  # words of an itinerary that a number keeps: four bits each
 SMOOTH, UNION, OPEN = 0, 1, 2
 RELEASED, MOVING, UNDECIDED, SETTLED = 0, 1, 2, 3
 

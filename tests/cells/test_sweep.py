@@ -1,6 +1,8 @@
 """Sweeps: every cell once, the same however they are cut and wherever they are followed."""
 
 import pickle
+import subprocess
+import sys
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from copy import copy
 from dataclasses import fields, replace
@@ -70,6 +72,12 @@ def test_executors_do_not_matter(whole):
         assert same(collected(Runner(executor=executor)), whole)
     with ProcessPoolExecutor(1, get_context("spawn")) as executor:
         assert same(collected(Runner(executor=executor), 300), whole)
+
+
+def test_who_only_asks_does_not_load_the_compiler():
+    """Where the work is done elsewhere; it takes longer to load than all else."""
+    code = "import sys, cap.cells.sweep; sys.exit('numba' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
 def test_images_are_pickled_in_few_bytes(whole):
