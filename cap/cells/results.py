@@ -55,7 +55,7 @@ class Images:
         return len(self.verdict)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle numbers in as few bytes as they need: most of a sweep's time between processes."""
+        """Pickle integers in as few bytes as they need: processes send them through pipes."""
         return _unpickled, tuple(_narrow(getattr(self, field.name)) for field in fields(self))
 
     @classmethod
