@@ -4,9 +4,6 @@ A *table* gives intervals of places from which all releases have one fate: in th
 attracted to the orbits released in A, or they converge to an orbit of the segment.  It is made in
 rounds: a part of the places has the fate of the interval of the last table in which all its next
 releases lie.  So the fate of each place is decided after finitely many releases.
-
-The *shares* of a box are numbers of its 2^depth equal parts, cut in halves again and again across
-the direction in which what is seen varies most.
 """
 
 from __future__ import annotations
@@ -15,7 +12,7 @@ from typing import NamedTuple
 
 from cap.checker.folded.follow import Cut, Seen, Sliced, Slow, Split, Strobe, slowest
 from cap.checker.folded.numbers import Pair
-from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT, Table
+from cap.checker.folded.table import NONE, SEGMENT, Table
 from cap.checker.kernel import quadratic as q
 
 _SLICES = 6  # halvings of the speeds of slow hits
@@ -117,17 +114,6 @@ class Judge(NamedTuple):
         self.sort(half(part, 0, -1.0), (x[0], m), depth - 1, edges, fates)
         self.sort(half(part, 0, 1.0), (m, x[1]), depth - 1, edges, fates)
 
-    def shares(self, part: Seen, depth: int) -> tuple[int, int, int]:
-        """Return how many of the 2^depth parts go to the attractor, to the segment, just stop."""
-        found = self.fate(part)
-        if found:
-            return (1 << depth, 0, 0) if found == ATTRACTOR else (0, 1 << depth, 0)
-        if not depth or hopeless(part):
-            return 0, 0, (1 << depth) * stop(part)
-        x, y = slope(part)
-        a, b = (self.shares(half(part, int(y > x), side), depth - 1) for side in (-1.0, 1.0))
-        return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
 
 def half(part: Seen, along: int, side: float) -> Seen:
     """Return what is seen of one half of a box."""
@@ -151,25 +137,6 @@ def half(part: Seen, along: int, side: float) -> Seen:
     return Seen(strobes, end, part.stops)
 
 
-def slope(part: Seen) -> Pair:
-    """Return how much what is seen varies with X and Y."""
-    x, y, end = 0.0, 0.0, part.end
-    if isinstance(end, Cut):
-        return (0.0, 1.0) if end.along else (1.0, 0.0)
-    models = [z for strobe in part.strobes for z in strobe]
-    if isinstance(end, Split):
-        low, high = q.ends(end.level)
-        if low <= 0 <= high:
-            models.append(end.level)
-        kinds = [end.below] * (low <= 0) + [end.above] * (high >= 0)
-        for kind in kinds:
-            more = slope(kind) if isinstance(kind, Seen) else (0.0, 0.0)
-            x, y = x + more[0], y + more[1]
-    elif end is not None:
-        models.append(end)
-    return x + sum(abs(z[1]) for z in models), y + sum(abs(z[2]) for z in models)
-
-
 def hopeless(part: Seen) -> bool:
     """Return whether parts of a part would tell no more: it steers."""
     end = part.end
@@ -178,13 +145,3 @@ def hopeless(part: Seen) -> bool:
     if isinstance(end, Cut):
         return hopeless(end.lower) and hopeless(end.upper)
     return end is None or sum(abs(c) for c in end[1:6]) < 2 * end[6]
-
-
-def stop(part: Seen) -> bool:
-    """Return whether all orbits of a part certainly stop."""
-    end = part.end
-    if part.stops or end is None or (isinstance(end, tuple) and len(end) == 7):
-        return part.stops or end is not None
-    if isinstance(end, Cut):
-        return stop(end.lower) and stop(end.upper)
-    return False

@@ -61,20 +61,36 @@ class Flight(NamedTuple):
     slow: int
 
 
+class Constants(NamedTuple):
+    """The constants a, W, theta, pi and sin theta, each a double with a bound of its error."""
+
+    a: Pair
+    width: Pair
+    theta: Pair
+    pi: Pair
+    sine: Pair
+
+
+def constants(p: Parameters) -> Constants:
+    """Return the constants of the folded flow."""
+    need(p.f > 0 and p.e == 1 and p.mu == 0, "the folded flow needs f > 0, e = 1, mu = 0")
+    ieee = sys.float_info.mant_dig == 53 and sys.float_info.rounds == 1
+    need(ieee, "doubles are not those of IEEE 754, rounded to nearest")
+    cosine = Interval.enclosing(p.f / p.F, p.f / p.F, _BITS)
+    sine = (cosine.integer(1) - cosine.square()).sqrt()
+    width = q.rounded((p.r - p.l) * p.omega**2 / p.F)
+    return Constants(q.rounded(p.f / p.F), width, q.of(arccos(cosine)), q.of(pi(_BITS)), q.of(sine))
+
+
 class System:
     """The constants, each a double with a bound of its error."""
 
     def __init__(self, p: Parameters) -> None:
-        need(p.f > 0 and p.e == 1 and p.mu == 0, "the folded flow needs f > 0, e = 1, mu = 0")
-        ieee = sys.float_info.mant_dig == 53 and sys.float_info.rounds == 1
-        need(ieee, "doubles are not those of IEEE 754, rounded to nearest")
-        alpha = p.f / p.F
-        cosine = Interval.enclosing(alpha, alpha, _BITS)
-        theta, half = arccos(cosine), pi(_BITS)
-        self.a, self.a_error = q.rounded(alpha)
-        self.width = q.rounded((p.r - p.l) * p.omega**2 / p.F)
-        self.theta, self.pi = q.of(theta), q.of(half)
-        self.sine = q.of((cosine.integer(1) - cosine.square()).sqrt())
+        known = constants(p)
+        self.a, self.a_error = known.a
+        self.width, self.theta, self.pi, self.sine = known[1:]
+        half = pi(_BITS)
+        theta = arccos(Interval.enclosing(p.f / p.F, p.f / p.F, _BITS))
         self.turns = {k: q.of(half * (2 * k)) for k in range(-2, ARCS + 3)}
         self.slows = {k: q.of(half * (2 * k) - theta) for k in range(ARCS + 3)}
         self.first, self.last = q.of(half - theta), q.of(half + theta)  # turns are between them
@@ -197,17 +213,17 @@ def exact(p: Model) -> Model:
 def halved(f: Flight, along: int, side: float) -> Flight:
     """Return the flights from one half of a box."""
     A, B = q.half(f.A, along, side), q.half(f.B, along, side)
-    C, R, errors = carried(f, IDENTITY, (A[6], B[6]))
+    C, R, errors = carried((f.C, f.R, f.errors), IDENTITY, (A[6], B[6]))
     return f._replace(A=exact(A), B=exact(B), C=C, R=R, errors=errors)
 
 
-def carried(
-    f: Flight, J: Four, z: Sequence[float]
-) -> tuple[tuple[float, float, float, float], Pair, Pair]:
+Errors = tuple[tuple[float, float, float, float], Pair, Pair]
+
+
+def carried(before: Errors, J: Four, z: Sequence[float]) -> Errors:
     """Return C, R and the bounds of the errors after a map with derivatives in J, and errors z."""
     (j11, k11), (j12, k12), (j21, k21), (j22, k22) = J
-    c11, c12, c21, c22 = f.C
-    (r1, r2), (ea, eb) = f.R, f.errors
+    (c11, c12, c21, c22), (r1, r2), (ea, eb) = before
     m11, m12 = j11 * c11 + j12 * c21, j11 * c12 + j12 * c22
     m21, m22 = j21 * c11 + j22 * c21, j21 * c12 + j22 * c22
     size = (abs(j11) + abs(j12) + abs(j21) + abs(j22)) * (ea + eb + r1 + r2) * TURN
@@ -229,5 +245,5 @@ def followed(
 ) -> Flight:
     """Return the flight with models A, B after the flight f, the errors of which J carries."""
     A, B = models
-    C, R, errors = carried(f, J, (A[6], B[6]))
+    C, R, errors = carried((f.C, f.R, f.errors), J, (A[6], B[6]))
     return Flight(begun, ref, exact(A), exact(B), C, R, errors, y.first_slow(begun))

@@ -1,9 +1,8 @@
-"""The table of places of release, in rounds; and the leaves of a box at t = 0."""
+"""The table of places of release, in rounds."""
 
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
 
 from cap.checker.folded.fates import Judge, Strip
 from cap.checker.folded.flights import System
@@ -15,19 +14,6 @@ from cap.checker.kernel.quadratic import Model
 from cap.checker.kernel.theorem import Parameters
 
 _ROUNDS = 16  # of releases, one after the other
-
-
-class Leaf(NamedTuple):
-    """A rectangle at t = 0, in the units of the flow: x from the left wall on, v of one sign."""
-
-    x: Pair
-    v: Pair
-    cuts: int = 0
-    depth: int = 0
-
-    def cut(self, cuts: int, more: int) -> Leaf:
-        """Return the leaf, to be cut so often, and halved so many times more when judged."""
-        return self._replace(cuts=cuts, depth=cuts + more)
 
 
 @cache
@@ -83,23 +69,3 @@ def judged(
     ends, fates = list[float](), list[int]()
     judge.sort(judge.prepared(seen), part, depth, ends, fates)
     return ends, fates
-
-
-def seen_in(p: Parameters, judge: Judge, leaf: Leaf) -> Seen:
-    """Return what is seen of the orbits from a leaf.
-
-    A state with v < 0 is, folded, one at the time pi with the distance to the left wall ahead.
-    """
-    y, x, v = system(p), across(leaf.x, 0), across(leaf.v, 1)
-    left = leaf.v[1] <= 0
-    p_ahead = q.scaled(x, -1.0) if left else q.moved(x, -y.width[0], y.width[1])
-    f = y.launched(p_ahead, q.scaled(v, -1.0) if left else v, left)
-    seen = follow(y, f, Box(leaf.cuts))
-    if not left:
-        seen = seen._replace(strobes=[(p_ahead, v), *seen.strobes])
-    return judge.prepared(seen)
-
-
-def shares(p: Parameters, judge: Judge, leaf: Leaf) -> tuple[int, int, int]:
-    """Return how many of the 2^depth parts of a leaf are attracted, go to the segment, or stop."""
-    return judge.shares(seen_in(p, judge, leaf), leaf.depth)

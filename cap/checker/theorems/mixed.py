@@ -13,23 +13,24 @@ The first two exclude each other, since an orbit of the first kind sticks again 
 of the second does not in the end; both of them stop.
 
 *Places.*  After a stick the state is known but for the place of the release; folded by the symmetry
-(x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  All places are divided
-into parts; what is seen of the orbits from a part, up to their next release, gives its fate if they
-all are released in an interval of one fate, or are in the basin of a segment before.
+(x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  The places are divided
+into parts; of the orbits from each part it is seen what becomes of them up to their next release;
+then pieces of it have a fate if all next releases lie in an interval of one fate, or all are in the
+basin of the segment before.
 
-*Leaves.*  The box is divided into rectangles, which share their edges.  Each is followed until its
-orbits are released (``cap.checker.folded``): where it is undecided what happens next, a rectangle
-is cut, or both possibilities are followed.  The place of the release is a quadratic polynomial of
-(x, v) and an error; the rectangle is halved a number of times, and each part on which all places
-have one fate is counted.  What is not counted is undecided.  So the shares are sums of dyadic
-numbers.  The edges are sets of area zero.
+*Sticks.*  Almost each state that sticks has a first stick, and is what becomes of it backwards in
+time, after so many half periods (`cap.checker.folded.sticks`).  All sticks, by place and time, are
+cut into regions, which are followed backwards; the density of the area of states is followed with
+them.  So their areas at t = 0 are added, for the first two fates less what lies over places without
+the fate.  States that go to the segment without a stick are counted likewise, by the states of a
+strip in which all go there.  What is not counted is undecided.
 """
 
 from __future__ import annotations
 
 import math
 import multiprocessing
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from fractions import Fraction
@@ -37,25 +38,28 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
-from cap.checker.folded.fates import Judge, Strip
-from cap.checker.folded.places import Leaf, seen_from, shares, table_of
+from cap.checker.folded.backward import System
+from cap.checker.folded.fates import Strip
+from cap.checker.folded.places import seen_from, table_of
+from cap.checker.folded.regions import Leaf, flights, leaves
+from cap.checker.folded.sticks import Areas, all_sticks, areas, before, half_strip
+from cap.checker.folded.table import Table
 from cap.checker.kernel import quadratic as q
+from cap.checker.kernel.reading import text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Letters, Table, Whole, enclosure, region
+from cap.checker.kernel.shapes import Field, Whole, enclosure, region
+from cap.checker.kernel.shapes import Table as Fields
 from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate, Theorem
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
-NOT = "-"  # a leaf that is not followed
-_CUTS, _MOST_CUTS = "0123456789", 9
-_MOST_LEAVES = 1 << 14
-_MOST_FOLLOWED, _MOST_JUDGED = 1 << 20, 1 << 23  # pieces of leaves and places
+_MOST_FOLLOWED, _MOST_JUDGED = 1 << 20, 1 << 23  # pieces of places
+_MOST_FLIGHTS = 1 << 21
 
-Counts = tuple[int, int, int]
 Work = Callable[..., Sequence[Any]]  # a map over tasks
 
 
-def shapes(table: Table) -> dict[str, Any]:
+def shapes(table: Fields) -> dict[str, Any]:
     """Return the shape of the values of a table."""
     return {field.name: field.shape for field in table}
 
@@ -71,12 +75,10 @@ class Mixed(Theorem):
         Field("places", {"parts": Whole(1, 8192), "cuts": Whole(0, 9), "depth": Whole(0, 14)},
               "", "", "into how many parts the places are divided, how often a part is cut while "
               "its orbits are followed, and how often it is halved when it is judged"),
-        Field("columns", Whole(1, 1024), "", "", "of leaves in the box"),
-        Field("rows", Whole(2, 1024), "", "", "of leaves in the box, an even number"),
-        Field("depth", Whole(0, 6), "", "", "a leaf is halved so many times more than it is cut, "
-              "when it is judged"),
-        Field("leaves", Letters(NOT + _CUTS, _MOST_LEAVES), "", "", "row by row from the lower "
-              "left: how often a leaf is cut while its orbits are followed; - for not followed"),
+        Field("sticks", {"early": text, "late": text}, "", "",
+              "the regions of sticks in the first arc of times and in the second, as trees"),
+        Field("strip", {"periods": Whole(1, 8), "slow": text, "fast": text}, "", "",
+              "after so many periods states are in the strip; the regions of its halves, as trees"),
     )
     CLAIMS = (
         Field("box", {"x": region, "v": region}, "", "", "all x between the walls, |v| up to V"),
@@ -95,16 +97,13 @@ class Mixed(Theorem):
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
-        """Bound the time: the pieces into which places and leaves may be cut."""
+        """Bound the time: the pieces into which places may be cut, and the flights backwards."""
         Attractor.limit(hints["attractor"], claims["attractor"])
-        leaves = hints["leaves"]
-        cells = int(hints["columns"]) * int(hints["rows"])
-        need(len(leaves) == cells, "there are not as many leaves as columns times rows")
-        cuts = sum(1 << int(cuts) for cuts in leaves if cuts != NOT)
+        texts = [*hints["sticks"].values(), hints["strip"]["slow"], hints["strip"]["fast"]]
+        need(sum(map(flights, texts)) <= _MOST_FLIGHTS, "there are too many flights")
         places = hints["places"]
-        judged = (cuts << hints["depth"]) + (places["parts"] << places["depth"])
-        need(judged <= _MOST_JUDGED, "there are too many pieces to judge")
-        followed = cuts + (places["parts"] << places["cuts"])
+        need(places["parts"] << places["depth"] <= _MOST_JUDGED, "there are too many pieces")
+        followed = places["parts"] << places["cuts"]
         need(followed <= _MOST_FOLLOWED, "there are too many pieces to follow")
 
     def prove(self) -> None:
@@ -113,18 +112,24 @@ class Mixed(Theorem):
         for theorem in (Attractor, Segment):
             self.lemma(theorem)
         with self.workers() as work:
-            judge = self.judge(work)
+            table = self.table(work)
             self.step("the fates of releases are known, by intervals of places")
-            counts = work(partial(shares, self.p, judge), self.leaves())
-        self.sums(self.parts(counts, self.hints["leaves"]))
-        self.step("the shares follow from the leaves of the box")
+            y, V = System(self.p), below(self.region()[1])
+            counted = work(partial(areas, y, table, V), self.sticks(y))
+            self.step("the states are counted by their first sticks")
+            periods = int(self.hints["strip"]["periods"])
+            more = work(partial(before, y, self.strip(), V, periods), self.strips(y))
+        self.sums(self.parts(counted, more))
+        self.step("the shares follow from the areas")
 
-    def parts(self, counts: Sequence[Counts], leaves: str) -> tuple[Fraction, ...]:
-        """Return the parts of the area that are attracted, go to the segment, or only stop."""
-        cuts = [int(letter) for letter in leaves if letter != NOT]
-        whole = len(leaves) << (_MOST_CUTS + self.hints["depth"])
-        scaled = [[n << (_MOST_CUTS - k) for n in c] for c, k in zip(counts, cuts, strict=True)]
-        return tuple(Fraction(sum(c[n] for c in scaled), whole) for n in range(3))
+    def parts(self, counted: Iterable[Areas], more: Iterable[float]) -> tuple[Fraction, ...]:
+        """Return the parts of the area that are attracted, go to the segment, and stop."""
+        W, V = self.region()
+        a, s, stops = (
+            sum(map(Fraction, found), Fraction()) for found in zip(*counted, strict=True)
+        )
+        strip = sum(map(Fraction, more), Fraction())
+        return tuple(area / (2 * W * V) for area in (a, s + strip, stops + strip))
 
     def lemma(self, theorem: type[Theorem]) -> None:
         """Prove the theorem on which this one stands."""
@@ -141,7 +146,7 @@ class Mixed(Theorem):
             return
         context = multiprocessing.get_context("spawn")
         with ProcessPoolExecutor(self.jobs, context) as pool:
-            yield lambda f, tasks: list(pool.map(f, tasks, chunksize=8))
+            yield lambda f, tasks: list(pool.map(f, tasks, chunksize=32))
 
     # the units of the flow: 1/omega and F/omega^2
 
@@ -158,7 +163,6 @@ class Mixed(Theorem):
         x, v = self.claims["box"]["x"], self.claims["box"]["v"]
         need((x.lower, x.upper) == (self.p.l, self.p.r), "the box is not from wall to wall")
         need(v.upper > 0 and v.lower == -v.upper, "the box is not from -V to V")
-        need(self.hints["rows"] % 2 == 0, "a row has both signs of v")
 
     def strip(self) -> Strip:
         """Return a part of the basin of the segment: D(u) <= k u for 0 <= u <= d."""
@@ -174,8 +178,8 @@ class Mixed(Theorem):
             q.rounded(self.length(self.p.r)),
         )
 
-    def judge(self, work: Work) -> Judge:
-        """Return what tells fates: the strip, and the table of all distances to the wall ahead."""
+    def table(self, work: Work) -> Table:
+        """Return the fates of all distances to the wall ahead."""
         effort, width = self.hints["places"], self.length(self.R)
         a, b = self.claims["attractor"]["interval"][:2]
         kept = above(self.length(self.p.r - b)), below(self.length(self.p.r - a))
@@ -183,23 +187,28 @@ class Mixed(Theorem):
         parts = list(pairwise(edges))
         seen = work(partial(seen_from, self.p, kept=kept, cuts=effort["cuts"]), parts)
         known = list(zip(parts, seen, strict=True))
-        return Judge(self.strip(), table_of(self.strip(), kept, known, effort["depth"]))
+        return table_of(self.strip(), kept, known, effort["depth"])
 
-    def leaves(self) -> Iterator[Leaf]:
-        """Give the leaves that are followed."""
-        V, columns, rows = self.claims["box"]["v"].upper, self.hints["columns"], self.hints["rows"]
-        x = [float(self.length(self.R) * k / columns) for k in range(columns + 1)]
-        v = [float(self.speed(V) * (2 * k - rows) / rows) for k in range(rows + 1)]
-        for n, cuts in enumerate(self.hints["leaves"]):
-            j, i = divmod(n, columns)
-            if cuts != NOT:
-                leaf = Leaf((x[i], x[i + 1]), (v[j], v[j + 1]))
-                yield leaf.cut(int(cuts), self.hints["depth"])
+    def region(self) -> tuple[Fraction, Fraction]:
+        """Return W and V of the box, in the units of the flow."""
+        return self.length(self.R), self.speed(self.claims["box"]["v"].upper)
+
+    def sticks(self, y: System) -> Iterator[tuple[Leaf, bool]]:
+        """Give the regions of sticks, and whether they are in the second arc."""
+        for name, late in (("early", False), ("late", True)):
+            for leaf in leaves(self.hints["sticks"][name], all_sticks(y)):
+                yield leaf, late
+
+    def strips(self, y: System) -> Iterator[tuple[Leaf, bool]]:
+        """Give the regions of the strip, and whether they are in its faster half."""
+        for name, fast in (("slow", False), ("fast", True)):
+            root, _ends = half_strip(y, self.strip(), fast=fast)
+            for leaf in leaves(self.hints["strip"][name], root):
+                yield leaf, fast
 
     def sums(self, parts: Sequence[Fraction]) -> None:
-        """Compare the claims with the sums over all leaves."""
-        a, s, stops = parts
-        known, one = a + s + stops, Fraction(1)
+        """Compare the claims with the parts of the area."""
+        (a, s, known), one = parts, Fraction(1)
         found = {"attractor": (a, one - s), "segment": (s, one - a)}
         found |= {"stops": (known, one), "undecided": (Fraction(0), one - known)}
         area = 2 * self.R * self.claims["box"]["v"].upper

@@ -1,0 +1,227 @@
+"""Areas of states at t = 0, found backwards: from their first sticks, and from a strip.
+
+*Sticks.*  A mass sticks at a place and a time with |cos t| < a.  Backwards it begins there at rest,
+folded: at the distance q <= 0 to the wall ahead, in the arc (theta, pi - theta) or (theta - pi,
+-theta) of times; its next release, forwards, is at the distance -q to the wall ahead in the first
+arc, and W + q in the second.  A state at t = 0 that sticks is given by its first stick and by how
+many multiples of pi, in the folded time, are passed backwards from there to it (odd or even: the
+mass arrives from the left or from the right): different states by different pairs.  So the areas of
+these states, for all regions of sticks and all multiples of pi passed, add up.
+
+*Regions* (`cap.checker.folded.regions`): z is from -1 to 1 over an arc, and the edges are those of
+q.  All sticks of an arc are the region between -W (or a little above) and 0.
+
+*What is counted.*  At each multiple of pi that is passed in a flight, for certain before the next
+event, if all speeds are below V then, the integral of the density.  The same at one up to the end
+of the next event, if that is certain, and if all speeds are below V: they change by less than 2 a
+unit of time, and the density only grows.  Subtracted is what lies over places without the fate in
+question, of the measure m: at most 2 m sup(density)/inf(h), h half the width of the region.
+
+*A strip.*  States (p, s) at t = 0 in which all go to the segment (`cap.checker.folded.fates`), are
+taken back by n periods: the images of different states differ, and tend to the segment as well.  So
+the area is that of the states at the time -2 pi n, if their speeds are below V.  They do not stick
+before they are in the strip, nor after that: so no state is counted for its first stick as well.
+Backwards, folded, they begin at the time pi, with the distance q = -(W + p) to the wall ahead, and
+the density 1.  The strip |w| < d is in two halves, with z from -1 to 1 over w from -d to 0, or from
+0 to d, and edges for q.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import count
+from typing import NamedTuple, Protocol
+
+from cap.checker.folded.backward import Event, Flight, System, event
+from cap.checker.folded.fates import Strip
+from cap.checker.folded.numbers import TURN, UP, Pair
+from cap.checker.folded.regions import CUT, UNIT, Leaf, Region
+from cap.checker.folded.table import ATTRACTOR, SEGMENT
+from cap.checker.kernel import polynomials as q
+from cap.checker.kernel.parabolas import ordered
+from cap.checker.kernel.polynomials import LAST, Model
+from cap.checker.kernel.rejection import Rejected, need
+
+_ROUND = 8 * TURN  # more than the errors of times here
+
+Strobe = tuple[int, float]
+"""A multiple of pi, counted from the first flight on, and a bound of the speed then."""
+
+
+class Fates(Protocol):
+    """What tells of places how many do not have a fate."""
+
+    def missing(self, ends: Pair, fate: int) -> float:
+        """Return a bound of the measure of the places between these without a fate."""
+
+
+class Start(NamedTuple):
+    """A region as it begins: its flight, bounds of q, and the least of half its width."""
+
+    flight: Flight
+    q: Pair
+    least: float
+
+
+def across(region: Region) -> tuple[Model, Model]:
+    """Return models of the quantity that has the edges of a region, and of half its width."""
+    unit = UNIT / 2
+    both = list(zip(region.low, region.high, strict=True))
+    a, b, c = (unit * (low + high) for low, high in both)
+    A, B, C = (unit * (high - low) for low, high in both)
+    error = 4 * TURN * sum(map(abs, (a, b, c, A, B, C)))
+    place = q.model(error, one=a, Y=b, YY=c, X=A, XY=B, XYY=C)
+    return place, q.model(error, one=A, Y=B, YY=C)
+
+
+def along(region: Region) -> Pair:
+    """Return the middle of z in a region, and half its length there: exact."""
+    return (2 * region.j + 1) * 0.5**region.n - 1, 0.5**region.n
+
+
+def begun(begin: Pair, ref: float, A: Model, B: Model, density: Model) -> Flight:
+    """Return the first flight."""
+    R = A[LAST], B[LAST]
+    return Flight(begin, ref, q.exact(A), q.exact(B), (1.0, 0.0, 0.0, 1.0), R, R, 1, density, 0)
+
+
+def all_sticks(y: System) -> Region:
+    """Return the region of all sticks of an arc."""
+    bottom = math.ceil(-(y.width[0] - y.width[1]) / UNIT / CUT) * CUT
+    return Region((bottom, 0, 0), (0, 0, 0))
+
+
+def sticks(y: System, region: Region, *, late: bool) -> Start:
+    """Return the flight backwards from sticks, in the first arc or the second."""
+    place, wide = across(region)
+    z, r = along(region)
+    half = y.pi[0] / 2 - y.theta[0]
+    ref, r = (-y.pi[0] if late else y.pi[0]) / 2 + half * z, half * r
+    d = q.model(_ROUND, Y=r)
+    cos, sin = q.trigonometric(q.with_constant(d, ref))
+    A = q.total(q.scaled(sin, -1.0), q.scaled(d, -y.a, y.a_error))
+    B = q.total(place, y.start(A, d, cos))
+    density = q.scaled(q.product(q.moved(cos, y.a, y.a_error), wide), r, _ROUND)
+    ends = ref - r - 2 * _ROUND, ref + r + 2 * _ROUND
+    return Start(begun(ends, ref, A, B, density), q.ends(place), q.ends(wide)[0])
+
+
+class Areas(NamedTuple):
+    """Areas, from below: for the attractor, for the segment, and of all that stick."""
+
+    attractor: float = 0.0
+    segment: float = 0.0
+    stops: float = 0.0
+
+
+def areas(y: System, fates: Fates, V: float, task: tuple[Leaf, bool]) -> Areas:
+    """Return the areas of the states at t = 0, slower than V, that come to a region of sticks."""
+    leaf, late = task
+    start = sticks(y, leaf.region, late=late)
+    found = [0.0, 0.0, 0.0]
+    (low, high), (W, e) = start.q, y.width
+    e += 4 * TURN * (W + 1)
+    places = (W + low - e, W + high + e) if late else (-high, -low)
+    missing = [*(fates.missing(places, fate) for fate in (ATTRACTOR, SEGMENT)), 0.0]
+    for density, strobes in backwards(y, start.flight, leaf.flights if start.least > 0 else 0):
+        area, most = q.integral(density), q.ends(density)[1]
+        count = sum(speed < V for _, speed in strobes)
+        for k, m in enumerate(missing):
+            lost = 2 * m * most / start.least * UP if m else 0.0
+            found[k] += max(0.0, count * (area - lost) * (1 - TURN))
+    return Areas(*(area * (1 - 64 * TURN) for area in found))
+
+
+def backwards(y: System, f: Flight, flights: int) -> Iterator[tuple[Model, list[Strobe]]]:
+    """Give the densities in so many flights, or fewer, and the multiples of pi that are passed.
+
+    What comes after the last flight need not be certain.
+    """
+    for n in range(flights):
+        strobes = list(flown(y, f))
+        try:
+            need(n < flights - 1, "it is not asked what comes next")
+            e = event(y, f)
+        except Rejected:
+            yield f.density, strobes
+            return
+        yield f.density, strobes + at_event(y, f, e, len(strobes))
+        f = e.after
+
+
+def flown(y: System, f: Flight) -> Iterator[Strobe]:
+    """Give the multiples of pi that all orbits pass before anything happens."""
+    for k in count(first(f)):
+        t, error = multiple(y, k)
+        try:
+            y.moving(f, t + error)
+        except Rejected:
+            return
+        p, s = y.at(f, t, error)
+        low, high = q.ends(q.widened(s, f.errors[0]))
+        if low <= 0 or q.ends(q.widened(p, y.influence(f, t, error)))[1] >= 0:
+            return
+        yield k + f.passed, high
+
+
+def at_event(y: System, f: Flight, e: Event, flown: int) -> list[Strobe]:
+    """Return the multiples of pi up to the end of the next event, but for those ``flown``."""
+    found, (low, high) = list[Strobe](), e.ends
+    k = first(f) + flown
+    while sum(multiple(y, k)) <= high:
+        t, error = multiple(y, k)
+        found.append((k + f.passed, e.speed + 2 * (high - min(t - error, low)) * UP))
+        k += 1
+    return found
+
+
+def first(f: Flight) -> int:
+    """Return the number of the first multiple of pi certainly after the start of a flight."""
+    return math.ceil(f.begun[1] / math.pi + 1e-9)
+
+
+def multiple(y: System, k: int) -> Pair:
+    """Return a multiple of pi, and a bound of its error."""
+    return k * y.pi[0], abs(k) * (y.pi[1] + TURN)
+
+
+def half_strip(y: System, strip: Strip, *, fast: bool) -> tuple[Region, Pair]:
+    """Return the region of half a strip, w <= 0 or w >= 0, and w + v* at its ends.
+
+    With q = x_l - x, x in (left, right) and x + k w in (left, right): q is in (x_l - right + k w,
+    x_l - left) if w >= 0, and in (x_l - right, x_l - left + k w) if w <= 0.
+    """
+    d = (strip.d - (strip.fast - strip.slow)) * (1 - TURN)
+    bottom, top = (strip.edge[0] - y.width[0] - x for x in (strip.right, strip.left))
+    slope, more = strip.k * d / 2, 4 * CUT  # 2^-38: more than all that is rounded
+    steep = round(slope / UNIT / CUT) * CUT
+    low = round((bottom + slope * fast) / UNIT / CUT) * CUT + more, steep * fast, 0
+    high = round((top - slope * (not fast)) / UNIT / CUT) * CUT - more, steep * (not fast), 0
+    ordered([low, high])
+    return Region(low, high), (
+        (strip.fast, strip.fast + d) if fast else (strip.slow - d, strip.slow)
+    )
+
+
+def strip_of(y: System, strip: Strip, region: Region, *, fast: bool) -> Start:
+    """Return the flight backwards from a part of a strip."""
+    place, wide = across(region)
+    z, r = along(region)
+    low, high = half_strip(y, strip, fast=fast)[1]
+    mid, half = (low + high) / 2, (high - low) / 2
+    ref, e = y.pi
+    A = q.model(2 * e + 4 * TURN * (abs(low) + abs(high)), one=mid + half * z, Y=half * r)
+    B = q.moved(place, -1.0, 8 * e)
+    density = q.scaled(wide, half * r, TURN * (abs(low) + abs(high)))
+    return Start(begun((ref - e, ref + e), ref, A, B, density), q.ends(place), q.ends(wide)[0])
+
+
+def before(y: System, strip: Strip, V: float, periods: int, task: tuple[Leaf, bool]) -> float:
+    """Return the area of the states so many periods before they are in a part of a strip."""
+    leaf, fast = task
+    f = strip_of(y, strip, leaf.region, fast=fast).flight
+    for density, strobes in backwards(y, f, leaf.flights):
+        if any(k == 1 + 2 * periods and speed < V for k, speed in strobes):
+            return max(0.0, q.integral(density))
+    return 0.0
