@@ -1,0 +1,141 @@
+"""Compiled, in doubles: backward orbits from sticks, and the direction in which they come together.
+
+It steers; nothing rests on it.  See `cap.cells.backward`.  With an orbit goes the derivative of its
+place and speed in q and in the time of the stick.
+"""
+
+import math
+from typing import NamedTuple
+
+from cap.cells.backward import System
+from cap.cells.next_event import HIT, NOTHING, TURN, next_event, place_at, speed_at
+from cap.cells.regions import Edge, Limits, Region
+from cap.sets.compiled import kernel
+
+EVENTS = 200
+STEEPEST = 2.0
+CLEAR = 3.0  # how much larger one singular value is, for its direction to be of use
+STEPS = 4  # along an edge, to each side
+INSIDE = 0.1  # of the distance of its neighbours an edge is away from them
+
+
+class Orbit(NamedTuple):
+    """The density at all strobes that count, the slope dq/dt that is contracted, and how much."""
+
+    density: float
+    slope: float
+    ratio: float
+
+
+@kernel
+def _contracted(f0: float, f1: float, g0: float, g1: float) -> tuple[float, float]:
+    """Return the slope -sin/cos that a matrix with columns f, g contracts, and a ratio."""
+    E, G, F = f0 * f0 + f1 * f1, g0 * g0 + g1 * g1, f0 * g0 + f1 * g1
+    angle = 0.5 * math.atan2(2 * F, E - G)
+    large = 0.5 * (E + G) + math.sqrt(0.25 * (E - G) * (E - G) + F * F)
+    sine, det = math.sin(angle), abs(f0 * g1 - f1 * g0)
+    slope = -math.cos(angle) / sine if abs(sine) > 1e-3 else 1e3
+    return slope, large / max(det, 1e-300)
+
+
+@kernel
+def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
+    """Follow a stick back over so many strobes."""
+    a, p, s, seen = y.a, q, 0.0, 0
+    drive = math.cos(t) + a
+    f0, f1, g0, g1 = 0.0, -drive, 1.0, 0.0
+    w, density, slope, ratio = abs(drive), 0.0, 0.0, 1.0
+    for _ in range(EVENTS):
+        A, B = s - math.sin(t), p + math.cos(t)
+        kind, T = next_event(a, y.theta, A, B, t, t)
+        if kind == NOTHING:
+            break
+        j = math.floor(t / math.pi + 1e-12) + 1
+        while j * math.pi < T and seen < strobes:
+            d = j * math.pi - t
+            seen, j = seen + 1, j + 1
+            if speed_at(t + d, a, A, t) < V:
+                density += w
+                slope, ratio = _contracted(f0 + f1 * d, f1, g0 + g1 * d, g1)
+        if seen >= strobes:
+            break
+        d = T - t
+        f0, g0 = f0 + f1 * d, g0 + g1 * d
+        s, p = speed_at(T, a, A, t), place_at(T, a, A, B, t)
+        before, after = math.cos(T) + a, a - math.cos(T)
+        if kind == HIT:
+            if s > V + 2:
+                break
+            f1, g1 = f1 + (after - before) * f0 / s, g1 + (after - before) * g0 / s
+            p = -y.width
+        else:
+            f0, f1, g0, g1 = -f0, after * f1 / before, -g0, after * g1 / before
+            w *= abs(after / before)
+            p, s = -y.width - p, 0.0
+        t = T + math.pi - TURN * math.floor((T + math.pi) / TURN + 0.5)
+    return Orbit(density, slope, ratio)
+
+
+@kernel
+def value(edge: Edge, Y: float) -> float:
+    """Return q on an edge."""
+    return edge[0] + Y * (edge[1] + Y * edge[2])
+
+
+@kernel
+def hoped(y: System, r: Region, limits: Limits, strobes: int) -> float:
+    """Return the area of the states from a region, nearly."""
+    area = 0.0
+    for i in range(4):
+        Y = 0.5 * i - 0.75
+        low, high = value(r.low, Y), value(r.high, Y)
+        for j in range(4):
+            q = low + (high - low) * (j + 0.5) / 4
+            t = r.middle + r.half * Y
+            area += orbit(y, q, t, limits.V, strobes).density * (high - low)
+    return area * r.half / 8
+
+
+@kernel
+def _slope(y: System, q: float, t: float, V: float, strobes: int) -> float:
+    """Return a slope of use."""
+    inside = min(max(q, 1e-9 - y.width), -1e-9)
+    found = orbit(y, inside, t, V, strobes)
+    return min(max(found.slope, -STEEPEST), STEEPEST) if found.ratio > CLEAR else 0.0
+
+
+@kernel
+def _along(y: System, r: Region, V: float, strobes: int, side: float) -> float:
+    """Return where a contracted line from the middle of a region leaves it: the midpoint rule."""
+    q = 0.5 * (r.low[0] + r.high[0])
+    t, step = r.middle, side * r.half / STEPS
+    for _ in range(STEPS):
+        first = _slope(y, q, t, V, strobes)
+        q += step * _slope(y, q + 0.5 * step * first, t + 0.5 * step, V, strobes)
+        t += step
+    return q
+
+
+@kernel
+def between(low: Edge, edge: Edge, high: Edge) -> bool:
+    """Return whether an edge is well between two others."""
+    for Y in (-1.0, -0.5, 0.5, 1.0):
+        under, over = value(low, Y), value(high, Y)
+        if not INSIDE < (value(edge, Y) - under) / (over - under) < 1 - INSIDE:
+            return False
+    return True
+
+
+@kernel
+def edge(y: System, r: Region, limits: Limits, strobes: int, curved: float) -> Edge:
+    """Return an edge that cuts a region across X, along a contracted line if that fits."""
+    e0, m1 = 0.5 * (r.low[0] + r.high[0]), 0.5 * (r.low[1] + r.high[1])
+    m2 = 0.5 * (r.low[2] + r.high[2])
+    left, right = (
+        _along(y, r, limits.V, strobes, -1.0),
+        _along(y, r, limits.V, strobes, 1.0),
+    )
+    most = curved * (r.high[0] - r.low[0])
+    e2 = min(max(0.5 * (right + left) - e0, m2 - most), m2 + most)
+    found = e0, 0.5 * (right - left), e2
+    return found if between(r.low, found, r.high) else (e0, m1, m2)
