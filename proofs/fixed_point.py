@@ -37,8 +37,8 @@ class Setting:
     ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
     expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
     Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
-    A theorem on several masses starts from ``particles``.  Of states up to a ``speed``, leaves are
-    cut at most ``cuts`` times; launches are followed for so many ``flights``; None: as the theorem
+    A theorem on several masses starts from ``particles``.  Of states up to a ``speed``, at most the
+    part ``undecided`` may be; launches are followed for so many ``flights``; None: as the theorem
     likes.
     """
 
@@ -52,7 +52,7 @@ class Setting:
     runner: Runner = field(default_factory=Runner, compare=False)
     particles: Guess | None = None
     speed: Fraction | None = None
-    cuts: int | None = None
+    undecided: Fraction | None = None
     flights: int | None = None
 
     @property

@@ -35,11 +35,11 @@ OF_SOME = {
         ),
         Option("speed", exact_positive, "for states |v| < Q (default 3/2 R omega)", "Q"),
         Option(
-            "cuts",
-            count(1, 6),
-            "leaves are cut in halves N times on average, 1 to 6 (default 4); one more doubles the "
-            "time",
-            "N",
+            "undecided",
+            exact_positive,
+            "go on until of at most the part Q of the states neither fate is shown (default: as "
+            "far as one minute or two go)",
+            "Q",
         ),
         Option(
             "flights",

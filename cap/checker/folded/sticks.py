@@ -17,13 +17,14 @@ of the next event, if that is certain, and if all speeds are below V: they chang
 unit of time, and the density only grows.  Subtracted is what lies over places without the fate in
 question, of the measure m: at most 2 m sup(density)/inf(h), h half the width of the region.
 
-*A strip.*  States (p, s) at t = 0 in which all go to the segment (`cap.checker.folded.fates`), are
-taken back by n periods: the images of different states differ, and tend to the segment as well.  So
-the area is that of the states at the time -2 pi n, if their speeds are below V.  They do not stick
-before they are in the strip, nor after that: so no state is counted for its first stick as well.
-Backwards, folded, they begin at the time pi, with the distance q = -(W + p) to the wall ahead, and
-the density 1.  The strip |w| < d is in two halves, with z from -1 to 1 over w from -d to 0, or from
-0 to d, and edges for q.
+*A strip.*  All states (p, s) of a strip at t = 0 go to the segment (`cap.checker.folded.fates`).
+Those that were outside the strip a period before have *entered* it; what they are backwards after
+one, two, ... periods are different states, for different states and numbers of periods, and they
+tend to the segment as well; so does the strip, which is apart from them.  They do not stick before
+they are in the strip, nor after that: so none is counted for its first stick as well.  Backwards,
+folded, they begin at the time pi, with the distance q = x_l - x to the wall ahead, and the density
+1.  The strip |w| < d is in two halves, with z from -1 to 1 over w from -d to 0, or from 0 to d, and
+edges for q.
 """
 
 from __future__ import annotations
@@ -41,9 +42,10 @@ from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.parabolas import ordered
 from cap.checker.kernel.polynomials import LAST, Model
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import Rejected
 
 _ROUND = 8 * TURN  # more than the errors of times here
+_PERIOD = 3  # the multiple of pi a period before a start at pi
 
 Strobe = tuple[int, float]
 """A multiple of pi, counted from the first flight on, and a bound of the speed then."""
@@ -134,14 +136,13 @@ def areas(y: System, fates: Fates, V: float, task: tuple[Leaf, bool]) -> Areas:
 
 
 def backwards(y: System, f: Flight, flights: int) -> Iterator[tuple[Model, list[Strobe]]]:
-    """Give the densities in so many flights, or fewer, and the multiples of pi that are passed.
+    """Give the densities in so many flights, and the multiples of pi that are passed in each.
 
-    What comes after the last flight need not be certain.
+    There are fewer, if it is not certain what comes next.
     """
-    for n in range(flights):
+    for _ in range(flights):
         strobes = list(flown(y, f))
         try:
-            need(n < flights - 1, "it is not asked what comes next")
             e = event(y, f)
         except Rejected:
             yield f.density, strobes
@@ -217,11 +218,50 @@ def strip_of(y: System, strip: Strip, region: Region, *, fast: bool) -> Start:
     return Start(begun((ref - e, ref + e), ref, A, B, density), q.ends(place), q.ends(wide)[0])
 
 
-def before(y: System, strip: Strip, V: float, periods: int, task: tuple[Leaf, bool]) -> float:
-    """Return the area of the states so many periods before they are in a part of a strip."""
+def entered(y: System, strip: Strip, V: float, task: tuple[Leaf, bool]) -> float:
+    """Return the area of what has entered a part of a strip, backwards, but for the part itself.
+
+    It is nothing unless all states of the part were outside the strip a period before.
+    """
     leaf, fast = task
-    f = strip_of(y, strip, leaf.region, fast=fast).flight
-    for density, strobes in backwards(y, f, leaf.flights):
-        if any(k == 1 + 2 * periods and speed < V for k, speed in strobes):
-            return max(0.0, q.integral(density))
-    return 0.0
+    f, area, outside = strip_of(y, strip, leaf.region, fast=fast).flight, 0.0, False
+    for _ in range(leaf.flights):
+        strobes = list(flown(y, f))
+        outside = outside or any(k == _PERIOD and out(y, strip, f) for k, _ in strobes)
+        try:
+            e = event(y, f)
+        except Rejected:
+            e = None
+        if e is not None:
+            strobes += at_event(y, f, e, len(strobes))
+        passed = [speed for k, speed in strobes if k >= _PERIOD and k % 2]
+        if passed and not outside:
+            return 0.0
+        area += max(0.0, q.integral(f.density) * sum(speed < V for speed in passed) * (1 - TURN))
+        if e is None:
+            break
+        f = e.after
+    return area * (1 - 64 * TURN)
+
+
+def out(y: System, strip: Strip, f: Flight) -> bool:
+    """Return whether all states of a flight are outside a strip, a period before the start."""
+    t, error = multiple(y, _PERIOD - f.passed)
+    p, s = y.at(f, t, error)
+    p, s = q.widened(p, y.influence(f, t, error)), q.widened(s, f.errors[0])
+    (low, high), edge = q.ends(s), strip.edge[0] - y.width[0]
+    if high < strip.slow - strip.d or low > strip.fast + strip.d:
+        return True
+    x = q.moved(q.scaled(p, -1.0), edge, strip.edge[1] + y.width[1])
+    w = q.moved(s, -(strip.fast + strip.slow) / 2, strip.fast - strip.slow)
+    both = q.ends(x), q.ends(q.total(x, q.scaled(w, strip.k)))
+    return any(high < strip.left or low > strip.right for low, high in both)
+
+
+def strip_area(y: System, strip: Strip) -> float:
+    """Return the area of a strip, from below."""
+    area = 0.0
+    for fast in (False, True):
+        region, (low, high) = half_strip(y, strip, fast=fast)
+        area += q.integral(across(region)[1]) * (high - low) / 2 * (1 - 4 * TURN)
+    return area * (1 - 4 * TURN)

@@ -42,7 +42,7 @@ from cap.checker.folded.backward import System
 from cap.checker.folded.fates import Strip
 from cap.checker.folded.places import seen_from, table_of
 from cap.checker.folded.regions import Leaf, flights, leaves
-from cap.checker.folded.sticks import Areas, all_sticks, areas, before, half_strip
+from cap.checker.folded.sticks import Areas, all_sticks, areas, entered, half_strip, strip_area
 from cap.checker.folded.table import Table
 from cap.checker.kernel import quadratic as q
 from cap.checker.kernel.reading import text
@@ -77,8 +77,8 @@ class Mixed(Theorem):
               "its orbits are followed, and how often it is halved when it is judged"),
         Field("sticks", {"early": text, "late": text}, "", "",
               "the regions of sticks in the first arc of times and in the second, as trees"),
-        Field("strip", {"periods": Whole(1, 8), "slow": text, "fast": text}, "", "",
-              "after so many periods states are in the strip; the regions of its halves, as trees"),
+        Field("strip", {"slow": text, "fast": text}, "", "",
+              "the regions of the halves of the strip, as trees"),
     )
     CLAIMS = (
         Field("box", {"x": region, "v": region}, "", "", "all x between the walls, |v| up to V"),
@@ -117,9 +117,8 @@ class Mixed(Theorem):
             y, V = System(self.p), below(self.region()[1])
             counted = work(partial(areas, y, table, V), self.sticks(y))
             self.step("the states are counted by their first sticks")
-            periods = int(self.hints["strip"]["periods"])
-            more = work(partial(before, y, self.strip(), V, periods), self.strips(y))
-        self.sums(self.parts(counted, more))
+            more = work(partial(entered, y, self.strip(), V), self.strips(y))
+        self.sums(self.parts(counted, [strip_area(y, self.strip()), *more]))
         self.step("the shares follow from the areas")
 
     def parts(self, counted: Iterable[Areas], more: Iterable[float]) -> tuple[Fraction, ...]:
