@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from cap.cells.backward import System
 from cap.cells.next_event import HIT, NOTHING, TURN, next_event, place_at, speed_at
-from cap.cells.regions import Edge, Limits, Region
+from cap.cells.regions import Edge, Region
 from cap.sets.compiled import kernel
 
 EVENTS = 200
@@ -20,9 +20,13 @@ INSIDE = 0.1  # of the distance of its neighbours an edge is away from them
 
 
 class Orbit(NamedTuple):
-    """The density at all strobes that count, the slope dq/dt that is contracted, and how much."""
+    """The density at all strobes that count, the slope dq/dt that is contracted, and how much.
+
+    ``flights``: up to the last strobe that counts.
+    """
 
     density: float
+    flights: int
     slope: float
     ratio: float
 
@@ -44,8 +48,8 @@ def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
     a, p, s, seen = y.a, q, 0.0, 0
     drive = math.cos(t) + a
     f0, f1, g0, g1 = 0.0, -drive, 1.0, 0.0
-    w, density, slope, ratio = abs(drive), 0.0, 0.0, 1.0
-    for _ in range(EVENTS):
+    w, density, slope, ratio, flights = abs(drive), 0.0, 0.0, 1.0, 0
+    for n in range(EVENTS):
         A, B = s - math.sin(t), p + math.cos(t)
         kind, T = next_event(a, y.theta, A, B, t, t)
         if kind == NOTHING:
@@ -55,7 +59,7 @@ def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
             d = j * math.pi - t
             seen, j = seen + 1, j + 1
             if speed_at(t + d, a, A, t) < V:
-                density += w
+                density, flights = density + w, n + 1
                 slope, ratio = _contracted(f0 + f1 * d, f1, g0 + g1 * d, g1)
         if seen >= strobes:
             break
@@ -73,7 +77,7 @@ def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
             w *= abs(after / before)
             p, s = -y.width - p, 0.0
         t = T + math.pi - TURN * math.floor((T + math.pi) / TURN + 0.5)
-    return Orbit(density, slope, ratio)
+    return Orbit(density, flights, slope, ratio)
 
 
 @kernel
@@ -83,17 +87,18 @@ def value(edge: Edge, Y: float) -> float:
 
 
 @kernel
-def hoped(y: System, r: Region, limits: Limits, strobes: int) -> float:
-    """Return the area of the states from a region, nearly."""
-    area = 0.0
-    for i in range(4):
-        Y = 0.5 * i - 0.75
+def hoped(y: System, r: Region, V: float, strobes: int, points: int) -> tuple[float, int]:
+    """Return the area of the states from a region, nearly, and the flights that it takes."""
+    area, flights = 0.0, 0
+    for i in range(points):
+        Y = (2.0 * i + 1.0) / points - 1.0
         low, high = value(r.low, Y), value(r.high, Y)
-        for j in range(4):
-            q = low + (high - low) * (j + 0.5) / 4
-            t = r.middle + r.half * Y
-            area += orbit(y, q, t, limits.V, strobes).density * (high - low)
-    return area * r.half / 8
+        for j in range(points):
+            q = low + (high - low) * (j + 0.5) / points
+            found = orbit(y, q, r.middle + r.half * Y, V, strobes)
+            area += found.density * (high - low)
+            flights = max(flights, found.flights)
+    return area * 2 * r.half / (points * points), flights
 
 
 @kernel
@@ -127,14 +132,11 @@ def between(low: Edge, edge: Edge, high: Edge) -> bool:
 
 
 @kernel
-def edge(y: System, r: Region, limits: Limits, strobes: int, curved: float) -> Edge:
+def edge(y: System, r: Region, V: float, strobes: int, curved: float) -> Edge:
     """Return an edge that cuts a region across X, along a contracted line if that fits."""
     e0, m1 = 0.5 * (r.low[0] + r.high[0]), 0.5 * (r.low[1] + r.high[1])
     m2 = 0.5 * (r.low[2] + r.high[2])
-    left, right = (
-        _along(y, r, limits.V, strobes, -1.0),
-        _along(y, r, limits.V, strobes, 1.0),
-    )
+    left, right = _along(y, r, V, strobes, -1.0), _along(y, r, V, strobes, 1.0)
     most = curved * (r.high[0] - r.low[0])
     e2 = min(max(0.5 * (right + left) - e0, m2 - most), m2 + most)
     found = e0, 0.5 * (right - left), e2

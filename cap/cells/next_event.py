@@ -10,7 +10,7 @@ from cap.sets.compiled import kernel
 NOTHING, HIT, TURNS = 0, 1, 2
 TURN = 2 * math.pi
 LONGEST, STEPS = 24, 60
-CLOSE = 1e-15
+CLOSE = 1e-10  # Newton's method squares it
 
 
 @kernel
@@ -39,7 +39,7 @@ def _rest(a: float, A: float, ref: float, low: float, high: float) -> float:
         new = t - s / slope if slope < 0 else low
         if not low < new < high:
             new = 0.5 * (low + high)
-        if abs(new - t) < CLOSE * max(1.0, abs(t)) or high - low < CLOSE:
+        if abs(new - t) < CLOSE or high - low < CLOSE:
             return new
         t = new
     return t
@@ -58,7 +58,7 @@ def _contact(a: float, A: float, B: float, ref: float, low: float, high: float) 
         new = t - p / s if s > 0 else low
         if not low < new < high:
             new = 0.5 * (low + high)
-        if abs(new - t) < CLOSE * max(1.0, abs(t)) or high - low < CLOSE:
+        if abs(new - t) < CLOSE or high - low < CLOSE:
             return new
         t = new
     return t

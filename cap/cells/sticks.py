@@ -20,14 +20,29 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cap.cells.backward import System
 from cap.cells.listing import written
 from cap.cells.regions import Limits
-from cap.cells.trees import COLUMNS, CUT, GRAIN, GROW, HALVES, LEAF, Arc, Nodes, Plan, Room
+from cap.cells.trees import (
+    COLUMNS,
+    GRAIN,
+    GROW,
+    HALVES,
+    LEAF,
+    VALUES,
+    Arc,
+    Floats,
+    Integers,
+    Nodes,
+    Plan,
+    Room,
+    Search,
+)
 from cap.cells.units import BITS, of_ball
 from cap.errors import BadInput
 from cap.parameters import Parameters
@@ -40,75 +55,82 @@ PARTS = 16  # of an arc, a power of 2
 NODES, DEEP = 1 << 18, 2000  # nodes of a part, regions that wait
 FLIGHTS, SIZE = 60, 0.7
 WIDEST = 8  # edges are doubles with a bounded error for walls that are not farther apart
+FOLLOWED = 2  # plus the flights
+STEPS = 30
 
 Edge = tuple[int, int, int]
 """In units of 2^-80."""
+Mask = NDArray[np.bool_]
 
 
-@dataclass(frozen=True, slots=True)
-class Leaf:
-    """A region that is followed: bounds of the places of its sticks, from the wall ahead.
+@dataclass(frozen=True)
+class Tree:
+    """The nodes of an arc (N,), each before its parts, and each as if it was not cut.
 
-    From it come states of the area ``area`` at least; at most ``weight`` times the measure of a set
-    of places comes from them.
+    ``places`` (N, 2) bound the places of its sticks, from the wall ahead at the release.  From them
+    come states of the area ``areas`` at least; from those in a set of places of the measure m, of
+    at most the area m ``weights``.  ``flights`` is the number of the last that gives some of it.
     """
 
-    place: tuple[float, float]
-    area: float
-    weight: float
-    flights: int
+    lowest: int
+    kinds: Integers
+    edges: Floats
+    areas: Floats
+    weights: Floats
+    flights: Integers
+    places: Floats
 
+    @cached_property
+    def past(self) -> list[int]:
+        """The first node after each and its parts."""
+        past = list(range(1, len(self.kinds) + 1))
+        for n in range(len(past))[::-1]:
+            if self.kinds[n] != LEAF:
+                past[n] = past[past[n + 1]]
+        return past
 
-@dataclass(frozen=True, slots=True)
-class Tree:
-    """The regions of an arc: its parts, the earliest first; ``width`` is that of the walls."""
+    def best(self, worths: Floats, price: float) -> Mask:
+        """Return which nodes to follow for the most worth, each at a price."""
+        alone, past = np.maximum(worths - price, 0.0).tolist(), self.past
+        chosen, most = worths > price, list(alone)
+        for n in np.flatnonzero(self.kinds != LEAF)[::-1].tolist():
+            parts = most[n + 1] + most[past[n + 1]]
+            if parts >= alone[n]:
+                most[n], chosen[n] = parts, False
+        return self._first(chosen)
 
-    second: bool
-    width: Fraction
-    parts: Sequence[Nodes]
+    def _first(self, chosen: Mask) -> Mask:
+        """Return those that are not parts of another one."""
+        first, n = np.zeros_like(chosen), 0
+        while n < len(chosen):
+            first[n] = chosen[n]
+            n = self.past[n] if chosen[n] else n + 1
+        return first
 
-    def leaves(self) -> Iterator[Leaf]:
-        """Give the leaves that count, in the order of the text."""
-        far, more = (float(self.width), 2.0**-40) if self.second else (0.0, 0.0)
-        for part in self.parts:
-            for k in np.flatnonzero(part.kinds > LEAF):
-                area, weight, low, high = part.values[k].tolist()
-                place = (far + low - more, far + high + more) if self.second else (-high, -low)
-                yield Leaf(place, area, weight, int(part.kinds[k]) - LEAF)
+    def text(self, chosen: Mask) -> str:
+        """Return the text in which these nodes are followed; none is a part of another one."""
+        return written(self._numbers(chosen))
 
-    def text(self, kept: Sequence[bool]) -> str:
-        """Return the text; of the leaves that count only those ``kept`` do."""
-        return written(pruned(list(self._numbers(kept))))
-
-    def _numbers(self, kept: Sequence[bool]) -> Iterator[list[int]]:
-        """Give the numbers of the nodes."""
-        counted = iter(kept)
-        for n, part in enumerate(self.parts):
-            yield from ([HALVES] for _ in range(_begun(n)))
-            yield from _numbers(part, bottom(self.width), counted)
-
-
-def _begun(n: int) -> int:
-    """Return how many halvings begin with a part: those whose first part it is."""
-    return (n & -n).bit_length() - 1 if n else PARTS.bit_length() - 1
-
-
-def _numbers(part: Nodes, lowest: int, kept: Iterator[bool]) -> Iterator[list[int]]:
-    """Give the numbers of the nodes of a part of an arc."""
-    waiting: list[tuple[Edge, Edge]] = [((lowest, 0, 0), (0, 0, 0))]
-    for kind, made in zip(part.kinds.tolist(), part.edges.tolist(), strict=True):
-        low, high = waiting.pop()
-        if kind == HALVES:
-            yield [HALVES]
-            waiting += [(halved(low, side), halved(high, side)) for side in (1, -1)]
-        elif kind == CUT:
-            edge = tuple(int(e / GRAIN) for e in made)
-            mean = ((a + b) >> 41 for a, b in zip(low, high, strict=True))
-            yield [CUT, *(e - m for e, m in zip(edge, mean, strict=True))]
-            a, b, c = (e << 40 for e in edge)
-            waiting += [((a, b, c), high), (low, (a, b, c))]
-        else:
-            yield [kind if kind and next(kept) else 0]
+    def _numbers(self, chosen: Mask) -> Iterator[int]:
+        """Give the numbers of the text."""
+        before = np.concatenate([[0], np.cumsum(chosen)])
+        waiting: list[tuple[Edge, Edge]] = [((self.lowest, 0, 0), (0, 0, 0))]
+        n = 0
+        while waiting:
+            low, high = waiting.pop()
+            if chosen[n] or before[n] == before[self.past[n]]:
+                yield FOLLOWED + int(self.flights[n]) if chosen[n] else 0
+                n = self.past[n]
+                continue
+            yield int(self.kinds[n])
+            if self.kinds[n] == HALVES:
+                waiting += [(halved(low, side), halved(high, side)) for side in (1, -1)]
+            else:
+                new = tuple(int(e / GRAIN) for e in self.edges[n].tolist())
+                yield from (e - (a + b >> 41) for e, a, b in zip(new, low, high, strict=True))
+                edge = new[0] << 40, new[1] << 40, new[2] << 40
+                waiting += [(edge, high), (low, edge)]
+            n += 1
 
 
 def halved(e: Edge, side: int) -> Edge:
@@ -117,60 +139,75 @@ def halved(e: Edge, side: int) -> Edge:
     return a + (side * 2 * b + c) // 4, (b + side * c) // 2, c // 4
 
 
-def pruned(nodes: list[list[int]]) -> Iterator[int]:
-    """Give the numbers of a tree in which nothing is cut of which nothing counts."""
-    built: list[list[int]] = []
-    for node in reversed(nodes):
-        if node[0] in (HALVES, CUT):
-            first, second = built.pop(), built.pop()
-            built.append([0] if first == second == [0] else node + first + second)
-        else:
-            built.append(node)
-    (numbers,) = built
-    return iter(numbers)
-
-
-def bottom(width: Fraction) -> int:
-    """Return the lowest edge in units of 2^-80."""
-    return -(width * 2**40 // 1) << 40
-
-
-def system_of(p: Parameters) -> System:
-    """Return the constants, enclosed."""
-    a = p.f / p.F
-    with interval.workprec(BITS):
-        ratio = interval.ball(a)
-        theta = interval.pi() - ratio.acos()
-        sine = ((1 - ratio) * (1 + ratio)).sqrt()
-        balls = enclosing(a), enclosing(width_of(p)), of_ball(theta), of_ball(sine)
-    return System(*(end for q in balls for end in (q.mid, q.rad)))
-
-
-def width_of(p: Parameters) -> Fraction:
-    """Return the distance of the walls in units of F/ω²."""
-    return (p.r - p.l) * p.omega**2 / p.F
+def dearest(trees: Sequence[Tree], worths: Sequence[Floats], most: int) -> float:
+    """Return a price, nearly the least, at which at most so many nodes are followed."""
+    low, high = 0.0, max(float(np.max(worth)) for worth in worths)
+    for _ in range(STEPS):
+        price = 0.5 * (low + high)
+        count = sum(np.sum(t.best(w, price)) for t, w in zip(trees, worths, strict=True))
+        low, high = (price, high) if count > most else (low, price)
+    return high
 
 
 def search(p: Parameters, V: Fraction, plan: Plan, runner: Runner) -> tuple[Tree, Tree]:
     """Return trees for both arcs."""
-    width = width_of(p)
+    width = (p.r - p.l) * p.omega**2 / p.F
     if not (p.e == 1 and p.mu == 0 and p.f > 0 and width < WIDEST):
         raise BadInput(f"sticks are followed for e = 1, mu = 0, and walls nearer than {WIDEST}")
     y, fast = system_of(p), float(V * p.omega / p.F)
     limits = Limits(fast - abs(fast) * 2.0**-52, FLIGHTS, SIZE)
-    tasks = [(second, k) for second in (False, True) for k in range(PARTS)]
-    grown = runner.map(partial(_grown, y, limits, plan, bottom(width)), tasks, "sticks")
-    return Tree(False, width, grown[:PARTS]), Tree(True, width, grown[PARTS:])
+    tasks = [(middle, k) for middle in (math.pi / 2, -math.pi / 2) for k in range(PARTS)]
+    parts = runner.map(partial(_grown, y, limits, plan), tasks, "sticks")
+    first, second = joined(parts[:PARTS]), joined(parts[PARTS:])
+    far, more = float(width), 2.0**-40
+    return (
+        _tree(width, first, -first.values[:, :2:-1]),
+        _tree(width, second, second.values[:, 3:] + (far - more, far + more)),
+    )
 
 
-def _grown(y: System, limits: Limits, plan: Plan, lowest: int, task: tuple[bool, int]) -> Nodes:
+def system_of(p: Parameters) -> System:
+    """Return the constants, enclosed."""
+    a, width = p.f / p.F, (p.r - p.l) * p.omega**2 / p.F
+    with interval.workprec(BITS):
+        ratio = interval.ball(a)
+        theta = interval.pi() - ratio.acos()
+        sine = ((1 - ratio) * (1 + ratio)).sqrt()
+        found = enclosing(a), enclosing(width), of_ball(theta), of_ball(sine)
+    return System(*(end for q in found for end in (q.mid, q.rad)))
+
+
+def bottom(width: Fraction) -> int:
+    """Return the constant of the lowest edge in units of 2^-80."""
+    return -(width * 2**40 // 1) << 40
+
+
+def _tree(width: Fraction, nodes: Nodes, places: Floats) -> Tree:
+    """Return a tree."""
+    areas, weights, last = nodes.values[:, 0], nodes.values[:, 1], nodes.values[:, 2]
+    flights = last.astype(np.int64)
+    return Tree(bottom(width), nodes.kinds, nodes.edges, areas, weights, flights, places)
+
+
+def joined(parts: Sequence[Nodes]) -> Nodes:
+    """Return the nodes of an arc, from those of its parts, after those that halve it."""
+    arrays: list[Nodes] = []
+    for n, part in enumerate(parts):
+        whole = empty((n & -n if n else len(parts)).bit_length() - 1)
+        whole.kinds[:] = HALVES
+        arrays += [whole, part]
+    return Nodes(*(np.concatenate(each) for each in zip(*arrays, strict=True)))
+
+
+def _grown(y: System, limits: Limits, plan: Plan, task: tuple[float, int]) -> Nodes:
     """Return the nodes of a part of an arc."""
-    second, k = task
-    middle = -0.5 * math.pi if second else 0.5 * math.pi
+    middle, k = task
+    room = Room(PROBE, np.zeros((DEEP, COLUMNS)), np.zeros((4, COLUMNS)))
+    lowest = math.ceil(-y.width / GRAIN) * GRAIN
+    room.stack[0, :8] = lowest, 0, 0, 0, 0, 0, (2 * k + 1) / PARTS - 1, 1 / PARTS
+    nodes = empty(NODES)
     arc = Arc(middle, y.theta - 0.5 * math.pi)
-    nodes, stack = empty(NODES), np.zeros((DEEP, COLUMNS))
-    stack[0] = lowest * 2.0**-80, 0, 0, 0, 0, 0, (2 * k + 1) / PARTS - 1, 1 / PARTS
-    count = GROW(y, arc, limits, plan, Room(PROBE, stack), nodes)
+    count = GROW(Search(y, arc, limits, plan), room, nodes)
     require_ieee(count >= 0)
     return Nodes(
         nodes.kinds[:count].copy(), nodes.edges[:count].copy(), nodes.values[:count].copy()
@@ -179,4 +216,4 @@ def _grown(y: System, limits: Limits, plan: Plan, lowest: int, task: tuple[bool,
 
 def empty(n: int) -> Nodes:
     """Return room for nodes."""
-    return Nodes(np.zeros(n, np.int64), np.zeros((n, 3)), np.zeros((n, 4)))
+    return Nodes(np.zeros(n, np.int64), np.zeros((n, 3)), np.zeros((n, VALUES)))

@@ -23,19 +23,22 @@ Integers = NDArray[np.int64]
 
 GRAIN = 2.0**-40
 SHORTEST = 2.0**-20  # of an arc
-HALVES, CUT, LEAF = 1, 2, 2  # what is written of a node; of a leaf LEAF and the flights
-COLUMNS = 8
+LEAF, HALVES, CUT = 0, 1, 2
+COLUMNS, VALUES = 14, 5
+POINTS = 2  # of a region, in each direction, from which orbits tell what to hope for
+EQUAL = 0.02  # part of the gain by a cut that another one must have less
 
 
 class Plan(NamedTuple):
     """How regions are cut: as long as ``worth`` is missing of the area of so many strobes.
 
-    A region is halved if it is longer than ``ratio`` times what it is wide, at its end; edges are
-    more curved than the mean of their neighbours by at most ``curved`` times their distance.
+    If both cuts gain as much, a region is halved if it is longer than ``ratio`` times what it is
+    wide, at its end; edges are more curved than the mean of their neighbours by at most ``curved``
+    times their distance.
     """
 
     worth: float = 1e-4
-    strobes: int = 10
+    strobes: int = 12
     ratio: float = 1.5
     curved: float = 0.1
 
@@ -47,11 +50,20 @@ class Arc(NamedTuple):
     half: float
 
 
+class Search(NamedTuple):
+    """What is searched."""
+
+    system: System
+    arc: Arc
+    limits: Limits
+    plan: Plan
+
+
 class Nodes(NamedTuple):
     """Nodes of a tree (N,), each before its parts.
 
-    ``kinds`` (N,): see `cap.cells.sticks`; ``edges`` (N, 3) of cuts; ``values`` (N, 4) of leaves:
-    the area and the weight of `cap.cells.regions.Seen`, and bounds of q.
+    ``kinds`` (N,): see above; ``edges`` (N, 3) of cuts; ``values`` (N, 5): the area, the weight and
+    the flights of `cap.cells.regions.Seen`, as if nothing was cut, and bounds of q.
     """
 
     kinds: Integers
@@ -60,10 +72,11 @@ class Nodes(NamedTuple):
 
 
 class Room(NamedTuple):
-    """`PROBE`, and room for regions that wait."""
+    """`PROBE`, and room for regions that wait, and those that are tried."""
 
     probe: Floats
     stack: Floats
+    tried: Floats
 
 
 @kernel
@@ -98,10 +111,20 @@ def _region(arc: Arc, row: Floats) -> Region:
 
 @kernel
 def _write(row: Floats, low: Edge, high: Edge, middle: float, half: float) -> None:
-    """Write a row."""
+    """Write the region of a row."""
     row[0], row[1], row[2] = low
     row[3], row[4], row[5] = high
     row[6], row[7] = middle, half
+
+
+@kernel
+def _see(search: Search, row: Floats, flights: int) -> Seen:
+    """Follow the region of a row, and write what is seen."""
+    limits = Limits(search.limits.V, min(flights, search.limits.flights), search.limits.size)
+    seen = followed(search.system, _region(search.arc, row), limits)
+    row[8], row[9], row[10] = seen.area, seen.weight, float(seen.flights)
+    row[11], row[12] = seen.across, seen.along
+    return seen
 
 
 @kernel
@@ -112,54 +135,78 @@ def halved(e: Edge, side: float) -> Edge:
 
 
 @kernel
-def _halve(r: Region, stack: Floats, k: int) -> None:
-    """Write the halves of a region over its row, the earlier one above the other."""
-    middle, half = stack[k, 6], 0.5 * stack[k, 7]
+def _halve(search: Search, row: Floats, flights: int, tried: Floats) -> float:
+    """Write the halves of a region, the later one first, and return their area."""
+    middle, half, area = row[6], 0.5 * row[7], 0.0
+    r = _region(search.arc, row)
     for i in range(2):
         side = 1.0 - 2.0 * i
         low, high = halved(r.low, side), halved(r.high, side)
-        _write(stack[k + i], low, high, middle + side * half, half)
+        _write(tried[i], low, high, middle + side * half, half)
+        area += _see(search, tried[i], flights).area
+    return area
 
 
 @kernel
-def _leaf(nodes: Nodes, n: int, r: Region, seen: Seen) -> None:
-    """Write a leaf."""
-    nodes.kinds[n] = LEAF + seen.flights if seen.area > 0 else 0
-    (a, b, c), more, row = r.high, 4 * EDGE, nodes.values[n]
-    row[0], row[1] = seen.area, seen.weight
-    row[2], row[3] = lowest(r.low) - more, more - lowest((-a, -b, -c))
+def _cut(search: Search, row: Floats, new: Edge, flights: int, tried: Floats) -> float:
+    """Write the parts of a region above and below an edge, and return their area."""
+    r = _region(search.arc, row)
+    _write(tried[2], new, r.high, row[6], row[7])
+    _write(tried[3], r.low, new, row[6], row[7])
+    return _see(search, tried[2], flights).area + _see(search, tried[3], flights).area
 
 
-def _grow(y: System, arc: Arc, limits: Limits, plan: Plan, memory: Room, nodes: Nodes) -> int:
+@kernel
+def _note(nodes: Nodes, n: int, row: Floats) -> None:
+    """Write the values of a node."""
+    values, more = nodes.values[n], 4 * EDGE
+    values[0], values[1], values[2] = row[8], row[9], row[10]
+    values[3] = lowest((row[0], row[1], row[2])) - more
+    values[4] = more - lowest((-row[3], -row[4], -row[5]))
+
+
+@kernel
+def _divide(search: Search, row: Floats, flights: int, tried: Floats, made: Floats) -> int:
+    """Cut a region in the way that gains most: 0 or 2, the first row of its parts, or -1."""
+    plan, r = search.plan, _region(search.arc, row)
+    new = grained(edge(search.system, r, search.limits.V, plan.strobes, plan.curved))
+    made[0], made[1], made[2] = new
+    cuts, halves = apart(r.low, new) and apart(new, r.high), row[7] > SHORTEST
+    by_cut = _cut(search, row, new, flights, tried) if cuts else -1.0
+    by_halves = _halve(search, row, flights, tried) if halves else -1.0
+    if not (cuts or halves):
+        return -1
+    if cuts and halves and abs(by_halves - by_cut) <= EQUAL * plan.worth:
+        return 0 if row[12] > plan.ratio * row[11] else 2
+    return 0 if by_halves > by_cut else 2
+
+
+def _grow(search: Search, memory: Room, nodes: Nodes) -> int:
     """Write the nodes of the tree below the region in the first row of a stack.
 
     Return how many; -1 if the processor does not round as it should.
     """
-    stack = memory.stack
+    y, plan, V = search.system, search.plan, search.limits.V
+    stack, tried = memory.stack, memory.tried
     if not rounds_to_nearest(memory.probe):
         return -1
     k, n, room = 0, 0, len(nodes.kinds)
+    _see(search, stack[0], search.limits.flights)
     while k >= 0:
-        r = _region(arc, stack[k])
-        seen = followed(y, r, limits)
-        short = n + k + 3 > room or k + 2 > len(stack) or not stack[k, 7] > SHORTEST
-        if short or not hoped(y, r, limits, plan.strobes) - seen.area > plan.worth:
-            _leaf(nodes, n, r, seen)
-            n, k = n + 1, k - 1
-            continue
-        cut = seen.across * plan.ratio >= seen.along
-        new = grained(edge(y, r, limits, plan.strobes, plan.curved))
-        if cut and apart(r.low, new) and apart(new, r.high):
-            nodes.kinds[n] = CUT
-            made = nodes.edges[n]
-            made[0], made[1], made[2] = new
-            middle, half = stack[k, 6], stack[k, 7]
-            _write(stack[k], new, r.high, middle, half)
-            _write(stack[k + 1], r.low, new, middle, half)
+        row, first = stack[k], -1
+        hope, flights = hoped(y, _region(search.arc, row), V, plan.strobes, POINTS)
+        _note(nodes, n, row)
+        full = n + k + 3 > room or k + 2 > len(stack)
+        if not full and hope - row[8] > plan.worth:
+            first = _divide(search, row, flights + 1, tried, nodes.edges[n])
+        if first < 0:
+            nodes.kinds[n], k = LEAF, k - 1
         else:
-            nodes.kinds[n] = HALVES
-            _halve(r, stack, k)
-        n, k = n + 1, k + 1
+            nodes.kinds[n] = HALVES if first == 0 else CUT
+            for i in range(COLUMNS):
+                stack[k, i], stack[k + 1, i] = tried[first, i], tried[first + 1, i]
+            k += 1
+        n += 1
     return n
 
 
