@@ -28,15 +28,18 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from cap.cells import sticks
 from cap.cells.listing import written
-from cap.cells.sticks import Leaf, Tree
-from cap.cells.trees import Plan
+from cap.cells.sticks import Tree, dearest
+from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
 from cap.checker.folded.backward import System
+from cap.checker.folded.fates import Strip
 from cap.checker.folded.regions import UNIT, Region
 from cap.checker.folded.regions import Leaf as Followed
-from cap.checker.folded.sticks import entered, half_strip, strip_area
+from cap.checker.folded.strips import entered, half_strip, strip_area
 from cap.checker.folded.table import ATTRACTOR, SEGMENT, Table
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
@@ -53,11 +56,9 @@ OPTIONS = ("jobs", "speed", "undecided")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**3)  # of a share: where the checker cannot follow as far as the prover
 PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
-WORTH, LEAST = 1e-4, 1e-7  # areas that are missing of a region before it is cut: at first, at last
+WORTH, LEAST = 1e-5, 1e-7  # areas that are missing of a region before it is cut: at first, at last
+LEAVES, MOST = 25_000, 90_000  # regions that are followed: as a rule, and if more is asked for
 STRIP, FLIGHTS = 2e-4, 24  # a part of the strip that is not cut: its size; flights followed
-SMALL = 0.02  # times the worth: leaves that give less are not listed
-
-Measures = tuple[Fraction, Fraction, Fraction]
 
 
 def prove(setting: Setting) -> Proof:
@@ -90,50 +91,65 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     *Computed.* Sticks are followed backwards, in ever smaller regions until no more is undecided
     than asked for.  The trees are added to the hints.
     """
-    runner = setting.runner
+    runner, p, V = setting.runner, setting.parameters, speed_of(setting)
 
     def work(f: Callable[[Any], Any], tasks: Any) -> list[Any]:
         return runner.map(f, list(tasks), "releases", processes=True)
 
     table = theorem.table(work)
     strip, hints["strip"] = by_strip(theorem)
-    W, V = theorem.region()
-    worth = WORTH
+    whole, worth = 2 * theorem.region()[0] * theorem.region()[1], WORTH
     while True:
-        trees = sticks.search(setting.parameters, speed_of(setting), Plan(worth), runner)
-        (a, s, stops), texts = counted(trees, table, worth * SMALL)
-        shares = tuple(area / (2 * W * V) for area in (a, s + strip, stops + strip))
-        hints["sticks"] = dict(zip(("early", "late"), texts, strict=True))
-        if setting.undecided is None or 1 - shares[0] - shares[1] <= setting.undecided - 2 * SLACK:
+        trees = sticks.search(p, V, Plan(worth), runner)
+        most = LEAVES if setting.undecided is None else MOST
+        (a, s, stops), hints["sticks"] = counted(trees, table, most)
+        shares = a / whole, (s + strip) / whole, (stops + strip) / whole
+        left = 1 - shares[0] - shares[1] + 2 * SLACK
+        if setting.undecided is None or left <= setting.undecided:
             return shares
         worth /= 4
         if worth < LEAST:
             raise NotProved(
-                f"of the part {float(1 - shares[0] - shares[1]):.4f} neither fate is shown, with "
-                f"regions down to an area of {4 * worth:.0e}; {float(setting.undecided)} was asked"
+                "share",
+                f"of the part {float(left):.4f} neither fate is shown, with {most} regions; "
+                f"{float(setting.undecided):.4f} was asked for",
             )
 
 
 def counted(
-    trees: tuple[Tree, Tree], table: Table, least: float
-) -> tuple[Measures, tuple[str, ...]]:
-    """Return the areas for the fates and of all that sticks, and the trees without small leaves."""
-    total, texts = [Fraction(0)] * 3, list[str]()
-    for tree in trees:
-        leaves = [areas_of(leaf, table) for leaf in tree.leaves()]
-        kept = [found[2] > least for found in leaves]
-        for found, keep in zip(leaves, kept, strict=True):
-            if keep:
-                total = [a + Fraction(b) for a, b in zip(total, found, strict=True)]
-        texts.append(tree.text(kept))
-    return (total[0], total[1], total[2]), tuple(texts)
+    trees: tuple[Tree, Tree], table: Table, most: int
+) -> tuple[tuple[Fraction, ...], dict[str, str]]:
+    """Return the areas for the fates and of all that sticks, and the regions chosen, as text."""
+    found = [areas_of(tree, table) for tree in trees]
+    worths = [a + s for a, s, _ in found]
+    price = dearest(trees, worths, most)
+    chosen = [tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True)]
+    texts = (tree.text(mask) for tree, mask in zip(trees, chosen, strict=True))
+    sums = [[below_sum(z[mask]) for z in areas] for areas, mask in zip(found, chosen, strict=True)]
+    total = tuple(sum(z, Fraction(0)) for z in zip(*sums, strict=True))
+    return total, dict(zip(("early", "late"), texts, strict=True))
 
 
-def areas_of(leaf: Leaf, table: Table) -> tuple[float, float, float]:
-    """Return the areas for the fates, and of all that sticks, from a region."""
-    lost = [leaf.weight * table.missing(leaf.place, fate) for fate in (ATTRACTOR, SEGMENT)]
-    a, s = (max(0.0, (leaf.area - more) * (1 - 1e-12)) for more in lost)
-    return a, s, leaf.area
+def below_sum(areas: Floats) -> Fraction:
+    """Return the sum of areas, exactly."""
+    return sum(map(Fraction, areas.tolist()), Fraction(0))
+
+
+def areas_of(tree: Tree, table: Table) -> tuple[Floats, Floats, Floats]:
+    """Return the areas for the fates, and of all that sticks, from each region (N,), from below."""
+    a, s = (
+        np.maximum(0.0, tree.areas - tree.weights * missing(table, fate, tree.places)) * (1 - 1e-12)
+        for fate in (ATTRACTOR, SEGMENT)
+    )
+    return a, s, tree.areas
+
+
+def missing(table: Table, fate: int, places: Floats) -> Floats:
+    """Return bounds of the measure of the places in intervals (N, 2) without a fate."""
+    ends = np.array(table.ends)
+    without = np.diff(ends) * (np.array(table.fates) != fate)
+    before = np.interp(places, ends, np.concatenate([[0.0], np.cumsum(without)]))
+    return np.asarray(before[:, 1] - before[:, 0] + 1e-12 * (1 + ends[-1]), np.float64)
 
 
 def by_strip(theorem: Mixed) -> tuple[Fraction, dict[str, str]]:
@@ -143,11 +159,16 @@ def by_strip(theorem: Mixed) -> tuple[Fraction, dict[str, str]]:
     total, texts = Fraction(strip_area(y, strip)), dict[str, str]()
     for name, fast in (("slow", False), ("fast", True)):
         root, (low, high) = half_strip(y, strip, fast=fast)
-        search = partial(entering, lambda leaf, f=fast: entered(y, strip, V, (leaf, f)))
-        numbers, area = search(root, (high - low) * strip.k)
+        area_of = partial(area_entered, y, strip, V, fast)
+        numbers, area = entering(area_of, root, (high - low) * strip.k)
         total += Fraction(area)
         texts[name] = written(numbers)
     return total, texts
+
+
+def area_entered(y: System, strip: Strip, V: float, fast: bool, leaf: Followed) -> float:
+    """Return what enters a part of the strip."""
+    return entered(y, strip, V, (leaf, fast))
 
 
 def entering(area: Callable[[Followed], float], region: Region, long: float) -> Any:

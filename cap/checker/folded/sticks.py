@@ -1,4 +1,4 @@
-"""Areas of states at t = 0, found backwards: from their first sticks, and from a strip.
+"""Areas of states at t = 0, found backwards from their first sticks.
 
 *Sticks.*  A mass sticks at a place and a time with |cos t| < a.  Backwards it begins there at rest,
 folded: at the distance q <= 0 to the wall ahead, in the arc (theta, pi - theta) or (theta - pi,
@@ -16,15 +16,6 @@ event, if all speeds are below V then, the integral of the density.  The same at
 of the next event, if that is certain, and if all speeds are below V: they change by less than 2 a
 unit of time, and the density only grows.  Subtracted is what lies over places without the fate in
 question, of the measure m: at most 2 m sup(density)/inf(h), h half the width of the region.
-
-*A strip.*  All states (p, s) of a strip at t = 0 go to the segment (`cap.checker.folded.fates`).
-Those that were outside the strip a period before have *entered* it; what they are backwards after
-one, two, ... periods are different states, for different states and numbers of periods, and they
-tend to the segment as well; so does the strip, which is apart from them.  They do not stick before
-they are in the strip, nor after that: so none is counted for its first stick as well.  Backwards,
-folded, they begin at the time pi, with the distance q = x_l - x to the wall ahead, and the density
-1.  The strip |w| < d is in two halves, with z from -1 to 1 over w from -d to 0, or from 0 to d, and
-edges for q.
 """
 
 from __future__ import annotations
@@ -34,21 +25,19 @@ from collections.abc import Iterator
 from itertools import count
 from typing import NamedTuple, Protocol
 
-from cap.checker.folded.backward import Event, Flight, System, event
-from cap.checker.folded.fates import Strip
+from cap.checker.folded.backward import Flight, System
+from cap.checker.folded.events import Event, after, event
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import CUT, UNIT, Leaf, Region
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.kernel import polynomials as q
-from cap.checker.kernel.parabolas import ordered
 from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.rejection import Rejected
 
 _ROUND = 8 * TURN  # more than the errors of times here
-_PERIOD = 3  # the multiple of pi a period before a start at pi
 
-Strobe = tuple[int, float]
-"""A multiple of pi, counted from the first flight on, and a bound of the speed then."""
+Strobe = tuple[int, Pair]
+"""A multiple of pi, counted from the first flight on, and bounds of the speed then."""
 
 
 class Fates(Protocol):
@@ -59,7 +48,7 @@ class Fates(Protocol):
 
 
 class Start(NamedTuple):
-    """A region as it begins: its flight, bounds of q, and the least of half its width."""
+    """A region as it begins: its flight, bounds of its edges, and the least of half its width."""
 
     flight: Flight
     q: Pair
@@ -80,6 +69,13 @@ def across(region: Region) -> tuple[Model, Model]:
 def along(region: Region) -> Pair:
     """Return the middle of z in a region, and half its length there: exact."""
     return (2 * region.j + 1) * 0.5**region.n - 1, 0.5**region.n
+
+
+def span(region: Region) -> Pair:
+    """Return bounds of the edges of a region."""
+    (a, b, c), (A, B, C) = region.low, region.high
+    low, high = UNIT * (a - abs(b) + min(0, c)), UNIT * (A + abs(B) + max(0, C))
+    return low - TURN * abs(low), high + TURN * abs(high)
 
 
 def begun(begin: Pair, ref: float, A: Model, B: Model, density: Model) -> Flight:
@@ -106,7 +102,7 @@ def sticks(y: System, region: Region, *, late: bool) -> Start:
     B = q.total(place, y.start(A, d, cos))
     density = q.scaled(q.product(q.moved(cos, y.a, y.a_error), wide), r, _ROUND)
     ends = ref - r - 2 * _ROUND, ref + r + 2 * _ROUND
-    return Start(begun(ends, ref, A, B, density), q.ends(place), q.ends(wide)[0])
+    return Start(begun(ends, ref, A, B, density), span(region), q.ends(wide)[0])
 
 
 class Areas(NamedTuple):
@@ -128,7 +124,7 @@ def areas(y: System, fates: Fates, V: float, task: tuple[Leaf, bool]) -> Areas:
     missing = [*(fates.missing(places, fate) for fate in (ATTRACTOR, SEGMENT)), 0.0]
     for density, strobes in backwards(y, start.flight, leaf.flights if start.least > 0 else 0):
         area, most = q.integral(density), q.ends(density)[1]
-        count = sum(speed < V for _, speed in strobes)
+        count = sum(speeds[1] < V for _, speeds in strobes)
         for k, m in enumerate(missing):
             lost = 2 * m * most / start.least * UP if m else 0.0
             found[k] += max(0.0, count * (area - lost) * (1 - TURN))
@@ -141,14 +137,16 @@ def backwards(y: System, f: Flight, flights: int) -> Iterator[tuple[Model, list[
     There are fewer, if it is not certain what comes next.
     """
     for _ in range(flights):
-        strobes = list(flown(y, f))
+        strobes, e = list(flown(y, f)), None
         try:
             e = event(y, f)
-        except Rejected:
+            strobes += at_event(y, f, e, len(strobes))
             yield f.density, strobes
+            f = after(y, f, e)
+        except Rejected:
+            if e is None:
+                yield f.density, strobes
             return
-        yield f.density, strobes + at_event(y, f, e, len(strobes))
-        f = e.after
 
 
 def flown(y: System, f: Flight) -> Iterator[Strobe]:
@@ -160,19 +158,20 @@ def flown(y: System, f: Flight) -> Iterator[Strobe]:
         except Rejected:
             return
         p, s = y.at(f, t, error)
-        low, high = q.ends(q.widened(s, f.errors[0]))
-        if low <= 0 or q.ends(q.widened(p, y.influence(f, t, error)))[1] >= 0:
+        speeds = q.ends(q.widened(s, f.errors[0]))
+        if speeds[0] <= 0 or q.ends(q.widened(p, y.influence(f, t, error)))[1] >= 0:
             return
-        yield k + f.passed, high
+        yield k + f.passed, speeds
 
 
 def at_event(y: System, f: Flight, e: Event, flown: int) -> list[Strobe]:
     """Return the multiples of pi up to the end of the next event, but for those ``flown``."""
-    found, (low, high) = list[Strobe](), e.ends
+    found, (low, high), (least, most) = list[Strobe](), e.ends, e.speeds
     k = first(f) + flown
     while sum(multiple(y, k)) <= high:
         t, error = multiple(y, k)
-        found.append((k + f.passed, e.speed + 2 * (high - min(t - error, low)) * UP))
+        more = 2 * (high - min(t - error, low)) * UP
+        found.append((k + f.passed, (least - more, most + more)))
         k += 1
     return found
 
@@ -185,83 +184,3 @@ def first(f: Flight) -> int:
 def multiple(y: System, k: int) -> Pair:
     """Return a multiple of pi, and a bound of its error."""
     return k * y.pi[0], abs(k) * (y.pi[1] + TURN)
-
-
-def half_strip(y: System, strip: Strip, *, fast: bool) -> tuple[Region, Pair]:
-    """Return the region of half a strip, w <= 0 or w >= 0, and w + v* at its ends.
-
-    With q = x_l - x, x in (left, right) and x + k w in (left, right): q is in (x_l - right + k w,
-    x_l - left) if w >= 0, and in (x_l - right, x_l - left + k w) if w <= 0.
-    """
-    d = (strip.d - (strip.fast - strip.slow)) * (1 - TURN)
-    bottom, top = (strip.edge[0] - y.width[0] - x for x in (strip.right, strip.left))
-    slope, more = strip.k * d / 2, 4 * CUT  # 2^-38: more than all that is rounded
-    steep = round(slope / UNIT / CUT) * CUT
-    low = round((bottom + slope * fast) / UNIT / CUT) * CUT + more, steep * fast, 0
-    high = round((top - slope * (not fast)) / UNIT / CUT) * CUT - more, steep * (not fast), 0
-    ordered([low, high])
-    return Region(low, high), (
-        (strip.fast, strip.fast + d) if fast else (strip.slow - d, strip.slow)
-    )
-
-
-def strip_of(y: System, strip: Strip, region: Region, *, fast: bool) -> Start:
-    """Return the flight backwards from a part of a strip."""
-    place, wide = across(region)
-    z, r = along(region)
-    low, high = half_strip(y, strip, fast=fast)[1]
-    mid, half = (low + high) / 2, (high - low) / 2
-    ref, e = y.pi
-    A = q.model(2 * e + 4 * TURN * (abs(low) + abs(high)), one=mid + half * z, Y=half * r)
-    B = q.moved(place, -1.0, 8 * e)
-    density = q.scaled(wide, half * r, TURN * (abs(low) + abs(high)))
-    return Start(begun((ref - e, ref + e), ref, A, B, density), q.ends(place), q.ends(wide)[0])
-
-
-def entered(y: System, strip: Strip, V: float, task: tuple[Leaf, bool]) -> float:
-    """Return the area of what has entered a part of a strip, backwards, but for the part itself.
-
-    It is nothing unless all states of the part were outside the strip a period before.
-    """
-    leaf, fast = task
-    f, area, outside = strip_of(y, strip, leaf.region, fast=fast).flight, 0.0, False
-    for _ in range(leaf.flights):
-        strobes = list(flown(y, f))
-        outside = outside or any(k == _PERIOD and out(y, strip, f) for k, _ in strobes)
-        try:
-            e = event(y, f)
-        except Rejected:
-            e = None
-        if e is not None:
-            strobes += at_event(y, f, e, len(strobes))
-        passed = [speed for k, speed in strobes if k >= _PERIOD and k % 2]
-        if passed and not outside:
-            return 0.0
-        area += max(0.0, q.integral(f.density) * sum(speed < V for speed in passed) * (1 - TURN))
-        if e is None:
-            break
-        f = e.after
-    return area * (1 - 64 * TURN)
-
-
-def out(y: System, strip: Strip, f: Flight) -> bool:
-    """Return whether all states of a flight are outside a strip, a period before the start."""
-    t, error = multiple(y, _PERIOD - f.passed)
-    p, s = y.at(f, t, error)
-    p, s = q.widened(p, y.influence(f, t, error)), q.widened(s, f.errors[0])
-    (low, high), edge = q.ends(s), strip.edge[0] - y.width[0]
-    if high < strip.slow - strip.d or low > strip.fast + strip.d:
-        return True
-    x = q.moved(q.scaled(p, -1.0), edge, strip.edge[1] + y.width[1])
-    w = q.moved(s, -(strip.fast + strip.slow) / 2, strip.fast - strip.slow)
-    both = q.ends(x), q.ends(q.total(x, q.scaled(w, strip.k)))
-    return any(high < strip.left or low > strip.right for low, high in both)
-
-
-def strip_area(y: System, strip: Strip) -> float:
-    """Return the area of a strip, from below."""
-    area = 0.0
-    for fast in (False, True):
-        region, (low, high) = half_strip(y, strip, fast=fast)
-        area += q.integral(across(region)[1]) * (high - low) / 2 * (1 - 4 * TURN)
-    return area * (1 - 4 * TURN)

@@ -42,7 +42,8 @@ from cap.checker.folded.backward import System
 from cap.checker.folded.fates import Strip
 from cap.checker.folded.places import seen_from, table_of
 from cap.checker.folded.regions import Leaf, flights, leaves
-from cap.checker.folded.sticks import Areas, all_sticks, areas, entered, half_strip, strip_area
+from cap.checker.folded.sticks import Areas, all_sticks, areas
+from cap.checker.folded.strips import entered, half_strip, strip_area
 from cap.checker.folded.table import Table
 from cap.checker.kernel import quadratic as q
 from cap.checker.kernel.reading import text
