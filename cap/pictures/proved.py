@@ -1,7 +1,9 @@
-"""The basins as they are proved, pixel by pixel, beside what floats say.
+"""The basins as they are proved, region by region, beside what floats say.
 
-Each coloured pixel is a rectangle of states all of which have the fate told, by the arithmetic of
-the checker; of grey ones nothing is shown.
+Each coloured region is what a region of sticks, or a part of the strip, is backwards at t = 0 (at a
+multiple of pi that all its orbits certainly pass before something happens), by the arithmetic of
+the checker; its boundary is drawn to within a pixel.  Attracted are those of which all places have
+that fate; of the others all stop; what is grey is not proved, or not drawn.
 """
 
 import math
@@ -11,45 +13,62 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from cap.checker.folded.fates import Judge, half, hopeless, slope, stop
-from cap.checker.folded.follow import Seen
-from cap.checker.folded.places import Leaf, seen_in
-from cap.checker.kernel.theorem import Parameters as Checked
-from cap.checker.theorems.mixed import NOT, Mixed
+from cap.checker.folded.backward import Flight, System
+from cap.checker.folded.events import after, event
+from cap.checker.folded.fates import Strip
+from cap.checker.folded.regions import Leaf
+from cap.checker.folded.sticks import flown, multiple, places_of, sticks
+from cap.checker.folded.strips import half_strip, strip_of
+from cap.checker.folded.table import ATTRACTOR, Table
+from cap.checker.kernel.polynomials import MONOMIALS, Model
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems.mixed import Mixed
 from cap.floats import swarm
 from cap.parameters import Parameters
 from cap.pictures.style import BLUE, GREY, ORANGE, PALE, blank, style
 
-PIXELS = 4  # a leaf is so many wide and high
+PIXELS = 256, 768  # of what floats say
+SIDE = 9  # points on a side of a region
 PERIODS = 40  # that orbits in floats are followed
 OPEN, ATTRACTED, SEGMENT, STOPS = 0, 1, 2, 3
 COLOURS = (GREY, BLUE, ORANGE, PALE)
 NAMES = ("nothing is shown", "attracted", "to the segment", "stops at least once")
 
 Image = NDArray[np.int8]
+Points = NDArray[np.float64]
+Outline = tuple[int, Points]
 Work = Callable[[Callable[[Any], Any], Any], Sequence[Any]]
 
 
 def draw(theorem: Mixed, work: Work) -> Figure:
     """Return the picture: proved on the left, floats on the right."""
-    proved = image(theorem, work)
+    outlines = proved(theorem, work)
     with style():
         figure = blank((7, 9))
-        axes = figure.subplots(1, 2, sharex=True, sharey=True)
+        left, right = figure.subplots(1, 2, sharex=True, sharey=True)
         box = theorem.claims["box"]
         ends = [float(q) for side in (box["x"], box["v"]) for q in side[:2]]
-        for each, pixels, words in zip(
-            axes,
-            (proved, in_floats(theorem, proved.shape)),
-            ("proved", "floats"),
-            strict=True,
-        ):
-            panel(each, pixels, ends, words)
+        left.set_facecolor(GREY)
+        left.add_collection(
+            PolyCollection(
+                [points for _, points in outlines],
+                facecolors=[COLOURS[fate] for fate, _ in outlines],
+                edgecolors="none",
+                antialiaseds=False,
+                rasterized=True,
+            )
+        )
+        panel(right, in_floats(theorem, PIXELS[::-1]), ends)
+        for axes, words in ((left, "proved"), (right, "floats")):
+            axes.set_title(words)
+            axes.set_xlabel("$x$")
+            axes.set_ylabel("$v$ at $t = 0$")
         figure.legend(
             handles=[Patch(color=c, label=n) for c, n in zip(COLOURS, NAMES, strict=True)],
             loc="outside lower center",
@@ -58,7 +77,73 @@ def draw(theorem: Mixed, work: Work) -> Figure:
     return figure
 
 
-def panel(axes: Axes, pixels: Image, ends: Sequence[float], words: str) -> None:
+def proved(theorem: Mixed, work: Work) -> list[Outline]:
+    """Return the outlines of what is proved, in x and v."""
+    y, table, strip = System(theorem.p), theorem.table(work), theorem.strip()
+    found = work(partial(of_sticks, y, table), theorem.sticks(y))
+    found = [*found, *work(partial(of_strip, y, strip), theorem.strips(y))]
+    p = theorem.p
+    unit = np.array([float(p.F / p.omega**2), float(p.F / p.omega)])
+    return [
+        (fate, np.array([float(p.l), 0.0]) + points * unit)
+        for each in (*found, [(SEGMENT, z) for z in halves(y, strip)])
+        for fate, points in each
+    ]
+
+
+def of_sticks(y: System, table: Table, task: tuple[Leaf, bool]) -> list[Outline]:
+    """Return the outlines of what comes to a region of sticks; x is from the left wall."""
+    leaf, late = task
+    start = sticks(y, leaf.region, late=late)
+    whole = table.fate(places_of(y, start, late=late)) == ATTRACTOR
+    fate = ATTRACTED if whole else STOPS
+    return [(fate, points) for _, points in passed(y, start.flight, leaf.flights)]
+
+
+def of_strip(y: System, strip: Strip, task: tuple[Leaf, bool]) -> list[Outline]:
+    """Return the outlines of what comes to a part of the strip."""
+    leaf, fast = task
+    f = strip_of(y, strip, leaf.region, fast=fast).flight
+    return [(SEGMENT, points) for k, points in passed(y, f, leaf.flights) if k % 2]
+
+
+def halves(y: System, strip: Strip) -> list[Points]:
+    """Return the outlines of the strip."""
+    regions = [(half_strip(y, strip, fast=fast)[0], fast) for fast in (False, True)]
+    starts = [strip_of(y, strip, region, fast=fast).flight for region, fast in regions]
+    return [outline(y, f, 1) for f in starts]
+
+
+def passed(y: System, f: Flight, flights: int) -> list[tuple[int, Points]]:
+    """Return the outlines at the multiples of pi that are passed before something happens."""
+    found = []
+    try:
+        for _ in range(flights):
+            found += [(k, outline(y, f, k - f.passed)) for k, _ in flown(y, f)]
+            f = after(y, f, event(y, f))
+    except Rejected:
+        pass
+    return found
+
+
+def outline(y: System, f: Flight, k: int) -> Points:
+    """Return points (N, 2) of the boundary at k pi, x from the left wall and v, unfolded.
+
+    Folded, the mass moves to the right backwards; at odd multiples of pi the picture is mirrored.
+    """
+    p, s = (on_boundary(z) for z in y.at(f, multiple(y, k)[0]))
+    return np.column_stack([-p, s] if k % 2 else [y.width[0] + p, -s])
+
+
+def on_boundary(p: Model) -> Points:
+    """Return the values of a polynomial on the boundary of the square."""
+    t = np.linspace(-1, 1, SIDE)[:-1]
+    one = np.ones(len(t))
+    X, Y = np.concatenate([t, one, -t, -one]), np.concatenate([-one, t, one, -t])
+    return np.asarray(sum(c * X**i * Y**j for c, (i, j) in zip(p, MONOMIALS, strict=False)))
+
+
+def panel(axes: Axes, pixels: Image, ends: Sequence[float]) -> None:
     """Draw one image of the box with these ends of x and v."""
     axes.imshow(
         pixels,
@@ -70,46 +155,6 @@ def panel(axes: Axes, pixels: Image, ends: Sequence[float], words: str) -> None:
         vmax=len(COLOURS) - 1,
         interpolation="nearest",
     )
-    axes.set_title(words)
-    axes.set_xlabel("$x$")
-    axes.set_ylabel("$v$ at $t = 0$")
-
-
-def image(theorem: Mixed, work: Work) -> Image:
-    """Return the fates of all pixels, rows from low v."""
-    columns, rows = theorem.hints["columns"], theorem.hints["rows"]
-    pixels = np.zeros((rows * PIXELS, columns * PIXELS), dtype=np.int8)
-    judge = theorem.judge(work)
-    followed = [n for n, cuts in enumerate(theorem.hints["leaves"]) if cuts != NOT]
-    parts = work(partial(painted, theorem.p, judge), theorem.leaves())
-    for n, part in zip(followed, parts, strict=True):
-        j, i = (PIXELS * k for k in divmod(n, columns))
-        pixels[j : j + PIXELS, i : i + PIXELS] = part
-    return pixels
-
-
-def painted(p: Checked, judge: Judge, leaf: Leaf) -> Image:
-    """Return the fates of the pixels of a leaf."""
-    pixels = np.zeros((PIXELS, PIXELS), dtype=np.int8)
-    paint(judge, seen_in(p, judge, leaf), pixels)
-    return pixels
-
-
-def paint(judge: Judge, part: Seen, pixels: Image) -> None:
-    """Colour the pixels of a part."""
-    found = judge.fate(part)
-    if found or pixels.size == 1 or hopeless(part):
-        pixels[:] = found or (STOPS if stop(part) else OPEN)
-        return
-    x, y = slope(part)
-    rows, columns = pixels.shape
-    along = int(columns == 1 or (rows > 1 and y > x))
-    middle = pixels.shape[1 - along] // 2
-    halves = (
-        (pixels[:middle], pixels[middle:]) if along else (pixels[:, :middle], pixels[:, middle:])
-    )
-    for side, each in zip((-1.0, 1.0), halves, strict=True):
-        paint(judge, half(part, along, side), each)
 
 
 def in_floats(theorem: Mixed, shape: tuple[int, int]) -> Image:

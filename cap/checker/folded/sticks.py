@@ -31,6 +31,7 @@ from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import CUT, UNIT, Leaf, Region
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.kernel import polynomials as q
+from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.rejection import Rejected
 
@@ -73,9 +74,16 @@ def along(region: Region) -> Pair:
 
 def span(region: Region) -> Pair:
     """Return bounds of the edges of a region."""
-    (a, b, c), (A, B, C) = region.low, region.high
-    low, high = UNIT * (a - abs(b) + min(0, c)), UNIT * (A + abs(B) + max(0, C))
+    a, b, c = region.low
+    low, high = -UNIT * highest((-a, -b, -c)), UNIT * highest(region.high)
     return low - TURN * abs(low), high + TURN * abs(high)
+
+
+def highest(edge: Edge) -> int:
+    """Return the highest value of an edge, rounded up: at Y = -1 or 1, or where it is level."""
+    a, b, c = edge
+    level = c < 0 and abs(b) < -2 * c
+    return a + b * b // (-4 * c) + 1 if level else a + abs(b) + c
 
 
 def begun(begin: Pair, ref: float, A: Model, B: Model, density: Model) -> Flight:
@@ -105,6 +113,13 @@ def sticks(y: System, region: Region, *, late: bool) -> Start:
     return Start(begun(ends, ref, A, B, density), span(region), q.ends(wide)[0])
 
 
+def places_of(y: System, start: Start, *, late: bool) -> Pair:
+    """Return bounds of the places of the releases of sticks, as distances to the wall ahead."""
+    (low, high), (W, e) = start.q, y.width
+    e += 4 * TURN * (W + 1)
+    return (W + low - e, W + high + e) if late else (-high, -low)
+
+
 class Areas(NamedTuple):
     """Areas, from below: for the attractor, for the segment, and of all that stick."""
 
@@ -118,9 +133,7 @@ def areas(y: System, fates: Fates, V: float, task: tuple[Leaf, bool]) -> Areas:
     leaf, late = task
     start = sticks(y, leaf.region, late=late)
     found = [0.0, 0.0, 0.0]
-    (low, high), (W, e) = start.q, y.width
-    e += 4 * TURN * (W + 1)
-    places = (W + low - e, W + high + e) if late else (-high, -low)
+    places = places_of(y, start, late=late)
     missing = [*(fates.missing(places, fate) for fate in (ATTRACTOR, SEGMENT)), 0.0]
     for density, strobes in backwards(y, start.flight, leaf.flights if start.least > 0 else 0):
         area, most = q.integral(density), q.ends(density)[1]
