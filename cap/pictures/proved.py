@@ -1,9 +1,9 @@
 """The basins as they are proved, region by region, beside what floats say.
 
-Each coloured region is what a region of sticks, or a part of the strip, is backwards at t = 0 (at a
-multiple of pi that all its orbits certainly pass before something happens), by the arithmetic of
-the checker; its boundary is drawn to within a pixel.  Attracted are those of which all places have
-that fate; of the others all stop; what is grey is not proved, or not drawn.
+Each coloured region is what a region of sticks, or a part of the strip, is backwards at t = 0, by
+the arithmetic of the checker; its boundary is drawn to within a pixel.  Attracted are those of
+which all places have that fate; of the others all stop, and most may have a fate; what is grey is
+not proved.
 """
 
 import math
@@ -23,7 +23,7 @@ from cap.checker.folded.backward import Flight, System
 from cap.checker.folded.events import after, event
 from cap.checker.folded.fates import Strip
 from cap.checker.folded.regions import Leaf
-from cap.checker.folded.sticks import flown, multiple, places_of, sticks
+from cap.checker.folded.sticks import at_event, flown, multiple, places_of, sticks
 from cap.checker.folded.strips import half_strip, strip_of
 from cap.checker.folded.table import ATTRACTOR, Table
 from cap.checker.kernel.polynomials import MONOMIALS, Model
@@ -115,12 +115,21 @@ def halves(y: System, strip: Strip) -> list[Points]:
 
 
 def passed(y: System, f: Flight, flights: int) -> list[tuple[int, Points]]:
-    """Return the outlines at the multiples of pi that are passed before something happens."""
+    """Return the outlines at the multiples of pi that are passed, by their numbers.
+
+    At one next to an event, of the states before it and of those after it: what is outside of the
+    walls is none of them.
+    """
     found = []
     try:
         for _ in range(flights):
-            found += [(k, outline(y, f, k - f.passed)) for k, _ in flown(y, f)]
-            f = after(y, f, event(y, f))
+            strobes = list(flown(y, f))
+            found += [(k, outline(y, f, k - f.passed)) for k, _ in strobes]
+            e = event(y, f)
+            late = [k for k, _ in at_event(y, f, e, len(strobes))]
+            found += [(k, outline(y, f, k - f.passed)) for k in late]
+            f = after(y, f, e)
+            found += [(k, outline(y, f, k - f.passed)) for k in late]
     except Rejected:
         pass
     return found
@@ -132,6 +141,7 @@ def outline(y: System, f: Flight, k: int) -> Points:
     Folded, the mass moves to the right backwards; at odd multiples of pi the picture is mirrored.
     """
     p, s = (on_boundary(z) for z in y.at(f, multiple(y, k)[0]))
+    s = np.maximum(s, 0.0)
     return np.column_stack([-p, s] if k % 2 else [y.width[0] + p, -s])
 
 

@@ -160,10 +160,9 @@ def mixed(true):
     """Write shares that are too good, a box that is another, an interval that G does not keep."""
     share = true["claims"]["shares"]["attractor"]
     larger = [f"{float(share[0]) + 1e-4:.6f}", share[1]]
-    leaves = true["hints"]["leaves"].replace("4", "-")
     for name, *change in (
         ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
-        ("mixed_leaves_dropped", "hints", "leaves", leaves),
+        ("mixed_sticks_dropped", "hints", "sticks", "early", "A"),
         ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
         ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),
     ):

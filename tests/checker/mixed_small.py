@@ -1,4 +1,4 @@
-"""A small certificate of ``mixed``: few leaves of the stored one, with claims that hold."""
+"""A small certificate of ``mixed``: few regions, cut evenly, with claims that hold."""
 
 from __future__ import annotations
 
@@ -7,12 +7,22 @@ import json
 from functools import cache, partial
 from pathlib import Path
 
-from cap.checker.folded.places import shares
+from cap.cells.listing import written
+from cap.checker.folded.backward import System
+from cap.checker.folded.sticks import areas
+from cap.checker.folded.strips import entered, strip_area
 from cap.checker.kernel.certificate import read
 from cap.checker.theorems.mixed import Mixed
 
 STORED = Path(__file__).parents[2] / "certificates/mixed.json"
-FEW = 24  # leaves that are followed
+
+
+def even(halvings, cuts, flights):
+    """Return a tree, as text: times halved, then places cut, so often; all leaves are followed."""
+    if halvings + cuts == 0:
+        return written([flights + 2])
+    part = even(halvings - 1, cuts, flights) if halvings else even(0, cuts - 1, flights)
+    return written([1] if halvings else [2, 0, 0, 0]) + part + part
 
 
 def here(f, tasks):
@@ -20,20 +30,26 @@ def here(f, tasks):
     return [f(task) for task in tasks]
 
 
+def counted(theorem, table):
+    """Return the parts of the area."""
+    y = System(theorem.p)
+    V = float(theorem.region()[1])
+    sticks = here(partial(areas, y, table, V), theorem.sticks(y))
+    more = here(partial(entered, y, theorem.strip(), V), theorem.strips(y))
+    return theorem.parts(sticks, [strip_area(y, theorem.strip()), *more])
+
+
 @cache
 def _small():
-    """Return the certificate, as text, its theorem, and what tells fates."""
+    """Return the certificate, as text, its theorem, and the fates of places."""
     certificate = {**json.loads(STORED.read_text()), "provenance": {}}
     hints = certificate["hints"]
     hints["places"] = {"parts": "128", "cuts": "4", "depth": "8"}
-    count = len(hints["leaves"])
-    step = count // FEW
-    hints["leaves"] = "".join("4" if n % step == 7 else "-" for n in range(count))
+    hints["sticks"] = {"early": even(3, 4, 20), "late": even(3, 4, 20)}
+    hints["strip"] = {"slow": even(1, 1, 20), "fast": even(2, 2, 20)}
     theorem = Mixed(read(json.dumps(certificate).encode()), lambda _step: None)
-    judge = theorem.judge(here)
-    counts = here(partial(shares, theorem.p, judge), theorem.leaves())
-    a, s, stops = map(float, theorem.parts(counts, hints["leaves"]))
-    known = a + s + stops
+    table = theorem.table(here)
+    a, s, known = map(float, counted(theorem, table))
     certificate["claims"] |= {
         "shares": {
             "attractor": [f"{a - 1e-6:.6f}", f"{1 - s + 1e-6:.6f}"],
@@ -43,11 +59,11 @@ def _small():
         },
         "never_stopping_area": ["0", f"{12 * (1 - known) + 1e-5:.6f}"],
     }
-    return json.dumps(certificate), theorem, judge
+    return json.dumps(certificate), theorem, table
 
 
 def small():
-    """Return the theorem, and what tells fates."""
+    """Return the theorem, and the fates of places."""
     return _small()[1:]
 
 

@@ -30,7 +30,7 @@ REASONS = {
     "friction_a_double": "interior of its box",
     "hypothesis_dropped": "cites",
     "mixed_box_past_the_wall": "from wall to wall",
-    "mixed_leaves_dropped": "shares.attractor does not contain",
+    "mixed_sticks_dropped": "shares.attractor does not contain",
     "mixed_other_interval": "interval",
     "mixed_share_enlarged": "shares.attractor does not contain",
     "more_digits_than_certain": "wider than its digits allow",

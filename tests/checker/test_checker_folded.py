@@ -6,20 +6,18 @@ import math
 import random
 from fractions import Fraction
 
-import numpy as np
 import pytest
 
-from cap.checker.folded.fates import ATTRACTOR, SEGMENT, half
+from cap.checker.folded.fates import half
 from cap.checker.folded.flights import System
 from cap.checker.folded.follow import Box, Cut, Slow, Split, follow, slowest
-from cap.checker.folded.places import Leaf, across, shares
+from cap.checker.folded.places import across
 from cap.checker.folded.stops import halt
 from cap.checker.kernel import quadratic as q
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters
 from cap.floats import swarm
 from cap.parameters import Parameters as Given
-from checker.mixed_small import small
 
 SYSTEMS = {
     "paper": Parameters(*map(Fraction, (1, 1, "2/5", -1, 1))),
@@ -117,36 +115,6 @@ def test_halves_of_what_is_seen():
             part = ends_at(half(seen, 0, side), 2 * x - side, 0.0)
             if whole and part:
                 assert value(*whole) == pytest.approx(value(*part), abs=1e-12)
-
-
-def test_fates_of_orbits_in_floats():
-    """Leaves all of which are attracted, or go to the segment, seen from orbits in floats."""
-    theorem, judge = small()
-    p, rng = theorem.p, np.random.default_rng(6)
-    given = Given(p.F, p.omega, p.f, p.l, p.r)
-    low, high = (float(end) for end in theorem.claims["attractor"]["interval"][:2])
-    phase = (2 * math.pi - math.acos(p.f / p.F)) / 2 / math.pi - 1e-9
-    found = {ATTRACTOR: 0, SEGMENT: 0}
-    leaves = list(theorem.leaves())
-    for n in rng.choice(len(leaves), 80):
-        (x0, x1), (v0, v1) = leaves[n].x, leaves[n].v
-        x, v = rng.uniform(x0, x1 - 0.002), rng.uniform(v0, v1 - 0.002)
-        box = Leaf((x, x + 0.002), (v, v + 0.002), 2, 4)
-        a, s, _ = shares(p, judge, box)
-        if 16 not in (a, s):
-            continue
-        states = np.column_stack([rng.uniform(x, x + 0.002, 5) - 1, rng.uniform(v, v + 0.002, 5)])
-        end = swarm.follow(given, states, 60 + phase, every=False).states
-        resting = end[:, 1] == 0
-        if a:
-            later = swarm.follow(given, states, 61.5 + phase).states
-            places = np.where(resting, end[:, 0], np.where(later[:, 1] == 0, later[:, 0], np.nan))
-            kept = places[~np.isnan(places)]
-            assert ((kept > low) & (kept < high)).all()
-        else:
-            assert not resting.any()
-        found[ATTRACTOR if a else SEGMENT] += 1
-    assert found[ATTRACTOR] > 10
 
 
 def test_a_stop_is_not_before_the_start():

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 import pytest
 
-from cap.checker.folded.places import shares
+from cap.cells.listing import written
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, rejected, verify
-from checker.mixed_small import certificate, here, small
+from checker.mixed_small import certificate, counted, even, small
 
-LEAF = "hints", "leaves"
+EARLY = "hints", "sticks", "early"
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +25,7 @@ def test_it_is_verified(true):
     """With its lemmas, in one process and in two; and it says what was shown."""
     steps = verify(true)
     assert any("entropy" in step or "tent maps" in step for step in steps)
-    assert steps[-1] == "the shares follow from the leaves of the box"
+    assert steps[-1] == "the shares follow from the areas"
     told = words(check(encode(true), lambda _step: None, jobs=2))
     part = true["claims"]["shares"]
     assert f"at least the part {part['attractor'][0]} is attracted" in told
@@ -39,19 +37,18 @@ def shift(pair, by):
     return [f"{float(pair[0]) + by:.6f}", pair[1]]
 
 
-PARTS = {}  # for leaves, computed once
+PARTS = {}  # by the trees, computed once
 
 
 def sums(lie):
     """Check the sums of a certificate, without its lemmas."""
-    judge = small()[1]
+    table = small()[1]
     theorem = Mixed(read(encode(lie)), lambda _step: None)
     theorem.box()
-    leaves = theorem.hints["leaves"]
-    if leaves not in PARTS:
-        counts = here(partial(shares, theorem.p, judge), theorem.leaves())
-        PARTS[leaves] = theorem.parts(counts, leaves)
-    theorem.sums(PARTS[leaves])
+    trees = str((theorem.hints["sticks"], theorem.hints["strip"]))
+    if trees not in PARTS:
+        PARTS[trees] = counted(theorem, table)
+    theorem.sums(PARTS[trees])
 
 
 def test_shares_enlarged(true):
@@ -72,24 +69,47 @@ def test_shares_enlarged(true):
         sums(lie)
 
 
-def test_leaves_dropped(true):
-    """A leaf that counts is not followed; or is missing, or is one too many."""
-    leaves = true["hints"]["leaves"]
-    with pytest.raises(Rejected, match="does not contain"):
-        sums(changed(true, *LEAF, leaves.replace("4", "-")))
-    rejected(changed(true, *LEAF, leaves[:-1]), "as many leaves")
-    rejected(changed(true, *LEAF, leaves + "-"), "as many leaves")
-    rejected(changed(true, *LEAF, "x" + leaves[1:]), "not a sequence")
+def test_regions_dropped(true):
+    """A tree of nothing, flights that are not followed, half a strip that is nothing."""
+    for at, tree in (
+        (EARLY, "A"),
+        (("hints", "sticks", "late"), "A"),
+        (EARLY, even(3, 4, 2)),
+        (("hints", "strip", "fast"), "A"),
+    ):
+        with pytest.raises(Rejected, match="does not contain"):
+            sums(changed(true, *at, tree))
+
+
+@pytest.mark.parametrize(
+    ("tree", "complaint"),
+    [
+        ("", "no kind"),
+        ("C", "no kind"),
+        ("AA", "goes on"),
+        ("B", "no kind"),
+        (written([67]), "no kind"),
+        ("E", "too far|below"),
+        (written([2, 2**41, 0, 0, 0, 0]), "not below"),
+        (written([2, 0, 2**41, 0, 0, 0]), "not below"),
+        (written([2, 0, 0, 2**46, 0, 0]), "too far"),
+        (written([1] * 21 + [0] * 22), "halved too often"),
+        (written([2, 0, 0, 0] * 61 + [0] * 62), "not below|too often"),
+        ("!", "not a sequence"),
+    ],
+)
+def test_what_is_no_tree(true, tree, complaint):
+    """Ends early, goes on, cuts beyond an edge, too often, other letters."""
+    with pytest.raises(Rejected, match=complaint):
+        sums(changed(true, *EARLY, tree))
 
 
 def test_other_boxes(true):
-    """Past a wall, not to a wall, not symmetric; and an odd number of rows."""
+    """Past a wall, not to a wall, not symmetric."""
     for x in (["-1", "1.1"], ["-0.9", "1"]):
         rejected(changed(true, "claims", "box", "x", x), "wall to wall")
     for v in (["-3", "4"], ["3", "3"], ["3", "-3"]):
         rejected(changed(true, "claims", "box", "v", v), "box")
-    odd = changed(changed(true, "hints", "rows", "3"), "hints", "columns", "1")
-    rejected(changed(odd, *LEAF, "---"), "both signs")
 
 
 def test_other_lemmas(true):
@@ -106,5 +126,4 @@ def test_work_is_bounded(true):
     """Too many pieces are refused before anything is computed."""
     many = {"parts": "8192", "cuts": "9", "depth": "14"}
     rejected(changed(true, "hints", "places", many), "too many pieces")
-    nines = "9" * len(true["hints"]["leaves"])
-    rejected(changed(true, *LEAF, nines), "too many pieces")
+    rejected(changed(true, *EARLY, written([66]) * 40000), "too many flights")

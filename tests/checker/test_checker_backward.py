@@ -1,0 +1,165 @@
+"""The flow backwards from sticks: orbits in floats come back, areas are those of the images."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from cap.cells.listing import written
+from cap.checker.folded.backward import System
+from cap.checker.folded.events import after, event
+from cap.checker.folded.regions import flights, leaves
+from cap.checker.folded.sticks import all_sticks, backwards, flown, multiple, places_of, sticks
+from cap.checker.kernel import polynomials as q
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.theorem import Parameters
+from cap.floats import swarm
+from cap.parameters import Parameters as Given
+from checker.mixed_small import even
+
+SYSTEMS = {
+    "paper": Parameters(*map(Fraction, (1, 1, "2/5", -1, 1))),
+    "other": Parameters(*map(Fraction, (3, 2, "4/3", "-1/2", "3/4"))),
+    "weak": Parameters(*map(Fraction, (1, 1, "1/5", -1, 1))),
+}
+MIDDLES = np.linspace(-1, 1, 41)[1::2]
+
+
+def value(p, x, y):
+    """Return the polynomial of a model at points, and its derivatives."""
+    X = [x**i for i in range(4)]
+    Y = [y**j for j in range(7)]
+    at = sum(c * X[i] * Y[j] for c, (i, j) in zip(p, q.MONOMIALS, strict=False))
+    px = sum(c * i * X[i - 1] * Y[j] for c, (i, j) in zip(p, q.MONOMIALS, strict=False) if i)
+    py = sum(c * j * X[i] * Y[j - 1] for c, (i, j) in zip(p, q.MONOMIALS, strict=False) if j)
+    return at, px, py
+
+
+def strobes(y, start, count=12):
+    """Give the models (p, s) at the multiples of pi, their number, and the density then."""
+    f = start.flight
+    try:
+        for _ in range(count):
+            for k, _speeds in flown(y, f):
+                yield *y.at(f, multiple(y, k - f.passed)[0]), k - f.passed, f
+            f = after(y, f, event(y, f))
+    except Rejected:
+        return
+
+
+def regions(y):
+    """Give starts of regions of both arcs."""
+    for late in (False, True):
+        for n, leaf in enumerate(leaves(even(4, 5, 12), all_sticks(y))):
+            if n % 29 == 7:
+                yield late, sticks(y, leaf.region, late=late)
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_orbits_in_floats_come_back(name):
+    """From a state at t = 0 the first release after a stick is at the place of the region."""
+    p, compared = SYSTEMS[name], 0
+    y, rng = System(p), np.random.default_rng(3)
+    given, unit = Given(p.F, p.omega, p.f, p.l, p.r), float(p.F / p.omega**2)
+    theta = math.acos(p.f / p.F)
+    for late, start in regions(y):
+        low, high = places_of(y, start, late=late)
+        for place, speed, k, _f in strobes(y, start):
+            x, z = rng.uniform(-1, 1, 2)
+            a, v = value(place, x, z)[0] * unit, value(speed, x, z)[0] * unit * float(p.omega)
+            state = (float(p.l) - a, v) if k % 2 else (float(p.r) + a, -v)
+            if abs(v) > 4 * unit * float(p.omega):
+                continue
+            gaps = released(given, state, theta)
+            assert low - 1e-6 < gaps * float(p.omega**2 / p.F) < high + 1e-6
+            compared += 1
+    assert compared > 40
+
+
+def released(p, state, theta):
+    """Return the distance to the wall ahead at the first release after a stick."""
+    first = (math.pi - theta) / 2 / math.pi - 1e-9  # to the left
+    found = swarm.follow(p, [state], first)
+    for n in range(60):
+        place, speed = found.states[0]
+        if speed == 0:
+            return float(p.r) - place if n % 2 else place - float(p.l)
+        t0 = (first + n / 2) * 2 * math.pi / float(p.omega)
+        found = swarm.follow(p, found.states, 0.5, t0)
+    return math.nan
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_areas_are_those_of_the_images(name):
+    """The density is the determinant of (p, s) in X and Y; its integral is a bound from below."""
+    y, compared = System(SYSTEMS[name]), 0
+    x, z = np.meshgrid(MIDDLES, MIDDLES)
+    for _late, start in regions(y):
+        for place, speed, _k, f in strobes(y, start):
+            (_, px, py), (_, sx, sy) = value(place, x, z), value(speed, x, z)
+            area = 4 * np.mean(np.abs(px * sy - py * sx))
+            found = q.integral(f.density)
+            if f.density[q.LAST] < 1e-3 * abs(f.density[0]) and max(f.errors) < 1e-5:
+                assert found == pytest.approx(area, rel=1e-2)
+                compared += 1
+    assert compared > 20
+
+
+def test_densities_only_grow():
+    """So that of two the one before an event is the lesser."""
+    y = System(SYSTEMS["paper"])
+    for _late, start in regions(y):
+        found = [q.ends(density)[0] for density, _ in backwards(y, start.flight, 6)]
+        assert all(b >= a * (1 - 1e-9) for a, b in pairwise(found) if a > 0)
+
+
+def test_each_multiple_of_pi_is_passed_once():
+    """One after the other, none twice."""
+    y = System(SYSTEMS["paper"])
+    for _late, start in regions(y):
+        passed = [k for _, found in backwards(y, start.flight, 12) for k, _ in found]
+        assert passed == sorted(set(passed))
+
+
+def test_products_and_functions_contain_their_values():
+    """Models of random polynomials, at random points; also with large coefficients."""
+    rng = np.random.default_rng(5)
+    for _ in range(200):
+        a, b = (
+            (*(rng.normal(size=16) * 0.1 ** rng.uniform(0, 2)).tolist(), 1e-3 * rng.random())
+            for _ in range(2)
+        )
+        a = (1 + 5 * rng.random(), *a[1:])
+        x, z = rng.uniform(-1, 1, 2)
+        u, w = value(a, x, z)[0], value(b, x, z)[0]
+        cos, sin = q.trigonometric(b)
+        pairs = [(q.product(a, b), u * w), (cos, math.cos(w)), (sin, math.sin(w))]
+        pairs += [(q.total(a, b), u + w), (q.scaled(b, -2.5), -2.5 * w)]
+        if q.size(q.with_constant(a, 0.0)) < 0.5 * a[0]:
+            pairs.append((q.inverse(a), 1 / u))
+        for p, truth in pairs:
+            assert abs(value(p, x, z)[0] - truth) <= p[q.LAST]
+            low, high = q.ends(p)
+            assert low <= truth <= high
+
+
+def test_an_integral_is_a_bound_from_below():
+    """Of what may be a little less than the polynomial."""
+    rng, t = np.random.default_rng(6), np.linspace(-1, 1, 402)[:-1] + 1 / 401
+    x, z = np.meshgrid(t, t)
+    for _ in range(5):
+        p = (*rng.normal(size=16), 0.01)
+        mean = 4 * float(np.mean(value(p, x, z)[0]))
+        assert q.integral(p) == pytest.approx(mean - 0.04, abs=1e-3)
+
+
+def test_flights_of_a_tree():
+    """They are counted without its regions."""
+    tree = written([1, 2, 0, 0, 0, 5, 0, 12])
+    assert flights(tree) == 13
+    y = System(SYSTEMS["paper"])
+    assert [leaf.flights for leaf in leaves(tree, all_sticks(y))] == [3, 10]
