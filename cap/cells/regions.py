@@ -42,7 +42,7 @@ Edge = tuple[float, float, float]
 
 EDGE = 2.0**-44  # more than the errors of an edge in doubles: see `cap.cells.trees`
 TIME = 2.0**-48  # more than those of rounding of a time in an arc
-LARGE = 0.02  # errors above which nothing more is certain
+LARGE = 1.0  # errors above which nothing more is certain
 APART = 1e-12  # between a strobe and the start of a flight
 ERRORS, SIZE, FAST = 9, 10, 11  # reasons besides those of events
 

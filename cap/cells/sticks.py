@@ -53,7 +53,7 @@ from cap.sets.doubles import enclosing
 
 PARTS = 16  # of an arc, a power of 2
 NODES, DEEP = 1 << 18, 2000  # nodes of a part, regions that wait
-FLIGHTS, SIZE = 60, 0.7
+FLIGHTS, SIZE = 60, 3.0
 WIDEST = 8  # edges are doubles with a bounded error for walls that are not farther apart
 FOLLOWED = 2  # plus the flights
 STEPS = 30

@@ -40,7 +40,7 @@ class Plan(NamedTuple):
     worth: float = 1e-4
     strobes: int = 12
     ratio: float = 1.5
-    curved: float = 0.1
+    curved: float = 1.0
 
 
 class Arc(NamedTuple):

@@ -21,7 +21,7 @@ from cap.runner import Runner
 
 V, WIDTH = Fraction(3), 2.0
 SYSTEM = system_of(PAPER)
-LIMITS = Limits(3.0, 60, 0.7)
+LIMITS = Limits(3.0, 60, 3.0)
 GRAIN = Fraction(1, 2**40)
 
 
