@@ -10,30 +10,33 @@ with l < x < r, |v| < V at t = 0.  There are explicit numbers such that of the a
  (iv)  at most `never_stopping_area` never stops.
 
 Proof.  After a stick the state is one number, the place of the release, and a table of places,
-made in rounds, gives their fates.  The box is divided into leaves; each is followed, in quadratic
-models, until its orbits are released, and cut where this fails; the parts of a leaf are counted
-whose releases all lie in an interval of one fate.
+made in rounds, gives their fates (`cap.proofs.places`).  The box is divided into leaves; each is
+followed, in quadratic models, until its orbits are released, and cut where this fails; the parts of
+a leaf are counted whose releases all lie in an interval of one fate.
 
 The theorems `attractor` and `segment` are proved here in balls.  The leaves are followed by the
 arithmetic of the checker (`cap.checker.folded`), which is asked for what it can count: there is no
 second one.  The tests compare its fates with orbits in floats, and with `cap.cells`.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
 
 from cap.certificate.writer import dumps
+from cap.checker.folded.fates import Judge
 from cap.checker.folded.places import shares
+from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
 from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput
 from cap.floats import candidates
-from cap.proofs import attractor, segment
+from cap.proofs import attractor, places, segment
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.places import Work
 from cap.sets import interval
 
 SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
@@ -41,7 +44,6 @@ SEARCH = candidates.releasing
 OPTIONS = ("jobs", "speed", "cuts")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**5)  # of a share: libraries may steer otherwise by rounding
-PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
 COLUMNS, ROWS, CUTS, DEPTH = 64, 192, 4, 6
 HALVED = 9  # most halvings of a leaf in all, on average: the checker does no more work
 HOPE = 0.1  # part of what is undecided that one cut more may decide, if none was before
@@ -57,7 +59,7 @@ def prove(setting: Setting) -> Proof:
     hints = {
         "bits": str(setting.checker_bits),
         "attractor": attracts["hints"],
-        "places": PLACES,
+        "places": {"level": str(places.LEVEL), "tree": NOTHING},
         "columns": str(COLUMNS),
         "rows": str(ROWS),
         "depth": str(halvings(setting)),
@@ -65,7 +67,9 @@ def prove(setting: Setting) -> Proof:
     }
     draft = certificate_of(setting, claims_of(setting, (0, 0, 0)) | nested, hints)
     theorem = Mixed(read(dumps({**draft, "provenance": {}}).encode()), silent)
-    hints["leaves"], parts = lemma_shares(setting, theorem)
+    tree, judge = lemma_places(setting, theorem)
+    hints["places"]["tree"] = tree
+    hints["leaves"], parts = lemma_shares(setting, theorem, judge)
     proved = certificate_of(setting, claims_of(setting, parts) | nested, hints)
     return lambda _part: proved
 
@@ -87,9 +91,8 @@ def cuts_of(setting: Setting) -> int:
 class Sorted:
     """The leaves, with the cuts of each, and the counts with the last two numbers of cuts."""
 
-    def __init__(self, setting: Setting, theorem: Mixed) -> None:
-        self.runner = replace(setting.runner, journal=None)
-        self.judge = theorem.judge(self.work("releases"))
+    def __init__(self, setting: Setting, theorem: Mixed, judge: Judge) -> None:
+        self.work, self.judge = work_of(setting, "leaves"), judge
         self.leaves, self.p = list(theorem.leaves()), theorem.p
         self.depth = halvings(setting)
         self.cuts = [FIRST - 1] * len(self.leaves)
@@ -98,16 +101,12 @@ class Sorted:
         self.refine(range(len(self.leaves)))
         self.refine(range(len(self.leaves)))
 
-    def work(self, words: str) -> Callable[[Callable[[Any], Any], Any], list[Any]]:
-        """Return a map over tasks that tells of its progress."""
-        return lambda f, tasks: self.runner.map(f, list(tasks), words, processes=True)
-
     def refine(self, chosen: Sequence[int]) -> None:
         """Cut some leaves once more."""
         for n in chosen:
             self.cuts[n] += 1
         tasks = [self.leaves[n].cut(self.cuts[n], self.depth) for n in chosen]
-        counted = self.work("leaves")(partial(shares, self.p, self.judge), tasks)
+        counted = self.work(partial(shares, self.p, self.judge), tasks)
         for n, counts in zip(chosen, counted, strict=True):
             before = self.part(n, self.counts[n], -1)
             self.counts[n] = counts
@@ -140,13 +139,34 @@ class Sorted:
         return sum(1 << cuts for cuts in self.cuts)
 
 
-def lemma_shares(setting: Setting, theorem: Mixed) -> tuple[str, tuple[Fraction, ...]]:
+def work_of(setting: Setting, words: str) -> Work:
+    """Return a map over tasks that tells of its progress."""
+    runner = replace(setting.runner, journal=None)
+    return lambda f, tasks: runner.map(f, list(tasks), words, processes=True)
+
+
+def lemma_places(setting: Setting, theorem: Mixed) -> tuple[str, Judge]:
+    """*Statement.* Such releases are attracted, or go to the segment, by intervals of places.
+
+    *Computed.* Nodes of a tree are followed, as by the checker.  Returns the tree, and what tells
+    fates.
+    """
+    width, strip = theorem.width(), theorem.strip()
+    work = work_of(setting, "releases")
+    found = places.Search(theorem.p, strip, theorem.kept(), width, work, places.LEVEL)
+    tree = found.run(places.WORTHS)
+    return tree, Judge(strip, found.places().table)
+
+
+def lemma_shares(
+    setting: Setting, theorem: Mixed, judge: Judge
+) -> tuple[str, tuple[Fraction, ...]]:
     """*Statement.* Such parts of the box are attracted, go to the segment, and otherwise stop.
 
     *Computed.* All leaves are followed, as by the checker; those are cut more that gain by it.
     Returns how often each is cut, and the parts.
     """
-    found = Sorted(setting, theorem)
+    found = Sorted(setting, theorem, judge)
     wanted = len(found.leaves) << cuts_of(setting)
     for n in range(ROUNDS):
         found.spend((wanted - found.pieces) // (ROUNDS - n))

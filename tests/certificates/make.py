@@ -164,6 +164,8 @@ def mixed(true):
     for name, *change in (
         ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
         ("mixed_leaves_dropped", "hints", "leaves", leaves),
+        ("mixed_places_dropped", "hints", "places", "tree", "0"),
+        ("mixed_places_all_at_once", "hints", "places", "tree", "1"),
         ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
         ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),
     ):

@@ -102,9 +102,35 @@ def test_other_lemmas(true):
     rejected(changed(true, "claims", "segment", "basin", basin), "wall|fast|drift")
 
 
+def test_places(true):
+    """A tree that is none; a node that cannot be followed, or one that counts and is not."""
+    at = "hints", "places", "tree"
+    tree = true["hints"]["places"]["tree"]
+    rejected(changed(true, *at, tree[:-1]), "not whole")
+    rejected(changed(true, *at, tree + "0"), "after its end")
+    theorem = small()[0]
+    for wrong, complaint in (("1", "certain|cases|turn|stop|long|transversal"), ("0", "contain")):
+        lie = Mixed(read(encode(changed(true, *at, wrong))), lambda _step: None)
+        with pytest.raises(Rejected, match=complaint):
+            counted(lie)
+    assert theorem.hints["places"]["tree"] == tree
+
+
+def counted(theorem):
+    """Check the sums of a theorem with a tree of its own."""
+    judge = theorem.judge(here)
+    counts = here(partial(shares, theorem.p, judge), theorem.leaves())
+    theorem.sums(theorem.parts(counts, theorem.hints["leaves"]))
+
+
+def tree_of(depth):
+    """Return the tree with all nodes of a depth."""
+    return "1" if not depth else "2" + 2 * tree_of(depth - 1)
+
+
 def test_work_is_bounded(true):
     """Too many pieces are refused before anything is computed."""
-    many = {"parts": "8192", "cuts": "9", "depth": "14"}
-    rejected(changed(true, "hints", "places", many), "too many pieces")
+    full = {"level": "12", "tree": tree_of(17)}
+    rejected(changed(true, "hints", "places", full), "too many places")
     nines = "9" * len(true["hints"]["leaves"])
     rejected(changed(true, *LEAF, nines), "too many pieces")

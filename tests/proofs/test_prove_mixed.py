@@ -17,7 +17,7 @@ from cap.explore import mixed as picture
 from cap.floats.candidates import Request
 from cap.parameters import PAPER
 from cap.pictures import proved as painting
-from cap.proofs import mixed
+from cap.proofs import mixed, places
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
 
@@ -28,9 +28,10 @@ STORED = Path(__file__).parents[2] / "certificates/mixed.json"
 def coarse():
     """Return a certificate for |v| < 2 with few leaves, cut once on average."""
     patch = pytest.MonkeyPatch()
-    small = {"parts": "128", "cuts": "4", "depth": "8"}
-    for name, value in {"COLUMNS": 10, "ROWS": 20, "CUTS": 3, "PLACES": small}.items():
+    for name, value in {"COLUMNS": 10, "ROWS": 20, "CUTS": 3}.items():
         patch.setattr(mixed, name, value)
+    for name, value in {"LEVEL": 11, "WORTHS": (1e-3, 1e-4)}.items():
+        patch.setattr(places, name, value)
     theorem = THEOREMS["mixed"]
     start = theorem.search(Request("mixed", PAPER)).candidates[0].start
     found = accepted(theorem, replace(Setting(PAPER, start, 8), speed=Fraction(2)))

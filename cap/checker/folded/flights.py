@@ -35,6 +35,7 @@ from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.kernel import quadratic as q
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.line import Coefficients
 from cap.checker.kernel.quadratic import Model
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.theorem import Parameters
@@ -55,6 +56,19 @@ class Flight(NamedTuple):
     ref: float
     A: Model
     B: Model
+    C: tuple[float, float, float, float]
+    R: Pair
+    errors: Pair
+    slow: int
+
+
+class Path(NamedTuple):
+    """A flight with A_0, B_0 in one variable, and errors that have derivatives: see ``paths``."""
+
+    begun: Pair
+    ref: float
+    A: Coefficients
+    B: Coefficients
     C: tuple[float, float, float, float]
     R: Pair
     errors: Pair
@@ -202,7 +216,7 @@ def halved(f: Flight, along: int, side: float) -> Flight:
 
 
 def carried(
-    f: Flight, J: Four, z: Sequence[float]
+    f: Flight | Path, J: Four, z: Sequence[float]
 ) -> tuple[tuple[float, float, float, float], Pair, Pair]:
     """Return C, R and the bounds of the errors after a map with derivatives in J, and errors z."""
     (j11, k11), (j12, k12), (j21, k21), (j22, k22) = J

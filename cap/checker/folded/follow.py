@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from cap.checker.folded.flights import ARCS, Flight, System, halved
+from cap.checker.folded.flights import ARCS, Flight, Path, System, halved
 from cap.checker.folded.grazes import slow_hits
 from cap.checker.folded.hits import hit
 from cap.checker.folded.numbers import Pair, zero
@@ -180,7 +180,7 @@ def cut(y: System, f: Flight, box: Box) -> Cut:
     return Cut(along, lower, upper)
 
 
-def scout(y: System, f: Flight) -> tuple[str, float, int]:
+def scout(y: System, f: Flight | Path) -> tuple[str, float, int]:
     """Return what comes next in the middle of the box, when, and in which arc: it steers."""
     a, A, B, ref = y.a, f.A[0], f.B[0], f.ref
 

@@ -13,9 +13,10 @@ The first two exclude each other, since an orbit of the first kind sticks again 
 of the second does not in the end; both of them stop.
 
 *Places.*  After a stick the state is known but for the place of the release; folded by the symmetry
-(x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  All places are divided
-into parts; what is seen of the orbits from a part, up to their next release, gives its fate if they
-all are released in an interval of one fate, or are in the basin of a segment before.
+(x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  Places are divided by
+a tree of halvings; parts of them are followed to their next release, as functions of one variable
+with a derivative.  A part has a fate if all its next releases are in an interval of that fate, or
+all its orbits are in the basin of a segment before.
 
 *Leaves.*  The box is divided into rectangles, which share their edges.  Each is followed until its
 orbits are released (``cap.checker.folded``): where it is undecided what happens next, a rectangle
@@ -34,11 +35,14 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 from cap.checker.folded.fates import Judge, Strip
-from cap.checker.folded.places import Leaf, seen_from, shares, table_of
+from cap.checker.folded.masses import Places
+from cap.checker.folded.numbers import Pair
+from cap.checker.folded.places import Leaf, shares
+from cap.checker.folded.portions import roof
+from cap.checker.folded.tree import LETTERS, followed, known, nodes
 from cap.checker.kernel import quadratic as q
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Letters, Table, Whole, enclosure, region
@@ -49,7 +53,7 @@ from cap.checker.theorems.segment import Segment
 NOT = "-"  # a leaf that is not followed
 _CUTS, _MOST_CUTS = "0123456789", 9
 _MOST_LEAVES = 1 << 14
-_MOST_FOLLOWED, _MOST_JUDGED = 1 << 20, 1 << 23  # pieces of leaves and places
+_MOST_FOLLOWED, _MOST_JUDGED = 1 << 20, 1 << 23  # pieces of leaves
 
 Counts = tuple[int, int, int]
 Work = Callable[..., Sequence[Any]]  # a map over tasks
@@ -68,9 +72,9 @@ class Mixed(Theorem):
     HINTS = (
         BITS,
         Field("attractor", shapes(Attractor.HINTS), "", "", "as for the theorem attractor"),
-        Field("places", {"parts": Whole(1, 8192), "cuts": Whole(0, 9), "depth": Whole(0, 14)},
-              "", "", "into how many parts the places are divided, how often a part is cut while "
-              "its orbits are followed, and how often it is halved when it is judged"),
+        Field("places", {"level": Whole(6, 18), "tree": Letters(LETTERS, 1 << 18)}, "", "",
+              "measures of places are counted in 2^level cells; the tree of places that are "
+              "followed: 2 for a node that is halved, then its halves; 1 followed; 0 not"),
         Field("columns", Whole(1, 1024), "", "", "of leaves in the box"),
         Field("rows", Whole(2, 1024), "", "", "of leaves in the box, an even number"),
         Field("depth", Whole(0, 6), "", "", "a leaf is halved so many times more than it is cut, "
@@ -101,11 +105,9 @@ class Mixed(Theorem):
         cells = int(hints["columns"]) * int(hints["rows"])
         need(len(leaves) == cells, "there are not as many leaves as columns times rows")
         cuts = sum(1 << int(cuts) for cuts in leaves if cuts != NOT)
-        places = hints["places"]
-        judged = (cuts << hints["depth"]) + (places["parts"] << places["depth"])
-        need(judged <= _MOST_JUDGED, "there are too many pieces to judge")
-        followed = cuts + (places["parts"] << places["cuts"])
-        need(followed <= _MOST_FOLLOWED, "there are too many pieces to follow")
+        need(cuts << hints["depth"] <= _MOST_JUDGED, "there are too many pieces to judge")
+        need(cuts <= _MOST_FOLLOWED, "there are too many pieces to follow")
+        nodes(hints["places"]["tree"])
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -176,14 +178,22 @@ class Mixed(Theorem):
 
     def judge(self, work: Work) -> Judge:
         """Return what tells fates: the strip, and the table of all distances to the wall ahead."""
-        effort, width = self.hints["places"], self.length(self.R)
+        return Judge(self.strip(), self.places(work).table)
+
+    def places(self, work: Work) -> Places:
+        """Return what is known of all distances to the wall ahead."""
+        hints, width = self.hints["places"], self.width()
+        step = partial(followed, self.p, self.strip(), width)
+        return known(self.kept(), width, hints["level"], work(step, nodes(hints["tree"])))
+
+    def width(self) -> float:
+        """Return the largest distance to the wall ahead, or a little more."""
+        return roof(self.length(self.R))
+
+    def kept(self) -> Pair:
+        """Return the distances to the wall ahead of I."""
         a, b = self.claims["attractor"]["interval"][:2]
-        kept = above(self.length(self.p.r - b)), below(self.length(self.p.r - a))
-        edges = [float(width * k / effort["parts"]) for k in range(effort["parts"] + 1)]
-        parts = list(pairwise(edges))
-        seen = work(partial(seen_from, self.p, kept=kept, cuts=effort["cuts"]), parts)
-        known = list(zip(parts, seen, strict=True))
-        return Judge(self.strip(), table_of(self.strip(), kept, known, effort["depth"]))
+        return above(self.length(self.p.r - b)), below(self.length(self.p.r - a))
 
     def leaves(self) -> Iterator[Leaf]:
         """Give the leaves that are followed."""
