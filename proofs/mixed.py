@@ -9,13 +9,13 @@ with l < x < r, |v| < V at t = 0.  There are explicit numbers such that of the a
  (iii) at least `shares.stops` stops at least once, the first two included,
  (iv)  at most `never_stopping_area` never stops.
 
-Proof.  After a stick the state is one number, the place of the release, and a table of places,
-made in rounds, gives their fates.  Almost each state that sticks is what becomes of its first stick
-backwards in time, after so many half periods.  So all sticks, by place and time, are cut into
-regions, which are followed backwards with the density of their area; there nothing sticks, and
-different sticks give different states: the areas are added, less what lies over places without the
-fate.  States in which the mass never sticks go to the segment, or are not counted: they are found
-backwards from a strip in which all go there.
+Proof.  After a stick the state is one number, the place of the release, and what becomes of places
+is found in rounds (`cap.proofs.places`).  Almost each state that sticks is what becomes of its
+first stick backwards in time, after so many half periods.  So all sticks, by place and time, are
+cut into regions, which are followed backwards with the density of their area; there nothing sticks,
+and different sticks give different states: the areas are added, less what lies over places without
+the fate.  States in which the mass never sticks go to the segment, or are not counted: they are
+found backwards from a strip in which all go there.
 
 The theorems `attractor` and `segment` are proved here in balls, the regions of sticks are followed
 in outward-rounded doubles (`cap.cells.sticks`).  The places and the strip are followed by the
@@ -36,17 +36,19 @@ from cap.cells.sticks import Tree, dearest
 from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
 from cap.checker.folded.backward import System
-from cap.checker.folded.fates import Strip
+from cap.checker.folded.masses import Places
 from cap.checker.folded.regions import UNIT, Region
 from cap.checker.folded.regions import Leaf as Followed
+from cap.checker.folded.strip import Strip
 from cap.checker.folded.strips import entered, half_strip, strip_area
-from cap.checker.folded.table import ATTRACTOR, SEGMENT, Table
+from cap.checker.folded.table import ATTRACTOR, SEGMENT
+from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
 from cap.checker.theorems.mixed import Mixed, below
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
-from cap.proofs import attractor, segment
+from cap.proofs import attractor, places, segment
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import interval
 
@@ -55,7 +57,6 @@ SEARCH = candidates.releasing
 OPTIONS = ("jobs", "speed", "undecided")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**3)  # of a share: where the checker cannot follow as far as the prover
-PLACES = {"parts": "512", "cuts": "6", "depth": "10"}
 WORTH, LEAST = 1e-5, 1e-7  # areas that are missing of a region before it is cut: at first, at last
 LEAVES, MOST = 25_000, 90_000  # regions that are followed: as a rule, and if more is asked for
 STRIP, FLIGHTS = 2e-4, 24  # a part of the strip that is not cut: its size; flights followed
@@ -65,12 +66,14 @@ def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     if setting.parameters.e != 1 or setting.parameters.mu:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
+    if setting.undecided is not None and setting.undecided >= 1:
+        raise BadInput(f"--undecided must be less than 1: {setting.undecided}")
     attracts, attracted = (each.prove(setting)(Fraction(1)) for each in (attractor, segment))
     nested = {"attractor": attracts["claims"], "segment": attracted["claims"]}
     hints = {
         "bits": str(setting.checker_bits),
         "attractor": attracts["hints"],
-        "places": PLACES,
+        "places": {"level": str(places.LEVEL), "tree": NOTHING},
         "sticks": {"early": "A", "late": "A"},
         "strip": {"slow": "A", "fast": "A"},
     }
@@ -92,17 +95,13 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     than asked for.  The trees are added to the hints.
     """
     runner, p, V = setting.runner, setting.parameters, speed_of(setting)
-
-    def work(f: Callable[[Any], Any], tasks: Any) -> list[Any]:
-        return runner.map(f, list(tasks), "releases", processes=True)
-
-    table = theorem.table(work)
+    known, hints["places"]["tree"] = by_places(setting, theorem)
     strip, hints["strip"] = by_strip(theorem)
     whole, worth = 2 * theorem.region()[0] * theorem.region()[1], WORTH
     while True:
         trees = sticks.search(p, V, Plan(worth), runner)
         most = LEAVES if setting.undecided is None else MOST
-        (a, s, stops), hints["sticks"] = counted(trees, table, most)
+        (a, s, stops), hints["sticks"] = counted(trees, known, most)
         shares = a / whole, (s + strip) / whole, (stops + strip) / whole
         left = 1 - shares[0] - shares[1] + 2 * SLACK
         if setting.undecided is None or left <= setting.undecided:
@@ -117,10 +116,10 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
 
 
 def counted(
-    trees: tuple[Tree, Tree], table: Table, most: int
+    trees: tuple[Tree, Tree], known: Places, most: int
 ) -> tuple[tuple[Fraction, ...], dict[str, str]]:
     """Return the areas for the fates and of all that sticks, and the regions chosen, as text."""
-    found = [areas_of(tree, table) for tree in trees]
+    found = [areas_of(tree, known) for tree in trees]
     worths = [a + s for a, s, _ in found]
     price = dearest(trees, worths, most)
     chosen = [tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True)]
@@ -135,21 +134,32 @@ def below_sum(areas: Floats) -> Fraction:
     return sum(map(Fraction, areas.tolist()), Fraction(0))
 
 
-def areas_of(tree: Tree, table: Table) -> tuple[Floats, Floats, Floats]:
+def areas_of(tree: Tree, known: Places) -> tuple[Floats, Floats, Floats]:
     """Return the areas for the fates, and of all that sticks, from each region (N,), from below."""
     a, s = (
-        np.maximum(0.0, tree.areas - tree.weights * missing(table, fate, tree.places)) * (1 - 1e-12)
+        np.maximum(0.0, tree.areas - tree.weights * missing(known, fate, tree.places)) * (1 - 1e-12)
         for fate in (ATTRACTOR, SEGMENT)
     )
     return a, s, tree.areas
 
 
-def missing(table: Table, fate: int, places: Floats) -> Floats:
+def missing(known: Places, fate: int, places: Floats) -> Floats:
     """Return bounds of the measure of the places in intervals (N, 2) without a fate."""
-    ends = np.array(table.ends)
-    without = np.diff(ends) * (np.array(table.fates) != fate)
-    before = np.interp(places, ends, np.concatenate([[0.0], np.cumsum(without)]))
-    return np.asarray(before[:, 1] - before[:, 0] + 1e-12 * (1 + ends[-1]), np.float64)
+    found = (known.missing((low, high), fate) for low, high in places.tolist())
+    return np.fromiter(found, np.float64, len(places))
+
+
+def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
+    """Return what is known of places of release, and the tree of those that are followed."""
+    runner = setting.runner
+
+    def work(f: Callable[[Any], Any], tasks: Any) -> list[Any]:
+        return runner.map(f, list(tasks), "releases", processes=True)
+
+    parts = theorem.kept(), theorem.width()
+    search = places.Search(theorem.p, theorem.strip(), *parts, work, places.LEVEL)
+    tree = search.run(places.WORTHS)
+    return search.places(), tree
 
 
 def by_strip(theorem: Mixed) -> tuple[Fraction, dict[str, str]]:

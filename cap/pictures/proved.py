@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 
 from cap.checker.folded.backward import Flight, System
 from cap.checker.folded.events import after, event
-from cap.checker.folded.fates import Strip
 from cap.checker.folded.regions import Leaf
 from cap.checker.folded.sticks import at_event, flown, multiple, places_of, sticks
+from cap.checker.folded.strip import Strip
 from cap.checker.folded.strips import half_strip, strip_of
 from cap.checker.folded.table import ATTRACTOR, Table
 from cap.checker.kernel.polynomials import MONOMIALS, Model
@@ -79,7 +79,7 @@ def draw(theorem: Mixed, work: Work) -> Figure:
 
 def proved(theorem: Mixed, work: Work) -> list[Outline]:
     """Return the outlines of what is proved, in x and v."""
-    y, table, strip = System(theorem.p), theorem.table(work), theorem.strip()
+    y, table, strip = System(theorem.p), theorem.places(work).table, theorem.strip()
     found = work(partial(of_sticks, y, table), theorem.sticks(y))
     found = [*found, *work(partial(of_strip, y, strip), theorem.strips(y))]
     p = theorem.p

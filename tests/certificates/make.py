@@ -162,6 +162,8 @@ def mixed(true):
     larger = [f"{float(share[0]) + 1e-4:.6f}", share[1]]
     for name, *change in (
         ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
+        ("mixed_places_dropped", "hints", "places", "tree", "0"),
+        ("mixed_places_all_at_once", "hints", "places", "tree", "1"),
         ("mixed_sticks_dropped", "hints", "sticks", "early", "A"),
         ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
         ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),

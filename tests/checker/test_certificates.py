@@ -32,6 +32,8 @@ REASONS = {
     "mixed_box_past_the_wall": "from wall to wall",
     "mixed_sticks_dropped": "shares.attractor does not contain",
     "mixed_other_interval": "interval",
+    "mixed_places_all_at_once": "certain",
+    "mixed_places_dropped": "shares.attractor does not contain",
     "mixed_share_enlarged": "shares.attractor does not contain",
     "more_digits_than_certain": "wider than its digits allow",
     "multipliers_swapped": "multipliers",

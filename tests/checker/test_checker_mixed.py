@@ -10,7 +10,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, rejected, verify
-from checker.mixed_small import certificate, counted, even, small
+from checker.mixed_small import certificate, counted, even, here, small
 
 EARLY = "hints", "sticks", "early"
 
@@ -42,12 +42,12 @@ PARTS = {}  # by the trees, computed once
 
 def sums(lie):
     """Check the sums of a certificate, without its lemmas."""
-    table = small()[1]
+    places = small()[1]
     theorem = Mixed(read(encode(lie)), lambda _step: None)
     theorem.box()
     trees = str((theorem.hints["sticks"], theorem.hints["strip"]))
     if trees not in PARTS:
-        PARTS[trees] = counted(theorem, table)
+        PARTS[trees] = counted(theorem, places)
     theorem.sums(PARTS[trees])
 
 
@@ -122,8 +122,25 @@ def test_other_lemmas(true):
     rejected(changed(true, "claims", "segment", "basin", basin), "wall|fast|drift")
 
 
+def test_places(true):
+    """A tree that is none; a node that cannot be followed, or one that counts and is not."""
+    at = "hints", "places", "tree"
+    tree = true["hints"]["places"]["tree"]
+    rejected(changed(true, *at, tree[:-1]), "not whole")
+    rejected(changed(true, *at, tree + "0"), "after its end")
+    for wrong, complaint in (("1", "certain|turn|stop|long|transversal"), ("0", "contain")):
+        lie = Mixed(read(encode(changed(true, *at, wrong))), lambda _step: None)
+        with pytest.raises(Rejected, match=complaint):
+            lie.sums(counted(lie, lie.places(here)))
+
+
+def tree_of(depth):
+    """Return the tree with all nodes of a depth."""
+    return "1" if not depth else "2" + 2 * tree_of(depth - 1)
+
+
 def test_work_is_bounded(true):
     """Too many pieces are refused before anything is computed."""
-    many = {"parts": "8192", "cuts": "9", "depth": "14"}
-    rejected(changed(true, "hints", "places", many), "too many pieces")
+    full = {"level": "12", "tree": tree_of(17)}
+    rejected(changed(true, "hints", "places", full), "too many places")
     rejected(changed(true, *EARLY, written([66]) * 40000), "too many flights")

@@ -21,7 +21,7 @@ import math
 from typing import NamedTuple
 
 from cap.checker.folded.flights import Four, carried, constants
-from cap.checker.folded.numbers import TURN, UP, Pair, zero
+from cap.checker.folded.numbers import TURN, UP, Pair, shifted, zero
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.quadratic import cos_sin
@@ -106,6 +106,17 @@ class System:
             need(q.ends(s)[0] > 0, "the mass may stop, or not")
         raise Rejected("a flight is too long")
 
+    def since_start(self, f: Flight, low: float) -> None:
+        """Prove that a hit, not before a time, is not before the start either.
+
+        p < 0 and s >= 0 at the start, p = 0 and s > 0 at the hit: were it before the start, s would
+        be negative at a minimum between, at a slow time.
+        """
+        need(low > self.slow(-1)[0] + 1, "a hit may be before the start")
+        for t, e in map(self.slow, (0, 1)):
+            between = low <= t + e and t - e <= f.begun[1]
+            need(not between, "a hit may be before the start")
+
     def folded(self, near: float, d: Model) -> tuple[float, Model]:
         """Return ref in [-pi, pi] and d' with near + d - pi = ref + d', modulo 2 pi."""
         k = 1 + 2 * round((near - math.pi) / (2 * math.pi))
@@ -144,12 +155,6 @@ def since(f: Flight, near: float, d: Model) -> tuple[Model, float]:
     """Return near + d - ref, and a bound of the rounding of near + d."""
     lag = (abs(near) + abs(f.ref)) * TURN
     return q.moved(d, near - f.ref, lag), lag
-
-
-def shifted(ends: Pair, near: float, ref: float) -> Pair:
-    """Return bounds of the times that begin a flight, from those that ended the last one."""
-    shift, e = near - ref, 8 * TURN * (abs(near) + 8)
-    return ends[0] - shift - e, ends[1] - shift + e
 
 
 def followed(f: Flight, ends: Pair, times: Pair, models: tuple[Model, Model], J: Four) -> Flight:

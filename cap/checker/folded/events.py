@@ -70,6 +70,7 @@ def hit(y: System, f: Flight, near: float) -> Event:
     e_all = 2 * (left + q.size(D) * f.errors[0] + f.errors[1]) / least * UP
     need(4 * e_all < least, "the time of a hit is not certain")
     ends = q.ends(q.widened(q.with_constant(d, near + d[0]), e_all + lag))
+    y.since_start(f, ends[0])
     y.moving(f, ends[1])
     speeds = least - 2 * e_all, most + 2 * e_all
     return Event(near, d, D, cos, sin, e + lag, e_all + lag, ends, speeds)

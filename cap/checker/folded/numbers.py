@@ -55,3 +55,9 @@ def zero(f: Callable[[float], float], low: float, high: float) -> float:
         else:
             high, y = t, value
     return t
+
+
+def shifted(ends: Pair, near: float, ref: float) -> Pair:
+    """Return bounds of the times that begin a flight, from those that ended the last one."""
+    shift, e = near - ref, 8 * TURN * (abs(near) + 8)
+    return ends[0] - shift - e, ends[1] - shift + e

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from cap.checker.folded.backward import Flight, System
 from cap.checker.folded.events import after, event
-from cap.checker.folded.fates import Strip
 from cap.checker.folded.numbers import TURN, Pair
 from cap.checker.folded.regions import CUT, UNIT, Leaf, Region
 from cap.checker.folded.sticks import (
@@ -28,6 +27,7 @@ from cap.checker.folded.sticks import (
     multiple,
     span,
 )
+from cap.checker.folded.strip import Strip
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.parabolas import ordered
 from cap.checker.kernel.rejection import Rejected

@@ -13,10 +13,11 @@ The first two exclude each other, since an orbit of the first kind sticks again 
 of the second does not in the end; both of them stop.
 
 *Places.*  After a stick the state is known but for the place of the release; folded by the symmetry
-(x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  The places are divided
-into parts; of the orbits from each part it is seen what becomes of them up to their next release;
-then pieces of it have a fate if all next releases lie in an interval of one fate, or all are in the
-basin of the segment before.
+(x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  Places are divided by
+a tree of halvings; parts of them are followed to their next release, as functions of one variable
+with a derivative.  A part has a fate if all its next releases are in an interval of that fate, or
+all its orbits are in the basin of the segment before; of other parts the measure is bounded that
+has not the fate (`cap.checker.folded.masses`).
 
 *Sticks.*  Almost each state that sticks has a first stick, and is what becomes of it backwards in
 time, after so many half periods (`cap.checker.folded.sticks`).  All sticks, by place and time, are
@@ -35,26 +36,26 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 from cap.checker.folded.backward import System
-from cap.checker.folded.fates import Strip
-from cap.checker.folded.places import seen_from, table_of
+from cap.checker.folded.masses import Places
+from cap.checker.folded.numbers import Pair
+from cap.checker.folded.portions import roof
 from cap.checker.folded.regions import Leaf, flights, leaves
 from cap.checker.folded.sticks import Areas, all_sticks, areas
+from cap.checker.folded.strip import Strip
 from cap.checker.folded.strips import entered, half_strip, strip_area
-from cap.checker.folded.table import Table
+from cap.checker.folded.tree import LETTERS, followed, known, nodes
 from cap.checker.kernel import quadratic as q
 from cap.checker.kernel.reading import text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Whole, enclosure, region
+from cap.checker.kernel.shapes import Field, Letters, Whole, enclosure, region
 from cap.checker.kernel.shapes import Table as Fields
 from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate, Theorem
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
-_MOST_FOLLOWED, _MOST_JUDGED = 1 << 20, 1 << 23  # pieces of places
 _MOST_FLIGHTS = 1 << 21
 
 Work = Callable[..., Sequence[Any]]  # a map over tasks
@@ -73,9 +74,9 @@ class Mixed(Theorem):
     HINTS = (
         BITS,
         Field("attractor", shapes(Attractor.HINTS), "", "", "as for the theorem attractor"),
-        Field("places", {"parts": Whole(1, 8192), "cuts": Whole(0, 9), "depth": Whole(0, 14)},
-              "", "", "into how many parts the places are divided, how often a part is cut while "
-              "its orbits are followed, and how often it is halved when it is judged"),
+        Field("places", {"level": Whole(6, 18), "tree": Letters(LETTERS, 1 << 18)}, "", "",
+              "measures of places are counted in 2^level cells; the tree of places that are "
+              "followed: 2 for a node that is halved, then its halves; 1 followed; 0 not"),
         Field("sticks", {"early": text, "late": text}, "", "",
               "the regions of sticks in the first arc of times and in the second, as trees"),
         Field("strip", {"slow": text, "fast": text}, "", "",
@@ -102,10 +103,7 @@ class Mixed(Theorem):
         Attractor.limit(hints["attractor"], claims["attractor"])
         texts = [*hints["sticks"].values(), hints["strip"]["slow"], hints["strip"]["fast"]]
         need(sum(map(flights, texts)) <= _MOST_FLIGHTS, "there are too many flights")
-        places = hints["places"]
-        need(places["parts"] << places["depth"] <= _MOST_JUDGED, "there are too many pieces")
-        followed = places["parts"] << places["cuts"]
-        need(followed <= _MOST_FOLLOWED, "there are too many pieces to follow")
+        nodes(hints["places"]["tree"])
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -113,10 +111,10 @@ class Mixed(Theorem):
         for theorem in (Attractor, Segment):
             self.lemma(theorem)
         with self.workers() as work:
-            table = self.table(work)
+            places = self.places(work)
             self.step("the fates of releases are known, by intervals of places")
             y, V = System(self.p), below(self.region()[1])
-            counted = work(partial(areas, y, table, V), self.sticks(y))
+            counted = work(partial(areas, y, places, V), self.sticks(y))
             self.step("the states are counted by their first sticks")
             more = work(partial(entered, y, self.strip(), V), self.strips(y))
         self.sums(self.parts(counted, [strip_area(y, self.strip()), *more]))
@@ -178,16 +176,20 @@ class Mixed(Theorem):
             q.rounded(self.length(self.p.r)),
         )
 
-    def table(self, work: Work) -> Table:
-        """Return the fates of all distances to the wall ahead."""
-        effort, width = self.hints["places"], self.length(self.R)
+    def places(self, work: Work) -> Places:
+        """Return what is known of all distances to the wall ahead."""
+        hints, width = self.hints["places"], self.width()
+        step = partial(followed, self.p, self.strip(), width)
+        return known(self.kept(), width, hints["level"], work(step, nodes(hints["tree"])))
+
+    def width(self) -> float:
+        """Return the largest distance to the wall ahead, or a little more."""
+        return roof(self.length(self.R))
+
+    def kept(self) -> Pair:
+        """Return the distances to the wall ahead of I."""
         a, b = self.claims["attractor"]["interval"][:2]
-        kept = above(self.length(self.p.r - b)), below(self.length(self.p.r - a))
-        edges = [float(width * k / effort["parts"]) for k in range(effort["parts"] + 1)]
-        parts = list(pairwise(edges))
-        seen = work(partial(seen_from, self.p, kept=kept, cuts=effort["cuts"]), parts)
-        known = list(zip(parts, seen, strict=True))
-        return table_of(self.strip(), kept, known, effort["depth"])
+        return above(self.length(self.p.r - b)), below(self.length(self.p.r - a))
 
     def region(self) -> tuple[Fraction, Fraction]:
         """Return W and V of the box, in the units of the flow."""

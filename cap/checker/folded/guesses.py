@@ -1,0 +1,87 @@
+"""Polynomials next to the times of hits and stops, as functions of one variable: they steer."""
+
+from __future__ import annotations
+
+import math
+
+from cap.checker.folded.flights import ARCS, Path, System
+from cap.checker.folded.numbers import zero
+from cap.checker.kernel import line
+from cap.checker.kernel.line import Coefficients
+from cap.checker.kernel.quadratic import cos_sin
+from cap.checker.kernel.rejection import Rejected, need
+
+
+def scout(y: System, f: Path) -> tuple[str, float, int]:
+    """Return what comes next in the middle of the interval, when, and in which arc: it steers."""
+    a, A, B, ref = y.a, f.A[0], f.B[0], f.ref
+
+    def s(t: float) -> float:
+        return math.sin(t) - a * (t - ref) + A
+
+    def ahead(t: float) -> float:
+        d = t - ref
+        return math.cos(t) - d * (A - a * d / 2) - B
+
+    low = (f.begun[0] + f.begun[1]) / 2
+    for k in range(f.slow, ARCS):
+        slow = y.slows[k][0]
+        if slow <= low:
+            continue
+        high, kind = slow, "hit"
+        if s(slow) <= 0:
+            high, kind = zero(s, max(low, slow - 2 * math.pi + 2 * y.theta[0]), slow), "stop"
+        if ahead(high) <= 0:
+            return "hit", zero(ahead, low, high), k
+        if kind == "stop":
+            return kind, high, k
+        low = slow
+    raise Rejected("a flight is too long")
+
+
+def hit_guess(y: System, f: Path, near: float) -> Coefficients:
+    """Return a polynomial at which p vanishes, nearly: s T' + A' (T - ref) + B' = 0."""
+    near = polished(y, f, near)
+    s = math.sin(near) - y.a * (near - f.ref) + f.A[0]
+    need(s > 0, "the mass may stop, or hit")
+    return solved(y, f, near, s, full=True)
+
+
+def stop_guess(y: System, f: Path, near: float) -> Coefficients:
+    """Return a polynomial at which s vanishes, nearly: (cos T - a) T' + A' = 0."""
+    m = math.cos(near) - y.a
+    need(m < 0, "a stop is not transversal")
+    near -= (math.sin(near) - y.a * (near - f.ref) + f.A[0]) / m
+    return solved(y, f, near, math.cos(near) - y.a, full=False)
+
+
+def polished(y: System, f: Path, near: float) -> float:
+    """Return the time of a hit of the middle."""
+    for _ in range(2):
+        cos, sin = cos_sin(near)
+        d = near - f.ref
+        s = sin - y.a * d + f.A[0]
+        if s > 0:
+            near -= (-cos + d * (f.A[0] - y.a * d / 2) + f.B[0]) / s
+    return near
+
+
+def solved(y: System, f: Path, near: float, m: float, full: bool) -> Coefficients:
+    """Return the first coefficients of a solution T with T(0) = near."""
+    T, D, rates = [near], [near - f.ref], [m]  # rates: s, or cos T - a
+    cos, sin = cos_sin(near)
+    C, S, slopes = [cos], [sin], list[float]()
+    for k in range(line.DEGREE):
+        past = sum(rates[j] * slopes[k - j] for j in range(1, k + 1))
+        if full:
+            pull = sum((j + 1) * f.A[j + 1] * D[k - j] for j in range(k + 1))
+            past += pull + (k + 1) * f.B[k + 1]
+        else:
+            past += (k + 1) * f.A[k + 1]
+        slopes.append(-past / m)
+        T.append(slopes[k] / (k + 1))
+        D.append(T[-1])
+        C.append(-sum(slopes[j] * S[k - j] for j in range(k + 1)) / (k + 1))
+        S.append(sum(slopes[j] * C[k - j] for j in range(k + 1)) / (k + 1))
+        rates.append(S[-1] - y.a * T[-1] + f.A[k + 1] if full else C[-1])
+    return tuple(T)

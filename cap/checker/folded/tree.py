@@ -1,0 +1,57 @@
+"""The places of release, divided by a tree of halvings; and what follows from it.
+
+A tree is written in letters, from its root, the interval [0, W]: 2 for a node that is halved, with
+the lower half next, and the upper one then; 1 for one that is followed; 0 for one of which nothing
+is shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+
+from cap.checker.folded.flights import System
+from cap.checker.folded.masses import Places
+from cap.checker.folded.numbers import Pair
+from cap.checker.folded.paths import next_release
+from cap.checker.folded.portions import Node, Piece, portions
+from cap.checker.folded.strip import Strip
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.theorem import Parameters
+
+NOTHING, FOLLOWED, HALVED = "0", "1", "2"
+LETTERS = NOTHING + FOLLOWED + HALVED
+DEEPEST, MOST = 30, 1 << 16  # a node, and how many may be followed
+
+
+@cache
+def system(p: Parameters) -> System:
+    """Return the constants at these parameters."""
+    return System(p)
+
+
+def nodes(tree: str) -> list[Node]:
+    """Return the nodes of a tree that are followed, in order."""
+    need(tree.count(FOLLOWED) <= MOST, "there are too many places to follow")
+    found, todo = list[Node](), [Node(0, 0)]
+    for letter in tree:
+        need(bool(todo), "the tree of places goes on after its end")
+        node = todo.pop()
+        if letter == HALVED:
+            need(node.m < DEEPEST, "the tree of places is too deep")
+            todo += [node.half(True), node.half(False)]
+        elif letter == FOLLOWED:
+            found.append(node)
+    need(not todo, "the tree of places is not whole")
+    return found
+
+
+def followed(p: Parameters, strip: Strip, width: float, node: Node) -> Piece:
+    """Return the releases from a node, with the next ones."""
+    return Piece(node, next_release(system(p), strip, node.ends(width)))
+
+
+def known(kept: Pair, width: float, level: int, pieces: Sequence[Piece]) -> Places:
+    """Return what is known of all places, in 2^level cells: ``kept`` is attracted."""
+    found = [part for piece in pieces for part in portions(piece, width, level)]
+    return Places(kept, width, level, found)

@@ -1,0 +1,179 @@
+"""Models in one variable, in doubles: a polynomial in X, and a bound of what is left, as a C^1 map.
+
+A model (c, e) of a function f over [-1, 1] says that f = c_0 + c_1 X + ... + c_n X^n + r, with r
+continuously differentiable and |r| <= e in the norm
+
+    |r| = sup |r| + sup |r'|/4.
+
+The coefficients are doubles, taken exactly.  With this norm the functions are an algebra, |r s| <=
+|r| |s|, and |1| = 1; X^k has the norm 1 + k/4 =: w_k, and w_(i+j) <= w_i w_j.  So |c| = the sum of
+w_k |c_k| bounds the norm of a polynomial, and power series of functions converge as those of their
+norms.  Each operation keeps the statement true for the result.
+
+*Rounding* is as in ``quadratic``: a coefficient of a sum is wrong by at most h = 2^-53 of itself,
+one of a product, a sum of at most n + 1 products, by at most (n + 2) h times the sum of their
+sizes: together, by at most (n + 2) h |p| |q|.  As n <= 8, `_ROUND` = 2^-48 is more than 3 times
+(n + 2) h.  Bounds are sums and products of numbers that are not negative, too small by less than
+2^-43 of themselves; `_UP` = 1 + 2^-40 makes up for that, `_TINY` for underflow.
+
+*Cosine and sine* of a + g, g a polynomial with g(0) = 0.  Let Z = C + i S be a polynomial with Z(0)
+next to e^(ia), and Z' = i g' Z + q.  Then (Z e^(-ig))' = q e^(-ig), so Z differs from e^(ia + ig)
+by at most E = |Z(0) - e^(ia)| + int_0^1 |q|, and its derivative by at most sup |q| + sup |g'| E.
+The coefficients of Z are computed such that those of q vanish below degree n, but for rounding;
+from there on, they are products of those of g' and Z, with int_0^1 X^k <= 1/(n + 1).  If a function
+r with |r| = d <= 1 is added to g, |cos(a + g + r) - cos(a + g)| <= |cos(a + g)| (cosh d - 1) +
+|sin(a + g)| sinh d <= 1.2 d (|cos(a + g)| + |sin(a + g)|), and so for the sine.
+"""
+
+from __future__ import annotations
+
+from itertools import accumulate
+from operator import mul
+
+from cap.checker.kernel.quadratic import cos_sin
+
+Coefficients = tuple[float, ...]
+Line = tuple[Coefficients, float]
+
+DEGREE = 6
+_UP, _ROUND, _TINY = 1 + 2.0**-40, 2.0**-48, 2.0**-900
+_WEIGHTS = tuple(1 + k / 4 for k in range(DEGREE + 1))
+_ORDERS = tuple(range(DEGREE + 1))
+_ZEROS = (0.0,) * DEGREE
+_BINOMIALS = [[1.0]]
+for _k in range(DEGREE):
+    _row = _BINOMIALS[-1]
+    _BINOMIALS.append([a + b for a, b in zip([0.0, *_row], [*_row, 0.0], strict=True)])
+BEND = 1.2  # of a cosine and a sine, at most, for each unit of the norms of both
+
+
+def constant(a: float, e: float = 0.0) -> Line:
+    """Return the model of a number within e of a double."""
+    return (a, *_ZEROS), e
+
+
+def across(ends: tuple[float, float]) -> Line:
+    """Return the model of all numbers from one end of an interval to the other."""
+    mid, rad = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2
+    return (mid, rad, *_ZEROS[1:]), (abs(ends[0]) + abs(ends[1])) * _ROUND
+
+
+def size(c: Coefficients) -> float:
+    """Return a bound of the norm of a polynomial."""
+    norm: float = sum(map(mul, map(abs, c), _WEIGHTS))
+    return norm * _UP + _TINY
+
+
+def bound(p: Line) -> float:
+    """Return a bound of the norm of p."""
+    return (size(p[0]) + p[1]) * _UP
+
+
+def rest(p: Line) -> float:
+    """Return a bound of the norm of p - c_0."""
+    return (size((0.0, *p[0][1:])) + p[1]) * _UP
+
+
+def widened(p: Line, e: float) -> Line:
+    """Return the model of what differs from p by at most e in the norm."""
+    return p[0], (p[1] + e) * _UP
+
+
+def moved(p: Line, a: float, e: float) -> Line:
+    """Return p plus a number within e of a."""
+    c = p[0][0] + a
+    return (c, *p[0][1:]), (p[1] + e + abs(c) * _ROUND) * _UP
+
+
+def scaled(p: Line, a: float, e: float = 0.0) -> Line:
+    """Return p times a number within e of a."""
+    c, d = p
+    more = size(c) * (abs(a) * _ROUND + e) + d * (abs(a) + e)
+    return tuple([a * z for z in c]), (more + _TINY) * _UP
+
+
+def total(p: Line, q: Line) -> Line:
+    """Return p + q."""
+    c = tuple([a + b for a, b in zip(p[0], q[0], strict=True)])
+    return c, (p[1] + q[1] + size(c) * _ROUND) * _UP
+
+
+def product(p: Line, q: Line) -> Line:
+    """Return p q; terms of a degree above n go into the error."""
+    (a, e), (b, f) = p, q
+    back = b[::-1]
+    c = tuple([sum(map(mul, a[: k + 1], back[DEGREE - k :])) for k in _ORDERS])
+    left, right = list(map(mul, map(abs, a), _WEIGHTS)), list(map(mul, map(abs, b), _WEIGHTS))
+    ends = list(accumulate(right[::-1]))  # of the last coefficients
+    tail = sum(map(mul, left[1:], ends))
+    x, y = sum(left), ends[-1]
+    return c, (tail + e * (y + f) + f * x + x * y * _ROUND + _TINY) * _UP
+
+
+def ends(p: Line) -> tuple[float, float]:
+    """Return a lower and an upper bound of p."""
+    c, e = p
+    spread = sum(map(abs, c)) - abs(c[0]) + e
+    more = (abs(c[0]) + spread) * _ROUND + _TINY
+    return c[0] - (spread + more) * _UP, c[0] + (spread + more) * _UP
+
+
+def trigonometric(c: Coefficients) -> tuple[Line, Line]:
+    """Return the cosine and the sine of a polynomial."""
+    C, S = waves(c)
+    slopes = list(map(mul, map(abs, c[1:]), _ORDERS[1:]))  # of degrees 0 to n - 1
+    sizes = [abs(a) + abs(b) for a, b in zip(C, S, strict=True)]
+    last = list(accumulate(sizes[::-1]))  # of degrees n, n and n - 1, ...
+    tail, steep = sum(map(mul, slopes, last)), sum(slopes)
+    noise = (1 + steep * last[-1]) * _ROUND
+    e = noise + tail / (DEGREE + 1)
+    e = (e + (tail + noise + steep * e) / 4) * _UP + _TINY
+    return (C, e), (S, e)
+
+
+def waves(c: Coefficients) -> tuple[Coefficients, Coefficients]:
+    """Return the first coefficients of the cosine and the sine of a polynomial, nearly."""
+    cos, sin = cos_sin(c[0])
+    C, S = [cos], [sin]
+    slopes = list(map(mul, c[1:], _ORDERS[1:]))
+    for k in _ORDERS[1:]:
+        past = slopes[k - 1 :: -1]
+        C.append(-sum(map(mul, past, S)) / k)
+        S.append(sum(map(mul, past, C)) / k)
+    return tuple(C), tuple(S)
+
+
+def half(p: Line, side: float) -> Line:
+    """Return p on [-1, 0] or [0, 1], for the side -1 or 1, as a function on [-1, 1]."""
+    c, e = p
+    found, scale = list[float](), 1.0
+    for k in _ORDERS:
+        signs, more = 1.0, 0.0
+        for j in range(k, DEGREE + 1):
+            more += c[j] * _BINOMIALS[j][k] * signs * 0.5 ** (j - k)
+            signs *= side
+        found.append(more * scale)
+        scale /= 2
+    return tuple(found), (e + sum(map(abs, c)) * 8 * _ROUND) * _UP
+
+
+def slopes(p: Line, steep: float | None = None) -> tuple[float, float]:
+    """Return a lower and an upper bound of the derivative of p.
+
+    ``steep`` bounds that of what is left, if it is known to be less than 4 e.
+    """
+    c, e = p
+    bends = sum(map(mul, map(abs, c[2:]), _ORDERS[2:])) + (4 * e if steep is None else steep)
+    more = (bends + abs(c[1])) * _ROUND + _TINY
+    return c[1] - (bends + more) * _UP, c[1] + (bends + more) * _UP
+
+
+def at_ends(p: Line) -> tuple[float, float]:
+    """Return p at X = -1 and at X = 1, but for the error and rounding (`blur`)."""
+    even, odd = sum(p[0][::2]), sum(p[0][1::2])
+    return even - odd, even + odd
+
+
+def blur(p: Line) -> float:
+    """Return a bound of what is wrong with `at_ends`."""
+    return (p[1] + sum(map(abs, p[0])) * 2 * _ROUND) * _UP + _TINY
