@@ -60,7 +60,7 @@ _MOST = 40  # events
 _NONE, _ONE = (0.0, 0.0), (1.0, 0.0)
 
 
-class Event(NamedTuple):
+class Happening(NamedTuple):
     """The time T_0 of an event, with cosine and sine, and D = T_0 - ref.
 
     ``e`` bounds the error of T_0 without those of A and B, ``e_all`` with them; k e the error of
@@ -104,15 +104,15 @@ def released(y: System, p: Line) -> Path:
     return Path((t - e, t + e), t, A[0], B[0], (1.0, 0.0, 0.0, 1.0), errors, errors, 1)
 
 
-def event(f: Path, T: Coefficients) -> Event:
+def event(f: Path, T: Coefficients) -> Happening:
     """Return the event at T, of which nothing is shown."""
     cos, sin = line.trigonometric(T)
     lag = (abs(T[0]) + abs(f.ref)) * TURN
     D = line.moved((T, 0.0), -f.ref, lag)
-    return Event(T, cos, sin, D, line.BEND * (line.bound(cos) + line.bound(sin)) * UP)
+    return Happening(T, cos, sin, D, line.BEND * (line.bound(cos) + line.bound(sin)) * UP)
 
 
-def certain(h: Event, m: float, change: float, left: Pair, K: float) -> Event:
+def certain(h: Happening, m: float, change: float, left: Pair, K: float) -> Happening:
     """Prove that the event takes place close to T_0.
 
     ``change`` bounds F' - m, ``left`` F(T_0) without and with the errors of A and B.
@@ -132,12 +132,12 @@ def influence(f: Path, D: Line, more: float = 0.0) -> float:
     return (p + (far + abs(d) * TURN) * f.errors[0] + f.errors[1] * TURN) * UP
 
 
-def speed(y: System, f: Path, h: Event) -> Line:
+def speed(y: System, f: Path, h: Happening) -> Line:
     """Return s at T_0, without errors."""
     return line.total(line.total(h.sin, line.scaled(h.D, -y.a, y.a_error)), (f.A, 0.0))
 
 
-def place(y: System, f: Path, h: Event) -> Line:
+def place(y: System, f: Path, h: Happening) -> Line:
     """Return p at T_0, without errors."""
     drag = line.scaled(h.D, -y.a / 2, y.a_error)
     ahead = line.product(h.D, line.total(drag, (f.A, 0.0)))
@@ -208,7 +208,7 @@ def stop(y: System, f: Path, near: float, k: int) -> tuple[float, Path | Line]:
     return h.ends[0], turned(y, f, h, ahead)
 
 
-def turned(y: System, f: Path, h: Event, ahead: Line) -> Path:
+def turned(y: System, f: Path, h: Happening, ahead: Line) -> Path:
     """Return the flight after a turn, with p = ``ahead``."""
     c, D, tau = balls(h)
     a = y.a, y.a_error
@@ -220,19 +220,19 @@ def turned(y: System, f: Path, h: Event, ahead: Line) -> Path:
     return followed(y, f, h, ref, (A, B), J)._replace(slow=1)
 
 
-def balls(h: Event) -> tuple[Pair, Pair, Pair]:
+def balls(h: Happening) -> tuple[Pair, Pair, Pair]:
     """Return balls of functions around numbers: the cosine, T - ref, and T - pi - ref'."""
     c = h.cos[0][0], (line.rest(h.cos) + h.k * h.e_all) * UP
     D = h.D[0][0], (line.rest(h.D) + h.e_all) * UP
     return c, D, (0.0, (line.rest((h.T, 0.0)) + h.e_all + _lag(h)) * UP)
 
 
-def _lag(h: Event) -> float:
+def _lag(h: Happening) -> float:
     """Return a bound of what is wrong with the time after folding."""
     return (abs(h.T[0]) + 8) * TURN
 
 
-def folded(y: System, h: Event) -> tuple[float, Line]:
+def folded(y: System, h: Happening) -> tuple[float, Line]:
     """Return ref in [-pi, pi] and d' with T - pi = ref + d', modulo 2 pi."""
     ref = h.T[0] - y.pi[0]
     k = round(ref / (2 * math.pi))
@@ -242,14 +242,16 @@ def folded(y: System, h: Event) -> tuple[float, Line]:
     return ref, ((0.0, *h.T[1:]), error * UP)
 
 
-def start(y: System, A: Line, d: Line, h: Event) -> Line:
+def start(y: System, A: Line, d: Line, h: Happening) -> Line:
     """Return -cos T + a d^2/2 - A d: B after the event, but for p."""
     half = line.scaled(d, y.a / 2, y.a_error)
     back = line.product(d, line.total(half, line.scaled(A, -1.0)))
     return line.total(line.scaled(line.widened(h.cos, h.k * h.e), -1.0), back)
 
 
-def followed(y: System, f: Path, h: Event, ref: float, models: tuple[Line, Line], J: Four) -> Path:
+def followed(
+    y: System, f: Path, h: Happening, ref: float, models: tuple[Line, Line], J: Four
+) -> Path:
     """Return the flight with models A, B after an event, the errors before carried by J."""
     (A, a), (B, b) = models
     C, R, errors = carried((f.C, f.R, f.errors), J, (a, b))
