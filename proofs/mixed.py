@@ -23,7 +23,7 @@ arithmetic of the checker (`cap.checker.folded`), which is asked for what it can
 second one for them.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -39,7 +39,6 @@ from cap.checker.folded.backward import System
 from cap.checker.folded.masses import Places
 from cap.checker.folded.regions import UNIT, Region
 from cap.checker.folded.regions import Leaf as Followed
-from cap.checker.folded.strip import Strip
 from cap.checker.folded.strips import entered, half_strip, strip_area
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.folded.tree import NOTHING
@@ -59,7 +58,7 @@ SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**3)  # of a share: where the checker cannot follow as far as the prover
 WORTH, LEAST = 1e-5, 1e-7  # areas that are missing of a region before it is cut: at first, at last
 LEAVES, MOST = 25_000, 90_000  # regions that are followed: as a rule, and if more is asked for
-STRIP, FLIGHTS = 2e-4, 24  # a part of the strip that is not cut: its size; flights followed
+STRIP, FLIGHTS, EVEN = 5e-5, 24, 3  # of the strip: parts that are not cut; flights; first cuts
 
 
 def prove(setting: Setting) -> Proof:
@@ -96,7 +95,7 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     """
     runner, p, V = setting.runner, setting.parameters, speed_of(setting)
     known, hints["places"]["tree"] = by_places(setting, theorem)
-    strip, hints["strip"] = by_strip(theorem)
+    strip, hints["strip"] = by_strip(setting, theorem)
     whole, worth = 2 * theorem.region()[0] * theorem.region()[1], WORTH
     while True:
         trees = sticks.search(p, V, Plan(worth), runner)
@@ -162,37 +161,65 @@ def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
     return search.places(), tree
 
 
-def by_strip(theorem: Mixed) -> tuple[Fraction, dict[str, str]]:
+def by_strip(setting: Setting, theorem: Mixed) -> tuple[Fraction, dict[str, str]]:
     """Return the area of states that go to the segment without a stick, and the trees for it."""
-    y, strip = System(theorem.p), theorem.strip()
-    V = below(theorem.region()[1])
+    y, strip, V = System(theorem.p), theorem.strip(), below(theorem.region()[1])
     total, texts = Fraction(strip_area(y, strip)), dict[str, str]()
     for name, fast in (("slow", False), ("fast", True)):
         root, (low, high) = half_strip(y, strip, fast=fast)
-        area_of = partial(area_entered, y, strip, V, fast)
-        numbers, area = entering(area_of, root, (high - low) * strip.k)
+        long = (high - low) * strip.k
+        step = partial(entering, partial(entered, y, strip, V), fast, long)
+        parts = list(evenly(root, long, EVEN))
+        found = setting.runner.map(step, parts, "strip", processes=True)
+        numbers, area = joined(root, long, EVEN, iter(found))
         total += Fraction(area)
         texts[name] = written(numbers)
     return total, texts
 
 
-def area_entered(y: System, strip: Strip, V: float, fast: bool, leaf: Followed) -> float:
-    """Return what enters a part of the strip."""
-    return entered(y, strip, V, (leaf, fast))
+Found = tuple[list[int], float]
+"""The numbers of a tree, and the area that it gives."""
 
 
-def entering(area: Callable[[Followed], float], region: Region, long: float) -> Any:
-    """Return the tree of a region, and the area that it gives; ``long``: its size along z."""
-    found = area(Followed(region, FLIGHTS))
+def halved(region: Region, long: float) -> tuple[list[int], tuple[Region, Region]]:
+    """Return how a region is cut across its longer side, and its parts; ``long``: that of z."""
+    if (region.high[0] - region.low[0]) * UNIT > long * 0.5**region.n:
+        return [2, 0, 0, 0], region.parts((0, 0, 0))
+    return [1], region.halves()
+
+
+def evenly(region: Region, long: float, depth: int) -> Iterator[Region]:
+    """Give the parts of a region that is cut so often."""
+    if not depth:
+        yield region
+        return
+    for part in halved(region, long)[1]:
+        yield from evenly(part, long, depth - 1)
+
+
+def joined(region: Region, long: float, depth: int, found: Iterator[Found]) -> Found:
+    """Return the tree of a region from those of its parts."""
+    if not depth:
+        return next(found)
+    how, parts = halved(region, long)
+    (first, a), (second, b) = (joined(part, long, depth - 1, found) for part in parts)
+    return ([*how, *first, *second], a + b) if a + b else ([0], 0.0)
+
+
+def entering(
+    area: Callable[[tuple[Followed, bool]], float],
+    fast: bool,
+    long: float,
+    region: Region,
+) -> Found:
+    """Return the tree of a part of the strip, and the area of what enters it."""
+    found = area((Followed(region, FLIGHTS), fast))
     wide = (region.high[0] - region.low[0]) * UNIT
-    here = long * 0.5**region.n
-    if found or wide * here < STRIP:
+    if found or wide * long * 0.5**region.n < STRIP:
         return ([FLIGHTS + 2], found) if found else ([0], 0.0)
-    parts = region.parts((0, 0, 0)) if wide > here else region.halves()
-    (first, a), (second, b) = (entering(area, part, long) for part in parts)
-    if not a + b:
-        return [0], 0.0
-    return [*([2, 0, 0, 0] if wide > here else [1]), *first, *second], a + b
+    how, parts = halved(region, long)
+    (first, a), (second, b) = (entering(area, fast, long, part) for part in parts)
+    return ([*how, *first, *second], a + b) if a + b else ([0], 0.0)
 
 
 def speed_of(setting: Setting) -> Fraction:

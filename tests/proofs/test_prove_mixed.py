@@ -107,7 +107,7 @@ def test_no_more_is_undecided_than_asked_for(monkeypatch):
     counts = iter([0.3, 0.6, 0.9])
     monkeypatch.setattr(mixed.sticks, "search", search)
     monkeypatch.setattr(mixed, "by_places", lambda *_: (None, "0"))
-    monkeypatch.setattr(mixed, "by_strip", lambda _: (Fraction(0), {}))
+    monkeypatch.setattr(mixed, "by_strip", lambda *_: (Fraction(0), {}))
     whole = Fraction(12)
     monkeypatch.setattr(
         mixed,
