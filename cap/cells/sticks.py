@@ -57,6 +57,7 @@ FLIGHTS, SIZE = 60, 3.0
 WIDEST = 8  # edges are doubles with a bounded error for walls that are not farther apart
 FOLLOWED = 2  # plus the flights
 STEPS = 30
+MORE = np.array([-(2.0**-36), 2.0**-36])  # more than the errors of edges, and of the width
 
 Edge = tuple[int, int, int]
 """In units of 2^-80."""
@@ -79,6 +80,19 @@ class Tree:
     weights: Floats
     flights: Integers
     places: Floats
+    sides: Floats
+    late: bool
+
+    def spans(self, parts: int) -> Floats:
+        """Return bounds of the places over equal parts of the times: (N, parts, 2).
+
+        At each time the measure of a set of places in a region is at most that of its part in these
+        bounds: so the mean of that over the parts, times the weight, bounds the area.
+        """
+        low, high = _range(self.sides[:, :3], parts)[0], _range(self.sides[:, 3:], parts)[1]
+        far = self.lowest * 2.0**-80
+        ends = (low - far, high - far) if self.late else (-high, -low)
+        return np.asarray(np.stack(ends, axis=-1) + MORE, np.float64)
 
     @cached_property
     def past(self) -> list[int]:
@@ -133,6 +147,15 @@ class Tree:
             n += 1
 
 
+def _range(edges: Floats, parts: int) -> tuple[Floats, Floats]:
+    """Return bounds of edges (N, 3) over equal parts of [-1, 1]: (N, parts)."""
+    half = 1 / parts
+    Y = half * (2 * np.arange(parts) + 1) - 1
+    a, b, c = (edges[:, k, None] for k in range(3))
+    value, far, bend = a + Y * (b + Y * c), np.abs(b + 2 * Y * c) * half, c * half * half
+    return value - far + np.minimum(0.0, bend), value + far + np.maximum(0.0, bend)
+
+
 def halved(e: Edge, side: int) -> Edge:
     """Return an edge over one half of its times, exactly: at most 20 times since it was made."""
     a, b, c = e
@@ -161,8 +184,8 @@ def search(p: Parameters, V: Fraction, plan: Plan, runner: Runner) -> tuple[Tree
     first, second = joined(parts[:PARTS]), joined(parts[PARTS:])
     far, more = float(width), 2.0**-40
     return (
-        _tree(width, first, -first.values[:, :2:-1]),
-        _tree(width, second, second.values[:, 3:] + (far - more, far + more)),
+        _tree(width, first, -first.values[:, 4:2:-1], late=False),
+        _tree(width, second, second.values[:, 3:5] + (far - more, far + more), late=True),
     )
 
 
@@ -182,11 +205,11 @@ def bottom(width: Fraction) -> int:
     return -(width * 2**40 // 1) << 40
 
 
-def _tree(width: Fraction, nodes: Nodes, places: Floats) -> Tree:
+def _tree(width: Fraction, nodes: Nodes, places: Floats, *, late: bool) -> Tree:
     """Return a tree."""
     areas, weights, last = nodes.values[:, 0], nodes.values[:, 1], nodes.values[:, 2]
-    flights = last.astype(np.int64)
-    return Tree(bottom(width), nodes.kinds, nodes.edges, areas, weights, flights, places)
+    found = areas, weights, last.astype(np.int64), places, nodes.values[:, 5:]
+    return Tree(bottom(width), nodes.kinds, nodes.edges, *found, late)
 
 
 def joined(parts: Sequence[Nodes]) -> Nodes:

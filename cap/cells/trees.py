@@ -24,7 +24,7 @@ Integers = NDArray[np.int64]
 GRAIN = 2.0**-40
 SHORTEST = 2.0**-20  # of an arc
 LEAF, HALVES, CUT = 0, 1, 2
-COLUMNS, VALUES = 14, 5
+COLUMNS, VALUES = 14, 11
 POINTS = 2  # of a region, in each direction, from which orbits tell what to hope for
 EQUAL = 0.02  # part of the gain by a cut that another one must have less
 
@@ -62,8 +62,8 @@ class Search(NamedTuple):
 class Nodes(NamedTuple):
     """Nodes of a tree (N,), each before its parts.
 
-    ``kinds`` (N,): see above; ``edges`` (N, 3) of cuts; ``values`` (N, 5): the area, the weight and
-    the flights of `cap.cells.regions.Seen`, as if nothing was cut, and bounds of q.
+    ``kinds`` (N,): see above; ``edges`` (N, 3) of cuts; ``values`` (N, 11): the area, the weight
+    and the flights of `cap.cells.regions.Seen`, as if nothing was cut, bounds of q, and both edges.
     """
 
     kinds: Integers
@@ -163,6 +163,8 @@ def _note(nodes: Nodes, n: int, row: Floats) -> None:
     values[0], values[1], values[2] = row[8], row[9], row[10]
     values[3] = lowest((row[0], row[1], row[2])) - more
     values[4] = more - lowest((-row[3], -row[4], -row[5]))
+    for i in range(6):
+        values[5 + i] = row[i]
 
 
 @kernel

@@ -106,6 +106,20 @@ def test_text_gives_the_regions(trees):
                 assert max(places) <= place[1]
 
 
+def test_spans_bound_the_places_of_each_part(trees):
+    """At every time; and they are not wider than they have to be."""
+    for second, tree in enumerate(trees):
+        spans = tree.spans(8)[leaves(tree)]
+        assert np.diff(spans).mean() < np.diff(tree.places[leaves(tree)]).mean()
+        for (low, high, *_), parts in zip(read(tree), spans, strict=True):
+            for k, (least, most) in enumerate(parts):
+                for Y in (Fraction(k, 4) - 1, Fraction(3 * k + 1, 12) - 1, Fraction(k + 1, 4) - 1):
+                    ends = value(low, Y), value(high, Y)
+                    places = [2 + q for q in ends] if second else [-q for q in ends]
+                    assert least <= min(places)
+                    assert max(places) <= most
+
+
 def leaves(tree):
     """Return which nodes are followed if all that is seen is worth it."""
     return tree.best(tree.areas, 0.0)
