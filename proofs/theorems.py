@@ -74,7 +74,7 @@ def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
     for guard in GUARDS:
         sharper = replace(setting, guard=guard)
         try:
-            proved = _followed(theorem.prove(sharper))
+            proved = _followed(theorem.prove(sharper), setting.runner.jobs)
             break
         except TooFewDigits:
             if guard == GUARDS[-1]:
@@ -83,7 +83,7 @@ def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
     return {**proved, "provenance": certificate.provenance(sharper.bits, seconds)}
 
 
-def _followed(proof: Proof) -> dict[str, Any]:
+def _followed(proof: Proof, jobs: int) -> dict[str, Any]:
     """Return the certificate for the largest of the `PARTS` to which the checker can follow."""
     rejection, before = "", None
     for part in PARTS:
@@ -92,7 +92,7 @@ def _followed(proof: Proof) -> dict[str, Any]:
             break  # nothing in it depends on the part
         before = proved
         try:
-            check(certificate.dumps(proved).encode(), lambda _step: None)
+            check(certificate.dumps(proved).encode(), lambda _step: None, jobs)
         except Rejected as reason:
             rejection = str(reason)
         else:
