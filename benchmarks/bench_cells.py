@@ -1,13 +1,13 @@
 """Speed of the flow of cells, in processor time, all in one run.
 
-    python benchmarks/bench_cells.py [cells] [existence] [linear] [memory] [processes]
+    python benchmarks/bench_cells.py [cells] [existence] [linear] [memory] [workers]
 
 *cells*: boxes of random states, |x| < 1, |v| < 2, at the paper's parameters, followed for a period
 through any events; certified with the derivative are those counted.  *existence*: Krawczyk's proof
 of the elliptic orbit over a box of half-width 1e-9, with itinerary, trace and rotation number.
 *linear*: time per cell of more and more cells.  *memory*: what a sweep adds to the largest memory
-of a process.  *processes*: the same sweep on one and on two, in wall time, which needs a quiet
-machine, and in processor time.
+of a process.  *workers*: the same sweep here, on two threads and on two processes, in wall time,
+which needs a quiet machine at least once in the rounds.
 """
 
 import multiprocessing
@@ -15,7 +15,10 @@ import resource
 import sys
 import time
 from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -27,6 +30,7 @@ from cap.runner import Runner
 
 ELLIPTIC = 0.1002798898441967, 0.5419433067664595
 COUNT = 50_000
+ROUNDS = 6
 
 
 def random_cells(count, width):
@@ -81,15 +85,15 @@ def grid(columns, rows):
     )
 
 
-def swept(request, jobs=1):
-    return sum(part.stop - part.start for part, _ in sweep(request, Runner(jobs), 25_000))
+def swept(request, runner):
+    return sum(part.stop - part.start for part, _ in sweep(request, runner))
 
 
 def grown(count, answer):
     """Tell by how many megabytes a sweep raises the largest memory, once it has begun."""
-    swept(grid(1_000, 50))
+    swept(grid(1_000, 50), Runner())
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    swept(grid(1_000, count // 1_000))
+    swept(grid(1_000, count // 1_000), Runner())
     after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     answer.put((after - before) / 1024)
 
@@ -110,25 +114,48 @@ def processor():
     return sum(each.ru_utime + each.ru_stime for each in used)
 
 
-def processes():
-    request, took, used, started = grid(1_000, 2_000), {}, {}, {}
-    for jobs in (1, 2):
-        before = processor()
-        swept(grid(1_000, 50), jobs)
-        began, started[jobs] = time.perf_counter(), processor() - before
-        swept(request, jobs)
-        took[jobs] = time.perf_counter() - began
-        used[jobs] = processor() - before - started[jobs]
-    print(f"2e6 cells: {took[1]:.1f} s, on two processes {took[2]:.1f} s in wall time")
-    more = used[2] - started[2]
-    print(
-        f"processor time {used[1]:.1f} s and {more:.1f} s, beside {started[2]:.1f} s for the start "
-        f"of two processes: at most {2 * used[1] / more:.2f} times as fast"
-    )
+def pool():
+    return ProcessPoolExecutor(2, multiprocessing.get_context("spawn"))
+
+
+def on_fresh_processes(request):
+    with pool() as executor:
+        swept(request, Runner(executor=executor))
+
+
+def timed(work):
+    """Return the wall time and the processor time of a call."""
+    began, used = time.perf_counter(), processor()
+    work()
+    return time.perf_counter() - began, processor() - used
+
+
+def workers():
+    """Print the least wall time of each way; the rounds go through all ways in turns."""
+    request, took = grid(1_000, 1_000), {}
+    with TemporaryDirectory() as folder, pool() as started:
+        journal = Path(folder, "journal")
+        ways = {
+            "here": lambda: swept(request, Runner()),
+            "two threads": lambda: swept(request, Runner(2)),
+            "two processes that have begun": lambda: swept(request, Runner(executor=started)),
+            "two processes": lambda: on_fresh_processes(request),
+            "here, with a journal": lambda: swept(request, Runner(journal=journal)),
+            "two threads, with a journal": lambda: swept(request, Runner(2, journal=journal)),
+        }
+        for _ in range(ROUNDS):
+            for name, work in ways.items():
+                took.setdefault(name, []).append(timed(work))
+                journal.unlink(missing_ok=True)
+    alone = {end: min(took[f"here{end}"])[0] for end in ("", ", with a journal")}
+    for name, times in took.items():
+        wall, used = min(times)
+        ratio = alone[", with a journal" if "journal" in name else ""] / wall
+        print(f"{name}: {wall:.2f} s, {ratio:.2f} times as fast, {used:.2f} s of the processor")
 
 
 WORK: dict[str, Callable[[], None]] = {
-    each.__name__: each for each in (cells, existence, linear, memory, processes)
+    each.__name__: each for each in (cells, existence, linear, memory, workers)
 }
 
 if __name__ == "__main__":

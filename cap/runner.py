@@ -38,8 +38,9 @@ class Plan(Generic[A, B]):
     the tasks that a result calls for.  ``weight`` is the size of a task, ``total`` that of all;
     with ``words`` the progress is told under this name.
 
-    With ``threads`` the function releases the interpreter lock and may write to arrays: it stays in
-    this process.  Else ``function``, tasks and results are pickled where there is an executor.
+    Our own workers are processes; with ``threads``, where the function releases the interpreter
+    lock, they are threads: nothing is loaded again for them, and nothing pickled.  With ``inside``,
+    where it writes to arrays, say, it is done by our own workers whatever the executor is.
     """
 
     key: str = ""
@@ -51,16 +52,17 @@ class Plan(Generic[A, B]):
     total: float | None = None
     words: str = ""
     threads: bool = False
+    inside: bool = False
 
 
 @dataclass
 class Runner:
-    """How tasks are done: on which executor (None: ``jobs`` processes, or here if that is 1).
+    """How tasks are done: on which executor (None: ``jobs`` workers of our own, or here if 1).
 
     ``journal``: where results are kept.  After ctrl-C what is done is kept, ``interrupted`` is set,
     and no other task begins; with ``whole``, `KeyboardInterrupt` is raised (the journal has what is
-    done).  Processes of our own end at once, an executor's finish what they have begun.  ``jobs``
-    is the number of workers of an executor that does not tell it.
+    done).  Processes of our own end at once, threads and an executor finish what they have begun.
+    ``jobs`` is the number of workers of an executor that does not tell it.
     """
 
     jobs: int = 1
@@ -97,7 +99,8 @@ class Runner:
         In threads, unless ``processes``.
         """
         done: dict[int, B] = {}
-        plan = Plan[tuple[int, A], B](words=words, total=len(tasks), threads=not processes)
+        here = not processes
+        plan = Plan[tuple[int, A], B](words=words, total=len(tasks), threads=here, inside=here)
         with self.keeping():
             for (k, _), result in self.run(_Second(function), enumerate(tasks), plan):
                 done[k] = result
@@ -119,7 +122,7 @@ class Runner:
 
     def _pool(self, plan: Plan[A, B]) -> Any:
         """Return what gives the executor; threads and processes of our own end with it."""
-        if self.executor is not None and not plan.threads:
+        if self.executor is not None and not plan.inside:
             return nullcontext(self.executor)
         if self.jobs == 1 or (plan.total is not None and plan.total < 2):
             return nullcontext()
@@ -134,6 +137,18 @@ class _Second(Generic[A, B]):
 
     def __call__(self, pair: tuple[int, A]) -> B:
         return self.function(pair[1])
+
+
+@dataclass(frozen=True)
+class _Written(Generic[A, B]):
+    """A function, and its result as a string if that is asked for: both are the worker's work."""
+
+    function: Callable[[A], B]
+    encode: Callable[[B], str] | None
+
+    def __call__(self, task: A) -> tuple[B, str | None]:
+        result = self.function(task)
+        return result, self.encode(result) if self.encode else None
 
 
 @contextmanager
@@ -161,16 +176,17 @@ class _Run(Generic[A, B]):
         self, runner: Runner, pool: futures.Executor | None, memo: Journal | None, plan: Plan[A, B]
     ) -> None:
         self.runner, self.pool, self.memo, self.plan = runner, pool, memo, plan
-        self.working: dict[futures.Future[B], A] = {}
+        self.working: dict[futures.Future[tuple[B, str | None]], A] = {}
         self.extra: deque[A] = deque()
         self.done = 0.0
 
     def results(self, function: Callable[[A], B], tasks: Iterable[A]) -> Iterator[tuple[A, B]]:
         """Give the results."""
         waiting = iter(tasks)
+        work = _Written(function, self.plan.encode if self.memo else None)
         try:
             while True:
-                yield from self._begin(function, waiting)
+                yield from self._begin(work, waiting)
                 if not self.working:
                     return
                 finished, _ = futures.wait(self.working, return_when=futures.FIRST_COMPLETED)
@@ -180,7 +196,7 @@ class _Run(Generic[A, B]):
             for future in self.working:
                 future.cancel()
 
-    def _begin(self, function: Callable[[A], B], waiting: Iterator[A]) -> Iterator[tuple[A, B]]:
+    def _begin(self, work: "_Written[A, B]", waiting: Iterator[A]) -> Iterator[tuple[A, B]]:
         """Give tasks to the executor while there is room; do them here if there is none."""
         while len(self.working) < self._room():
             found = self._next(waiting)
@@ -191,9 +207,9 @@ class _Run(Generic[A, B]):
             if known is not None:
                 yield self._finish(task, self.plan.decode(known))
             elif self.pool is None:
-                yield self._kept(task, function(task))
+                yield self._kept(task, work(task))
             else:
-                self.working[self.pool.submit(function, task)] = task
+                self.working[self.pool.submit(work, task)] = task
 
     def _next(self, waiting: Iterator[A]) -> list[A]:
         """Return the next task, if there is one; those that results call for come first."""
@@ -206,10 +222,11 @@ class _Run(Generic[A, B]):
         workers = getattr(self.pool, "_max_workers", None) or self.runner.jobs
         return AHEAD * max(workers, self.runner.jobs)
 
-    def _kept(self, task: A, result: B) -> tuple[A, B]:
+    def _kept(self, task: A, done: tuple[B, str | None]) -> tuple[A, B]:
         """Write a result to the journal, and note it."""
-        if self.memo:
-            self.memo.put(self.plan.name(task), self.plan.encode(result))
+        result, text = done
+        if self.memo and text is not None:
+            self.memo.put(self.plan.name(task), text)
         return self._finish(task, result)
 
     def _finish(self, task: A, result: B) -> tuple[A, B]:

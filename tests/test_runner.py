@@ -1,8 +1,11 @@
 """The runner of pieces: order, executors, the journal, ctrl-C, progress, bounded numbers."""
 
+import json
 import os
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from itertools import count, islice
+from multiprocessing import get_context
+from threading import get_ident
 
 import pytest
 
@@ -24,6 +27,11 @@ def interrupting(after):
         return square(n)
 
     return function
+
+
+def process(_):
+    """Return the number of the process that does this, as a string."""
+    return str(os.getpid())
 
 
 def dying(n):
@@ -48,6 +56,23 @@ def test_ctrl_c_keeps_what_is_done(jobs):
     assert found == [n * n for n in range(len(found))]
     assert len(found) <= 5
     assert runner.map(square, [1], "test") == []
+
+
+def test_where_the_work_is_done():
+    """Here if alone; else in threads, if that may be, or processes; an executor's if it may."""
+    here = process(None)
+    with ProcessPoolExecutor(1, get_context("spawn")) as executor:
+        for runner, plan, is_here in (
+            (Runner(), Plan(), True),
+            (Runner(2), Plan(), False),
+            (Runner(2), Plan(threads=True), True),
+            (Runner(executor=executor), Plan(threads=True), False),
+            (Runner(2, executor=executor), Plan(threads=True, inside=True), True),
+        ):
+            assert all((n == here) == is_here for _, n in runner.run(process, range(2), plan))
+    threads = {n for _, n in Runner(2).run(lambda _: get_ident(), range(9), Plan(threads=True))}
+    assert get_ident() not in threads
+    assert len(threads) <= 2
 
 
 def test_ctrl_c_of_what_is_done_whole_or_not_at_all():
@@ -101,6 +126,17 @@ def test_a_journal_is_gone_on_with(tmp_path):
     assert again == [3, 4, 5]
     with pytest.raises(BadInput, match="something else"):
         list(runner.run(square, range(6), Plan(key="cubes", decode=int)))
+
+
+def test_workers_write_what_a_journal_keeps(tmp_path):
+    """It may take long; so it is not left to the process that asks."""
+    path = tmp_path / "journal"
+    with ProcessPoolExecutor(1, get_context("spawn")) as executor:
+        found = dict(
+            Runner(executor=executor, journal=path).run(process, [0], Plan(encode=process))
+        )
+    (line,) = path.read_text(encoding="ascii").splitlines()[1:]
+    assert json.loads(line) == ["0", found[0]]
 
 
 def test_progress():

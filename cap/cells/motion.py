@@ -13,6 +13,7 @@ from cap.cells.flight import (
     slow,
     spread,
 )
+from cap.cells.results import LONGEST
 from cap.sets.compiled import kernel
 from cap.sets.doubles import Interval, is_positive, lower, upper, widened
 from cap.sets.records import Record
@@ -22,7 +23,6 @@ FLY, REST, WALL, NEAR, LOST = 0, 1, 2, 3, 4
 HIT_R, HIT_L, TURN_RIGHT, TURN_LEFT, STICK, CAPTURE_R, CAPTURE_L, RELEASE_R, RELEASE_L = range(9)
 # the places in `cap.flow.words.WORDS`
 STOPPED = 9  # a turn, a stick or a capture: not a word, but a bit beside theirs
-LONGEST = 15  # words of an itinerary that a number keeps: four bits each
 
 
 class Motion(Record):

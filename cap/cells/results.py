@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.cells.motion import LONGEST
 from cap.errors import BadInput
 from cap.flow.words import WORDS
 
 Floats = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
+LONGEST = 15  # words of an itinerary that a number keeps: four bits each
 SMOOTH, UNION, OPEN = 0, 1, 2
 RELEASED, MOVING, UNDECIDED, SETTLED = 0, 1, 2, 3
 
@@ -54,6 +54,10 @@ class Images:
     def __len__(self) -> int:
         return len(self.verdict)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle integers in as few bytes as they need: processes send them through pipes."""
+        return _unpickled, tuple(_narrow(getattr(self, field.name)) for field in fields(self))
+
     @classmethod
     def unknown(cls, n: int) -> "Images":
         """Return what is known of n cells before they have been followed."""
@@ -69,6 +73,21 @@ class Images:
         """Return the images of several arrays of cells as one."""
         names = [field.name for field in fields(cls)]
         return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+
+
+def _narrow(array: NDArray[Any]) -> NDArray[Any]:
+    """Return an array with the narrowest signed integers that its numbers fit in."""
+    if array.dtype != np.int64 or not array.size:
+        return array
+    ends = np.array([array.min(), array.max()])
+    for narrow in (np.int8, np.int16, np.int32):
+        if (ends.astype(narrow) == ends).all():
+            return array.astype(narrow)
+    return array
+
+
+def _unpickled(verdict: NDArray[np.int8], *arrays: Any) -> Images:
+    return Images(verdict, *(a if a.dtype.kind == "f" else a.astype(np.int64) for a in arrays))
 
 
 def words_of(itinerary: int) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass, fields
 from fractions import Fraction
 from functools import partial
-from itertools import pairwise
+from math import ceil, lcm
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,8 @@ from cap.runner import Plan, Runner
 
 Floats = NDArray[np.float64]
 
-PIECE = 50_000  # cells: some tenths of a second
+PIECE = 25_000  # cells, times periods: a tenth of a second
+LEAST = 1_000  # cells: what is done once for a piece takes less than a fifth of it
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,14 +60,17 @@ class Grid:
 def _edges(ends: tuple[Fraction, Fraction], parts: int, first: int, last: int) -> Floats:
     """Return the edges of the parts from ``first`` to before ``last``."""
     low, high = Fraction(ends[0]), Fraction(ends[1])
-    edges = [float(low + (high - low) * k / parts) for k in range(first, last + 1)]
-    if first == 0 and edges[0] > low:
-        edges[0] = float(np.nextafter(edges[0], -np.inf))
-    if last == parts and edges[-1] < high:
-        edges[-1] = float(np.nextafter(edges[-1], np.inf))
-    if any(a >= b for a, b in pairwise(edges)):
+    step = (high - low) / parts
+    whole = lcm(low.denominator, step.denominator)
+    origin, width = int(low * whole), int(step * whole)
+    edges = np.array([(origin + width * k) / whole for k in range(first, last + 1)])  # rounded once
+    if first == 0 and float(edges[0]) > low:
+        edges[0] = np.nextafter(edges[0], -np.inf)
+    if last == parts and float(edges[-1]) < high:
+        edges[-1] = np.nextafter(edges[-1], np.inf)
+    if not (edges[:-1] < edges[1:]).all():
         raise BadInput("the cells of a grid are too small for doubles")
-    return np.array(edges)
+    return edges
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,11 +84,16 @@ class Sweep:
     goals: Goals = NOWHERE
 
 
-def sweep(request: Sweep, runner: Runner, piece: int = PIECE) -> Iterator[tuple[slice, Images]]:
+def sweep(
+    request: Sweep, runner: Runner, piece: int | None = None
+) -> Iterator[tuple[slice, Images]]:
     """Give the images of the cells of a grid in pieces, as they come: (which cells, images).
 
-    All pieces together are all cells, unless the runner was interrupted.
+    All pieces together are all cells, unless the runner was interrupted.  ``piece``: how many cells
+    one has, by default fewer if there are more periods; an interrupt waits for those begun.
     """
+    if piece is None:
+        piece = max(PIECE // max(ceil(request.periods), 1), LEAST)
     if piece < 1:
         raise BadInput(f"a piece must have cells: {piece}")
     count = request.grid.count
@@ -96,6 +105,7 @@ def sweep(request: Sweep, runner: Runner, piece: int = PIECE) -> Iterator[tuple[
         weight=lambda part: part.stop - part.start,
         total=count,
         words="cells",
+        threads=True,
     )
     return runner.run(partial(_follow, request), cuts, plan)
 

@@ -24,10 +24,11 @@ def write(words: Sequence[str]) -> int:
     """Print the Coq file of a certificate."""
     parser = Parser(prog="python -m cap.formal", description="Write the Coq file of a certificate.")
     parser.add_argument("file", metavar="CERTIFICATE", help="of an elliptic orbit or a saddle")
+    name = parser.parse_args(words).file
     try:
-        print(theorem.theorem(_read(parser.parse_args(words).file)), end="")
+        print(theorem.theorem(_read(name)), end="")
     except (NotProved, Rejected, OSError) as reason:
-        say(f"error: {_why(reason)}", sys.stderr)
+        say(f"error: {quoted(name)}: {_why(reason)}", sys.stderr)
         return 2
     return 0
 

@@ -4,6 +4,7 @@ Every coloured pixel is proved, by the checker's arithmetic, as far as the theor
 `segment` in the certificate are true; beside it, what floats say.
 """
 
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -12,9 +13,10 @@ from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
 from cap.command import entry
-from cap.command.console import Parser, printable, program, protected, quoted
+from cap.command.console import Parser, program, protected, quoted, say
 from cap.command.option import integer
-from cap.command.progress import Progress
+from cap.command.progress import Progress, answered
+from cap.command.verifier import content
 from cap.errors import BadInput
 from cap.explore.export import IMAGES, kind
 from cap.files import replacing
@@ -25,15 +27,14 @@ def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     options = _parser().parse_args([protected(word) for word in words])
     progress = Progress()
-    try:
+
+    def run() -> int:
         _draw(options.file, options.out, integer(options.jobs, "jobs", (1, 1024), 4), progress)
-    except BadInput as error:
         progress.clear()
-        _parser().error(printable(str(error)))
-    finally:
-        progress.clear()
-    print(quoted(options.out))
-    return 0
+        say(quoted(options.out), sys.stdout)
+        return 0
+
+    return answered(run, progress)
 
 
 def _parser() -> Parser:
@@ -73,7 +74,7 @@ def _draw(file: Path, out: Path, jobs: int, progress: Progress) -> None:
 def _theorem(file: Path) -> Mixed:
     """Return the theorem of a certificate."""
     try:
-        certificate = read(file.read_bytes())
+        certificate = read(content(file))
     except OSError as error:
         raise BadInput(f"cannot read {quoted(file)}: {error.strerror}") from None
     except Rejected as reason:

@@ -1,8 +1,13 @@
 """Sweeps: every cell once, the same however they are cut and wherever they are followed."""
 
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import fields
+import pickle
+import subprocess
+import sys
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from copy import copy
+from dataclasses import fields, replace
 from fractions import Fraction
+from multiprocessing import get_context
 
 import numpy as np
 import pytest
@@ -60,11 +65,30 @@ def test_cuts_do_not_matter(piece):
 
 
 def test_executors_do_not_matter(whole):
-    """Threads, processes."""
+    """Workers of our own, which are threads; a pool's threads, or processes."""
     assert same(collected(Runner()), whole)
+    assert same(collected(Runner(2), 50), whole)
     with ThreadPoolExecutor(2) as executor:
         assert same(collected(Runner(executor=executor)), whole)
-    assert same(collected(Runner(2), 300), whole)
+    with ProcessPoolExecutor(1, get_context("spawn")) as executor:
+        assert same(collected(Runner(executor=executor), 300), whole)
+
+
+def test_who_only_asks_does_not_load_the_compiler():
+    """Where the work is done elsewhere; it takes longer to load than all else."""
+    code = "import sys, cap.cells.sweep; sys.exit('numba' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_images_are_pickled_in_few_bytes(whole):
+    """They come out as they went in, whatever the size of the numbers; also those of no cell."""
+    assert len(pickle.dumps(whole)) < 120 * len(whole)
+    large = replace(whole, label=whole.label + 2**61, itinerary=whole.itinerary // 2 * 2**40)
+    for images in (whole, large, Images.unknown(0)):
+        found = copy(images)  # by what is pickled
+        assert same(found, images)
+        for field in fields(Images):
+            assert getattr(found, field.name).dtype == getattr(images, field.name).dtype
 
 
 def test_a_cluster(whole):
@@ -99,6 +123,15 @@ def test_ctrl_c_and_the_journal(whole, tmp_path, monkeypatch):
     for request, piece in ((other, 150), (REQUEST, 100)):
         with pytest.raises(BadInput, match="something else"):
             collected(Runner(journal=tmp_path / "journal"), piece, request)
+
+
+def test_pieces_are_smaller_where_there_are_more_periods(monkeypatch):
+    """So that an interrupt does not wait for long; but not so small that the rest counts."""
+    monkeypatch.setattr(sweeping, "flow", lambda _p, cells, *_, **__: Images.unknown(len(cells)))
+    grid = Grid(GRID.x, GRID.v, 1000, 60)
+    for periods, most in ((Fraction(1, 2), 25_000), (1, 25_000), (10, 2_500), (10**4, 1_000)):
+        parts = [part for part, _ in sweep(Sweep(PAPER, grid, periods), Runner())]
+        assert max(part.stop - part.start for part in parts) == most
 
 
 def test_progress():
