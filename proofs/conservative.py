@@ -51,11 +51,12 @@ SEARCH = candidates.every_motion
 OPTIONS = ("flights", "jobs")
 
 FLIGHTS = 25  # that launches are followed, forward and backward, if nothing else is asked for
-WIDE = Fraction(1, 64)  # of columns, before some are halved
-FINE = 1 / 2048  # of columns, when they have been cut
+WIDE = Fraction(1, 64)  # of columns, at first
+FINE = 1 / 2048  # of the narrowest columns
 ROUNDS, ROUGH = 2, 20  # how often some are cut, and after how many flights
-LOSS = 1e-7  # for a cell, of area: in columns that lose more they are cut
-WORTH = 1.25e-7  # the area that a cell takes away is at least this
+LOSS = 1e-7  # of area for each of its cells: a column that loses more is cut
+WORTH = 1.25e-7  # the area that a cell takes away is at least this, for so many flights
+HALF = 5  # more flights: it is half as much
 CEILING = (
     Fraction(4, 5),
     Fraction(1, 10),
@@ -80,7 +81,7 @@ def prove(setting: Setting) -> Proof:
         family = strips.found(_begun(p, world, ceiling), rough, setting.runner)
         world = world.cut(strips.lossy(family, rough, LOSS, FINE))
     family = strips.found(_begun(p, world, ceiling), flights, setting.runner)
-    family = strips.worthy(family, WORTH)
+    family = strips.worthy(family, WORTH * 0.5 ** (max(0, flights - FLIGHTS) / HALF))
     texts = [_text(each) for each in family]
     hints = {
         "ceiling": dict(zip(("height", "phase", "level"), map(str, ceiling), strict=True)),

@@ -42,7 +42,7 @@ from cap.checker.flow.landing import Place, Target
 from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.rejection import Rejected, need
 
-MOST = 2_000_000  # arcs: some minutes
+MOST = 5_000_000  # arcs: ten minutes
 HALVINGS = 12  # of an arc, until what is to be shown of it is certain
 ROUND = 6.28  # less than 2 pi
 NO_CELL = math.inf  # where a run ends; above all levels
