@@ -1,7 +1,8 @@
 """Compiled: images of arcs to the second order, as `cap.checker.flow.arc` has them.
 
-It steers: values at the middle of an arc are doubles, and taken for exact; what holds over a whole
-arc are intervals of doubles.  The formulas are derived in `cap.checker.flow.arc`.
+It steers: values at the middle of an arc are doubles, and taken for exact, with some room; what
+holds over a whole arc are intervals of doubles.  So what holds here is accepted by the checker, as
+a rule.  The formulas are derived in `cap.checker.flow.arc`.
 """
 
 import math
@@ -10,9 +11,10 @@ from typing import NamedTuple
 from cap.cells.hits import TURN, fly
 from cap.sets.circular import sin_cos
 from cap.sets.compiled import kernel
-from cap.sets.doubles import Interval, is_finite, is_positive, lower, magnitude, sqrt
+from cap.sets.doubles import Interval, is_finite, is_positive, lower, magnitude
 
-ROOM = 1e-12  # conditions hold by so much at least
+ROOM = 1e-11  # conditions hold by so much at least
+SLOW = 1e-4  # hits are faster than this
 
 
 class Arc(NamedTuple):
@@ -63,6 +65,13 @@ def _nowhere() -> Image:
 
 
 @kernel
+def _root(x: Interval) -> Interval:
+    """Return the square roots of positive numbers: |sqrt(m + a) - sqrt m| <= |a|/sqrt m."""
+    s = math.sqrt(x.mid)
+    return Interval(s, x.rad / s + 1e-15 * s)
+
+
+@kernel
 def image(arc: Arc, f: float, R: float) -> Image:
     """Return the image of an arc."""
     t, dt, bend, reach = arc.t, arc.dt, 2 * arc.e2, abs(arc.e1) + abs(arc.e2)
@@ -70,9 +79,9 @@ def image(arc: Arc, f: float, R: float) -> Image:
         return _nowhere()
     u = math.sqrt(2 * arc.e)
     T, V = fly(t, u, f, R)
-    if V <= 0:
+    if not SLOW < V:
         return _nowhere()
-    ts, us = Interval(t, abs(dt)), sqrt(Interval(2 * arc.e, 2 * reach))
+    ts, us = Interval(t, abs(dt)), _root(Interval(2 * arc.e, 2 * reach))
     du, dus = arc.e1 / u, Interval(arc.e1, abs(bend)) / us
     d2us = (bend - dus * dus) / us
     sin_t, cos_t = sin_cos(ts)

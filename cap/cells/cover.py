@@ -9,16 +9,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.cells.arcs import ROOM, Arc, Image, image, least, part
+from cap.cells.arcs import ROOM, Arc, Image, image, part
 from cap.cells.hits import TURN, fly
+from cap.cells.landing import Place, aim, beyond, placed
 from cap.sets.compiled import kernel
-from cap.sets.doubles import Interval
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 SLACK = 1e-7  # by which launches that are looked up lie inside a cell
 HALVINGS = 6  # of arcs
+ROUND = 6.28  # images are in this time after the first line
 BOTTOM, TOP, NEITHER = -3, -2, -1  # instead of the number of a cell
 NO_LINK = -1
 
@@ -163,27 +164,16 @@ def target(cover: Cover, j: int, level: int, s: float, E: float) -> tuple[int, i
 
 
 @kernel
-def _gap(picture: Image, p: Floats, s: float, scale: float, up: float) -> float:
-    """Return a number below up (E - q) along an arc."""
-    value = up * (picture.E - at(p, s))
-    slope = up * (picture.E1 - (s * 2 * p[2] + p[1]) * picture.T1 * scale)
-    ds, whole = picture.slopes * scale, Interval(s, picture.times.rad * scale)
-    bend = picture.E2 - ds * ds * (2 * p[2]) - (whole * (2 * p[2]) + p[1]) * (picture.T2 * scale)
-    return least(value, slope, bend * up)
-
-
-@kernel
-def _within(cover: Cover, picture: Image, j: int, low: int, high: int, t: float) -> bool:
-    """Return whether an arc, whose middle lands at t, is in a run of a column."""
-    scale = 2 / (cover.lines[j + 1] - cover.lines[j])
-    s = (t - cover.lines[j]) * scale - 1
+def _within(cover: Cover, picture: Image, j: int, run: tuple[int, int], place: Place) -> bool:
+    """Return whether the part of an image in a column is in a run."""
+    low, high = run
     if low != BOTTOM:
         p = cover.top[j] if low == TOP else cover.cells[low, :3]
-        if not _gap(picture, p, s, scale, 1.0) >= ROOM:
+        if not beyond(picture, p, place, 1.0):
             return False
     if high != TOP:
         p = cover.bottom[j] if high == BOTTOM else cover.cells[high, 3:]
-        return _gap(picture, p, s, scale, -1.0) >= ROOM
+        return beyond(picture, p, place, -1.0)
     return True
 
 
@@ -209,22 +199,24 @@ def _lands(cover: Cover, arc: Arc, level: int, seen: Integers) -> bool:
     begin = lines[0]
     t = picture.T + math.pi - TURN * math.floor((picture.T + math.pi - begin) / TURN)
     wide = abs(picture.T1) + 0.5 * (abs(picture.T2.mid) + picture.T2.rad) + ROOM
-    if not (begin <= t - wide and t + wide < begin + 6):
+    if not (begin <= t - wide and t + wide < begin + ROUND):
         return False
     last = len(seen) - 1
     before = seen[last, 0]
     for j in range(max(0, np.searchsorted(lines, t - wide) - 1), last):
         if lines[j] > t + wide:
             break
+        place = placed(picture, t, lines[j], lines[j + 1])
+        if place.last < place.first:
+            continue
         if seen[j, 0] == NEITHER:
-            s = 2 * (t - lines[j]) / (lines[j + 1] - lines[j]) - 1
-            low, high = target(cover, j, level, s, picture.E)
+            low, high = target(cover, j, level, *aim(picture, place))
             if low == NEITHER:
                 _clear(seen, before)
                 return False
             seen[j, 0], seen[j, 1], seen[seen[last, 0], 2] = low, high, j
             seen[last, 0] += 1
-        if not _within(cover, picture, j, seen[j, 0], seen[j, 1], t):
+        if not _within(cover, picture, j, (seen[j, 0], seen[j, 1]), place):
             _clear(seen, before)
             return False
     return True

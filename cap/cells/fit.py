@@ -22,7 +22,7 @@ from cap.cells.ends import CLOSE, Gap, bounds, end_of, followed, touches
 from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
 
-UNIT = 2.0**-28  # coefficients of edges are multiples of it
+UNIT = 2.0**-24  # coefficients of edges are multiples of it
 INWARD = 2e-7  # by which a cell is smaller than its strip at first
 WIDER, TRIES = 5.0, 3
 

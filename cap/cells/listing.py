@@ -1,12 +1,15 @@
 """Columns of cells as text, as `cap.checker.flow.columns` reads them."""
 
+import base64
+import zlib
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from cap.cells.cover import Cover, Floats
+import numpy as np
+
+from cap.cells.cover import Cover, Floats, Integers
 from cap.cells.fit import UNIT
 
-DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
 BOTTOM, TOP = 1, 2
 
 Edge = tuple[int, int, int]
@@ -21,26 +24,32 @@ class Run(NamedTuple):
 
 
 def written(numbers: Iterable[int]) -> str:
-    """Return integers as text: z as 2 z, or -2 z - 1 if negative, in digits of five bits."""
-    text = []
+    """Return integers as text: z as 2 z, or -2 z - 1 if negative, in bytes of seven bits."""
+    data = bytearray()
     for number in numbers:
         z = 2 * number if number >= 0 else -2 * number - 1
-        while z >= 32:
-            text.append(DIGITS[32 + z % 32])
-            z //= 32
-        text.append(DIGITS[z])
-    return "".join(text)
+        while z >= 128:
+            data.append(128 + z % 128)
+            z //= 128
+        data.append(z)
+    return base64.b85encode(zlib.compress(bytes(data), 9)).decode()
 
 
-def listed(runs: Sequence[Run]) -> str:
-    """Return the text of a column."""
-    numbers, before = list[int](), (0, 0, 0)
-    for run in runs:
-        numbers += [4 * len(run.edges) + run.kind, *run.levels]
-        for edge in run.edges:
-            numbers += [a - b for a, b in zip(edge, before, strict=True)]
-            before = edge
-    return written(numbers)
+def listed(columns: Sequence[Sequence[Run]]) -> str:
+    """Return the text of columns."""
+    heads = [n for column in columns for run in column for n in _head(run)]
+    deltas = np.concatenate([_deltas(column) for column in columns])
+    return written([len(columns), *heads, *deltas.T.ravel().tolist()])
+
+
+def _head(run: Run) -> list[int]:
+    return [4 * len(run.edges) + run.kind, *run.levels]
+
+
+def _deltas(column: Sequence[Run]) -> Integers:
+    """Return the coefficients of the edges, each less that of the edge before."""
+    edges = [edge for run in column for edge in run.edges]
+    return np.diff(np.array(edges), axis=0, prepend=0)
 
 
 def runs(cover: Cover, j: int) -> list[Run]:

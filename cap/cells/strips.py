@@ -12,6 +12,7 @@ from functools import partial
 
 import numpy as np
 
+from cap.cells.causes import Chance, trace
 from cap.cells.cover import NEITHER, Cover, Integers
 from cap.cells.fit import Found, Grain, Room, Search, Wanted, fit
 from cap.cells.links import link
@@ -22,7 +23,8 @@ from cap.runner import Runner
 GRAIN = Grain(step=3e-5, thin=6e-6, halvings=4, arcs=60)
 MARGIN = 7e-4  # so near what the other family leaves cells are looked for
 MOST = 250  # new cells of a column; energies that are looked for
-GAPS = 4000  # of a column
+GAPS = 8000  # of a column
+FEW = 20  # cells of a column cost as much as so many more
 
 Family = tuple[Cover, Cover]
 
@@ -44,6 +46,13 @@ class World:
         lines = tuple(-t for t in reversed(self.lines))
         return replace(self, f=-self.f, b=-self.b, lines=lines)
 
+    def cut(self, parts: Integers) -> World:
+        """The same with narrower columns."""
+        widths = np.repeat(np.diff(self.lines) / parts, parts)
+        return replace(
+            self, lines=tuple((self.lines[0] + np.append(0, np.cumsum(widths))).tolist())
+        )
+
     def cover(self) -> Cover:
         """Return columns without cells, but with what is above the ceiling and stops at once."""
         C = len(self.lines) - 1
@@ -64,9 +73,9 @@ class World:
         return cover
 
 
-def found(world: World, flights: int, runner: Runner) -> Family:
+def found(begun: Family, flights: int, runner: Runner) -> Family:
     """Return the cells of forward and of backward orbits, after so many flights of each."""
-    one, two = world.cover(), world.mirrored.cover()
+    one, two = begun
     for level in range(1, flights + 1):
         runner.tell("flights followed", (level - 1) / flights)
         one = _grown(one, two, level, runner)
@@ -152,26 +161,26 @@ def kept(cover: Cover, which: np.ndarray) -> Cover:
     )
 
 
-def holding(cover: Cover) -> Cover:
-    """Return the cells that hold without those that were left out."""
-    while True:
-        order = np.argsort(-cover.levels, kind="stable")
-        worth, own = np.ones(len(cover.cells)), columns_of(cover)
-        choose(cover, 1.0, order, own, worth, _seen(cover))
-        if (worth >= 1).all():
-            return cover
-        cover = kept(cover, worth >= 1)
+def lines(ends: tuple[float, float], width: Fraction) -> tuple[float, ...]:
+    """Return lines from one time to another."""
+    first, last = math.floor(ends[0] / width), math.ceil(ends[1] / width)
+    return tuple(float(k * width) for k in range(first, last + 1))
 
 
-def lines(
-    ends: tuple[float, float], wide: Fraction, fine: Fraction, within: tuple[float, float]
-) -> tuple[float, ...]:
-    """Return lines from one time to another: columns are narrower within some times."""
-    found, last = [math.floor(ends[0] / wide) * wide], ends[1]
-    while found[-1] < last:
-        near = within[0] <= found[-1] < within[1]
-        found.append(found[-1] + (fine if near else wide))
-    return tuple(float(t) for t in found)
+def lossy(family: Family, flights: int, least: float, finest: float) -> Integers:
+    """Return into how many parts columns should be cut: 1, 2 or 4.
+
+    That depends on what was lost there, for each cell of the column; ``finest`` is the width of the
+    narrowest columns.
+    """
+    one, two = family
+    lost, width = np.zeros(len(one.top)), np.diff(one.lines)
+    trace(family, Chance(np.zeros((GAPS, 2)), np.zeros((GAPS, 2)), flights), lost)
+    share = lost / (np.diff(one.start) + np.diff(two.start)[::-1] + FEW)
+    parts = np.ones(len(lost), np.int64)
+    for k in (1, 2):
+        parts[(share > least * k * k) & (width > 1.5 * k * finest)] = 2 * k
+    return parts
 
 
 def window(a: float, b: float, c: float) -> tuple[float, float]:

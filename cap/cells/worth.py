@@ -21,7 +21,7 @@ MOST = 1000  # arcs for a cell
 
 
 @kernel
-def _gaps(cover: Cover, j: int, s: float, thin: float, ends: Floats) -> int:
+def gaps_at(cover: Cover, j: int, s: float, thin: float, ends: Floats) -> int:
     """Write the gaps at a place in a column, in order, and return their number."""
     low, n = at(cover.bottom[j], s) if cover.has_bottom[j] else 0.0, 0
     end = cover.start[j + 1]
@@ -42,7 +42,7 @@ def _want(other: Cover, margin: float, wanted: Wanted, gaps: Floats, room: Float
         n = 0
         for k in range(max(0, j - 1), min(C, j + 2)):
             for s in (-1.0, 0.0, 1.0):
-                for i in range(_gaps(other, C - 1 - k, s, THIN, gaps)):
+                for i in range(gaps_at(other, C - 1 - k, s, THIN, gaps)):
                     n = _join(room, n, gaps[i, 0] - margin, gaps[i, 1] + margin)
         wanted.number[j] = min(n, wanted.ends.shape[1])
         for i in range(wanted.number[j]):
@@ -83,7 +83,7 @@ def _weigh(cover: Cover, other: Cover, worth: Floats, gaps: Floats) -> None:
         width = cover.lines[j + 1] - cover.lines[j]
         for k in range(5):
             s = 0.4 * (k - 2)
-            n, first = _gaps(other, C - 1 - j, -s, 0.0, gaps), 0
+            n, first = gaps_at(other, C - 1 - j, -s, 0.0, gaps), 0
             for i in range(cover.start[j], cover.start[j + 1]):
                 low, high = at(cover.cells[i, :3], s), at(cover.cells[i, 3:], s)
                 while first < n and gaps[first, 1] <= low:

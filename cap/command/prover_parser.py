@@ -43,8 +43,8 @@ OF_SOME = {
         ),
         Option(
             "flights",
-            count(1, 40),
-            "launches are followed for N flights forward and backward, 1 to 40 (default 20); more "
+            count(1, 60),
+            "launches are followed for N flights forward and backward, 1 to 60 (default 25); more "
             "take longer, and leave less",
             "N",
         ),

@@ -95,8 +95,8 @@ def of_sticks(y: System, table: Table, task: tuple[Leaf, bool]) -> list[Outline]
     """Return the outlines of what comes to a region of sticks; x is from the left wall."""
     leaf, late = task
     start = sticks(y, leaf.region, late=late)
-    whole = table.fate(places_of(y, start, late=late)) == ATTRACTOR
-    fate = ATTRACTED if whole else STOPS
+    places = places_of(y, leaf.region, late=late)
+    fate = ATTRACTED if all(table.fate(part) == ATTRACTOR for part in places) else STOPS
     return [(fate, points) for _, points in passed(y, start.flight, leaf.flights)]
 
 

@@ -23,7 +23,7 @@ def test_theorems_take_options_that_there_are():
 
 def test_takers():
     """Where a range of f is asked for, it is the theorem on the range that takes the option."""
-    assert {"attractor on a range of f", "branch", "conservative"} <= set(takers("journal"))
+    assert {"attractor on a range of f", "branch"} <= set(takers("journal"))
     assert takers("undecided") == ["mixed"]
 
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -9,7 +10,6 @@ import pytest
 from support import proving
 
 from cap.cells import strips
-from cap.cells.listing import edges_of
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
@@ -25,7 +25,8 @@ SETTING = Setting(PAPER, Start(0.0, 0.0, ()), 6)
 def wide(monkeypatch):
     """Columns are wide, and few."""
     monkeypatch.setattr(conservative, "WIDE", Fraction(1, 8))
-    monkeypatch.setattr(conservative, "FINE", Fraction(1, 16))
+    monkeypatch.setattr(conservative, "FINE", 1 / 16)
+    monkeypatch.setattr(conservative, "ROUNDS", 1)
 
 
 def test_two_flights():
@@ -38,18 +39,18 @@ def test_two_flights():
     assert areas[1] < areas[0] < 3
 
 
+@cache
 def family(flights):
     """Return a world with its cells."""
     a, b, c = map(float, conservative.CEILING)
-    lines = strips.lines(strips.window(a, b, c), Fraction(1, 16), Fraction(1, 32), (3.5, 4.0))
+    lines = strips.lines(strips.window(a, b, c), Fraction(1, 16))
     world = strips.World(0.4, 2.0, a, b, c, lines)
-    return world, *strips.found(world, flights, Runner())
+    return world, *strips.found((world.cover(), world.mirrored.cover()), flights, Runner())
 
 
 def test_cells_are_in_order():
-    """In each column each is above the one before; the lines are of two widths."""
-    world, one, two = family(2)
-    assert {round(32 * (b - a)) for a, b in pairwise(world.lines)} == {1, 2}
+    """In each column each is above the one before."""
+    _, one, two = family(2)
     for cover in (one, two):
         own = strips.columns_of(cover)
         assert set(cover.levels.tolist()) == {1, 2}
@@ -60,20 +61,29 @@ def test_cells_are_in_order():
             assert (ends[1:, 0] >= ends[:-1, 1])[follows].all()
 
 
-def test_a_cell_that_does_not_hold_is_left_out():
-    """Also those that fly into it; what is worth little is left out, too."""
+def test_what_is_worth_little_is_left_out():
+    """The more, the more area a cell has to take away."""
     _, one, two = family(2)
-    j, i = int(strips.columns_of(one)[0]), 0
-    fewer = conservative._without(one, [(j, *edges_of(one, i))])
-    assert 0 < len(fewer.cells) < len(one.cells)
-    assert len(strips.holding(fewer).cells) == len(fewer.cells)
     counts = [len(strips.worthy((one, two), least)[0].cells) for least in (1e-9, 1e-4, 10.0)]
     assert counts[0] > counts[1] > counts[2] == 0
 
 
+def test_columns_are_cut_where_much_is_lost():
+    """Not where nothing is, and not below the finest width; the other lines stay."""
+    world, one, two = family(2)
+    parts = strips.lossy((one, two), 2, 1e-6, 1 / 32)
+    assert set(parts.tolist()) == {1, 2}
+    lines = world.cut(parts).lines
+    assert set(world.lines) < set(lines)
+    assert {32 * (b - a) for a, b in pairwise(lines)} == {1, 2}
+    assert set(strips.lossy((one, two), 2, 1e-6, 1 / 16).tolist()) == {1}
+    assert set(strips.lossy((one, two), 2, 10.0, 1 / 64).tolist()) == {1}
+    assert (strips.lossy((one, two), 2, 1e-6, 1 / 128) >= parts).all()
+
+
 def test_too_many_cells(monkeypatch):
     """What the checker does not read is not proved; that is said before anything is tried."""
-    monkeypatch.setattr("cap.checker.flow.columns.LONGEST", 8)
+    monkeypatch.setattr("cap.checker.flow.columns.LONGEST", 2)
     with pytest.raises(NotProved, match="too many"):
         conservative.prove(replace(SETTING, flights=1))
 

@@ -29,7 +29,7 @@ whenever |T - T_0| <= b.  If D + m <= b, then T never leaves this interval: |T -
 from __future__ import annotations
 
 import math
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 from cap.checker.kernel.doubles import PI, Double, cos_sin
@@ -149,6 +149,7 @@ class Launches:
         return all(least(self.velocity(T)) > 0 for T in self.minima(low, until))
 
 
+@lru_cache(maxsize=16)  # by what it is, not by its value
 def _arccos(y: Double) -> Double:
     """Return the arccosine, for |y| < 0.999: near a guess a, |arccos y - a| <= |cos a - y|/sin."""
     a = math.acos(y.mid)
@@ -169,10 +170,8 @@ class Image:
         N = _numerator(launches, near, T)
         T1 = N / V
         V1 = near.du + (cos - f) * T1 - (near.cos - f) * dt
-        Ts, dTs = _window(launches, T, T1)
+        Ts, cos, sin, Vs, dTs = _window(launches, T, T1)
         need(launches.moves(Ts.upper), "a flight may stop")
-        cos, sin = cos_sin(Ts)
-        Vs = launches.speed(whole, Ts, sin)
         A, a, d, d1 = cos - f, whole.cos - f, Ts - whole.t, dTs - dt
         dVs = whole.du + A * dTs - a * dt
         a1, A1 = -(whole.sin * dt), -(sin * dTs)
@@ -196,16 +195,17 @@ def _numerator(launches: Launches, at: Point, T: Double) -> Double:
     return (at.u + d * (at.cos - launches.f)) * launches.dt - d * at.du
 
 
-def _window(launches: Launches, T: Double, T1: Double) -> tuple[Double, Double]:
-    """Return an interval that contains all T of the arc, and one that contains all T'."""
+def _window(launches: Launches, T: Double, T1: Double) -> tuple[Double, ...]:
+    """Return an interval of all T of the arc, with its cos T and sin T; all V, and all T'."""
     whole, bound = launches.all, 1.2 * T1.magnitude + 2 * T.rad + 1e-12
     for _ in range(ATTEMPTS):
         Ts = Double(T.mid, bound)
-        V = launches.speed(whole, Ts, cos_sin(Ts)[1])
+        cos, sin = cos_sin(Ts)
+        V = launches.speed(whole, Ts, sin)
         need(V.is_positive(), "a wall may be reached without speed")
         slope = _numerator(launches, whole, Ts) / V
         if (T.rad + slope.magnitude) * (1 + 1e-12) <= bound:
-            return Ts, slope
+            return Ts, cos, sin, V, slope
         bound = 1.3 * (T.rad + slope.magnitude)
     raise Rejected("no interval was found for the times of the hits")
 
@@ -230,13 +230,21 @@ def _guess(t: float, u: float, f: float, R: float) -> float:
     def x(T: float) -> float:
         return u * (T - t) + c - math.cos(T) - (T - t) * s - f * (T - t) ** 2 / 2
 
+    def v(T: float) -> float:
+        return u + math.sin(T) - s - f * (T - t)
+
     low, T = t, t
     while x(T) < R:
         low, T = T, T + 0.25
+        if v(T) < 0:  # x may have passed R, and come back
+            rising = low
+            for _ in range(30):
+                middle = (rising + T) / 2
+                rising, T = (middle, T) if v(middle) > 0 else (rising, middle)
+            need(x(T) >= R, "a flight does not end")
         need(t + SPAN > T, "a flight does not end")
     for _ in range(60):
-        v = u + math.sin(T) - s - f * (T - t)
-        step = (x(T) - R) / v if v > 0 else math.inf
+        step = (x(T) - R) / v(T) if v(T) > 0 else math.inf
         if abs(step) < 1e-15 * max(1.0, abs(T)):
             break
         T = T - step if low <= T - step <= low + 0.25 else (low + T) / 2

@@ -1,33 +1,37 @@
 """Columns of launches: cells between parabolas, in runs, as a certificate lists them.
 
-A column is {t_0 - d <= t <= t_0 + d}, with s = (t - t_0)/d in [-1, 1] and the energy E = u^2/2. The
-lines between columns are multiples of 2^-8, a power of 2 apart.  An *edge* is E = q_0 + q_1 s + q_2
-s^2, its coefficients multiples of 2^-28.  A *run* is a list of edges, each below the next; between
-two that follow each other lies a *cell*, with its level.  The first run may begin at the bottom, E
-= 0: then all below its first edge is a cell of level 0.  The last run ends at the top: all above
-its last edge is a cell of level 0.
+A column is {t_0 - d <= t <= t_0 + d}, with s = (t - t_0)/d in [-1, 1] and the energy E = u^2/2.
+The lines between columns are multiples of 2^-11, a power of 2 of them apart.  An *edge* is E = q_0
++ q_1 s + q_2 s^2, its coefficients multiples of 2^-24.  A *run* is a list of edges, each below the
+next; between two that follow each other lies a *cell*, with its level.  The first run may begin at
+the bottom, E = 0: then all below its first edge is a cell of level 0.  The last run ends at the
+top: all above its last edge is a cell of level 0.
 
-*As text.*  A column is a sequence of integers: for each run 4 m + b, m the number of its edges, b =
-1 if it begins at the bottom, 2 if it ends at the top, 3 if both, else 0; then the levels of the m -
-1 cells between its edges; then the edges, by coefficient, each less that of the edge before, the
-first of a run less that of the last one before it.  An integer z is written as 2 z or, if negative,
--2 z - 1, in base 64, in digits of five bits, least first, with 32 added to all but the last.
+*As text.*  A family is a sequence of integers: the number of its columns; for each column, for each
+of its runs, 4 m + b, m the number of its edges, b = 1 if it begins at the bottom, 2 if it ends at
+the top, 3 if both, else 0, then the levels of the m - 1 cells between its edges; then q_0 of all
+edges, less that of the edge before in the same column, if there is one; then q_1 and q_2 likewise.
+An integer z is written as 2 z or, if negative, -2 z - 1, in bytes with seven bits of it, least
+first, with 128 added to all but the last.  The bytes are compressed (zlib) and written in base 85.
 """
 
 from __future__ import annotations
 
-from itertools import accumulate, pairwise
+import base64
+import zlib
+from collections.abc import Iterator
+from itertools import accumulate, islice, pairwise
 from typing import NamedTuple
 
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import Rejected, need
 
-UNIT = 2.0**-28
-LINE = 2.0**-8
+UNIT = 2.0**-24
+LINE = 2.0**-11
+LAST = 16  # no line is later
 MOST = 4096  # columns
-LONGEST = 4096  # integers in a column: pairs of its gaps may have to be compared
+LONGEST = 2048  # edges of a column: pairs of its gaps may have to be compared
 LARGEST = 1 << 40  # of coefficients, in units; sums of three of them are exact in doubles
-_DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
-_VALUES = {digit: value for value, digit in enumerate(_DIGITS)}
+BYTES = 1 << 24  # of a family
 
 Edge = tuple[int, int, int]
 
@@ -42,45 +46,71 @@ class Run(NamedTuple):
 
 
 Column = list[Run]
+Head = tuple[int, list[int], bool, bool]
 
 
-def integers(text: str) -> list[int]:
-    """Return the integers that are written in a text."""
-    found, value, shift = list[int](), 0, 0
-    for digit in text:
-        need(digit in _VALUES and shift < 60, "a column is not a sequence of integers")
-        value |= (_VALUES[digit] & 31) << shift
-        shift += 5
-        if _VALUES[digit] < 32:
-            found.append(value >> 1 if value % 2 == 0 else -(value >> 1) - 1)
+def integers(text: str) -> Iterator[int]:
+    """Give the integers that are written in a text."""
+    value, shift = 0, 0
+    for byte in _unpacked(text):
+        value |= (byte & 127) << shift
+        shift += 7
+        need(shift < 70, "an integer is too long")
+        if byte < 128:
+            yield value >> 1 if value % 2 == 0 else -(value >> 1) - 1
             value, shift = 0, 0
-    need(shift == 0, "a column ends within an integer")
+    need(shift == 0, "a text ends within an integer")
+
+
+def _unpacked(text: str) -> bytes:
+    """Return the bytes that are written in a text."""
+    unpacking = zlib.decompressobj()
+    try:
+        found = unpacking.decompress(base64.b85decode(text), BYTES)
+    except (ValueError, zlib.error):
+        raise Rejected("a text is not in base 85, or not compressed") from None
+    need(unpacking.eof and not unpacking.unused_data, "a text goes on, or is too long")
     return found
 
 
-def column(text: str) -> Column:
-    """Return the runs of a column, from the lowest to the highest, none above the next."""
-    found = integers(text)
-    need(len(found) <= LONGEST, "a column has too many edges")
-    rest, runs, before = iter(found), Column(), (0, 0, 0)
-    for head in rest:
-        m = head >> 2
-        need(m >= 1, "a run has no edge")
-        need(m <= len(found), "a run has more edges than are listed")
-        levels = [next(rest, -1) for _ in range(m - 1)]
+def columns(text: str) -> list[Column]:
+    """Return the columns of a family."""
+    rest = integers(text)
+    number = next(rest, 0)
+    need(0 < number <= MOST, "there are no columns, or too many")
+    heads = [_head(rest) for _ in range(number)]
+    sizes = [sum(size for size, *_ in head) for head in heads]
+    deltas = [[list(islice(rest, size)) for size in sizes] for _ in range(3)]
+    need(next(rest, None) is None, "a family goes on after its columns")
+    return [_column(*each) for each in zip(heads, *deltas, strict=True)]
+
+
+def _head(rest: Iterator[int]) -> list[Head]:
+    """Return the runs of a column: numbers of edges, levels, whether to the bottom or the top."""
+    found, long, top = list[Head](), 0, False
+    while not top:
+        head = next(rest, 0)
+        m, bottom, top = head >> 2, head & 1 == 1, head & 2 == 2
+        need(m >= 1, "a run has no edge, or the last run does not end at the top")
+        long += m
+        need(long <= LONGEST, "a column has too many edges")
+        need(not (found and bottom), "a run has the bottom, and is not the first one")
+        levels = list(islice(rest, m - 1))
         need(all(level > 0 for level in levels), "a cell has no level")
-        edges = list[Edge]()
-        for _ in range(m):
-            a, b, c = (next(rest, LARGEST) + q for q in before)
-            need(max(abs(a), abs(b), abs(c)) < LARGEST, "an edge is too far away")
-            before = a, b, c
-            edges.append(before)
-        runs.append(Run(edges, levels, head & 1 == 1, head & 2 == 2))
-    need(len(runs) > 0 and runs[-1].top, "the last run does not end at the top")
-    need(not any(run.top for run in runs[:-1]), "a run ends at the top, and is not the last one")
-    need(not any(run.bottom for run in runs[1:]), "a run has the bottom, and is not the first one")
-    _ordered([edge for run in runs for edge in run.edges])
-    return runs
+        found.append((m, levels, bottom, top))
+    return found
+
+
+def _column(heads: list[Head], *deltas: list[int]) -> Column:
+    """Return the runs of a column, from the lowest to the highest, none above the next."""
+    size = sum(m for m, *_ in heads)
+    need(all(len(each) == size for each in deltas), "edges are missing")
+    qs = [list(accumulate(each)) for each in deltas]
+    need(all(-LARGEST < q < LARGEST for each in qs for q in each), "an edge is too far away")
+    edges = list[Edge](zip(*qs, strict=True))
+    _ordered(edges)
+    rest = iter(edges)
+    return [Run(list(islice(rest, m)), levels, bottom, top) for m, levels, bottom, top in heads]
 
 
 def _ordered(edges: list[Edge]) -> None:
@@ -95,10 +125,10 @@ def _ordered(edges: list[Edge]) -> None:
 
 
 def lines(text: str) -> list[float]:
-    """Return the lines: the first one, in units 2^-8, and the widths of the columns."""
-    first, *widths = integers(text) or [0]
+    """Return the lines: the first one, in units `LINE`, and the widths of the columns."""
+    first, *widths = [*islice(integers(text), MOST + 2)] or [0]
     need(0 < len(widths) <= MOST, "there are no columns, or too many")
     need(all(w > 0 and w & (w - 1) == 0 for w in widths), "a width is not a power of 2")
     found = list(accumulate(widths, initial=first))
-    need(found[0] >= 0 and found[-1] < 4096, "a line is too far away")
+    need(found[0] >= 0 and found[-1] * LINE < LAST, "a line is too far away")
     return [z * LINE for z in found]

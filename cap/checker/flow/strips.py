@@ -25,23 +25,26 @@ which is bounded; a point of it that is not in Y could go up or down to infinity
 Y is made of one run of cells of levels below k, or the run up to the top, for each column that the
 image of the boundary meets, and of all E at the times without columns.  On the line between two
 columns the two intervals meet where the boundary passes.  That image, which is connected, avoids
-the times from 6 to 2 pi after the first line: so all of it is moved by the same multiple of 2 pi.
+the times from 6.28 to 2 pi after the first line: so all of it is moved by one multiple of 2 pi.
 """
 
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable
-from typing import NamedTuple
+from functools import cached_property
+from typing import NamedTuple, Protocol, Self, TypeVar
 
 from cap.checker.flow.arc import SPAN, Arc, Image, Launches, Taylor, least, negative
 from cap.checker.flow.columns import UNIT, Column, Edge
+from cap.checker.flow.landing import Place, Target
 from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.rejection import Rejected, need
 
-MOST = 2_000_000  # arcs: some minutes
+MOST = 5_000_000  # arcs: ten minutes
 HALVINGS = 12  # of an arc, until what is to be shown of it is certain
+ROUND = 6.28  # less than 2 pi
 NO_CELL = math.inf  # where a run ends; above all levels
 LATE = (1e-5, 1e-4, 1e-3, 1e-2)  # before and after a stop, v > 0 and v < 0 are tried
 
@@ -65,13 +68,6 @@ class Ceiling(NamedTuple):
         return value, slope, arc.e2 * 2.0 - self.a * far * arc.dt * arc.dt
 
 
-class Target(NamedTuple):
-    """The interval of energies in a column into which a cell is to fly; None: no end."""
-
-    lower: Edge | None
-    upper: Edge | None
-
-
 class World:
     """Flights against a friction, with columns of cells between each two ``lines``."""
 
@@ -80,29 +76,35 @@ class World:
     ) -> None:
         self.f, self.R, self.ceiling = f, R, ceiling
         self.lines, self.columns = lines, columns
+        self.stacks = dict[int, tuple[list[Edge], list[float]]]()
         self.arcs = 0
 
     def prove(self, j: int) -> None:
         """Prove what is shown of all cells of a column."""
-        runs = self.columns[j]
-        for run in runs:
+        self.ends(j)
+        for run in self.columns[j]:
+            edges = [Flown(self, self.arc(j, edge)) for edge in run.edges]
+            for k, level in enumerate(run.levels):
+                self.falls(level, *edges[k : k + 2], *self.sides(j, *run.edges[k : k + 2]))
+
+    def ends(self, j: int) -> None:
+        """Prove it of the bottom and of the top of a column."""
+        for run in self.columns[j]:
             if run.bottom:
                 need(along(self.arc(j, run.edges[0]), self.stops), "a launch may not stop")
             if run.top:
                 top = self.arc(j, run.edges[-1])
                 above = along(top, lambda arc: least(self.ceiling.excess(arc)) >= 0)
                 need(above, "the top is not above the ceiling")
-            for level, low, high in zip(run.levels, run.edges, run.edges[1:], strict=False):
-                self.falls(j, level, low, high)
 
-    def falls(self, j: int, level: int, low: Edge, high: Edge) -> None:
+    def falls(self, level: int, *boundary: Flown) -> None:
         """Prove it of one cell."""
         targets = dict[int, Target]()
 
-        def lands(arc: Arc) -> bool:
-            return self.lands(arc, level, targets)
+        def lands(arc: Flown) -> bool:
+            return self.lands(arc.image, level, targets)
 
-        for arc in (self.arc(j, low), self.arc(j, high), *self.sides(j, low, high)):
+        for arc in boundary:
             need(along(arc, lands), "a cell may not fly into cells of lower levels")
 
     def arc(self, j: int, edge: Edge) -> Arc:
@@ -114,14 +116,15 @@ class World:
         """Return the middle of a column and half its width, exactly."""
         return (self.lines[j] + self.lines[j + 1]) / 2, (self.lines[j + 1] - self.lines[j]) / 2
 
-    def sides(self, j: int, low: Edge, high: Edge) -> list[Arc]:
+    def sides(self, j: int, low: Edge, high: Edge) -> list[Flown]:
         """Return the two sides of a cell."""
-        sides = []
+        sides = list[Flown]()
         for s, t in ((-1, self.lines[j]), (1, self.lines[j + 1])):
             ends = [UNIT * (q[0] + s * q[1] + q[2]) for q in (low, high)]
             middle, half = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2  # exact
             zero = Double(0.0)
-            sides.append(Arc(Double(t), zero, Double(middle), Double(half), zero))
+            arc = Arc(Double(t), zero, Double(middle), Double(half), zero)
+            sides.append(Flown(self, arc))
         return sides
 
     def launches(self, arc: Arc) -> Launches:
@@ -170,23 +173,24 @@ class World:
         most = -least(negative(launches.place(T)))
         return fallen and (self.R - (T - B) * depth - most).is_positive()
 
-    def lands(self, arc: Arc, level: int, targets: dict[int, Target]) -> bool:
-        """Return whether all of an arc flies to the targets; they are chosen when first met."""
-        image = Image(self.launches(arc))
+    def lands(self, image: Image, level: int, targets: dict[int, Target]) -> bool:
+        """Return whether all of an image is in the targets; they are chosen when first met."""
         begin = self.lines[0]
         turns = math.floor((image.T[0].mid + math.pi - begin) / (2 * math.pi))
         shift = PI * (1.0 - 2 * turns)
-        times, t, wide = image.times + shift, image.T[0] + shift, image.all + shift
-        if not begin <= times.lower <= times.upper < begin + 6:
+        times = image.times + shift
+        if not begin <= times.lower <= times.upper < begin + ROUND:
             return False
         met = dict(targets)
         for j in range(self.column(times.lower), len(self.columns)):
             if self.lines[j] > times.upper:
                 break
-            place = _Place(t, wide, image, *self.middle(j))
+            place = Place(image, shift, *self.lines[j : j + 2])
+            if place.part is None:
+                continue
             if j not in met:
-                met[j] = self.target(j, level, place.s[0].mid, image.E[0].mid)
-            if not place.within(met[j], image.E):
+                met[j] = self.target(j, level, *place.launch())
+            if not place.within(met[j]):
                 return False
         targets.update(met)
         return True
@@ -197,65 +201,61 @@ class World:
 
     def target(self, j: int, level: int, s: float, E: float) -> Target:
         """Return the run of cells of lower levels in which a launch is; it steers only."""
-        for run in self.columns[j]:
-            heights = [UNIT * (q[0] + s * (q[1] + s * q[2])) for q in run.edges]
-            k = sum(height <= E for height in heights)  # the number of edges below
-            if not ((k > 0 or run.bottom) and (k < len(heights) or run.top)):
-                continue
-            levels = [0 if run.bottom else NO_CELL, *run.levels, 0 if run.top else NO_CELL]
-            need(levels[k] < level, "a cell may fly into one of no lower level")
-            low = high = k
-            while low > 0 and levels[low - 1] < level:
-                low -= 1
-            while high < len(heights) and levels[high + 1] < level:
-                high += 1
-            return Target(
-                run.edges[low - 1] if low > 0 else None,
-                run.edges[high] if high < len(heights) else None,
-            )
-        raise Rejected("a cell may fly to where there is none")
+        if j not in self.stacks:
+            self.stacks[j] = stacked(self.columns[j])
+        edges, levels = self.stacks[j]
+        low = high = bisect_right(edges, E / UNIT, key=lambda q: q[0] + s * (q[1] + s * q[2]))
+        need(levels[low] < level, "a cell may not fly to one of lower level")
+        while low > 0 and levels[low - 1] < level:
+            low -= 1
+        while high < len(edges) and levels[high + 1] < level:
+            high += 1
+        return Target(
+            edges[low - 1] if low > 0 else None, edges[high] if high < len(edges) else None
+        )
 
 
-class _Place:
-    """Where an image is, in a column: s, and how edges compare."""
-
-    def __init__(self, t: Double, wide: Double, image: Image, middle: float, half: float) -> None:
-        scale = 1 / half  # a power of 2
-        self.s = (t - middle) * scale, image.T[1] * scale, image.T[2] * scale
-        self.all, self.ds = (wide - middle) * scale, image.dT * scale
-
-    def within(self, target: Target, E: Taylor) -> bool:
-        """Return whether the image is certainly between the edges, and not on a lower one."""
-        low, high = target
-        above = low is None or least(self.gap(E, low)) >= 0
-        return above and (high is None or least(negative(self.gap(E, high))) >= 0)
-
-    def gap(self, E: Taylor, edge: Edge) -> Taylor:
-        """Return E - q(s): its second derivative is E'' - 2 q_2 s'^2 - (q_1 + 2 q_2 s) s''."""
-        a, b, c = (q * UNIT for q in edge)
-        s, s1, s2 = self.s
-        value = E[0] - (s * (s * c + b) + a)
-        slope = E[1] - (s * (2 * c) + b) * s1
-        bend = E[2] - self.ds * self.ds * (2 * c) - (self.all * (2 * c) + b) * s2
-        return value, slope, bend
+def stacked(column: Column) -> tuple[list[Edge], list[float]]:
+    """Return all edges, and the levels of what lies below, between and above them."""
+    edges, levels = list[Edge](), list[float]()
+    for run in column:
+        edges += run.edges
+        levels += [0 if run.bottom else NO_CELL, *run.levels]
+    return edges, [*levels, 0 if column[-1].top else NO_CELL]
 
 
-def fails(world: World, j: int, level: int) -> list[tuple[Edge, Edge]]:
-    """Return the cells of a level in a column of which nothing is shown: hints for a prover."""
-    found = list[tuple[Edge, Edge]]()
-    for run in world.columns[j]:
-        if level == 0 and run.bottom and not along(world.arc(j, run.edges[0]), world.stops):
-            found.append((run.edges[0], run.edges[0]))
-        for k, low, high in zip(run.levels, run.edges, run.edges[1:], strict=False):
-            try:
-                if k == level:
-                    world.falls(j, level, low, high)
-            except Rejected:
-                found.append((low, high))
-    return found
+class Flown:
+    """An arc with its image and its halves, each found once: most edges bound two cells."""
+
+    def __init__(self, world: World, arc: Arc) -> None:
+        self.world, self.arc = world, arc
+
+    @cached_property
+    def image(self) -> Image:
+        """The image, or a rejection."""
+        return Image(self.world.launches(self.arc))
+
+    @cached_property
+    def _halves(self) -> tuple[Flown, Flown]:
+        low, high = self.arc.halves()
+        return Flown(self.world, low), Flown(self.world, high)
+
+    def halves(self) -> tuple[Flown, Flown]:
+        """Return the halves."""
+        return self._halves
 
 
-def along(arc: Arc, holds: Callable[[Arc], bool], halvings: int = HALVINGS) -> bool:
+class Halved(Protocol):
+    """An arc that can be halved."""
+
+    def halves(self) -> tuple[Self, Self]:
+        """Return the halves."""
+
+
+H = TypeVar("H", bound=Halved)
+
+
+def along(arc: H, holds: Callable[[H], bool], halvings: int = HALVINGS) -> bool:
     """Return whether something holds on an arc, or on all pieces into which it is halved."""
     try:
         if holds(arc):

@@ -15,7 +15,9 @@ q.  All sticks of an arc are the region between -W (or a little above) and 0.
 event, if all speeds are below V then, the integral of the density.  The same at one up to the end
 of the next event, if that is certain, and if all speeds are below V: they change by less than 2 a
 unit of time, and the density only grows.  Subtracted is what lies over places without the fate in
-question, of the measure m: at most 2 m sup(density)/inf(h), h half the width of the region.
+question.  Let there be places of the measure m at most within the bounds of the edges over one of
+`PARTS` equal parts of Y, and h half the width of the region: the integral is at most the mean of 2 m
+sup(density)/inf(h).
 """
 
 from __future__ import annotations
@@ -35,6 +37,7 @@ from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.rejection import Rejected
 
+PARTS = 16  # of Y, in which places are bounded
 _ROUND = 8 * TURN  # more than the errors of times here
 
 Strobe = tuple[int, Pair]
@@ -49,10 +52,9 @@ class Fates(Protocol):
 
 
 class Start(NamedTuple):
-    """A region as it begins: its flight, bounds of its edges, and the least of half its width."""
+    """A region as it begins: its flight, and the least of half its width."""
 
     flight: Flight
-    q: Pair
     least: float
 
 
@@ -72,18 +74,20 @@ def along(region: Region) -> Pair:
     return (2 * region.j + 1) * 0.5**region.n - 1, 0.5**region.n
 
 
-def span(region: Region) -> Pair:
-    """Return bounds of the edges of a region."""
-    a, b, c = region.low
-    low, high = -UNIT * highest((-a, -b, -c)), UNIT * highest(region.high)
-    return low - TURN * abs(low), high + TURN * abs(high)
+def spans(region: Region) -> Iterator[Pair]:
+    """Give bounds of the edges over the `PARTS` of -1 <= Y <= 1."""
+    half = 1 / PARTS
+    for k in range(PARTS):
+        Y = half * (2 * k + 1) - 1
+        yield reach(region.low, Y, half)[0], reach(region.high, Y, half)[1]
 
 
-def highest(edge: Edge) -> int:
-    """Return the highest value of an edge, rounded up: at Y = -1 or 1, or where it is level."""
-    a, b, c = edge
-    level = c < 0 and abs(b) < -2 * c
-    return a + b * b // (-4 * c) + 1 if level else a + abs(b) + c
+def reach(edge: Edge, Y: float, half: float) -> Pair:
+    """Return bounds of an edge within ``half`` of Y."""
+    a, b, c = (UNIT * z for z in edge)
+    value, far, bend = a + Y * (b + Y * c), abs(b + 2 * Y * c) * half, c * half * half
+    more = 16 * TURN * (abs(a) + abs(b) + abs(c))
+    return value - far + min(0.0, bend) - more, value + far + max(0.0, bend) + more
 
 
 def begun(begin: Pair, ref: float, A: Model, B: Model, density: Model) -> Flight:
@@ -110,14 +114,14 @@ def sticks(y: System, region: Region, *, late: bool) -> Start:
     B = q.total(place, y.start(A, d, cos))
     density = q.scaled(q.product(q.moved(cos, y.a, y.a_error), wide), r, _ROUND)
     ends = ref - r - 2 * _ROUND, ref + r + 2 * _ROUND
-    return Start(begun(ends, ref, A, B, density), span(region), q.ends(wide)[0])
+    return Start(begun(ends, ref, A, B, density), q.ends(wide)[0])
 
 
-def places_of(y: System, start: Start, *, late: bool) -> Pair:
-    """Return bounds of the places of the releases of sticks, as distances to the wall ahead."""
-    (low, high), (W, e) = start.q, y.width
+def places_of(y: System, region: Region, *, late: bool) -> list[Pair]:
+    """Return bounds of the places of releases over the `PARTS`, as distances to the wall ahead."""
+    W, e = y.width
     e += 4 * TURN * (W + 1)
-    return (W + low - e, W + high + e) if late else (-high, -low)
+    return [(W + a - e, W + b + e) if late else (-b, -a) for a, b in spans(region)]
 
 
 class Areas(NamedTuple):
@@ -133,8 +137,9 @@ def areas(y: System, fates: Fates, V: float, task: tuple[Leaf, bool]) -> Areas:
     leaf, late = task
     start = sticks(y, leaf.region, late=late)
     found = [0.0, 0.0, 0.0]
-    places = places_of(y, start, late=late)
-    missing = [*(fates.missing(places, fate) for fate in (ATTRACTOR, SEGMENT)), 0.0]
+    places = places_of(y, leaf.region, late=late)
+    sums = (sum(fates.missing(part, fate) for part in places) for fate in (ATTRACTOR, SEGMENT))
+    missing = [*(total / PARTS * UP for total in sums), 0.0]
     for density, strobes in backwards(y, start.flight, leaf.flights if start.least > 0 else 0):
         area, most = q.integral(density), q.ends(density)[1]
         count = sum(speeds[1] < V for _, speeds in strobes)

@@ -25,7 +25,6 @@ from cap.checker.folded.sticks import (
     begun,
     flown,
     multiple,
-    span,
 )
 from cap.checker.folded.strip import Strip
 from cap.checker.kernel import polynomials as q
@@ -61,7 +60,7 @@ def strip_of(y: System, strip: Strip, region: Region, *, fast: bool) -> Start:
     A = q.model(2 * e + 4 * TURN * (abs(low) + abs(high)), one=mid + half * z, Y=half * r)
     B = q.moved(place, -1.0, 8 * e)
     density = q.scaled(wide, half * r, TURN * (abs(low) + abs(high)))
-    return Start(begun((ref - e, ref + e), ref, A, B, density), span(region), q.ends(wide)[0])
+    return Start(begun((ref - e, ref + e), ref, A, B, density), q.ends(wide)[0])
 
 
 def strip_area(y: System, strip: Strip) -> float:

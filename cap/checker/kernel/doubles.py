@@ -27,6 +27,7 @@ from __future__ import annotations
 import math
 import sys
 from fractions import Fraction
+from functools import lru_cache
 
 from cap.checker.kernel.rejection import need
 
@@ -131,6 +132,13 @@ _SINE = [(2 * j + 2) * (2 * j + 3.0) for j in range(9, -1, -1)]
 
 def cos_sin(x: Double) -> tuple[Double, Double]:
     """Return the cosines and the sines of the points; |x| < 1000."""
+    return _cos_sin(x.mid, x.rad)
+
+
+@lru_cache(maxsize=1024)
+def _cos_sin(mid: float, rad: float) -> tuple[Double, Double]:
+    """Return them; many launches begin at one time."""
+    x = Double(mid, rad)
     k = round(x.mid / HALF_PI.mid)
     rest = x - HALF_PI * float(k)
     a, r = rest.mid, rest.rad

@@ -37,19 +37,22 @@ is at most pi times the measure of S, and area(Omega_NS) <= A.
 
 from __future__ import annotations
 
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 from itertools import pairwise
 
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
-from cap.checker.flow.columns import Column, column, lines
+from cap.checker.flow.columns import Column, columns, lines
 from cap.checker.flow.overlap import gaps, mirrored, shared
 from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many, bound
+from cap.checker.kernel.shapes import Field, bound
 from cap.checker.kernel.theorem import SYSTEM, Theorem
 
+PART = 16  # columns that are proved together
 _CEILING = {"height": number, "phase": number, "level": number}
 
 
@@ -61,9 +64,9 @@ class Conservative(Theorem):
         Field("ceiling", _CEILING, "", "", "a, b, c: launches that never stop have "
               "E + a cos(t - b) <= c, in units F = omega = 1"),
         Field("lines", text, "", "", "the lines between columns of launches, as integers"),
-        Field("forward", Many(text, 1, 4096), "", "", "cells of launches whose orbits stop or rise "
-              "above, column by column"),
-        Field("backward", Many(text, 1, 4096), "", "", "the same for backward orbits"),
+        Field("forward", text, "", "", "cells of launches whose orbits stop or rise above, column "
+              "by column"),
+        Field("backward", text, "", "", "the same for backward orbits"),
     )
     CLAIMS = (
         Field("area", bound, "", "", "an upper bound of the area of the states (x, v) whose "
@@ -94,11 +97,16 @@ class Conservative(Theorem):
 
     def family(self, name: str, world: World) -> list[Column]:
         """Prove that almost no launch of S is in a cell of a family."""
-        texts = self.hints[name]
-        need(len(texts) == len(world.lines) - 1, f"{name} has not one entry for each column")
-        world.columns = [column(words) for words in texts]
-        for j in range(len(texts)):
-            world.prove(j)
+        world.columns = columns(self.hints[name])
+        C = len(world.columns)
+        need(len(world.lines) == C + 1, f"{name} has not one entry for each column")
+        if self.jobs < 2:
+            for j in range(C):
+                world.prove(j)
+        else:
+            context = multiprocessing.get_context("spawn")
+            with ProcessPoolExecutor(self.jobs, context, _begin, (world,)) as pool:
+                list(pool.map(_prove, range(C), chunksize=PART))
         cells = sum(len(run.levels) for runs in world.columns for run in runs)
         self.step(f"{name}: from {cells} cells orbits stop, or leave by the ceiling")
         return world.columns
@@ -123,6 +131,19 @@ class Conservative(Theorem):
     def words(self) -> str:
         """Return the theorem in one line."""
         return self.told(SYSTEM + _AREA)
+
+
+_worlds = list[World]()  # in a process that helps: the one whose columns it proves
+
+
+def _begin(world: World) -> None:
+    """Prepare a process."""
+    _worlds[:] = [world]
+
+
+def _prove(j: int) -> None:
+    """Prove a column."""
+    _worlds[0].prove(j)
 
 
 _AREA = (

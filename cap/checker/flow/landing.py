@@ -1,0 +1,93 @@
+"""Where the image of an arc is, in a column, and whether it is between two edges there.
+
+An image is t(r), E(r), r in [-1, 1].  In a column s = (t - t_0)/d, and on an edge E = q(s).
+
+*The part in a column.*  If t' has one sign on the whole arc, then by the mean value theorem t is
+reached at (t - t(0))/t', for a value of t'; so the r with t in the column are in an interval [m,
+n].  Only there E is compared.  For z with z'' >= b on the arc,
+
+    z(r) >= z(0) + z'(0) r + b r^2/2.
+
+If b <= 0, the right side is least at m or n.  If b > 0, it is so, too, unless z'(0) + b r changes
+its sign between m and n; in any case it is at least z(0) - z'(0)^2/(2 b).
+
+*Rounding.*  For |r| <= 1 each value of the right side, and of z'(0) + b r, has at most 6 roundings
+of numbers below twice the sum of |z(0)|, |z'(0)| and |b|: ERROR = 2^-48 times that sum is more.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from cap.checker.flow.arc import Image, Taylor, negative
+from cap.checker.flow.columns import UNIT, Edge
+from cap.checker.kernel.doubles import Double
+
+ERROR = 2.0**-48
+MORE = 1 + 2.0**-40
+
+Part = tuple[float, float]
+
+
+class Target(NamedTuple):
+    """The interval of energies in a column into which a cell is to fly; None: no end."""
+
+    lower: Edge | None
+    upper: Edge | None
+
+
+class Place:
+    """Where an image, which is moved in time, is in a column between two lines."""
+
+    def __init__(self, image: Image, shift: Double, low: float, high: float) -> None:
+        t, middle, scale = image.T[0] + shift, (low + high) / 2, 2 / (high - low)  # powers of 2
+        self.E = image.E
+        self.part = _part(t, image.dT, low, high)
+        self.s = (t - middle) * scale, image.T[1] * scale, image.T[2] * scale
+        self.all, self.ds = (image.all + shift - middle) * scale, image.dT * scale
+
+    def launch(self) -> tuple[float, float]:
+        """Return s and E about in the middle of the part; it steers only."""
+        r = (self.part[0] + self.part[1]) / 2 if self.part else 0.0
+        s, E = (z[0].mid + r * (z[1].mid + r * z[2].mid / 2) for z in (self.s, self.E))
+        return max(-1.0, min(1.0, s)), E
+
+    def within(self, target: Target) -> bool:
+        """Return whether the image is certainly between the edges, and not on a lower one."""
+        low, high = target
+        above = low is None or self.positive(self.gap(low))
+        return above and (high is None or self.positive(negative(self.gap(high))))
+
+    def gap(self, edge: Edge) -> Taylor:
+        """Return E - q(s): its second derivative is E'' - 2 q_2 s'^2 - (q_1 + 2 q_2 s) s''."""
+        a, b, c = (q * UNIT for q in edge)
+        s, s1, s2 = self.s
+        value = self.E[0] - (s * (s * c + b) + a)
+        slope = self.E[1] - (s * (2 * c) + b) * s1
+        bend = self.E[2] - self.ds * self.ds * (2 * c) - (self.all * (2 * c) + b) * s2
+        return value, slope, bend
+
+    def positive(self, z: Taylor) -> bool:
+        """Return whether z is certainly not negative on the part."""
+        if self.part is None:
+            return True
+        (one, two), (first, last), b = z[:2], self.part, z[2].lower
+        value, slope = one.mid, two.mid
+        err = (one.rad + two.rad) * MORE + ERROR * (abs(value) + abs(slope) + abs(b))
+        for r in (first, last):
+            if not value + (slope + 0.5 * b * r) * r >= err:  # nor NaN
+                return False
+        if b <= 0 or slope + b * first >= err or slope + b * last <= -err:
+            return True
+        return value - (abs(slope) + err) ** 2 / (2 * b) * MORE >= err
+
+
+def _part(t: Double, slope: Double, low: float, high: float) -> Part | None:
+    """Return the ends of an interval of all r at which a column may be met; None: it is not met."""
+    if abs(slope.mid) <= 2 * slope.rad:
+        return -1.0, 1.0
+    one, two = (Double(low) - t) / slope, (Double(high) - t) / slope
+    first, last = min(one.lower, two.lower), max(one.upper, two.upper)
+    if first > 1 or last < -1:
+        return None
+    return max(-1.0, first), min(1.0, last)
