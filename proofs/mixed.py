@@ -74,8 +74,8 @@ def prove(setting: Setting) -> Proof:
         "bits": str(setting.checker_bits),
         "attractor": attracts["hints"],
         "places": {"level": str(places.LEVEL), "tree": NOTHING},
-        "sticks": {"early": "A", "late": "A"},
-        "strip": {"slow": "A", "fast": "A"},
+        "sticks": {"early": written([0]), "late": written([0])},
+        "strip": {"slow": written([0]), "fast": written([0])},
     }
     draft = certificate_of(setting, claims_of(setting, (0, 0, 0)) | nested, hints)
     theorem = Mixed(read(dumps({**draft, "provenance": {}}).encode()), silent)

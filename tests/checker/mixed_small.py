@@ -20,10 +20,15 @@ SHALLOW = 12  # the deepest nodes of the tree of places, and its cells
 
 def even(halvings, cuts, flights):
     """Return a tree, as text: times halved, then places cut, so often; all leaves are followed."""
+    return written(numbers(halvings, cuts, flights))
+
+
+def numbers(halvings, cuts, flights):
+    """Return the numbers of such a tree."""
     if halvings + cuts == 0:
-        return written([flights + 2])
-    part = even(halvings - 1, cuts, flights) if halvings else even(0, cuts - 1, flights)
-    return written([1] if halvings else [2, 0, 0, 0]) + part + part
+        return [flights + 2]
+    part = numbers(halvings - 1, cuts, flights) if halvings else numbers(0, cuts - 1, flights)
+    return [*([1] if halvings else [2, 0, 0, 0]), *part, *part]
 
 
 def pruned(letters, depth):

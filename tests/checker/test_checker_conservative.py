@@ -16,11 +16,12 @@ from cap.cells.listing import Run as Listed
 from cap.cells.listing import listed, written
 from cap.checker.flow.arc import Arc, Image, Launches, least
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
-from cap.checker.flow.columns import BYTES, Run, columns, integers, lines
+from cap.checker.flow.columns import Run, columns, lines
 from cap.checker.flow.landing import Place
 from cap.checker.flow.overlap import gaps, mirrored, shared
 from cap.checker.flow.strips import Ceiling, Flown, World, along
 from cap.checker.kernel.doubles import Double, enclosing
+from cap.checker.kernel.parabolas import BYTES, integers
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary

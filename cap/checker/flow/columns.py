@@ -11,19 +11,17 @@ top: all above its last edge is a cell of level 0.
 of its runs, 4 m + b, m the number of its edges, b = 1 if it begins at the bottom, 2 if it ends at
 the top, 3 if both, else 0, then the levels of the m - 1 cells between its edges; then q_0 of all
 edges, less that of the edge before in the same column, if there is one; then q_1 and q_2 likewise.
-An integer z is written as 2 z or, if negative, -2 z - 1, in bytes with seven bits of it, least
-first, with 128 added to all but the last.  The bytes are compressed (zlib) and written in base 85.
+Integers are written as in `cap.checker.kernel.parabolas`.
 """
 
 from __future__ import annotations
 
-import base64
-import zlib
 from collections.abc import Iterator
-from itertools import accumulate, islice, pairwise
+from itertools import accumulate, islice
 from typing import NamedTuple
 
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.parabolas import Edge, integers, ordered
+from cap.checker.kernel.rejection import need
 
 UNIT = 2.0**-24
 LINE = 2.0**-11
@@ -31,9 +29,6 @@ LAST = 16  # no line is later
 MOST = 4096  # columns
 LONGEST = 2048  # edges of a column: pairs of its gaps may have to be compared
 LARGEST = 1 << 40  # of coefficients, in units; sums of three of them are exact in doubles
-BYTES = 1 << 24  # of a family
-
-Edge = tuple[int, int, int]
 
 
 class Run(NamedTuple):
@@ -47,30 +42,6 @@ class Run(NamedTuple):
 
 Column = list[Run]
 Head = tuple[int, list[int], bool, bool]
-
-
-def integers(text: str) -> Iterator[int]:
-    """Give the integers that are written in a text."""
-    value, shift = 0, 0
-    for byte in _unpacked(text):
-        value |= (byte & 127) << shift
-        shift += 7
-        need(shift < 70, "an integer is too long")
-        if byte < 128:
-            yield value >> 1 if value % 2 == 0 else -(value >> 1) - 1
-            value, shift = 0, 0
-    need(shift == 0, "a text ends within an integer")
-
-
-def _unpacked(text: str) -> bytes:
-    """Return the bytes that are written in a text."""
-    unpacking = zlib.decompressobj()
-    try:
-        found = unpacking.decompress(base64.b85decode(text), BYTES)
-    except (ValueError, zlib.error):
-        raise Rejected("a text is not in base 85, or not compressed") from None
-    need(unpacking.eof and not unpacking.unused_data, "a text goes on, or is too long")
-    return found
 
 
 def columns(text: str) -> list[Column]:
@@ -108,20 +79,9 @@ def _column(heads: list[Head], *deltas: list[int]) -> Column:
     qs = [list(accumulate(each)) for each in deltas]
     need(all(-LARGEST < q < LARGEST for each in qs for q in each), "an edge is too far away")
     edges = list[Edge](zip(*qs, strict=True))
-    _ordered(edges)
+    ordered(edges)
     rest = iter(edges)
     return [Run(list(islice(rest, m)), levels, bottom, top) for m, levels, bottom, top in heads]
-
-
-def _ordered(edges: list[Edge]) -> None:
-    """Check that each edge is below the next: their difference is positive at s = -1 and 1, and at
-    its minimum, -d_1/(2 d_2), if that lies between.
-    """
-    for low, high in pairwise(edges):
-        a, b, c = (q - p for p, q in zip(low, high, strict=True))
-        inside = abs(b) < 2 * c
-        apart = a + c > abs(b) and (not inside or 4 * a * c > b * b)
-        need(apart, "an edge is not below the next")
 
 
 def lines(text: str) -> list[float]:

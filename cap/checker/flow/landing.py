@@ -20,8 +20,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cap.checker.flow.arc import Image, Taylor, negative
-from cap.checker.flow.columns import UNIT, Edge
+from cap.checker.flow.columns import UNIT
 from cap.checker.kernel.doubles import Double
+from cap.checker.kernel.parabolas import Edge
 
 ERROR = 2.0**-48
 MORE = 1 + 2.0**-40

@@ -21,7 +21,8 @@ from __future__ import annotations
 import math
 from itertools import accumulate
 
-from cap.checker.flow.columns import UNIT, Column, Edge
+from cap.checker.flow.columns import UNIT, Column
+from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.rejection import need
 
 PARTS = 4

@@ -37,9 +37,10 @@ from functools import cached_property
 from typing import NamedTuple, Protocol, Self, TypeVar
 
 from cap.checker.flow.arc import SPAN, Arc, Image, Launches, Taylor, least, negative
-from cap.checker.flow.columns import UNIT, Column, Edge
+from cap.checker.flow.columns import UNIT, Column
 from cap.checker.flow.landing import Place, Target
 from cap.checker.kernel.doubles import PI, Double, cos_sin
+from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.rejection import Rejected, need
 
 MOST = 5_000_000  # arcs: ten minutes

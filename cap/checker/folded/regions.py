@@ -74,7 +74,7 @@ def restricted(edge: Edge, side: int) -> Edge:
 
 def leaves(text: str, root: Region) -> Iterator[Leaf]:
     """Give the leaves of a tree."""
-    found = iter(integers(text))
+    found = integers(text)
     waiting = [root]
     while waiting:
         region = waiting.pop()
@@ -92,7 +92,7 @@ def leaves(text: str, root: Region) -> Iterator[Leaf]:
 
 def flights(text: str) -> int:
     """Return how many flights the leaves of a tree are followed over, at most."""
-    found, total = iter(integers(text)), 0
+    found, total = integers(text), 0
     for code in found:
         if code == 2:
             for _ in range(3):

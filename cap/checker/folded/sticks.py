@@ -11,13 +11,13 @@ these states, for all regions of sticks and all multiples of pi passed, add up.
 *Regions* (`cap.checker.folded.regions`): z is from -1 to 1 over an arc, and the edges are those of
 q.  All sticks of an arc are the region between -W (or a little above) and 0.
 
-*What is counted.*  At each multiple of pi that is passed in a flight, for certain before the next
-event, if all speeds are below V then, the integral of the density.  The same at one up to the end
-of the next event, if that is certain, and if all speeds are below V: they change by less than 2 a
-unit of time, and the density only grows.  Subtracted is what lies over places without the fate in
-question.  Let there be places of the measure m at most within the bounds of the edges over one of
-`PARTS` equal parts of Y, and h half the width of the region: the integral is at most the mean of 2 m
-sup(density)/inf(h).
+*What is counted.* At each multiple of pi that is passed in a flight, for certain before the next
+event, if all speeds are below V then, the integral of the density. The same at one up to the end of
+the next event, if that is certain, and if all speeds are below V: they change by less than 2 a unit
+of time, and the density only grows. Subtracted is what lies over places without the fate in
+question. Let there be places of the measure m at most within the bounds of the edges over one of
+`PARTS` equal parts of Y, and h half the width of the region: the integral is at most the mean of 2
+m sup(density)/inf(h).
 """
 
 from __future__ import annotations

@@ -1,41 +1,48 @@
-"""Regions between parabolas, as a certificate lists them.
+"""Parabolas, and integers as text, as certificates list them.
 
 An *edge* is q_0 + q_1 s + q_2 s^2, for s in [-1, 1], its coefficients integers in some unit.
 
-*As text.*  An integer z is written as 2 z or, if negative, -2 z - 1, in base 64, in digits of five
-bits, least first, with 32 added to all but the last.
+*As text.*  An integer z is written as 2 z or, if negative, -2 z - 1, in bytes with seven bits of
+it, least first, with 128 added to all but the last.  The bytes are compressed (zlib) and written in
+base 85.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import base64
+import zlib
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import Rejected, need
 
 Edge = tuple[int, int, int]
 
-_DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"
-_VALUES = {digit: value for value, digit in enumerate(_DIGITS)}
+BYTES = 1 << 24  # of a text
 
 
-def integers(text: str) -> list[int]:
-    """Return the integers that are written in a text."""
-    found, value, shift = list[int](), 0, 0
-    for digit in text:
-        need(digit in _VALUES and shift < 60, "a text is not a sequence of integers")
-        value |= (_VALUES[digit] & 31) << shift
-        shift += 5
-        if _VALUES[digit] < 32:
-            found.append(value >> 1 if value % 2 == 0 else -(value >> 1) - 1)
+def integers(text: str) -> Iterator[int]:
+    """Give the integers that are written in a text."""
+    value, shift = 0, 0
+    for byte in _unpacked(text):
+        value |= (byte & 127) << shift
+        shift += 7
+        need(shift < 98, "an integer is too long")
+        if byte < 128:
+            yield value >> 1 if value % 2 == 0 else -(value >> 1) - 1
             value, shift = 0, 0
     need(shift == 0, "a text ends within an integer")
+
+
+def _unpacked(text: str) -> bytes:
+    """Return the bytes that are written in a text."""
+    unpacking = zlib.decompressobj()
+    try:
+        found = unpacking.decompress(base64.b85decode(text), BYTES)
+    except (ValueError, zlib.error):
+        raise Rejected("a text is not in base 85, or not compressed") from None
+    need(unpacking.eof and not unpacking.unused_data, "a text goes on, or is too long")
     return found
-
-
-def endings(text: str) -> int:
-    """Return how many integers are written in a text."""
-    return sum(_VALUES.get(digit, 0) < 32 for digit in text)
 
 
 def ordered(edges: Sequence[Edge]) -> None:
