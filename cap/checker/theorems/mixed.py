@@ -144,7 +144,13 @@ class Mixed(Theorem):
             return
         context = multiprocessing.get_context("spawn")
         with ProcessPoolExecutor(self.jobs, context) as pool:
-            yield lambda f, tasks: list(pool.map(f, tasks, chunksize=32))
+
+            def work(f: Callable[[Any], Any], tasks: Iterable[Any]) -> list[Any]:
+                """Do tasks in a few parts: what f knows goes to a process with each of them."""
+                whole = list(tasks)
+                return list(pool.map(f, whole, chunksize=1 + len(whole) // (8 * self.jobs)))
+
+            yield work
 
     # the units of the flow: 1/omega and F/omega^2
 
