@@ -53,10 +53,10 @@ OPTIONS = ("flights", "jobs")
 FLIGHTS = 25  # that launches are followed, forward and backward, if nothing else is asked for
 WIDE = Fraction(1, 64)  # of columns, at first
 FINE = 1 / 2048  # of the narrowest columns
-ROUNDS, ROUGH = 2, 20  # how often some are cut, and after how many flights
-LOSS = 1e-7  # of area for each of its cells: a column that loses more is cut
-WORTH = 1.25e-7  # the area that a cell takes away is at least this, for so many flights
-HALF = 5  # more flights: it is half as much
+LOSSES = 1e-7, 1e-7  # of area for each of its cells: a column that loses more is cut, twice
+WORTH = 1.25e-7  # the area that a cell takes away is at least this
+DEEPER, LESS = 5e-8, 1.25e-8  # for more than `FLIGHTS` flights: columns are cut once more
+ROUGH = 20  # flights, before columns are cut
 CEILING = (
     Fraction(4, 5),
     Fraction(1, 10),
@@ -76,12 +76,12 @@ def prove(setting: Setting) -> Proof:
     lines = strips.lines(strips.window(a, b, c), WIDE)
     world = World(float(p.f / p.F), float(R), a, b, c, lines)
     flights = setting.flights or FLIGHTS
-    for _ in range(ROUNDS):
-        rough = min(flights, ROUGH)
+    deep, rough = flights > FLIGHTS, min(flights, ROUGH)
+    for loss in (*LOSSES, *([DEEPER] if deep else [])):
         family = strips.found(_begun(p, world, ceiling), rough, setting.runner)
-        world = world.cut(strips.lossy(family, rough, LOSS, FINE))
+        world = world.cut(strips.lossy(family, rough, loss, FINE))
     family = strips.found(_begun(p, world, ceiling), flights, setting.runner)
-    family = strips.worthy(family, WORTH * 0.5 ** (max(0, flights - FLIGHTS) / HALF))
+    family = strips.worthy(family, LESS if deep else WORTH)
     texts = [_text(each) for each in family]
     hints = {
         "ceiling": dict(zip(("height", "phase", "level"), map(str, ceiling), strict=True)),

@@ -26,7 +26,7 @@ def wide(monkeypatch):
     """Columns are wide, and few."""
     monkeypatch.setattr(conservative, "WIDE", Fraction(1, 8))
     monkeypatch.setattr(conservative, "FINE", 1 / 16)
-    monkeypatch.setattr(conservative, "ROUNDS", 1)
+    monkeypatch.setattr(conservative, "LOSSES", (1e-7,))
 
 
 def test_two_flights():
