@@ -1,1 +1,1 @@
-"""The flow folded by its symmetry, over boxes of states, in quadratic models."""
+"""The flow folded by its symmetry: forwards from places of release, backwards from sticks."""

@@ -23,8 +23,8 @@ from typing import NamedTuple
 from cap.checker.folded.flights import Four, carried, constants
 from cap.checker.folded.numbers import TURN, UP, Pair, shifted, zero
 from cap.checker.kernel import polynomials as q
+from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.polynomials import LAST, Model
-from cap.checker.kernel.quadratic import cos_sin
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.theorem import Parameters
 

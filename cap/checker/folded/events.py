@@ -20,8 +20,8 @@ from typing import NamedTuple
 from cap.checker.folded.backward import Flight, System, followed, scout, since
 from cap.checker.folded.numbers import TURN, UP, Pair, middle, minus, quotient, times
 from cap.checker.kernel import polynomials as q
+from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.polynomials import Model
-from cap.checker.kernel.quadratic import cos_sin
 from cap.checker.kernel.rejection import need
 
 _NONE, _ONE = (0.0, 0.0), (1.0, 0.0)

@@ -32,7 +32,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from cap.checker.folded.numbers import TURN, UP, Pair
-from cap.checker.kernel import quadratic as q
+from cap.checker.kernel.angles import of, rounded
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.line import Coefficients
@@ -61,8 +61,8 @@ def constants(p: Parameters) -> Constants:
     need(ieee, "doubles are not those of IEEE 754, rounded to nearest")
     cosine = Interval.enclosing(p.f / p.F, p.f / p.F, _BITS)
     sine = (cosine.integer(1) - cosine.square()).sqrt()
-    width = q.rounded((p.r - p.l) * p.omega**2 / p.F)
-    return Constants(q.rounded(p.f / p.F), width, q.of(arccos(cosine)), q.of(pi(_BITS)), q.of(sine))
+    width = rounded((p.r - p.l) * p.omega**2 / p.F)
+    return Constants(rounded(p.f / p.F), width, of(arccos(cosine)), of(pi(_BITS)), of(sine))
 
 
 class Path(NamedTuple):
@@ -87,9 +87,9 @@ class System:
         self.width, self.theta, self.pi, self.sine = known[1:]
         half = pi(_BITS)
         theta = arccos(Interval.enclosing(p.f / p.F, p.f / p.F, _BITS))
-        self.turns = {k: q.of(half * (2 * k)) for k in range(-2, ARCS + 3)}
-        self.slows = {k: q.of(half * (2 * k) - theta) for k in range(ARCS + 3)}
-        self.first, self.last = q.of(half - theta), q.of(half + theta)  # turns are between them
+        self.turns = {k: of(half * (2 * k)) for k in range(-2, ARCS + 3)}
+        self.slows = {k: of(half * (2 * k) - theta) for k in range(ARCS + 3)}
+        self.first, self.last = of(half - theta), of(half + theta)  # turns are between them
 
     def slow_time(self, k: int) -> Pair:
         """Return the slow time of this number; its error covers those of its cosine and sine."""

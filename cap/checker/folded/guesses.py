@@ -7,8 +7,8 @@ import math
 from cap.checker.folded.flights import ARCS, Path, System
 from cap.checker.folded.numbers import zero
 from cap.checker.kernel import line
+from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.line import Coefficients
-from cap.checker.kernel.quadratic import cos_sin
 from cap.checker.kernel.rejection import Rejected, need
 
 

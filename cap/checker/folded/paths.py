@@ -50,10 +50,9 @@ from cap.checker.folded.flights import ARCS, Four, Path, System, carried
 from cap.checker.folded.guesses import hit_guess, scout, stop_guess
 from cap.checker.folded.numbers import TURN, UP, Pair, minus, quotient, shifted, times
 from cap.checker.folded.rests import height
-from cap.checker.folded.strip import Strip
+from cap.checker.folded.strip import Strip, Strobe
 from cap.checker.kernel import line
 from cap.checker.kernel.line import Coefficients, Line
-from cap.checker.kernel.quadratic import Model
 from cap.checker.kernel.rejection import Rejected, need
 
 _MOST = 40  # events
@@ -289,15 +288,8 @@ def moving(y: System, f: Path, until: float) -> None:
     raise Rejected("a flight is too long")
 
 
-def strobes(y: System, f: Path, until: float) -> list[tuple[Model, Model]]:
+def strobes(y: System, f: Path, until: float) -> list[Strobe]:
     """Return (p, s) at the multiples of 2 pi that the flight passes before a time."""
     turns = [y.turns[k] for k in range(4)]
     passes = [t for t in turns if f.begun[1] < t[0] - t[1] and t[0] + t[1] < until]
-    both = [seen(y, f, t, 1.0, 0.0) for t in passes]
-    return [(quadratic(p), quadratic(s)) for p, s in both]
-
-
-def quadratic(p: Line) -> Model:
-    """Return a model in two variables, the second of which has no influence."""
-    c, e = p
-    return c[0], c[1], 0.0, c[2], 0.0, 0.0, (e + sum(map(abs, c[3:]))) * UP
+    return [seen(y, f, t, 1.0, 0.0) for t in passes]

@@ -22,7 +22,7 @@ import math
 
 from cap.checker.folded.flights import System
 from cap.checker.folded.numbers import UP, Pair
-from cap.checker.kernel import quadratic as q
+from cap.checker.kernel.angles import cos_sin
 
 _SLOW, _LOW = 0.35, 0.001  # speeds for which a capture is tried; heights that count as none
 _WAITS = (2.0, 4.0, 8.0, 16.0)
@@ -47,7 +47,7 @@ def captures(y: System, ends: Pair, speed: float) -> bool:
         until = ends[1] + wait * speed
         if not (-theta < ends[0] and until < theta):
             return False
-        ahead = [q.cos_sin(t)[0] for t in (ends[0], until)]
+        ahead = [cos_sin(t)[0] for t in (ends[0], until)]
         least, most = min(ahead) - 1e-12, 1.0 if ends[0] <= 0 <= until else max(ahead) + 1e-12
         rise, fall, g = least + y.a - 1e-12, most - y.a + 1e-12, least - y.a - 1e-12
         if g > 0 and fall < rise and speed * speed < rise * y.width[0]:
@@ -62,5 +62,5 @@ def settles(y: System, ends: Pair, speed: float) -> bool:
     late = max(ends[1], y.theta[0]) + 0.2
     if ends[0] < 0 or late > 1.5:
         return False
-    drag = y.a - q.cos_sin(late)[0] - 1e-12
+    drag = y.a - cos_sin(late)[0] - 1e-12
     return drag > 0 and late + (speed / drag + speed / y.a) * (1 + 1e-9) <= 1.57

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cap.checker.folded.numbers import Pair
-from cap.checker.kernel import quadratic as q
-from cap.checker.kernel.quadratic import Model
+from cap.checker.kernel import line
+from cap.checker.kernel.line import Line
 
-Strobe = tuple[Model, Model]
+Strobe = tuple[Line, Line]
 """The distance to the wall ahead, negative, and the speed, at a multiple of 2 pi."""
 
 
@@ -27,15 +27,15 @@ class Strip(NamedTuple):
     edge: Pair
 
     def holds(self, strobe: Strobe) -> bool:
-        """Return whether all states of a model are in the strip."""
+        """Return whether all states of models are in the strip."""
         p, s = strobe
-        low, high = q.ends(s)
+        low, high = line.ends(s)
         if not (self.fast - self.d < low and high < self.slow + self.d):
             return False
-        x = q.moved(p, *self.edge)
-        low, high = q.ends(x)
+        x = line.moved(p, *self.edge)
+        low, high = line.ends(x)
         if not (self.left < low and high < self.right):
             return False
-        w = q.moved(s, -(self.fast + self.slow) / 2, self.fast - self.slow)
-        low, high = q.ends(q.total(x, q.scaled(w, self.k)))
+        w = line.moved(s, -(self.fast + self.slow) / 2, self.fast - self.slow)
+        low, high = line.ends(line.total(x, line.scaled(w, self.k)))
         return self.left < low and high < self.right

@@ -10,7 +10,7 @@ The coefficients are doubles, taken exactly.  With this norm the functions are a
 w_k |c_k| bounds the norm of a polynomial, and power series of functions converge as those of their
 norms.  Each operation keeps the statement true for the result.
 
-*Rounding* is as in ``quadratic``: a coefficient of a sum is wrong by at most h = 2^-53 of itself,
+*Rounding* is as in ``angles``: a coefficient of a sum is wrong by at most h = 2^-53 of itself,
 one of a product, a sum of at most n + 1 products, by at most (n + 2) h times the sum of their
 sizes: together, by at most (n + 2) h |p| |q|.  As n <= 8, `_ROUND` = 2^-48 is more than 3 times
 (n + 2) h.  Bounds are sums and products of numbers that are not negative, too small by less than
@@ -30,7 +30,7 @@ from __future__ import annotations
 from itertools import accumulate
 from operator import mul
 
-from cap.checker.kernel.quadratic import cos_sin
+from cap.checker.kernel.angles import cos_sin
 
 Coefficients = tuple[float, ...]
 Line = tuple[Coefficients, float]

@@ -9,7 +9,7 @@ A model is 16 coefficients and a bound e: it says of a quantity over [-1, 1]^2 t
 (`MONOMIALS` has the order of the coefficients).  X counts twice, for it is used where quantities
 vary less with X than with Y.  Each operation keeps what a model says true for the result.
 
-*Rounding* is as in `cap.checker.kernel.quadratic`: h = 2^-53, `_UP` = 1 + 2^-40 for the bounds,
+*Rounding* is as in `cap.checker.kernel.angles`: h = 2^-53, `_UP` = 1 + 2^-40 for the bounds,
 which are sums and products of less than 1000 operations; `_SUM` = 2^-51 for 2 h.  A coefficient of
 a product is a sum of at most ten products, wrong by at most 11 h times the sum of their sizes; all
 of them by at most 11 h |p| |q|, |p| the sum of the sizes of the coefficients: `_PRODUCT` = 2^-49.
@@ -29,7 +29,7 @@ from __future__ import annotations
 
 from operator import add
 
-from cap.checker.kernel import quadratic
+from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.rejection import need
 
 Model = tuple[float, ...]
@@ -179,7 +179,7 @@ def integral(p: Model) -> float:
 
 def trigonometric(p: Model) -> tuple[Model, Model]:
     """Return the cosine and the sine of p."""
-    c, s = quadratic.cos_sin(p[0])
+    c, s = cos_sin(p[0])
     g = with_constant(p, 0.0)
     G, h, e = size(g), product(g, g), 2.0**-55
     cos = moved(scaled(h, -1 / 720, e), 1 / 24, e)

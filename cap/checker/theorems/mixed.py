@@ -47,7 +47,7 @@ from cap.checker.folded.sticks import Areas, all_sticks, areas
 from cap.checker.folded.strip import Strip
 from cap.checker.folded.strips import entered, half_strip, strip_area
 from cap.checker.folded.tree import LETTERS, followed, known, nodes
-from cap.checker.kernel import quadratic as q
+from cap.checker.kernel.angles import rounded
 from cap.checker.kernel.reading import text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Letters, Whole, enclosure, region
@@ -179,7 +179,7 @@ class Mixed(Theorem):
             above(self.speed(claims["v"].upper)),
             below(self.speed(d) * (1 - Fraction(1, 10**9))),
             above((a + b * d) * self.omega),
-            q.rounded(self.length(self.p.r)),
+            rounded(self.length(self.p.r)),
         )
 
     def places(self, work: Work) -> Places:
