@@ -40,7 +40,7 @@ from cap.checker.folded.masses import Places
 from cap.checker.folded.regions import UNIT, Region
 from cap.checker.folded.regions import Leaf as Followed
 from cap.checker.folded.sticks import PARTS
-from cap.checker.folded.strips import entered, half_strip, strip_area
+from cap.checker.folded.strips import counts, entered, half_strip
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
@@ -178,7 +178,9 @@ def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
 def by_strip(setting: Setting, theorem: Mixed) -> tuple[Fraction, dict[str, str]]:
     """Return the area of states that go to the segment without a stick, and the trees for it."""
     y, strip, V = System(theorem.p), theorem.strip(), below(theorem.region()[1])
-    total, texts = Fraction(strip_area(y, strip)), dict[str, str]()
+    total, texts = Fraction(theorem.inside(y, V)), {"slow": written([0]), "fast": written([0])}
+    if not counts(y, strip):
+        return total, texts
     for name, fast in (("slow", False), ("fast", True)):
         root, (low, high) = half_strip(y, strip, fast=fast)
         long = (high - low) * strip.k

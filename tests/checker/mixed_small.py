@@ -10,7 +10,7 @@ from pathlib import Path
 from cap.cells.listing import written
 from cap.checker.folded.backward import System
 from cap.checker.folded.sticks import areas
-from cap.checker.folded.strips import entered, strip_area
+from cap.checker.folded.strips import entered
 from cap.checker.kernel.certificate import read
 from cap.checker.theorems.mixed import Mixed
 
@@ -51,7 +51,7 @@ def counted(theorem, places):
     V = float(theorem.region()[1])
     sticks = here(partial(areas, y, places, V), theorem.sticks(y))
     more = here(partial(entered, y, theorem.strip(), V), theorem.strips(y))
-    return theorem.parts(sticks, [strip_area(y, theorem.strip()), *more])
+    return theorem.parts(sticks, [theorem.inside(y, V), *more])
 
 
 @cache

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
 
 from cap.cells.listing import written
+from cap.checker.folded.backward import System
+from cap.checker.folded.strips import counts
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
@@ -121,6 +125,31 @@ def test_other_lemmas(true):
     rejected(changed(true, *at, "entropy", entropy), "entropy")
     basin = {"speed": "0.2", "drift": ["4.81839722", "0.211206897"]}
     rejected(changed(true, "claims", "segment", "basin", basin), "wall|fast|drift")
+
+
+def test_a_strip_counts_only_in_the_box(true):
+    """Not in a box of slower states; and not if its orbits may stick, or turn back, or are far."""
+    theorem = small()[0]
+    y, strip = System(theorem.p), theorem.strip()
+    whole = theorem.inside(y, 3.0)
+    assert whole == pytest.approx(0.0408, abs=1e-4)
+    assert theorem.inside(y, 0.25) == 0
+    assert counts(y, strip)
+    for wrong in (
+        strip._replace(d=0.49),
+        strip._replace(slow=0.05),
+        strip._replace(edge=(1e13, 0.0)),
+        strip._replace(edge=(1.0, 1e-9)),
+    ):
+        assert not counts(y, wrong)
+    slower = changed(true, "claims", "box", "v", ["-0.01", "0.01"])
+    for name in ("segment", "stops"):
+        slower = changed(slower, "claims", "shares", name, ["1.019", "1.02"])
+    lie = Mixed(read(encode(slower)), lambda _step: None)
+    with pytest.raises(Rejected, match="does not contain"):
+        lie.sums((Fraction(0), Fraction(lie.inside(y, 0.01)), Fraction(0)))
+    with pytest.raises(Rejected, match="more than the whole"):
+        lie.sums((Fraction(0), Fraction(1019, 1000), Fraction(1019, 1000)))
 
 
 def test_places(true):

@@ -168,7 +168,7 @@ def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch
 def test_a_rejected_certificate_is_not_written(capsys, tmp_path, monkeypatch):
     """If the checker does not accept what the prover made, nothing is claimed."""
 
-    def reject(_data, _step):
+    def reject(_data, _step, _jobs):
         raise Rejected("for the test")
 
     monkeypatch.setattr(theorems, "check", reject)

@@ -1,6 +1,6 @@
 """Hits and turns of the flow backwards in time (`cap.checker.folded.backward`).
 
-*Hits and stops* are found as in `cap.checker.folded.hits` and `stops`, with -a for a: T is a
+*Hits and stops*: T is a
 polynomial, and what p or s leave there bounds the error of the time.  As |s'| <= 1 + a < 2: if s >=
 m > 0 and |p| <= g at T, and 2 g/m < m/4, p vanishes once within 2 g/m of T.  If -cos t - a >= m > 0
 and |s| <= g at T, and 2 g/m < m/2, s vanishes within 2 g/m of T.
@@ -27,7 +27,7 @@ from cap.checker.kernel.rejection import need
 _NONE, _ONE = (0.0, 0.0), (1.0, 0.0)
 
 
-class Event(NamedTuple):
+class BackEvent(NamedTuple):
     """A hit or a turn at near + d; the cosine and the sine of that, and D = near + d - ref.
 
     ``e`` bounds the error of the time without those of A and B, ``e_all`` with them and rounding;
@@ -46,18 +46,18 @@ class Event(NamedTuple):
     p: Model | None = None
 
 
-def event(y: System, f: Flight) -> Event:
+def event(y: System, f: Flight) -> BackEvent:
     """Prove what comes next, for all orbits."""
     kind, near, k = scout(y, f)
     return hit(y, f, near) if kind == "hit" else turn(y, f, near, k)
 
 
-def after(y: System, f: Flight, e: Event) -> Flight:
+def after(y: System, f: Flight, e: BackEvent) -> Flight:
     """Return the flight after an event."""
     return after_hit(y, f, e) if e.p is None else after_turn(y, f, e, e.p)
 
 
-def hit(y: System, f: Flight, near: float) -> Event:
+def hit(y: System, f: Flight, near: float) -> BackEvent:
     """Prove that the next event is a hit, close to a time."""
     d = hitting(y, f, near)
     cos, sin = q.trigonometric(q.with_constant(d, near + d[0]))
@@ -70,10 +70,11 @@ def hit(y: System, f: Flight, near: float) -> Event:
     e_all = 2 * (left + q.size(D) * f.errors[0] + f.errors[1]) / least * UP
     need(4 * e_all < least, "the time of a hit is not certain")
     ends = q.ends(q.widened(q.with_constant(d, near + d[0]), e_all + lag))
+    need(ends[1] - ends[0] < 4, "the time of a hit is not certain")
     y.since_start(f, ends[0])
     y.moving(f, ends[1])
     speeds = least - 2 * e_all, most + 2 * e_all
-    return Event(near, d, D, cos, sin, e + lag, e_all + lag, ends, speeds)
+    return BackEvent(near, d, D, cos, sin, e + lag, e_all + lag, ends, speeds)
 
 
 def hitting(y: System, f: Flight, near: float) -> Model:
@@ -88,7 +89,7 @@ def hitting(y: System, f: Flight, near: float) -> Model:
     return d
 
 
-def after_hit(y: System, f: Flight, h: Event) -> Flight:
+def after_hit(y: System, f: Flight, h: BackEvent) -> Flight:
     """Return the flight after a hit."""
     c, tau, D = (middle(q.ends(q.widened(z, h.e_all))) for z in (h.cos, h.d, h.D))
     g = quotient((2 * c[0], 2 * c[1]), middle(h.speeds))
@@ -103,7 +104,7 @@ def after_hit(y: System, f: Flight, h: Event) -> Flight:
     return found._replace(slow=1 if found.begun[0] > sum(y.slow(0)) else 0)
 
 
-def turn(y: System, f: Flight, near: float, k: int) -> Event:
+def turn(y: System, f: Flight, near: float, k: int) -> BackEvent:
     """Prove that the next event is a turn, close to a time, before the slow time k."""
     d = stopping(y, f, near)
     cos, sin = q.trigonometric(q.with_constant(d, near + d[0]))
@@ -123,7 +124,7 @@ def turn(y: System, f: Flight, near: float, k: int) -> Event:
     spread = q.size(q.with_constant(D, 0.0)) + e_all
     p_all = q.widened(p, y.influence(f, f.ref + D[0], spread))
     need(q.ends(p_all)[1] < 0, "the mass may hit before it stops")
-    return Event(near, d, D, cos, sin, e + lag, e_all + lag, ends, _NONE, p)
+    return BackEvent(near, d, D, cos, sin, e + lag, e_all + lag, ends, _NONE, p)
 
 
 def stopping(y: System, f: Flight, near: float) -> Model:
@@ -139,7 +140,7 @@ def stopping(y: System, f: Flight, near: float) -> Model:
     return d
 
 
-def after_turn(y: System, f: Flight, t: Event, p: Model) -> Flight:
+def after_turn(y: System, f: Flight, t: BackEvent, p: Model) -> Flight:
     """Return the flight after a turn at a place."""
     c, tau, D = (middle(q.ends(q.widened(z, t.e_all))) for z in (t.cos, t.d, t.D))
     a = y.a, y.a_error

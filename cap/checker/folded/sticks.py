@@ -28,7 +28,7 @@ from itertools import count
 from typing import NamedTuple, Protocol
 
 from cap.checker.folded.backward import Flight, System
-from cap.checker.folded.events import Event, after, event
+from cap.checker.folded.events import BackEvent, after, event
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import CUT, UNIT, Leaf, Region
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
@@ -182,7 +182,7 @@ def flown(y: System, f: Flight) -> Iterator[Strobe]:
         yield k + f.passed, speeds
 
 
-def at_event(y: System, f: Flight, e: Event, flown: int) -> list[Strobe]:
+def at_event(y: System, f: Flight, e: BackEvent, flown: int) -> list[Strobe]:
     """Return the multiples of pi up to the end of the next event, but for those ``flown``."""
     found, (low, high), (least, most) = list[Strobe](), e.ends, e.speeds
     k = first(f) + flown

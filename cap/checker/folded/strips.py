@@ -1,10 +1,15 @@
 """Areas of states at t = 0 that go to the segment without a stick, found backwards from a strip.
 
-All states (p, s) of the strip at t = 0 go to the segment (`cap.checker.folded.fates`).  Consider
+All states (p, s) of the strip at t = 0 go to the segment (`cap.checker.folded.strip`).  Consider
 those that have been outside of it at the times -T, -2 T, ..., -n T: what they were then are
 different states, for different states and different times, none of them in the strip, and they tend
 to the segment as well.  They do not stick before they are in the strip, nor after that: so none is
 counted for its first stick (`cap.checker.folded.sticks`).
+
+*They do not stick* after they are in the strip: with v* the velocity on the segment and |v - v*| <
+d from then on, a mass stops only where |v*| < d. It sticks only if |cos t| < a, for times modulo pi
+in (theta, pi - theta); there |v*| decreases, so it is at least v* + sin theta - a (pi - theta), v*
+taken at t = 0. That has to be more than d; and v* > d, so that all move to the right at t = 0.
 
 Backwards, folded, a state of the strip begins at the time pi, with the distance q = x_l - x to the
 wall ahead, and the density 1.  The strip |w| < d is in two halves: z is from -1 to 1 over w from -d
@@ -30,6 +35,14 @@ from cap.checker.folded.strip import Strip
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.parabolas import ordered
 from cap.checker.kernel.rejection import Rejected
+
+
+def counts(y: System, strip: Strip) -> bool:
+    """Return whether the states of a strip move, do not stick, and are not lost in rounding."""
+    (edge, e), (W, r) = strip.edge, y.width
+    far = abs(edge) + W + abs(strip.left) + abs(strip.right)
+    late = strip.slow + y.sine[0] - y.a * (y.pi[0] - y.theta[0])
+    return min(strip.slow, late) > strip.d + 1e-9 and far < 1000 and e + r < 2.0**-42
 
 
 def half_strip(y: System, strip: Strip, *, fast: bool) -> tuple[Region, Pair]:
@@ -76,7 +89,7 @@ def entered(y: System, strip: Strip, V: float, task: tuple[Leaf, bool]) -> float
     Only as long as all states are certain to have been outside the strip.
     """
     leaf, fast = task
-    f, area = strip_of(y, strip, leaf.region, fast=fast).flight, 0.0
+    f, area, last = strip_of(y, strip, leaf.region, fast=fast).flight, 0.0, 1
     for _ in range(leaf.flights):
         strobes = [(k, speeds, out(y, strip, f, k)) for k, speeds in flown(y, f)]
         try:
@@ -86,9 +99,10 @@ def entered(y: System, strip: Strip, V: float, task: tuple[Leaf, bool]) -> float
         except Rejected:
             e = None
         for k, (_, speed), outside in strobes:
-            if k % 2 and not outside:
+            if k != last + 1 or (k % 2 and not outside):
                 return area * (1 - 64 * TURN)
             area += max(0.0, q.integral(f.density)) * (k % 2 and speed < V)
+            last = k
         if e is None:
             break
         try:

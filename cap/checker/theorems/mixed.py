@@ -45,7 +45,7 @@ from cap.checker.folded.portions import roof
 from cap.checker.folded.regions import Leaf, flights, leaves
 from cap.checker.folded.sticks import Areas, all_sticks, areas
 from cap.checker.folded.strip import Strip
-from cap.checker.folded.strips import entered, half_strip, strip_area
+from cap.checker.folded.strips import counts, entered, half_strip, strip_area
 from cap.checker.folded.tree import LETTERS, followed, known, nodes
 from cap.checker.kernel.angles import rounded
 from cap.checker.kernel.reading import text
@@ -117,7 +117,7 @@ class Mixed(Theorem):
             counted = work(partial(areas, y, places, V), self.sticks(y))
             self.step("the states are counted by their first sticks")
             more = work(partial(entered, y, self.strip(), V), self.strips(y))
-        self.sums(self.parts(counted, [strip_area(y, self.strip()), *more]))
+        self.sums(self.parts(counted, [self.inside(y, V), *more]))
         self.step("the shares follow from the areas")
 
     def parts(self, counted: Iterable[Areas], more: Iterable[float]) -> tuple[Fraction, ...]:
@@ -207,8 +207,15 @@ class Mixed(Theorem):
             for leaf in leaves(self.hints["sticks"][name], all_sticks(y)):
                 yield leaf, late
 
+    def inside(self, y: System, V: float) -> float:
+        """Return the area of the strip, if it is in the box."""
+        strip = self.strip()
+        return strip_area(y, strip) if counts(y, strip) and strip.fast + strip.d < V else 0.0
+
     def strips(self, y: System) -> Iterator[tuple[Leaf, bool]]:
         """Give the regions of the strip, and whether they are in its faster half."""
+        if not counts(y, self.strip()):
+            return
         for name, fast in (("slow", False), ("fast", True)):
             root, _ends = half_strip(y, self.strip(), fast=fast)
             for leaf in leaves(self.hints["strip"][name], root):
@@ -217,6 +224,7 @@ class Mixed(Theorem):
     def sums(self, parts: Sequence[Fraction]) -> None:
         """Compare the claims with the parts of the area."""
         (a, s, known), one = parts, Fraction(1)
+        need(a + s <= one and known <= one, "the shares are more than the whole")
         found = {"attractor": (a, one - s), "segment": (s, one - a)}
         found |= {"stops": (known, one), "undecided": (Fraction(0), one - known)}
         area = 2 * self.R * self.claims["box"]["v"].upper
