@@ -21,7 +21,8 @@ import math
 from typing import NamedTuple
 
 from cap.checker.folded.flights import Four, carried, constants
-from cap.checker.folded.numbers import TURN, UP, Pair, shifted, zero
+from cap.checker.folded.numbers import TURN, UP, Pair, shifted
+from cap.checker.folded.scout import Middle, scout
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.polynomials import LAST, Model
@@ -124,31 +125,11 @@ class System:
         return ref, q.widened(d, (abs(near) + 8) * TURN + abs(k) * (self.pi[1] + 4 * TURN))
 
 
-def scout(y: System, f: Flight) -> tuple[str, float, int]:
+def upcoming(y: System, f: Flight) -> tuple[str, float, int]:
     """Return what comes next in the middle of the region, when, and in which arc: it steers."""
-    a, A, B, ref = y.a, f.A[0], f.B[0], f.ref
-
-    def s(t: float) -> float:
-        return math.sin(t) + a * (t - ref) + A
-
-    def ahead(t: float) -> float:
-        d = t - ref
-        return math.cos(t) - d * (A + a * d / 2) - B
-
-    low = (f.begun[0] + f.begun[1]) / 2
-    for k in range(f.slow, _ARCS):
-        slow = y.slow(k)[0]
-        if slow <= low:
-            continue
-        high, kind = slow, "hit"
-        if s(slow) <= 0:
-            high, kind = zero(s, max(low, slow - 2 * y.theta[0]), slow), "turn"
-        if ahead(high) <= 0:
-            return "hit", zero(ahead, low, high), k
-        if kind == "turn":
-            return kind, high, k
-        low = slow
-    raise Rejected("a flight is too long")
+    slows = ((k, y.slow(k)[0]) for k in range(f.slow, _ARCS))
+    middle = Middle(-y.a, f.A[0], f.B[0], f.ref)
+    return scout(middle, (f.begun[0] + f.begun[1]) / 2, slows, 2 * y.theta[0])
 
 
 def since(f: Flight, near: float, d: Model) -> tuple[Model, float]:

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from cap.checker.folded.backward import Flight, System, followed, scout, since
+from cap.checker.folded.backward import Flight, System, followed, since, upcoming
 from cap.checker.folded.numbers import TURN, UP, Pair, middle, minus, quotient, times
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.angles import cos_sin
@@ -48,7 +48,7 @@ class BackEvent(NamedTuple):
 
 def event(y: System, f: Flight) -> BackEvent:
     """Prove what comes next, for all orbits."""
-    kind, near, k = scout(y, f)
+    kind, near, k = upcoming(y, f)
     return hit(y, f, near) if kind == "hit" else turn(y, f, near, k)
 
 

@@ -29,6 +29,7 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Sequence
+from functools import cache
 from typing import NamedTuple
 
 from cap.checker.folded.numbers import TURN, UP, Pair
@@ -54,6 +55,12 @@ class Constants(NamedTuple):
     sine: Pair
 
 
+@cache
+def angles(p: Parameters) -> tuple[Interval, Interval]:
+    """Return theta = arccos a, and pi."""
+    return arccos(Interval.enclosing(p.f / p.F, p.f / p.F, _BITS)), pi(_BITS)
+
+
 def constants(p: Parameters) -> Constants:
     """Return the constants of the folded flow."""
     need(p.f > 0 and p.e == 1 and p.mu == 0, "the folded flow needs f > 0, e = 1, mu = 0")
@@ -62,7 +69,7 @@ def constants(p: Parameters) -> Constants:
     cosine = Interval.enclosing(p.f / p.F, p.f / p.F, _BITS)
     sine = (cosine.integer(1) - cosine.square()).sqrt()
     width = rounded((p.r - p.l) * p.omega**2 / p.F)
-    return Constants(rounded(p.f / p.F), width, of(arccos(cosine)), of(pi(_BITS)), of(sine))
+    return Constants(rounded(p.f / p.F), width, *map(of, (*angles(p), sine)))
 
 
 class Path(NamedTuple):
@@ -85,8 +92,7 @@ class System:
         known = constants(p)
         self.a, self.a_error = known.a
         self.width, self.theta, self.pi, self.sine = known[1:]
-        half = pi(_BITS)
-        theta = arccos(Interval.enclosing(p.f / p.F, p.f / p.F, _BITS))
+        theta, half = angles(p)
         self.turns = {k: of(half * (2 * k)) for k in range(-2, ARCS + 3)}
         self.slows = {k: of(half * (2 * k) - theta) for k in range(ARCS + 3)}
         self.first, self.last = of(half - theta), of(half + theta)  # turns are between them

@@ -4,39 +4,11 @@ from __future__ import annotations
 
 import math
 
-from cap.checker.folded.flights import ARCS, Path, System
-from cap.checker.folded.numbers import zero
+from cap.checker.folded.flights import Path, System
 from cap.checker.kernel import line
 from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.line import Coefficients
-from cap.checker.kernel.rejection import Rejected, need
-
-
-def scout(y: System, f: Path) -> tuple[str, float, int]:
-    """Return what comes next in the middle of the interval, when, and in which arc: it steers."""
-    a, A, B, ref = y.a, f.A[0], f.B[0], f.ref
-
-    def s(t: float) -> float:
-        return math.sin(t) - a * (t - ref) + A
-
-    def ahead(t: float) -> float:
-        d = t - ref
-        return math.cos(t) - d * (A - a * d / 2) - B
-
-    low = (f.begun[0] + f.begun[1]) / 2
-    for k in range(f.slow, ARCS):
-        slow = y.slows[k][0]
-        if slow <= low:
-            continue
-        high, kind = slow, "hit"
-        if s(slow) <= 0:
-            high, kind = zero(s, max(low, slow - 2 * math.pi + 2 * y.theta[0]), slow), "stop"
-        if ahead(high) <= 0:
-            return "hit", zero(ahead, low, high), k
-        if kind == "stop":
-            return kind, high, k
-        low = slow
-    raise Rejected("a flight is too long")
+from cap.checker.kernel.rejection import need
 
 
 def hit_guess(y: System, f: Path, near: float) -> Coefficients:

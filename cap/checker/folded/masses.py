@@ -29,7 +29,7 @@ from cap.checker.folded.portions import Node, Portion
 from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT, Table, first_table
 
 _ROUNDS = 24
-_UNIT = 2.0**60
+UNIT = 2.0**60
 
 
 class Reach(NamedTuple):
@@ -62,7 +62,7 @@ class Passage(NamedTuple):
 
 def units(x: float) -> int:
     """Return a length in whole units, rounded upwards."""
-    return math.ceil(x * UP * _UNIT)
+    return math.ceil(x * UP * UNIT)
 
 
 class Doubt:
@@ -112,7 +112,7 @@ class Places:
     def missing(self, ends: Pair, fate: int) -> float:
         """Return a bound of the measure of the places in an interval without a fate."""
         mass = self.reach(ends, self.doubts[fate]).mass(self.masses[fate], self.sums[fate])
-        return mass / _UNIT * UP
+        return mass / UNIT * UP
 
     # fates
 
@@ -180,7 +180,7 @@ class Places:
         ends = pairwise(self.edges)
         fates = [self.table.fate(cell) for cell in ends]
         gaps = [
-            max(0, size - math.floor(z / UP * _UNIT))
+            max(0, size - math.floor(z / UP * UNIT))
             for size, z in zip(self.sizes, covered, strict=True)
         ]
         return [0 if f == fate else gap for f, gap in zip(fates, gaps, strict=True)]

@@ -47,9 +47,10 @@ import math
 from typing import NamedTuple
 
 from cap.checker.folded.flights import ARCS, Four, Path, System, carried
-from cap.checker.folded.guesses import hit_guess, scout, stop_guess
+from cap.checker.folded.guesses import hit_guess, stop_guess
 from cap.checker.folded.numbers import TURN, UP, Pair, minus, quotient, shifted, times
 from cap.checker.folded.rests import height
+from cap.checker.folded.scout import Middle, scout
 from cap.checker.folded.strip import Strip, Strobe
 from cap.checker.kernel import line
 from cap.checker.kernel.line import Coefficients, Line
@@ -84,7 +85,7 @@ def next_release(y: System, strip: Strip, places: Pair) -> Line | None:
     """
     f = released(y, line.scaled(line.across(places), -1.0))
     for _ in range(_MOST):
-        kind, near, k = scout(y, f)
+        kind, near, k = upcoming(y, f)
         until, found = hit(y, f, near) if kind == "hit" else stop(y, f, near, k)
         if any(strip.holds(strobe) for strobe in strobes(y, f, until)):
             return None
@@ -92,6 +93,13 @@ def next_release(y: System, strip: Strip, places: Pair) -> Line | None:
             return found
         f = found
     raise Rejected("there is no release for long")
+
+
+def upcoming(y: System, f: Path) -> tuple[str, float, int]:
+    """Return what comes next in the middle of the interval, when, and in which arc: it steers."""
+    slows = ((k, y.slows[k][0]) for k in range(f.slow, ARCS))
+    middle = Middle(y.a, f.A[0], f.B[0], f.ref)
+    return scout(middle, (f.begun[0] + f.begun[1]) / 2, slows, 2 * math.pi - 2 * y.theta[0])
 
 
 def released(y: System, p: Line) -> Path:

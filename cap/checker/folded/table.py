@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 
-from cap.checker.folded.numbers import UP, Pair
+from cap.checker.folded.numbers import Pair
 
 NONE, ATTRACTOR, SEGMENT = 0, 1, 2
 
@@ -26,17 +26,6 @@ class Table:
         low, high = max(ends[0], self.ends[0]), min(ends[1], self.ends[-1])
         k = bisect_right(self.ends, low, 0, len(self.fates)) - 1
         return self.fates[k] if low <= high <= self.ends[k + 1] else NONE
-
-    def missing(self, ends: Pair, fate: int) -> float:
-        """Return a bound of the measure of the places in an interval without a fate."""
-        low, high = max(ends[0], self.ends[0]), min(ends[1], self.ends[-1])
-        k = max(0, bisect_right(self.ends, low, 0, len(self.fates)) - 1)
-        total = 0.0
-        while k < len(self.fates) and self.ends[k] < high:
-            if self.fates[k] != fate:
-                total += min(high, self.ends[k + 1]) - max(low, self.ends[k])
-            k += 1
-        return total * UP
 
 
 def first_table(width: float, kept: Pair) -> Table:

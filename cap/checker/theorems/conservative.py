@@ -37,8 +37,6 @@ is at most pi times the measure of S, and area(Omega_NS) <= A.
 
 from __future__ import annotations
 
-import multiprocessing
-from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 from itertools import pairwise
 
@@ -47,12 +45,12 @@ from cap.checker.flow.columns import Column, columns, lines
 from cap.checker.flow.overlap import gaps, mirrored, shared
 from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
+from cap.checker.kernel.processes import each
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, bound
 from cap.checker.kernel.theorem import SYSTEM, Theorem
 
-PART = 16  # columns that are proved together
 _CEILING = {"height": number, "phase": number, "level": number}
 
 
@@ -100,13 +98,7 @@ class Conservative(Theorem):
         world.columns = columns(self.hints[name])
         C = len(world.columns)
         need(len(world.lines) == C + 1, f"{name} has not one entry for each column")
-        if self.jobs < 2:
-            for j in range(C):
-                world.prove(j)
-        else:
-            context = multiprocessing.get_context("spawn")
-            with ProcessPoolExecutor(self.jobs, context, _begin, (world,)) as pool:
-                list(pool.map(_prove, range(C), chunksize=PART))
+        each(self.jobs, world.prove, range(C))
         cells = sum(len(run.levels) for runs in world.columns for run in runs)
         self.step(f"{name}: from {cells} cells orbits stop, or leave by the ceiling")
         return world.columns
@@ -131,19 +123,6 @@ class Conservative(Theorem):
     def words(self) -> str:
         """Return the theorem in one line."""
         return self.told(SYSTEM + _AREA)
-
-
-_worlds = list[World]()  # in a process that helps: the one whose columns it proves
-
-
-def _begin(world: World) -> None:
-    """Prepare a process."""
-    _worlds[:] = [world]
-
-
-def _prove(j: int) -> None:
-    """Prove a column."""
-    _worlds[0].prove(j)
 
 
 _AREA = (

@@ -30,10 +30,7 @@ strip in which all go there.  What is not counted is undecided.
 from __future__ import annotations
 
 import math
-import multiprocessing
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -48,6 +45,7 @@ from cap.checker.folded.strip import Strip
 from cap.checker.folded.strips import counts, entered, half_strip, strip_area
 from cap.checker.folded.tree import LETTERS, followed, known, nodes
 from cap.checker.kernel.angles import rounded
+from cap.checker.kernel.processes import each
 from cap.checker.kernel.reading import text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Letters, Whole, enclosure, region
@@ -110,13 +108,13 @@ class Mixed(Theorem):
         self.box()
         for theorem in (Attractor, Segment):
             self.lemma(theorem)
-        with self.workers() as work:
-            places = self.places(work)
-            self.step("the fates of releases are known, by intervals of places")
-            y, V = System(self.p), below(self.region()[1])
-            counted = work(partial(areas, y, places, V), self.sticks(y))
-            self.step("the states are counted by their first sticks")
-            more = work(partial(entered, y, self.strip(), V), self.strips(y))
+        work = partial(each, self.jobs)
+        places = self.places(work)
+        self.step("the fates of releases are known, by intervals of places")
+        y, V = System(self.p), below(self.region()[1])
+        counted = work(partial(areas, y, places, V), self.sticks(y))
+        self.step("the states are counted by their first sticks")
+        more = work(partial(entered, y, self.strip(), V), self.strips(y))
         self.sums(self.parts(counted, [self.inside(y, V), *more]))
         self.step("the shares follow from the areas")
 
@@ -135,22 +133,6 @@ class Mixed(Theorem):
         hints = self.hints.get(name, self.hints)
         part = Certificate(name, self.p, self.certificate.digits, self.claims[name], hints)
         theorem(part, self.step).prove()
-
-    @contextmanager
-    def workers(self) -> Iterator[Work]:
-        """Give a map in so many processes."""
-        if self.jobs < 2:
-            yield lambda f, tasks: [f(task) for task in tasks]
-            return
-        context = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(self.jobs, context) as pool:
-
-            def work(f: Callable[[Any], Any], tasks: Iterable[Any]) -> list[Any]:
-                """Do tasks in a few parts: what f knows goes to a process with each of them."""
-                whole = list(tasks)
-                return list(pool.map(f, whole, chunksize=1 + len(whole) // (8 * self.jobs)))
-
-            yield work
 
     # the units of the flow: 1/omega and F/omega^2
 
