@@ -1,6 +1,7 @@
-"""Compiled, in doubles: what comes next in a backward flight, and when; see `cap.cells.backward`.
+"""Compiled, in doubles: what comes next in a flight, and when.
 
-It steers; nothing rests on it.
+It steers; nothing rests on it.  The flight is that of `cap.cells.backward`, s' = cos t + a;
+forwards in time a is negative, -f/F.  The speed falls from theta to -theta, modulo 2π.
 """
 
 import math
@@ -68,7 +69,7 @@ def _contact(a: float, A: float, B: float, ref: float, low: float, high: float) 
 def next_event(
     a: float, theta: float, A: float, B: float, ref: float, begun: float
 ) -> tuple[int, float]:
-    """Return whether a hit or a turn is next, and when."""
+    """Return whether a hit or a stop is next, and when."""
     k = math.floor((begun + theta) / TURN)
     rising, low = begun - k * TURN < theta, begun
     for _ in range(LONGEST):
