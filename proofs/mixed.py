@@ -36,6 +36,7 @@ from cap.cells.sticks import Tree, dearest
 from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
 from cap.checker.folded.backward import System
+from cap.checker.folded.masses import UNIT as MASS
 from cap.checker.folded.masses import Places
 from cap.checker.folded.regions import UNIT, Region
 from cap.checker.folded.regions import Leaf as Followed
@@ -148,11 +149,11 @@ def missing(known: Places, fate: int, places: Floats) -> Floats:
     As `Places.missing`, for all of them at once.
     """
     table, edges = known.table, np.array(known.edges)
-    masses = np.array(known.masses[fate], np.float64) * 2.0**-60
+    masses = np.array(known.masses[fate], np.float64) / MASS
     ends = np.array(table.ends)
     sizes = np.diff(ends) * (np.array(table.fates) != fate)
-    doubt = np.interp(places, ends, np.concatenate([[0.0], np.cumsum(sizes)]))
-    at_edges = np.interp(edges, ends, np.concatenate([[0.0], np.cumsum(sizes)]))
+    below_ends = np.concatenate([[0.0], np.cumsum(sizes)])
+    doubt, at_edges = (np.interp(x, ends, below_ends) for x in (places, edges))
     cells = np.clip(np.searchsorted(edges, places, "right") - 1, 0, len(masses) - 1)
     (low, high), (i, j) = np.moveaxis(doubt, -1, 0), np.moveaxis(cells, -1, 0)
     sums = np.concatenate([[0.0], np.cumsum(masses)])
@@ -197,9 +198,14 @@ Found = tuple[list[int], float]
 """The numbers of a tree, and the area that it gives."""
 
 
+def width(region: Region) -> float:
+    """Return how wide a region is in its middle."""
+    return (region.high[0] - region.low[0]) * UNIT
+
+
 def halved(region: Region, long: float) -> tuple[list[int], tuple[Region, Region]]:
     """Return how a region is cut across its longer side, and its parts; ``long``: that of z."""
-    if (region.high[0] - region.low[0]) * UNIT > long * 0.5**region.n:
+    if width(region) > long * 0.5**region.n:
         return [2, 0, 0, 0], region.parts((0, 0, 0))
     return [1], region.halves()
 
@@ -218,8 +224,13 @@ def joined(region: Region, long: float, depth: int, found: Iterator[Found]) -> F
     if not depth:
         return next(found)
     how, parts = halved(region, long)
-    (first, a), (second, b) = (joined(part, long, depth - 1, found) for part in parts)
-    return ([*how, *first, *second], a + b) if a + b else ([0], 0.0)
+    return both(how, *(joined(part, long, depth - 1, found) for part in parts))
+
+
+def both(how: list[int], first: Found, second: Found) -> Found:
+    """Return the tree of a region that is cut, from those of its parts."""
+    area = first[1] + second[1]
+    return ([*how, *first[0], *second[0]], area) if area else ([0], 0.0)
 
 
 def entering(
@@ -230,12 +241,10 @@ def entering(
 ) -> Found:
     """Return the tree of a part of the strip, and the area of what enters it."""
     found = area((Followed(region, FLIGHTS), fast))
-    wide = (region.high[0] - region.low[0]) * UNIT
-    if found or wide * long * 0.5**region.n < STRIP:
+    if found or width(region) * long * 0.5**region.n < STRIP:
         return ([FLIGHTS + 2], found) if found else ([0], 0.0)
     how, parts = halved(region, long)
-    (first, a), (second, b) = (entering(area, fast, long, part) for part in parts)
-    return ([*how, *first, *second], a + b) if a + b else ([0], 0.0)
+    return both(how, *(entering(area, fast, long, part) for part in parts))
 
 
 def speed_of(setting: Setting) -> Fraction:

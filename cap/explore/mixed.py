@@ -1,6 +1,6 @@
 """The picture of a certificate of `mixed`: ``python -m cap.explore.mixed FILE --out PICTURE``.
 
-Every coloured pixel is proved, by the checker's arithmetic, as far as the theorems `attractor` and
+Every coloured region is proved, by the checker's arithmetic, as far as the theorems `attractor` and
 `segment` in the certificate are true; beside it, what floats say.
 """
 
@@ -41,7 +41,7 @@ def _parser() -> Parser:
     parser = Parser(
         prog=program("cap.explore.mixed"),
         description="Draw the basins that a certificate of the theorem mixed proves: every "
-        "coloured pixel is proved, of grey ones nothing is shown; beside it, what floats say.  It "
+        "coloured region is proved, of grey ones nothing is shown; beside it, what floats say.  It "
         "takes as long as the certificate takes to verify.",
         epilog="Example: python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
     )
