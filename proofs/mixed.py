@@ -15,42 +15,39 @@ first stick backwards in time, after so many half periods.  So all sticks, by pl
 cut into regions, which are followed backwards with the density of their area; there nothing sticks,
 and different sticks give different states: the areas are added, less what lies over places without
 the fate.  States in which the mass never sticks go to the segment, or are not counted: they are
-found backwards from a strip in which all go there.
+found backwards from a strip in which all go there (`cap.proofs.strip`).
 
-The theorems `attractor` and `segment` are proved here in balls, the regions of sticks are followed
-in outward-rounded doubles (`cap.cells.sticks`).  The places and the strip are followed by the
+The theorems `attractor` and `segment` are proved here in balls, the regions of sticks and of the
+strip are followed in outward-rounded doubles (`cap.cells`).  The places are followed by the
 arithmetic of the checker (`cap.checker.folded`), which is asked for what it can count: there is no
 second one for them.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from cap.cells import sticks
+from cap.cells.cuts import dearest
 from cap.cells.listing import written
-from cap.cells.sticks import Tree, dearest
+from cap.cells.sticks import Sticks
 from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
-from cap.checker.folded.backward import System
 from cap.checker.folded.masses import UNIT as MASS
 from cap.checker.folded.masses import Places
-from cap.checker.folded.regions import UNIT, Region
-from cap.checker.folded.regions import Leaf as Followed
 from cap.checker.folded.sticks import PARTS
-from cap.checker.folded.strips import counts, entered, half_strip
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
-from cap.checker.theorems.mixed import Mixed, below
+from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.proofs import attractor, places, segment
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.strip import by_strip
 from cap.sets import interval
 
 SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
@@ -60,7 +57,6 @@ SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**3)  # of a share: where the checker cannot follow as far as the prover
 WORTH, LEAST = 1e-5, 1e-7  # areas that are missing of a region before it is cut: at first, at last
 LEAVES, MOST = 25_000, 90_000  # regions that are followed: as a rule, and if more is asked for
-STRIP, FLIGHTS, EVEN = 5e-5, 24, 3  # of the strip: parts that are not cut; flights; first cuts
 
 
 def prove(setting: Setting) -> Proof:
@@ -117,7 +113,7 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
 
 
 def counted(
-    trees: tuple[Tree, Tree], known: Places, most: int
+    trees: tuple[Sticks, Sticks], known: Places, most: int
 ) -> tuple[tuple[Fraction, ...], dict[str, str]]:
     """Return the areas for the fates and of all that sticks, and the regions chosen, as text."""
     found = [areas_of(tree, known) for tree in trees]
@@ -135,7 +131,7 @@ def below_sum(areas: Floats) -> Fraction:
     return sum(map(Fraction, areas.tolist()), Fraction(0))
 
 
-def areas_of(tree: Tree, known: Places) -> tuple[Floats, Floats, Floats]:
+def areas_of(tree: Sticks, known: Places) -> tuple[Floats, Floats, Floats]:
     """Return the areas for the fates, and of all that sticks, from each region (N,), from below."""
     spans = tree.spans(PARTS)
     lost = (missing(known, fate, spans).mean(axis=1) for fate in (ATTRACTOR, SEGMENT))
@@ -174,77 +170,6 @@ def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
     search = places.Search(theorem.p, theorem.strip(), *parts, work, places.LEVEL)
     tree = search.run(places.WORTHS)
     return search.places(), tree
-
-
-def by_strip(setting: Setting, theorem: Mixed) -> tuple[Fraction, dict[str, str]]:
-    """Return the area of states that go to the segment without a stick, and the trees for it."""
-    y, strip, V = System(theorem.p), theorem.strip(), below(theorem.region()[1])
-    total, texts = Fraction(theorem.inside(y, V)), {"slow": written([0]), "fast": written([0])}
-    if not counts(y, strip):
-        return total, texts
-    for name, fast in (("slow", False), ("fast", True)):
-        root, (low, high) = half_strip(y, strip, fast=fast)
-        long = (high - low) * strip.k
-        step = partial(entering, partial(entered, y, strip, V), fast, long)
-        parts = list(evenly(root, long, EVEN))
-        found = setting.runner.map(step, parts, "strip", processes=True)
-        numbers, area = joined(root, long, EVEN, iter(found))
-        total += Fraction(area)
-        texts[name] = written(numbers)
-    return total, texts
-
-
-Found = tuple[list[int], float]
-"""The numbers of a tree, and the area that it gives."""
-
-
-def width(region: Region) -> float:
-    """Return how wide a region is in its middle."""
-    return (region.high[0] - region.low[0]) * UNIT
-
-
-def halved(region: Region, long: float) -> tuple[list[int], tuple[Region, Region]]:
-    """Return how a region is cut across its longer side, and its parts; ``long``: that of z."""
-    if width(region) > long * 0.5**region.n:
-        return [2, 0, 0, 0], region.parts((0, 0, 0))
-    return [1], region.halves()
-
-
-def evenly(region: Region, long: float, depth: int) -> Iterator[Region]:
-    """Give the parts of a region that is cut so often."""
-    if not depth:
-        yield region
-        return
-    for part in halved(region, long)[1]:
-        yield from evenly(part, long, depth - 1)
-
-
-def joined(region: Region, long: float, depth: int, found: Iterator[Found]) -> Found:
-    """Return the tree of a region from those of its parts."""
-    if not depth:
-        return next(found)
-    how, parts = halved(region, long)
-    return both(how, *(joined(part, long, depth - 1, found) for part in parts))
-
-
-def both(how: list[int], first: Found, second: Found) -> Found:
-    """Return the tree of a region that is cut, from those of its parts."""
-    area = first[1] + second[1]
-    return ([*how, *first[0], *second[0]], area) if area else ([0], 0.0)
-
-
-def entering(
-    area: Callable[[tuple[Followed, bool]], float],
-    fast: bool,
-    long: float,
-    region: Region,
-) -> Found:
-    """Return the tree of a part of the strip, and the area of what enters it."""
-    found = area((Followed(region, FLIGHTS), fast))
-    if found or width(region) * long * 0.5**region.n < STRIP:
-        return ([FLIGHTS + 2], found) if found else ([0], 0.0)
-    how, parts = halved(region, long)
-    return both(how, *(entering(area, fast, long, part) for part in parts))
 
 
 def speed_of(setting: Setting) -> Fraction:

@@ -1,13 +1,15 @@
-"""Compiled, in doubles: backward orbits from sticks, and the direction in which they come together.
+"""Compiled, in doubles: backward orbits, and the direction in which they come together.
 
-It steers; nothing rests on it.  See `cap.cells.backward`.  With an orbit goes the derivative of its
-place and speed in q and in the time of the stick.
+It steers; nothing rests on it.  They begin at sticks (`cap.cells.backward`), or in a strip
+(`cap.cells.entries`).  With an orbit goes the derivative of its place and speed in q and in the
+time of the stick, or the speed in the strip.
 """
 
 import math
 from typing import NamedTuple
 
 from cap.cells.backward import System
+from cap.cells.entries import Strip
 from cap.cells.next_event import HIT, NOTHING, TURN, next_event, place_at, speed_at
 from cap.cells.regions import Edge, Region
 from cap.sets.compiled import kernel
@@ -43,10 +45,23 @@ def _contracted(f0: float, f1: float, g0: float, g1: float) -> tuple[float, floa
 
 
 @kernel
-def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
-    """Follow a stick back over so many strobes."""
-    a, p, s, seen = y.a, q, 0.0, 0
-    drive = math.cos(t) + a
+def _inside(y: System, strip: Strip, p: float, s: float) -> bool:
+    """Return whether a state is in a strip."""
+    x, w = strip.edge - y.width - p, s - strip.slow
+    both = x + strip.k * w
+    held = strip.left < x < strip.right and strip.left < both < strip.right
+    return held and abs(w) < strip.d
+
+
+@kernel
+def orbit(y: System, strip: Strip, q: float, z: float, V: float, strobes: int) -> Orbit:
+    """Follow a stick at the time z back over so many strobes; or a state of a strip, of speed z.
+
+    In a strip only every other strobe counts, until the orbit is in it.
+    """
+    a, p, seen, passed, entering = y.a, q, 0, 0, strip.d > 0
+    s, t = (z, math.pi) if entering else (0.0, z)
+    drive = -1.0 if entering else math.cos(t) + a
     f0, f1, g0, g1 = 0.0, -drive, 1.0, 0.0
     w, density, slope, ratio, flights = abs(drive), 0.0, 0.0, 1.0, 0
     for n in range(EVENTS):
@@ -57,8 +72,11 @@ def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
         j = math.floor(t / math.pi + 1e-12) + 1
         while j * math.pi < T and seen < strobes:
             d = j * math.pi - t
+            speed, odd = speed_at(t + d, a, A, t), (j + passed) % 2 == 1
             seen, j = seen + 1, j + 1
-            if speed_at(t + d, a, A, t) < V:
+            if odd and entering and _inside(y, strip, place_at(t + d, a, A, B, t), speed):
+                seen = strobes
+            elif speed < V and (odd or not entering):
                 density, flights = density + w, n + 1
                 slope, ratio = _contracted(f0 + f1 * d, f1, g0 + g1 * d, g1)
         if seen >= strobes:
@@ -77,6 +95,7 @@ def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
             w *= abs(after / before)
             p, s = -y.width - p, 0.0
         t = T + math.pi - TURN * math.floor((T + math.pi) / TURN + 0.5)
+        passed += round((T - t) / math.pi)
     return Orbit(density, flights, slope, ratio)
 
 
@@ -87,7 +106,9 @@ def value(edge: Edge, Y: float) -> float:
 
 
 @kernel
-def hoped(y: System, r: Region, V: float, strobes: int, points: int) -> tuple[float, int]:
+def hoped(
+    y: System, strip: Strip, r: Region, V: float, strobes: int, points: int
+) -> tuple[float, int]:
     """Return the area of the states from a region, nearly, and the flights that it takes."""
     area, flights = 0.0, 0
     for i in range(points):
@@ -95,28 +116,28 @@ def hoped(y: System, r: Region, V: float, strobes: int, points: int) -> tuple[fl
         low, high = value(r.low, Y), value(r.high, Y)
         for j in range(points):
             q = low + (high - low) * (j + 0.5) / points
-            found = orbit(y, q, r.middle + r.half * Y, V, strobes)
+            found = orbit(y, strip, q, r.middle + r.half * Y, V, strobes)
             area += found.density * (high - low)
             flights = max(flights, found.flights)
     return area * 2 * r.half / (points * points), flights
 
 
 @kernel
-def _slope(y: System, q: float, t: float, V: float, strobes: int) -> float:
+def _slope(y: System, strip: Strip, q: float, t: float, V: float, strobes: int) -> float:
     """Return a slope of use."""
     inside = min(max(q, 1e-9 - y.width), -1e-9)
-    found = orbit(y, inside, t, V, strobes)
+    found = orbit(y, strip, inside, t, V, strobes)
     return min(max(found.slope, -STEEPEST), STEEPEST) if found.ratio > CLEAR else 0.0
 
 
 @kernel
-def _along(y: System, r: Region, V: float, strobes: int, side: float) -> float:
+def _along(y: System, strip: Strip, r: Region, V: float, strobes: int, side: float) -> float:
     """Return where a contracted line from the middle of a region leaves it: the midpoint rule."""
     q = 0.5 * (r.low[0] + r.high[0])
     t, step = r.middle, side * r.half / STEPS
     for _ in range(STEPS):
-        first = _slope(y, q, t, V, strobes)
-        q += step * _slope(y, q + 0.5 * step * first, t + 0.5 * step, V, strobes)
+        first = _slope(y, strip, q, t, V, strobes)
+        q += step * _slope(y, strip, q + 0.5 * step * first, t + 0.5 * step, V, strobes)
         t += step
     return q
 
@@ -132,11 +153,12 @@ def between(low: Edge, edge: Edge, high: Edge) -> bool:
 
 
 @kernel
-def edge(y: System, r: Region, V: float, strobes: int, curved: float) -> Edge:
+def edge(y: System, strip: Strip, r: Region, V: float, strobes: int, curved: float) -> Edge:
     """Return an edge that cuts a region across X, along a contracted line if that fits."""
     e0, m1 = 0.5 * (r.low[0] + r.high[0]), 0.5 * (r.low[1] + r.high[1])
     m2 = 0.5 * (r.low[2] + r.high[2])
-    left, right = _along(y, r, V, strobes, -1.0), _along(y, r, V, strobes, 1.0)
+    left = _along(y, strip, r, V, strobes, -1.0)
+    right = _along(y, strip, r, V, strobes, 1.0)
     most = curved * (r.high[0] - r.low[0])
     e2 = min(max(0.5 * (right + left) - e0, m2 - most), m2 + most)
     found = e0, 0.5 * (right - left), e2

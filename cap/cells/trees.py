@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from cap.cells.backward import System
 from cap.cells.contraction import edge, hoped
+from cap.cells.entries import Strip, entered
 from cap.cells.regions import EDGE, Edge, Limits, Region, Seen, followed
 from cap.sets.compiled import IEEE, kernel, rounds_to_nearest, sources
 from cap.sets.kept import kept
@@ -25,7 +26,6 @@ GRAIN = 2.0**-40
 SHORTEST = 2.0**-20  # of an arc
 LEAF, HALVES, CUT = 0, 1, 2
 COLUMNS, VALUES = 14, 11
-POINTS = 2  # of a region, in each direction, from which orbits tell what to hope for
 EQUAL = 0.02  # part of the gain by a cut that another one must have less
 
 
@@ -34,13 +34,15 @@ class Plan(NamedTuple):
 
     If both cuts gain as much, a region is halved if it is longer than ``ratio`` times what it is
     wide, at its end; edges are more curved than the mean of their neighbours by at most ``curved``
-    times their distance.
+    times their distance.  From ``points`` of a region, in each direction, orbits tell what to hope
+    for.
     """
 
     worth: float = 1e-4
     strobes: int = 12
     ratio: float = 1.5
     curved: float = 1.0
+    points: int = 2
 
 
 class Arc(NamedTuple):
@@ -51,9 +53,10 @@ class Arc(NamedTuple):
 
 
 class Search(NamedTuple):
-    """What is searched."""
+    """What is searched: sticks, or a strip, if there is one."""
 
     system: System
+    strip: Strip
     arc: Arc
     limits: Limits
     plan: Plan
@@ -121,7 +124,11 @@ def _write(row: Floats, low: Edge, high: Edge, middle: float, half: float) -> No
 def _see(search: Search, row: Floats, flights: int) -> Seen:
     """Follow the region of a row, and write what is seen."""
     limits = Limits(search.limits.V, min(flights, search.limits.flights), search.limits.size)
-    seen = followed(search.system, _region(search.arc, row), limits)
+    r = _region(search.arc, row)
+    if search.strip.d > 0:
+        seen = entered(search.system, search.strip, r, limits)
+    else:
+        seen = followed(search.system, r, limits)
     row[8], row[9], row[10] = seen.area, seen.weight, float(seen.flights)
     row[11], row[12] = seen.across, seen.along
     return seen
@@ -171,7 +178,8 @@ def _note(nodes: Nodes, n: int, row: Floats) -> None:
 def _divide(search: Search, row: Floats, flights: int, tried: Floats, made: Floats) -> int:
     """Cut a region in the way that gains most: 0 or 2, the first row of its parts, or -1."""
     plan, r = search.plan, _region(search.arc, row)
-    new = grained(edge(search.system, r, search.limits.V, plan.strobes, plan.curved))
+    new = edge(search.system, search.strip, r, search.limits.V, plan.strobes, plan.curved)
+    new = grained(new)
     made[0], made[1], made[2] = new
     cuts, halves = apart(r.low, new) and apart(new, r.high), row[7] > SHORTEST
     by_cut = _cut(search, row, new, flights, tried) if cuts else -1.0
@@ -188,7 +196,7 @@ def _grow(search: Search, memory: Room, nodes: Nodes) -> int:
 
     Return how many; -1 if the processor does not round as it should.
     """
-    y, plan, V = search.system, search.plan, search.limits.V
+    plan, V = search.plan, search.limits.V
     stack, tried = memory.stack, memory.tried
     if not rounds_to_nearest(memory.probe):
         return -1
@@ -196,7 +204,8 @@ def _grow(search: Search, memory: Room, nodes: Nodes) -> int:
     _see(search, stack[0], search.limits.flights)
     while k >= 0:
         row, first = stack[k], -1
-        hope, flights = hoped(y, _region(search.arc, row), V, plan.strobes, POINTS)
+        r = _region(search.arc, row)
+        hope, flights = hoped(search.system, search.strip, r, V, plan.strobes, plan.points)
         _note(nodes, n, row)
         full = n + k + 3 > room or k + 2 > len(stack)
         if not full and hope - row[8] > plan.worth:

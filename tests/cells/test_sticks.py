@@ -11,10 +11,12 @@ import pytest
 from support import seeded
 
 from cap.cells.contraction import hoped
+from cap.cells.cuts import PARTS, dearest
+from cap.cells.entries import NOWHERE
 from cap.cells.listing import written
 from cap.cells.next_event import next_event
 from cap.cells.regions import Limits, Region, followed
-from cap.cells.sticks import PARTS, dearest, search, system_of
+from cap.cells.sticks import search, system_of
 from cap.cells.trees import Plan
 from cap.errors import BadInput
 from cap.floats import swarm
@@ -173,12 +175,12 @@ def test_areas_are_below_those_of_orbits(trees):
     for second, tree in enumerate(trees):
         for found in random.sample(read(tree), 12):
             r = region(found, second)
-            seen, (near, _) = followed(SYSTEM, r, LIMITS), hoped(SYSTEM, r, 3.0, 60, 4)
+            seen, (near, _) = followed(SYSTEM, r, LIMITS), hoped(SYSTEM, NOWHERE, r, 3.0, 60, 4)
             assert 0 < seen.area < near * 1.02
     parts = []
     for _ in range(40):
         small = Region(*tiny(random), 1e-5)
-        seen, (near, _) = followed(SYSTEM, small, LIMITS), hoped(SYSTEM, small, 3.0, 60, 4)
+        seen, (near, _) = followed(SYSTEM, small, LIMITS), hoped(SYSTEM, NOWHERE, small, 3.0, 60, 4)
         parts.append(seen.area / near)
         assert seen.area <= seen.weight * 1e-5 <= 1.2 * seen.area
     assert max(parts) < 1.001
@@ -266,7 +268,7 @@ def test_jobs_do_not_matter(trees):
     assert PARTS & (PARTS - 1) == 0
     others = search(PAPER, V, Plan(worth=1e-2), Runner(jobs=2))
     for tree, other in zip(trees, others, strict=True):
-        assert tree.lowest == other.lowest
+        assert tree.root == other.root
         for name in ("kinds", "edges", "areas", "weights", "flights", "places"):
             assert np.array_equal(getattr(tree, name), getattr(other, name))
 

@@ -15,7 +15,7 @@ from cap.explore import mixed as picture
 from cap.floats.candidates import Request
 from cap.parameters import PAPER
 from cap.pictures import proved as painting
-from cap.proofs import mixed, places
+from cap.proofs import mixed, places, strip
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
 
@@ -24,8 +24,9 @@ from cap.proofs.theorems import THEOREMS, accepted
 def coarse():
     """Return a certificate for |v| < 2 with few regions."""
     patch = pytest.MonkeyPatch()
-    for name, value in {"WORTH": 1e-2, "LEAVES": 300, "STRIP": 4e-3}.items():
+    for name, value in {"WORTH": 1e-2, "LEAVES": 300}.items():
         patch.setattr(mixed, name, value)
+    patch.setattr(strip, "WORTH", 1e-3)
     for name, value in {"LEVEL": 11, "WORTHS": (1e-3, 1e-4)}.items():
         patch.setattr(places, name, value)
     theorem = THEOREMS["mixed"]

@@ -1,0 +1,158 @@
+"""Trees of regions as arrays, the choice of those that are followed, and their text.
+
+*Text.*  Integers as `cap.cells.listing.written`, a node before its parts:
+
+    0          nothing is counted
+    1          the two halves Y < 0 and Y > 0, the first one first
+    2 d0 d1 d2 the parts below and above an edge: the mean of the two edges, each coefficient
+               rounded down to a multiple of 2^-40, and so many times 2^-40 more
+    n + 2      at most n flights are followed, n >= 1
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cap.cells.listing import written
+from cap.cells.trees import (
+    COLUMNS,
+    GRAIN,
+    GROW,
+    HALVES,
+    LEAF,
+    VALUES,
+    Floats,
+    Integers,
+    Nodes,
+    Room,
+    Search,
+)
+from cap.sets.compiled import PROBE, require_ieee
+
+PARTS = 16  # of an arc, a power of 2
+NODES, DEEP = 1 << 18, 2000  # nodes of a part, regions that wait
+FOLLOWED = 2  # plus the flights
+STEPS = 30
+UNIT = 2.0**-80
+
+Edge = tuple[int, int, int]
+"""In units of 2^-80."""
+Edges = tuple[Edge, Edge]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Tree:
+    """The nodes of a region (N,), each before its parts, and each as if it was not cut.
+
+    ``root`` are the edges of the whole.  From a node come states of the area ``areas`` at least;
+    ``flights`` is the number of the last that gives some of it.
+    """
+
+    root: Edges
+    kinds: Integers
+    edges: Floats
+    areas: Floats
+    flights: Integers
+
+    @cached_property
+    def past(self) -> list[int]:
+        """The first node after each and its parts."""
+        past = list(range(1, len(self.kinds) + 1))
+        for n in range(len(past))[::-1]:
+            if self.kinds[n] != LEAF:
+                past[n] = past[past[n + 1]]
+        return past
+
+    def best(self, worths: Floats, price: float) -> Mask:
+        """Return which nodes to follow for the most worth, each at a price."""
+        alone, past = np.maximum(worths - price, 0.0).tolist(), self.past
+        chosen, most = worths > price, list(alone)
+        for n in np.flatnonzero(self.kinds != LEAF)[::-1].tolist():
+            parts = most[n + 1] + most[past[n + 1]]
+            if parts >= alone[n]:
+                most[n], chosen[n] = parts, False
+        return self._first(chosen)
+
+    def _first(self, chosen: Mask) -> Mask:
+        """Return those that are not parts of another one."""
+        first, n = np.zeros_like(chosen), 0
+        while n < len(chosen):
+            first[n] = chosen[n]
+            n = self.past[n] if chosen[n] else n + 1
+        return first
+
+    def text(self, chosen: Mask) -> str:
+        """Return the text in which these nodes are followed; none is a part of another one."""
+        return written(self._numbers(chosen))
+
+    def _numbers(self, chosen: Mask) -> Iterator[int]:
+        """Give the numbers of the text."""
+        before = np.concatenate([[0], np.cumsum(chosen)])
+        waiting: list[Edges] = [self.root]
+        n = 0
+        while waiting:
+            low, high = waiting.pop()
+            if chosen[n] or before[n] == before[self.past[n]]:
+                yield FOLLOWED + int(self.flights[n]) if chosen[n] else 0
+                n = self.past[n]
+                continue
+            yield int(self.kinds[n])
+            if self.kinds[n] == HALVES:
+                waiting += [(halved(low, side), halved(high, side)) for side in (1, -1)]
+            else:
+                new = tuple(int(e / GRAIN) for e in self.edges[n].tolist())
+                yield from (e - (a + b >> 41) for e, a, b in zip(new, low, high, strict=True))
+                edge = new[0] << 40, new[1] << 40, new[2] << 40
+                waiting += [(edge, high), (low, edge)]
+            n += 1
+
+
+def halved(e: Edge, side: int) -> Edge:
+    """Return an edge over one half of its times, exactly: at most 20 times since it was made."""
+    a, b, c = e
+    return a + (side * 2 * b + c) // 4, (b + side * c) // 2, c // 4
+
+
+def dearest(trees: Sequence[Tree], worths: Sequence[Floats], most: int) -> float:
+    """Return a price, nearly the least, at which at most so many nodes are followed."""
+    low, high = 0.0, max(float(np.max(worth)) for worth in worths)
+    for _ in range(STEPS):
+        price = 0.5 * (low + high)
+        count = sum(np.sum(t.best(w, price)) for t, w in zip(trees, worths, strict=True))
+        low, high = (price, high) if count > most else (low, price)
+    return high
+
+
+def joined(parts: Sequence[Nodes]) -> Nodes:
+    """Return the nodes of an arc, from those of its parts, after those that halve it."""
+    arrays: list[Nodes] = []
+    for n, part in enumerate(parts):
+        whole = empty((n & -n if n else len(parts)).bit_length() - 1)
+        whole.kinds[:] = HALVES
+        arrays += [whole, part]
+    return Nodes(*(np.concatenate(each) for each in zip(*arrays, strict=True)))
+
+
+def grown(search: Search, root: Edges, k: int) -> Nodes:
+    """Return the nodes of one of the `PARTS` of a region, whose edges are no parabolas."""
+    room = Room(PROBE, np.zeros((DEEP, COLUMNS)), np.zeros((4, COLUMNS)))
+    middle = (2 * k + 1) / PARTS - 1
+    for i, (a, b, _) in enumerate(root):
+        slope = b * UNIT
+        room.stack[0, 3 * i : 3 * i + 2] = a * UNIT + slope * middle, slope / PARTS
+    room.stack[0, 6:8] = middle, 1 / PARTS
+    nodes = empty(NODES)
+    count = GROW(search, room, nodes)
+    require_ieee(count >= 0)
+    return Nodes(
+        nodes.kinds[:count].copy(), nodes.edges[:count].copy(), nodes.values[:count].copy()
+    )
+
+
+def empty(n: int) -> Nodes:
+    """Return room for nodes."""
+    return Nodes(np.zeros(n, np.int64), np.zeros((n, 3)), np.zeros((n, VALUES)))

@@ -1,0 +1,204 @@
+"""Compiled: a region of a strip followed backwards, and the areas of the states that enter it.
+
+A strip is a set of states at t = 0 with one fate: see `cap.checker.folded.strips`.  Backwards its
+states begin at the time pi, folded, with the density 1.  A region lies between two edges q = e_0 +
+e_1 Y + e_2 Y² over speeds middle + half Y.  What enters it are the states at the odd multiples of
+pi that are passed, as long as all have been outside of the strip at each before.
+"""
+
+import math
+from typing import NamedTuple
+
+from cap.cells.backward import (
+    PI_ERROR,
+    ROUND,
+    Event,
+    Flight,
+    System,
+    at,
+    gain,
+    hit,
+    influence,
+    moving,
+    turn,
+)
+from cap.cells.mirrored import after_hit, after_turn
+from cap.cells.next_event import HIT, next_event
+from cap.cells.polynomials import (
+    Model,
+    constant,
+    ends,
+    exact,
+    integral,
+    moved,
+    product,
+    scaled,
+    total,
+    widened,
+)
+from cap.cells.regions import APART, LARGE, Limits, Region, Seen, sides, spread
+from cap.sets.compiled import kernel
+
+ALL = 1 - 2.0**-40  # of a sum of areas, less rounding
+
+
+class Strip(NamedTuple):
+    """The states (x, s) with |w| < d, x and x + k w in (left, right), w = s - v, v in [slow, fast].
+
+    x = edge - W - p.  There is no strip if d is 0.
+    """
+
+    left: float
+    right: float
+    slow: float
+    fast: float
+    d: float
+    k: float
+    edge: float
+    edge_error: float
+
+
+NOWHERE = Strip(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@kernel
+def _entry(r: Region) -> tuple[Flight, Model]:
+    """Return the flight from the strip, and its density in X and Y."""
+    place, wide = sides(r)
+    size = (abs(r.middle) + r.half) * ROUND
+    A = along(r.middle, r.half, size)
+    B = moved(place, -1.0, ROUND)
+    density = scaled(wide, r.half, size)
+    errors = A[-1], B[-1]
+    far = PI_ERROR + 8 * ROUND
+    begun = math.pi - far, math.pi + far
+    f = Flight(exact(A), exact(B), (1.0, 0.0, 0.0, 1.0), errors, errors, math.pi, begun, 1)
+    return f, density
+
+
+@kernel
+def along(a: float, b: float, e: float) -> Model:
+    """Return the model of what is within e of a + b Y."""
+    z = constant(a, e)
+    return (z[0], b, *z[2:])
+
+
+@kernel
+def _other(strip: Strip, least: float, most: float) -> bool:
+    """Return whether speeds between these are outside a strip."""
+    return most < strip.slow - strip.d or least > strip.fast + strip.d
+
+
+@kernel
+def _beyond(strip: Strip, x: Model) -> bool:
+    """Return whether all x are outside."""
+    low, high = ends(x)
+    return high < strip.left or low > strip.right
+
+
+@kernel
+def _outside(y: System, strip: Strip, p: Model, s: Model) -> bool:
+    """Return whether all states are outside a strip."""
+    least, most = ends(s)
+    if _other(strip, least, most):
+        return True
+    error = strip.edge_error + y.width_error + (abs(strip.edge) + y.width) * ROUND
+    x = moved(scaled(p, -1.0, 0.0), strip.edge - y.width, error)
+    w = moved(s, -0.5 * (strip.fast + strip.slow), strip.fast - strip.slow)
+    return _beyond(strip, x) or _beyond(strip, total(x, scaled(w, strip.k, 0.0)))
+
+
+@kernel
+def _passing(y: System, f: Flight, j: int) -> tuple[bool, Model, Model]:
+    """Return whether all flights are certain to be under way at j pi, and p and s."""
+    t = j * math.pi
+    e = abs(j) * PI_ERROR + abs(t) * ROUND
+    p, s = at(y, f, (t, e), -1.0 if j % 2 else 1.0, 0.0)
+    s, p = widened(s, f.errors[0]), widened(p, influence(f, t - f.ref, e))
+    flying = f.begun[1] < t - e and ends(s)[0] > 0 and ends(p)[1] < 0
+    return flying and moving(y, f, t + e), p, s
+
+
+@kernel
+def first(f: Flight) -> int:
+    """Return the number of the first multiple of pi certainly after the start of a flight."""
+    return math.floor((f.begun[1] + APART) / math.pi) + 1
+
+
+@kernel
+def _flown(y: System, strip: Strip, f: Flight, V: float, passed: int) -> tuple[bool, int, int]:
+    """Return whether all is outside at the strobes passed for certain, how many count, the next."""
+    count, j = 0, first(f)
+    while True:
+        flying, p, s = _passing(y, f, j)
+        if not flying:
+            return True, count, j
+        if (j + passed) % 2:
+            if not _outside(y, strip, p, s):
+                return False, count, j
+            count += ends(s)[1] < V
+        j += 1
+
+
+@kernel
+def _during(
+    strip: Strip, event: Event, V: float, seen: tuple[int, int], passed: int
+) -> tuple[bool, int, int]:
+    """Return the same with those that are not after an event; ``seen`` are the last two before.
+
+    s changes at a rate below 2.
+    """
+    count, j = seen
+    while j * math.pi <= event.ends[1]:
+        more = 2 * (event.ends[1] - min(j * math.pi, event.ends[0]) + APART)
+        if (j + passed) % 2:
+            if not _other(strip, event.least - more, event.most + more):
+                return False, count, j
+            count += event.most + more < V
+        j += 1
+    return True, count, j
+
+
+@kernel
+def _next(y: System, f: Flight) -> tuple[int, Event]:
+    """Return the kind of the next event, and the event."""
+    begun = 0.5 * (f.begun[0] + f.begun[1])
+    kind, near = next_event(y.a, y.theta, f.A[0], f.B[0], f.ref, begun)
+    if kind == HIT:
+        return kind, hit(y, f, near)
+    return kind, turn(y, f, near)
+
+
+@kernel
+def _known(f: Flight, size: float) -> bool:
+    """Return whether enough is known of a flight to go on."""
+    across, far = spread(f)
+    return max(f.errors[0], f.errors[1]) <= LARGE and across + far <= size
+
+
+@kernel
+def entered(y: System, strip: Strip, r: Region, limits: Limits) -> Seen:
+    """Follow a region of a strip backwards as long as it is certain what happens."""
+    f, density = _entry(r)
+    area, last, passed, coming = 0.0, 0, 0, 2
+    for n in range(limits.flights):
+        if not _known(f, limits.size) or first(f) + passed != coming:
+            break
+        outside, count, j = _flown(y, strip, f, limits.V, passed)
+        kind, event = _next(y, f)
+        if outside and event.why == 0:
+            outside, count, j = _during(strip, event, limits.V, (count, j), passed)
+        got = count * integral(density)
+        if got > 0:
+            area, last = area + got, n + 1
+        if not outside or event.why != 0:
+            break
+        coming = j + passed
+        if kind == HIT:
+            f = after_hit(y, f, event)
+        else:
+            density = product(density, gain(y, event))
+            f = after_turn(y, f, event)
+        passed += round((event.near - f.ref) / math.pi)
+    across, far = spread(f)
+    return Seen(area * ALL, 0.0, last, 0, across, far)
