@@ -144,17 +144,12 @@ def missing(known: Places, fate: int, places: Floats) -> Floats:
 
     As `Places.missing`, for all of them at once.
     """
-    table, edges = known.table, np.array(known.edges)
-    masses = np.array(known.masses[fate], np.float64) / MASS
-    ends = np.array(table.ends)
-    sizes = np.diff(ends) * (np.array(table.fates) != fate)
-    below_ends = np.concatenate([[0.0], np.cumsum(sizes)])
-    doubt, at_edges = (np.interp(x, ends, below_ends) for x in (places, edges))
-    cells = np.clip(np.searchsorted(edges, places, "right") - 1, 0, len(masses) - 1)
-    (low, high), (i, j) = np.moveaxis(doubt, -1, 0), np.moveaxis(cells, -1, 0)
+    ends, masses = np.array(known.ends), np.array(known.masses[fate], np.float64) / MASS
+    low, high = np.moveaxis(np.clip(places, 0.0, ends[-1]), -1, 0)
+    i, j = (np.clip(np.searchsorted(ends, x, "right") - 1, 0, len(masses) - 1) for x in (low, high))
     sums = np.concatenate([[0.0], np.cumsum(masses)])
-    apart = np.minimum(masses[i], at_edges[i + 1] - low) + sums[j] - sums[np.minimum(i + 1, j)]
-    apart += np.minimum(masses[j], high - at_edges[j])
+    apart = np.minimum(masses[i], ends[i + 1] - low) + sums[j] - sums[np.minimum(i + 1, j)]
+    apart += np.minimum(masses[j], high - ends[j])
     found = np.where(i < j, apart, np.minimum(masses[i], high - low))
     return np.asarray(found + 1e-12 * (1 + ends[-1]), np.float64)
 
@@ -167,9 +162,9 @@ def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
         return runner.map(f, list(tasks), "releases", processes=True)
 
     parts = theorem.kept(), theorem.width()
-    search = places.Search(theorem.p, theorem.strip(), *parts, work, places.LEVEL)
+    search = places.Search(theorem.p, theorem.strip(), *parts, work)
     tree = search.run(places.WORTHS)
-    return search.places(), tree
+    return search.places(places.LEVEL), tree
 
 
 def speed_of(setting: Setting) -> Fraction:

@@ -10,46 +10,45 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from cap.cells.journeys import OPEN, Floats, journeys
+from cap.cells.journeys import OPEN, journeys
 from cap.checker.folded.masses import Places
 from cap.checker.folded.numbers import Pair
-from cap.checker.folded.portions import Node, Piece
+from cap.checker.folded.portions import Node, Piece, Portion
 from cap.checker.folded.strip import Strip
-from cap.checker.folded.tree import DEEPEST, FOLLOWED, HALVED, NOTHING, followed, known
+from cap.checker.folded.tree import DEEPEST, FOLLOWED, HALVED, NOTHING, followed
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters
 
-LEVEL = 17  # there are 2^17 cells
+LEVEL, COARSE = 22, 18  # of portions, at last and while weights are found
+GRAIN = 17  # level of nodes, of which next places are known up to a part of their range
 FIRST = 6  # the tree begins with 2^6 nodes
 # parts of W, times weights, that are left undecided rather than follow one more node
 WORTHS = (1e-5, 4e-6, 2e-6, 1e-6, 5e-7)
 MOST = 40.0  # events
 NARROW = 2.0**-18  # a part of W that is followed even if the errors are large
-TOLERANCE = 0.02  # errors of the next place, as a part of its range in a cell
+TOLERANCE = 0.02  # errors of the next place, as a part of its range in a node of that level
 PASSES = 12  # in which weights are found
 TINY = 1e-13  # an error that does not matter
 NONE, ONE, SEVERAL = range(3)  # journeys
 TASKS = 64
 _INSIDE = (0.0, 0.3, 0.5, 0.7, 1.0)  # where journeys are compared
 
+Floats = NDArray[np.float64]
 Root = tuple[Node, float]
 Work = Callable[[Callable[[Any], Any], Sequence[Any]], list[Any]]
 
 
 @dataclass(frozen=True)
 class Growth:
-    """How trees are grown from nodes with weights: a node is not worth more than ``worth``.
-
-    ``level`` is that of the cells.
-    """
+    """How trees are grown from nodes with weights: a node is not worth more than ``worth``."""
 
     p: Parameters
     strip: Strip
     kept: Pair
     width: float
-    level: int
     worth: float
 
     def __call__(self, roots: list[Root]) -> tuple[list[Piece], list[Node]]:
@@ -87,12 +86,12 @@ class Growth:
         return [int(kind) for kind in np.where(same, kinds, SEVERAL)]
 
     def fine(self, piece: Piece) -> bool:
-        """Return whether the next places are known well, as seen from a cell."""
+        """Return whether the next places are known well, from a node of the level `GRAIN`."""
         node, after = piece
         if after is None or 2.0**-node.m <= NARROW:
             return True
         low, high = line.ends(after)
-        grain = 2.0 ** min(0, node.m - self.level)
+        grain = 2.0 ** min(0, node.m - GRAIN)
         sharp = after[1] <= TOLERANCE * grain * line.size((0.0, *after[0][1:]))
         return sharp or after[1] < TINY or (self.kept[0] < low and high < self.kept[1])
 
@@ -106,7 +105,6 @@ class Search:
     kept: Pair
     width: float
     work: Work
-    level: int
     pieces: dict[Node, Piece] = field(default_factory=dict)
     gaps: set[Node] = field(default_factory=set)
 
@@ -114,47 +112,47 @@ class Search:
         """Return the tree, in letters."""
         self.grow([(Node(k, FIRST), 1.0) for k in range(1 << FIRST)], worths[0])
         for worth in worths:
-            weights = self.weights(self.places())
+            gaps = sorted(node for node in self.gaps if node.m < DEEPEST)
+            at = np.array([sum(node.ends(self.width)) / 2 for node in gaps])
+            weights = self.weights(self.places(COARSE), at).tolist()
             chosen = {
                 node: weight
-                for node in sorted(self.gaps)
-                if node.m < DEEPEST and (weight := weights[self.cell(node)]) * 2.0**-node.m > worth
+                for node, weight in zip(gaps, weights, strict=True)
+                if weight * 2.0**-node.m > worth
             }
             self.gaps -= chosen.keys()
             self.grow([(half, w) for node, w in chosen.items() for half in halves(node)], worth)
         return self.letters()
 
-    def cell(self, node: Node) -> int:
-        """Return the number of the cell of the middle of a node."""
-        return int((node.k + 0.5) * 2.0 ** (self.level - node.m))
-
     def grow(self, roots: list[Root], worth: float) -> None:
         """Grow trees from nodes."""
-        growth = Growth(self.p, self.strip, self.kept, self.width, self.level, worth)
+        growth = Growth(self.p, self.strip, self.kept, self.width, worth)
         for pieces, gaps in self.work(growth, [roots[k::TASKS] for k in range(TASKS)]):
             self.pieces |= {piece.node: piece for piece in pieces}
             self.gaps |= set(gaps)
 
-    def places(self) -> Places:
-        """Return what is known of all places."""
+    def places(self, level: int) -> Places:
+        """Return what is known of all places, with portions down to a level."""
         order = sorted(self.pieces, key=lambda node: node.k * 2.0**-node.m)
-        return known(self.kept, self.width, self.level, [self.pieces[node] for node in order])
+        return Places(self.kept, self.width, level, [self.pieces[node] for node in order])
 
-    def weights(self, places: Places) -> list[float]:
-        """Return the weights of cells: 1, and the weights of the places that come there next."""
-        rest = [z for z in places.passages() if z[2][0] < z[2][1]]
-        cells, _, images, slopes = map(np.array, zip(*rest, strict=True))
-        ends = np.clip(images * places.scale, 0, (1 << self.level) - 1e-9)
-        first, last = ends.astype(np.int64).T
-        spread = 1 / slopes / (last - first + 1)
-        spread *= (images[:, 1] - images[:, 0]) * places.scale
-        weights = np.ones(1 << self.level)
+    def weights(self, places: Places, at: Floats) -> Floats:
+        """Return weights at places: 1, and those of the places that come there next."""
+        ends = np.array(places.ends)
+        passes = [(n, q.image, q.c) for n, q in enumerate(places.parts) if isinstance(q, Portion)]
+        numbers, images, slopes = map(np.array, zip(*passes, strict=True))
+        borders, jumps = images.T.ravel(), np.concatenate([1 / slopes, -1 / slopes])
+        order = np.argsort(borders)
+        middles = (ends[:-1] + ends[1:])[numbers] / 2
+        weights = np.ones(len(numbers))
+
+        def after(x: Floats) -> Floats:
+            steps = np.concatenate([[0.0], np.cumsum((np.tile(weights, 2) * jumps)[order])])
+            return np.asarray(1 + steps[np.searchsorted(borders[order], x)], np.float64)
+
         for _ in range(PASSES):
-            more = np.zeros((1 << self.level) + 1)
-            np.add.at(more, first, weights[cells] * spread)
-            np.add.at(more, last + 1, -weights[cells] * spread)
-            weights = 1 + np.maximum(0, np.cumsum(more)[:-1])
-        return weights.tolist()
+            weights = after(middles)
+        return after(at)
 
     def letters(self) -> str:
         """Return the tree."""

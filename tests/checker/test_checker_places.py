@@ -9,11 +9,12 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.folded.flights import System
+from cap.checker.folded.masses import Places
 from cap.checker.folded.paths import next_release
-from cap.checker.folded.portions import Node, Piece, portions
+from cap.checker.folded.portions import Node, Piece, portion
 from cap.checker.folded.strip import Strip
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
-from cap.checker.folded.tree import known, nodes
+from cap.checker.folded.tree import nodes
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters
@@ -82,7 +83,7 @@ def doubling(hole):
     below = [n for n in (Node(k, 6) for k in range(32)) if n != hole]
     pieces = [Piece(n, ((4 * n.k + 2) / 128, 1 / 64, *ZEROS)) for n in below]
     pieces = [Piece(n, (c, 1e-15)) for n, c in pieces]
-    return known((0.5, 1.0), 1.0, 10, pieces)
+    return Places((0.5, 1.0), 1.0, 10, pieces)
 
 
 def test_measures_of_places():
@@ -105,7 +106,7 @@ def test_measures_of_places():
 def test_measures_of_places_that_go_to_the_segment():
     """What has the other fate is missing; what has none is missing for both."""
     pieces = [Piece(Node(0, 2), None), Piece(Node(1, 2), ((0.125, 0.125, *ZEROS), 0.0))]
-    found = known((0.75, 1.0), 1.0, 6, pieces)
+    found = Places((0.75, 1.0), 1.0, 6, pieces)
     assert found.fate((0.0, 0.5)) == SEGMENT
     assert found.missing((0.0, 1.0), SEGMENT) == pytest.approx(0.5)
     assert found.missing((0.0, 1.0), ATTRACTOR) == pytest.approx(0.75)
@@ -115,15 +116,41 @@ def test_measures_of_places_that_go_to_the_segment():
 def test_a_fold_has_a_share_without_a_slope():
     """At a critical point of the next place nothing is known of the slope."""
     bend = (0.5, 0.0, 0.25, *ZEROS[1:])
-    found = portions(Piece(Node(0, 0), (bend, 0.0)), 1.0, 8)
-    assert len(found) >= 256
+    found = [portion(Node(0, 0), (bend, 0.0), 0.0, 1.0)]
+    for _ in range(8):
+        found = [half for part in found for half in part.halves(1.0)]
     flat = [part for part in found if part.c == 0]
-    assert 0 < sum(b - a for (a, b), *_ in (part[1:] for part in flat)) < 0.05
+    assert 0 < sum(b - a for (a, b) in (part.ends for part in flat)) < 0.05
     for part in found:
         for x in part.ends:
             low, high = part.image
             assert low <= 0.5 + 0.25 * (2 * x - 1) ** 2 <= high
             assert abs(4 * 0.25 * (2 * x - 1)) >= part.c
+
+
+def test_portions_are_halved_where_fates_differ():
+    """A piece of which the upper part goes to what is attracted, the lowest to what is unknown."""
+    piece = Piece(Node(1, 2), ((0.5, 0.3, *ZEROS), 1e-12))  # [1/4, 1/2] to [0.2, 0.8]
+    found = {level: Places((0.5, 1.0), 1.0, level, [piece]) for level in (2, 6, 16)}
+    assert [found[level].fate((0.4, 0.49)) for level in found] == [0, ATTRACTOR, ATTRACTOR]
+    rate = 0.25 / 0.6
+    true = 0.05 * rate / (1 - rate)  # what comes to [0.2, 0.25], at once or later
+    assert found[16].missing((0.25, 0.5), ATTRACTOR) == pytest.approx(true, rel=1e-3)
+    assert found[16].missing((0.4, 0.5), ATTRACTOR) < 1e-9
+    assert found[2].missing((0.4, 0.5), ATTRACTOR) > 0.01
+
+
+def test_pieces_that_overlap():
+    """They are no parts."""
+    after = (0.2, 0.01, *ZEROS), 1e-12
+    with pytest.raises(Rejected, match="overlap"):
+        Places((0.5, 1.0), 1.0, 2, [Piece(Node(0, 2), after), Piece(Node(0, 1), after)])
+
+
+def test_what_goes_beyond_the_walls_is_nothing():
+    """There are no places: nothing is missing of them."""
+    found = Places((0.5, 1.0), 1.0, 3, [Piece(Node(0, 3), ((-1.0, 0.1, *ZEROS), 1e-12))])
+    assert found.missing((0.0, 0.125), ATTRACTOR) == pytest.approx(0.0, abs=1e-12)
 
 
 @pytest.mark.parametrize(

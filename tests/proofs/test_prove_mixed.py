@@ -27,7 +27,7 @@ def coarse():
     for name, value in {"WORTH": 1e-2, "LEAVES": 300}.items():
         patch.setattr(mixed, name, value)
     patch.setattr(strip, "WORTH", 1e-3)
-    for name, value in {"LEVEL": 11, "WORTHS": (1e-3, 1e-4)}.items():
+    for name, value in {"LEVEL": 15, "WORTHS": (1e-3, 1e-4)}.items():
         patch.setattr(places, name, value)
     theorem = THEOREMS["mixed"]
     start = theorem.search(Request("mixed", PAPER)).candidates[0].start

@@ -1,9 +1,8 @@
-"""Places of release in parts: nodes of a tree, pieces that are followed, and portions of cells.
+"""Places of release in parts: nodes of a tree, pieces that are followed, and portions of them.
 
-A *node* (k, m) is the interval of places from k/2^m to (k + 1)/2^m of the width W; the nodes with m
-= M are the *cells*.  A *piece* is a node with a model of the next place G, or none if its orbits go
-to the segment at once.  Pieces are halved, at least to cells, and until G' varies little: to
-*portions* with |G'| >= c.
+A *node* (k, m) is the interval of places from k/2^m to (k + 1)/2^m of the width W.  A *piece* is a
+node with a model of the next place G, or none if its orbits go to the segment at once.  A *portion*
+is a part of a piece, by halvings, with bounds of G, and |G'| >= c.
 """
 
 from __future__ import annotations
@@ -16,8 +15,8 @@ from cap.checker.folded.numbers import UP, Pair
 from cap.checker.kernel import line
 from cap.checker.kernel.line import Line
 
-_MORE = 5  # halvings of a piece in a cell
-_EVEN = 0.1  # how much G' may vary, before a piece is halved, relatively
+_EVEN = 0.1  # how much G' may vary in a portion, relatively
+_BLURRED = 4  # times the error: a range of G that halvings do not make sharper
 _BITS = 22  # of a width: with 30 of k, and one of a sum, doubles are exact
 
 
@@ -45,60 +44,47 @@ class Piece(NamedTuple):
 
 
 class Portion(NamedTuple):
-    """An interval of places in a cell, bounds of the next place, and c with |G'| >= c.
+    """A part of a piece, with a model of the next place.
 
-    ``image`` is None if the orbits go to the segment before.
+    ``left``: what bounds 1/4 of the derivative of what is left by this model, but for rounding
+    since the model of the piece; ``image``: bounds of the next place; ``c``: |G'| >= c; ``even``:
+    whether it is of no use to halve it for a better c.
     """
 
-    cell: int
+    node: Node
+    next: Line
+    left: float
     ends: Pair
-    image: Pair | None
+    image: Pair
     c: float
+    even: bool
+
+    def blurred(self) -> bool:
+        """Return whether it is of no use to halve it."""
+        return line.rest(self.next) <= _BLURRED * self.next[1]
+
+    def halves(self, width: float) -> tuple[Portion, Portion]:
+        """Return the halves; the derivative of what is left is halved."""
+        return self._half(width, upper=False), self._half(width, upper=True)
+
+    def _half(self, width: float, *, upper: bool) -> Portion:
+        after = line.half(self.next, 1.0 if upper else -1.0)
+        left = (self.left / 2 + (after[1] - self.next[1])) * UP
+        return portion(self.node.half(upper), after, left, width)
 
 
-def portions(piece: Piece, width: float, level: int) -> list[Portion]:
-    """Return the portions of a piece, from the lower end to the upper one.
-
-    With each halving the derivative of what is left by the first model is halved, but not that of
-    the rounding since.
-    """
-    found, todo = list[Portion](), [(piece.node, piece.next)]
-    left = piece.next[1] if piece.next else 0.0
-    while todo:
-        node, after = todo.pop()
-        if after is None:
-            bounds = None
-        else:
-            steep = 4 * (left * 2.0 ** (piece.node.m - node.m) + (after[1] - left)) * UP
-            bounds = line.slopes(after, steep)
-        if node.m < level or (node.m < level + _MORE and uneven(after, bounds)):
-            halves = [None, None] if after is None else [line.half(after, s) for s in (-1.0, 1.0)]
-            todo += [(node.half(True), halves[1]), (node.half(False), halves[0])]
-        else:
-            ends = node.ends(width)
-            found.append(portion(node.k >> (node.m - level), ends, after, bounds))
-    return found
-
-
-def uneven(after: Line | None, bounds: Pair | None) -> bool:
-    """Return whether G' varies much: it steers."""
-    if after is None or bounds is None:
-        return False
-    low, high = bounds
-    return high - low > _EVEN * abs(high + low) and line.rest(after) > 4 * after[1]
-
-
-def portion(cell: int, ends: Pair, after: Line | None, bounds: Pair | None) -> Portion:
+def portion(node: Node, after: Line, left: float, width: float) -> Portion:
     """Return a portion; where G is monotone, its bounds are taken at the ends."""
-    if after is None or bounds is None:
-        return Portion(cell, ends, None, 0.0)
-    slope = max(bounds[0], -bounds[1]) / UP
+    ends = node.ends(width)
+    low, high = line.slopes(after, 4 * left * UP)
+    slope = max(low, -high) / UP
     if slope <= 0:
-        return Portion(cell, ends, line.ends(after), 0.0)
+        return Portion(node, after, left, ends, line.ends(after), 0.0, even=False)
     a, b = sorted(line.at_ends(after))
     e = line.blur(after)
     image = (a - e) - abs(a) * 2**-50, (b + e) + abs(b) * 2**-50
-    return Portion(cell, ends, image, slope / ((ends[1] - ends[0]) / 2))
+    even = high - low <= _EVEN * abs(high + low)
+    return Portion(node, after, left, ends, image, slope / ((ends[1] - ends[0]) / 2), even)
 
 
 def roof(x: Fraction) -> float:

@@ -7,14 +7,11 @@ is shown.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cache
 
 from cap.checker.folded.flights import System
-from cap.checker.folded.masses import Places
-from cap.checker.folded.numbers import Pair
 from cap.checker.folded.paths import next_release
-from cap.checker.folded.portions import Node, Piece, portions
+from cap.checker.folded.portions import Node, Piece
 from cap.checker.folded.strip import Strip
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.theorem import Parameters
@@ -49,9 +46,3 @@ def nodes(tree: str) -> list[Node]:
 def followed(p: Parameters, strip: Strip, width: float, node: Node) -> Piece:
     """Return the releases from a node, with the next ones."""
     return Piece(node, next_release(system(p), strip, node.ends(width)))
-
-
-def known(kept: Pair, width: float, level: int, pieces: Sequence[Piece]) -> Places:
-    """Return what is known of all places, in 2^level cells: ``kept`` is attracted."""
-    found = [part for piece in pieces for part in portions(piece, width, level)]
-    return Places(kept, width, level, found)

@@ -43,7 +43,7 @@ from cap.checker.folded.regions import Leaf, flights, leaves
 from cap.checker.folded.sticks import Areas, all_sticks, areas
 from cap.checker.folded.strip import Strip
 from cap.checker.folded.strips import counts, entered, half_strip, strip_area
-from cap.checker.folded.tree import LETTERS, followed, known, nodes
+from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.angles import rounded
 from cap.checker.kernel.processes import each
 from cap.checker.kernel.reading import text
@@ -72,9 +72,9 @@ class Mixed(Theorem):
     HINTS = (
         BITS,
         Field("attractor", shapes(Attractor.HINTS), "", "", "as for the theorem attractor"),
-        Field("places", {"level": Whole(6, 18), "tree": Letters(LETTERS, 1 << 18)}, "", "",
-              "measures of places are counted in 2^level cells; the tree of places that are "
-              "followed: 2 for a node that is halved, then its halves; 1 followed; 0 not"),
+        Field("places", {"level": Whole(6, 24), "tree": Letters(LETTERS, 1 << 18)}, "", "",
+              "the tree of places that are followed: 2 for a node that is halved, then its halves; "
+              "1 followed; 0 not; parts of them are halved down to this level of the tree"),
         Field("sticks", {"early": text, "late": text}, "", "",
               "the regions of sticks in the first arc of times and in the second, as trees"),
         Field("strip", {"slow": text, "fast": text}, "", "",
@@ -168,7 +168,8 @@ class Mixed(Theorem):
         """Return what is known of all distances to the wall ahead."""
         hints, width = self.hints["places"], self.width()
         step = partial(followed, self.p, self.strip(), width)
-        return known(self.kept(), width, hints["level"], work(step, nodes(hints["tree"])))
+        pieces = work(step, nodes(hints["tree"]))
+        return Places(self.kept(), width, hints["level"], pieces)
 
     def width(self) -> float:
         """Return the largest distance to the wall ahead, or a little more."""
