@@ -31,6 +31,7 @@ from cap.cells.polynomials import (
     Model,
     bound,
     centred,
+    constant,
     ends,
     exact,
     inverse,
@@ -165,7 +166,7 @@ def moving(y: System, f: Flight, until: float) -> bool:
 @kernel
 def _nothing(why: int) -> Event:
     """Return an event of which nothing is known."""
-    z = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    z = constant(0.0, 0.0)
     return Event(why, 0.0, z, z, z, z, z, 0.0, 0.0, 0.0, (0.0, 0.0), 0.0, 0.0)
 
 

@@ -27,7 +27,7 @@ from cap.cells.backward import (
     System,
     start,
 )
-from cap.cells.polynomials import UP, Model, ends, exact, moved, scaled, total, widened
+from cap.cells.polynomials import LAST, UP, Model, ends, exact, moved, scaled, total, widened
 from cap.sets.compiled import kernel
 
 ONE, NONE = (1.0, 0.0), (0.0, 0.0)
@@ -111,7 +111,7 @@ def _carried(
 def _followed(f: Flight, event: Event, ref: float, AB: tuple[Model, Model], J: Four) -> Flight:
     """Return the flight with models A, B, the errors of which J carries."""
     A, B = AB
-    C, R, errors = _carried(f, J, A[16], B[16])
+    C, R, errors = _carried(f, J, A[LAST], B[LAST])
     shift, e = event.near - ref, 8 * ROUND * (abs(event.near) + 8)
     begun = event.ends[0] - shift - e, event.ends[1] - shift + e
     return Flight(exact(A), exact(B), C, R, errors, ref, begun, 1)

@@ -24,8 +24,10 @@ from cap.cells.backward import (
 from cap.cells.mirrored import after_hit, after_turn
 from cap.cells.next_event import HIT, TURNS, next_event
 from cap.cells.polynomials import (
+    LAST,
     UP,
     Model,
+    between,
     ends,
     exact,
     integral,
@@ -44,6 +46,7 @@ EDGE = 2.0**-44  # more than the errors of an edge in doubles: see `cap.cells.tr
 TIME = 2.0**-48  # more than those of rounding of a time in an arc
 LARGE = 1.0  # errors above which nothing more is certain
 APART = 1e-12  # between a strobe and the start of a flight
+NONE = 0.0, 0.0, 0.0
 ERRORS, SIZE, FAST = 9, 10, 11  # reasons besides those of events
 
 
@@ -84,24 +87,23 @@ class Seen(NamedTuple):
 def sides(r: Region) -> tuple[Model, Model]:
     """Return q, and half the distance of the edges."""
     (a0, a1, a2), (b0, b1, b2) = r.low, r.high
-    z = 0.0
     c, c1, c2 = 0.5 * (a0 + b0), 0.5 * (a1 + b1), 0.5 * (a2 + b2)
     h, h1, h2 = 0.5 * (b0 - a0), 0.5 * (b1 - a1), 0.5 * (b2 - a2)
-    q = (c, c1, h, c2, h1, z, z, h2, z, z, z, z, z, z, z, z, EDGE)
-    return q, (h, h1, z, h2, z, z, z, z, z, z, z, z, z, z, z, z, EDGE)
+    middle, half = (c, c1, c2), (h, h1, h2)
+    return between(middle, half, EDGE), between(half, NONE, EDGE)
 
 
 @kernel
 def launched(y: System, r: Region) -> tuple[Flight, Model, float]:
     """Return the flight from rest, its density in X and Y, and the least of half the width."""
     e, z = y.theta_error + TIME, 0.0
-    d = (z, r.half, z, z, z, z, z, z, z, z, z, z, z, z, z, z, e)
+    d = between((z, r.half, z), NONE, e)
     cos, sin = trigonometric(moved(d, r.middle, z))
     q, wide = sides(r)
     A = total(scaled(sin, -1.0, z), scaled(d, -y.a, y.a_error))
     B = total(q, start(y, A, d, cos))
     density = scaled(product(moved(cos, y.a, y.a_error), wide), r.half, e)
-    errors, far = (A[16], B[16]), r.half + 2 * e
+    errors, far = (A[LAST], B[LAST]), r.half + 2 * e
     begun = r.middle - far, r.middle + far
     f = Flight(exact(A), exact(B), (1.0, 0.0, 0.0, 1.0), errors, errors, r.middle, begun, 1)
     return f, density, ends(wide)[0]
@@ -128,9 +130,9 @@ def spread(f: Flight) -> tuple[float, float]:
     """Return the ranges of A and B by X, and by Y alone: they steer."""
     across, along = 0.0, 0.0
     for p in (f.A, f.B):
-        along += abs(p[1]) + abs(p[3]) + abs(p[5]) + abs(p[8]) + abs(p[11]) + abs(p[15])
-        across += abs(p[2]) + abs(p[4]) + abs(p[6]) + abs(p[7]) + abs(p[9]) + abs(p[10])
-        across += abs(p[12]) + abs(p[13]) + abs(p[14])
+        along += abs(p[1]) + abs(p[3]) + abs(p[6]) + abs(p[10])
+        across += abs(p[2]) + abs(p[4]) + abs(p[5]) + abs(p[7]) + abs(p[8])
+        across += abs(p[9]) + abs(p[11]) + abs(p[12]) + abs(p[13]) + abs(p[14])
     return across, along
 
 

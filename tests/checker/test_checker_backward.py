@@ -39,8 +39,8 @@ MIDDLES = np.linspace(-1, 1, 41)[1::2]
 
 def value(p, x, y):
     """Return the polynomial of a model at points, and its derivatives."""
-    X = [x**i for i in range(4)]
-    Y = [y**j for j in range(7)]
+    X = [x**i for i in range(5)]
+    Y = [y**j for j in range(5)]
     at = sum(c * X[i] * Y[j] for c, (i, j) in zip(p, q.MONOMIALS, strict=False))
     px = sum(c * i * X[i - 1] * Y[j] for c, (i, j) in zip(p, q.MONOMIALS, strict=False) if i)
     py = sum(c * j * X[i] * Y[j - 1] for c, (i, j) in zip(p, q.MONOMIALS, strict=False) if j)
@@ -139,7 +139,7 @@ def test_products_and_functions_contain_their_values():
     rng = np.random.default_rng(5)
     for _ in range(200):
         a, b = (
-            (*(rng.normal(size=16) * 0.1 ** rng.uniform(0, 2)).tolist(), 1e-3 * rng.random())
+            (*(rng.normal(size=q.LAST) * 0.1 ** rng.uniform(0, 2)).tolist(), 1e-3 * rng.random())
             for _ in range(2)
         )
         a = (1 + 5 * rng.random(), *a[1:])
@@ -161,7 +161,7 @@ def test_an_integral_is_a_bound_from_below():
     rng, t = np.random.default_rng(6), np.linspace(-1, 1, 402)[:-1] + 1 / 401
     x, z = np.meshgrid(t, t)
     for _ in range(5):
-        p = (*rng.normal(size=16), 0.01)
+        p = (*rng.normal(size=q.LAST), 0.01)
         mean = 4 * float(np.mean(value(p, x, z)[0]))
         assert q.integral(p) == pytest.approx(mean - 0.04, abs=1e-3)
 

@@ -18,9 +18,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cap.checker.folded.backward import Flight, System, followed, since, upcoming
+from cap.checker.folded.instants import hitting, stopping
 from cap.checker.folded.numbers import TURN, UP, Pair, middle, minus, quotient, times
 from cap.checker.kernel import polynomials as q
-from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.polynomials import Model
 from cap.checker.kernel.rejection import need
 
@@ -77,18 +77,6 @@ def hit(y: System, f: Flight, near: float) -> BackEvent:
     return BackEvent(near, d, D, cos, sin, e + lag, e_all + lag, ends, speeds)
 
 
-def hitting(y: System, f: Flight, near: float) -> Model:
-    """Return a polynomial d, such that p vanishes at near + d, nearly: by Newton's method."""
-    p, s = y.at(f, near)
-    d = q.exact(q.scaled(q.product(p, q.inverse(s)), -1.0))
-    for _ in range(2):
-        cos, sin = q.trigonometric(q.with_constant(d, near + d[0]))
-        D, _lag = since(f, near, d)
-        step = q.product(y.place(f, D, cos), q.inverse(y.speed(f.A, D, sin)))
-        d = q.exact(q.total(d, q.scaled(step, -1.0)))
-    return d
-
-
 def after_hit(y: System, f: Flight, h: BackEvent) -> Flight:
     """Return the flight after a hit."""
     c, tau, D = (middle(q.ends(q.widened(z, h.e_all))) for z in (h.cos, h.d, h.D))
@@ -125,19 +113,6 @@ def turn(y: System, f: Flight, near: float, k: int) -> BackEvent:
     p_all = q.widened(p, y.influence(f, f.ref + D[0], spread))
     need(q.ends(p_all)[1] < 0, "the mass may hit before it stops")
     return BackEvent(near, d, D, cos, sin, e + lag, e_all + lag, ends, _NONE, p)
-
-
-def stopping(y: System, f: Flight, near: float) -> Model:
-    """Return a polynomial d, such that s vanishes at near + d, nearly: by Newton's method."""
-    slope = cos_sin(near)[0] + y.a
-    need(slope < 0, "a stop is not transversal")
-    d = q.exact(q.scaled(y.at(f, near)[1], -1 / slope))
-    for _ in range(2):
-        cos, sin = q.trigonometric(q.with_constant(d, near + d[0]))
-        D, _lag = since(f, near, d)
-        step = q.product(y.speed(f.A, D, sin), q.inverse(q.moved(cos, y.a, y.a_error)))
-        d = q.exact(q.total(d, q.scaled(step, -1.0)))
-    return d
 
 
 def after_turn(y: System, f: Flight, t: BackEvent, p: Model) -> Flight:
