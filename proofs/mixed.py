@@ -17,13 +17,11 @@ and different sticks give different states: the areas are added, less what lies 
 the fate.  States in which the mass never sticks go to the segment, or are not counted: they are
 found backwards from a strip in which all go there (`cap.proofs.strip`).
 
-The theorems `attractor` and `segment` are proved here in balls, the regions of sticks and of the
-strip are followed in outward-rounded doubles (`cap.cells`).  The places are followed by the
-arithmetic of the checker (`cap.checker.folded`), which is asked for what it can count: there is no
-second one for them.
+The theorems `attractor` and `segment` are proved here in balls; places, and the regions of sticks
+and of the strip, are followed in outward-rounded doubles (`cap.cells`).  How much of the places has
+a fate is counted by the checker (`cap.checker.folded.masses`).
 """
 
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -156,13 +154,8 @@ def missing(known: Places, fate: int, places: Floats) -> Floats:
 
 def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
     """Return what is known of places of release, and the tree of those that are followed."""
-    runner = setting.runner
-
-    def work(f: Callable[[Any], Any], tasks: Any) -> list[Any]:
-        return runner.map(f, list(tasks), "releases", processes=True)
-
-    parts = theorem.kept(), theorem.width()
-    search = places.Search(theorem.p, theorem.strip(), *parts, work)
+    parts = theorem.strip(), theorem.kept(), theorem.width()
+    search = places.Search(setting.parameters, *parts)
     tree = search.run(places.WORTHS)
     return search.places(places.LEVEL), tree
 

@@ -9,7 +9,6 @@ from fractions import Fraction
 
 from cap.cells.cuts import dearest
 from cap.cells.entering import Half, search
-from cap.cells.entries import Strip
 from cap.cells.listing import written
 from cap.cells.trees import Arc, Plan
 from cap.checker.folded.backward import System
@@ -18,6 +17,7 @@ from cap.checker.folded.regions import Region
 from cap.checker.folded.strips import counts, half_strip
 from cap.checker.theorems.mixed import Mixed, below
 from cap.proofs.fixed_point import Setting
+from cap.proofs.places import target
 
 NAMES = ("slow", "fast")
 STROBES, POINTS = 24, 4
@@ -33,8 +33,7 @@ def by_strip(setting: Setting, theorem: Mixed) -> tuple[Fraction, dict[str, str]
         return total, texts
     halves = [half_of(*half_strip(y, strip, fast=fast)) for fast in (False, True)]
     plan = Plan(WORTH, STROBES, points=POINTS)
-    target = Strip(*strip[:6], *strip.edge)
-    trees = search(setting.parameters, target, halves, V, plan, setting.runner)
+    trees = search(setting.parameters, target(strip), halves, V, plan, setting.runner)
     price = dearest(trees, [tree.areas for tree in trees], LEAVES)
     for name, tree in zip(NAMES, trees, strict=True):
         chosen = tree.best(tree.areas, price)

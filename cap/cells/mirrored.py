@@ -79,19 +79,19 @@ def _folded(near: float, d: Model) -> tuple[float, Model]:
     return ref - k * TURN, widened(d, error)
 
 
+Errors = tuple[tuple[float, float, float, float], Pair, Pair]
+"""C, R and the bounds of the errors of A and B."""
+
+
 @kernel
-def _carried(
-    f: Flight, J: Four, za: float, zb: float
-) -> tuple[tuple[float, float, float, float], Pair, Pair]:
-    """Return C, R and the bounds of the errors after a map with derivatives in J.
+def carried(before: Errors, J: Four, za: float, zb: float) -> Errors:
+    """Return the errors after a map with derivatives in J.
 
     The new C has the longer column of J C in its first direction.  Its inverse is its transposed up
     to 2^-49: what that costs is in ``size``.
     """
     (j11, k11), (j12, k12), (j21, k21), (j22, k22) = J
-    c11, c12, c21, c22 = f.C
-    r1, r2 = f.R
-    ea, eb = f.errors
+    (c11, c12, c21, c22), (r1, r2), (ea, eb) = before
     m11, m12 = j11 * c11 + j12 * c21, j11 * c12 + j12 * c22
     m21, m22 = j21 * c11 + j22 * c21, j21 * c12 + j22 * c22
     size = (abs(j11) + abs(j12) + abs(j21) + abs(j22)) * (ea + eb + r1 + r2) * ROUND
@@ -111,7 +111,7 @@ def _carried(
 def _followed(f: Flight, event: Event, ref: float, AB: tuple[Model, Model], J: Four) -> Flight:
     """Return the flight with models A, B, the errors of which J carries."""
     A, B = AB
-    C, R, errors = _carried(f, J, A[LAST], B[LAST])
+    C, R, errors = carried((f.C, f.R, f.errors), J, A[LAST], B[LAST])
     shift, e = event.near - ref, 8 * ROUND * (abs(event.near) + 8)
     begun = event.ends[0] - shift - e, event.ends[1] - shift + e
     return Flight(exact(A), exact(B), C, R, errors, ref, begun, 1)

@@ -10,6 +10,8 @@ from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.line import Coefficients
 from cap.checker.kernel.rejection import need
 
+_STEPS = 4  # of Newton's method
+
 
 def hit_guess(y: System, f: Path, near: float) -> Coefficients:
     """Return a polynomial at which p vanishes, nearly: s T' + A' (T - ref) + B' = 0."""
@@ -21,15 +23,16 @@ def hit_guess(y: System, f: Path, near: float) -> Coefficients:
 
 def stop_guess(y: System, f: Path, near: float) -> Coefficients:
     """Return a polynomial at which s vanishes, nearly: (cos T - a) T' + A' = 0."""
-    m = math.cos(near) - y.a
-    need(m < 0, "a stop is not transversal")
-    near -= (math.sin(near) - y.a * (near - f.ref) + f.A[0]) / m
+    for _ in range(_STEPS):
+        m = math.cos(near) - y.a
+        need(m < 0, "a stop is not transversal")
+        near -= (math.sin(near) - y.a * (near - f.ref) + f.A[0]) / m
     return solved(y, f, near, math.cos(near) - y.a, full=False)
 
 
 def polished(y: System, f: Path, near: float) -> float:
     """Return the time of a hit of the middle."""
-    for _ in range(2):
+    for _ in range(_STEPS):
         cos, sin = cos_sin(near)
         d = near - f.ref
         s = sin - y.a * d + f.A[0]

@@ -56,7 +56,7 @@ from cap.checker.kernel import line
 from cap.checker.kernel.line import Coefficients, Line
 from cap.checker.kernel.rejection import Rejected, need
 
-_MOST = 40  # events
+_MOST = 64  # events
 _NONE, _ONE = (0.0, 0.0), (1.0, 0.0)
 
 

@@ -1,0 +1,130 @@
+"""The next releases from intervals of places: as orbits in floats, and as the checker says."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from support import seeded
+
+from cap.cells.entries import NOWHERE, Strip
+from cap.cells.next_releases import HELD, forwards, next_release, next_releases
+from cap.cells.paths import LOST, RELEASED
+from cap.cells.rests import height
+from cap.checker.folded import strip as checked
+from cap.checker.folded.flights import System
+from cap.checker.folded.paths import next_release as followed
+from cap.checker.folded.rests import height as resting
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.theorem import Parameters as Given
+from cap.floats import swarm
+from cap.parameters import PAPER, Parameters
+
+OTHER = Parameters(
+    **{k: Fraction(z) for k, z in {"F": 3, "omega": 2, "f": "4/3", "l": "-1/2", "r": "3/4"}.items()}
+)
+AT = np.array([-0.99, -0.4, 0.5, 0.99])
+NONE = checked.Strip(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, (0.0, 0.0))
+
+
+def given(p):
+    """Return parameters for the checker."""
+    return Given(p.F, p.omega, p.f, p.l, p.r)
+
+
+def drawn(random, width, count):
+    """Return intervals of several sizes."""
+    sizes = [width * 10 ** -random.uniform(1, 5) for _ in range(count)]
+    lows = [random.uniform(0, width - size) for size in sizes]
+    return np.array([(low, low + size) for low, size in zip(lows, sizes, strict=True)])
+
+
+def later(p, places):
+    """Return the distances to the wall ahead at the next releases, in floats."""
+    scale = float(p.omega**2 / p.F)
+    first = (math.pi - math.acos(p.f / p.F)) / 2 / math.pi - 1e-9  # to the left
+    states = [(float(p.l) + place / scale, 0.0) for place in places]
+    found = np.full(len(places), math.nan)
+    for n in range(1, 50):
+        states = swarm.follow(
+            p, states, 0.5, (first + (n - 1) / 2) * 2 * math.pi / float(p.omega)
+        ).states
+        for k, (x, v) in enumerate(states):
+            if v == 0 and math.isnan(found[k]):
+                found[k] = scale * (float(p.r) - x if n % 2 else x - float(p.l))
+    return found
+
+
+@pytest.mark.parametrize("p", [PAPER, OTHER], ids=["paper", "other"])
+def test_orbits_in_floats(p):
+    """They are in the models, with their difference quotients."""
+    y, random = forwards(p), seeded("next releases")
+    places = drawn(random, y.width, 30)
+    found, compared = next_releases(y, NOWHERE, places), 0
+    for (low, high), kind, model in zip(places, found.kinds, found.models, strict=True):
+        if kind != RELEASED:
+            continue
+        near = later(p, low + (high - low) * (AT + 1) / 2)
+        value = sum(c * AT**k for k, c in enumerate(model[:7]))
+        assert (abs(value - near) <= model[7] + 1e-7).all()
+        rates = sum(k * c * AT[1:3] ** (k - 1) for k, c in enumerate(model[:7]) if k)
+        rate = (near[2] - near[1]) / (AT[2] - AT[1])
+        bend = sum(k * (k - 1) * abs(c) for k, c in enumerate(model[:7]))
+        assert abs(rates.mean() - rate) <= 4 * model[7] + bend + 1e-6
+        compared += 1
+    assert compared > 8
+
+
+@pytest.mark.parametrize("p", [PAPER, OTHER], ids=["paper", "other"])
+def test_the_checker_follows_the_same(p):
+    """The same intervals, and to the same places."""
+    y, other, random = forwards(p), System(given(p)), seeded("next releases, twice")
+    places = drawn(random, y.width, 250)
+    found = next_releases(y, NOWHERE, places)
+    assert 30 < (found.kinds == RELEASED).sum() < 245
+    for ends, kind, model in zip(places.tolist(), found.kinds, found.models, strict=True):
+        try:
+            c, e = followed(other, NONE, tuple(ends))
+        except Rejected:
+            assert kind == LOST
+            continue
+        assert kind == RELEASED
+        assert model[:7] == pytest.approx(c, abs=1e-9 + 1e-3 * e)
+        assert model[7] == pytest.approx(e, rel=0.05, abs=1e-10)
+
+
+def test_a_strip_holds_orbits():
+    """All that pass the time 0 in a strip as large as the plane; none in one that is as thin."""
+    y, (low, high) = forwards(PAPER), (0.731, 0.7311)
+    large = Strip(-99.0, 99.0, 0.0, 0.0, 99.0, 0.0, 1.0, 0.0)
+    room = np.zeros((5, 7))
+    assert next_release(y, large, low, high, room)[0] == HELD
+    for other in (
+        large._replace(d=1e-9),
+        large._replace(left=98.0),
+        large._replace(right=-98.0),
+        large._replace(slow=-9.0, fast=9.0, d=8.0),
+    ):
+        assert next_release(y, other, low, high, room)[0] == RELEASED
+
+
+def test_nothing_is_followed_across_a_border():
+    """An interval whose orbits meet other events; all places at once; what is not a number."""
+    places = np.array([(0.0, 2.0), (0.5, 1.0), (1.2, 1.3), (math.nan, 1.0)])
+    assert (next_releases(forwards(PAPER), NOWHERE, places).kinds == LOST).all()
+
+
+def test_rests_after_slow_hits():
+    """As the checker finds them, but for what is close to the border."""
+    y, other, random = forwards(PAPER), System(given(PAPER)), seeded("rests")
+    resting_near = [0, 0, 0]
+    for _ in range(3000):
+        t, speed = random.uniform(-1.5, 1.5), 10 ** random.uniform(-3, -0.3)
+        ends = t, t + 10 ** random.uniform(-9, -3)
+        found, known = height(y, ends, speed), resting(other, ends, speed)
+        if known is None:
+            assert found == -1
+        elif found >= 0:
+            assert found == pytest.approx(known, abs=1e-15)
+        resting_near[0 if found < 0 else 1 + (found > 0)] += 1
+    assert min(resting_near) > 10
