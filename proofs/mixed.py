@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 
 from cap.cells import sticks
-from cap.cells.cuts import dearest
+from cap.cells.cuts import cheapest, dearest
 from cap.cells.listing import written
 from cap.cells.sticks import Sticks
 from cap.cells.trees import Floats, Plan
@@ -53,8 +53,10 @@ SEARCH = candidates.releasing
 OPTIONS = ("jobs", "speed", "undecided")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 10**3)  # of a share: where the checker cannot follow as far as the prover
-WORTH, LEAST = 1e-5, 1e-7  # areas that are missing of a region before it is cut: at first, at last
-LEAVES, MOST = 25_000, 90_000  # regions that are followed: as a rule, and if more is asked for
+STROBES = 24  # that may count for an orbit from a stick
+# the area that is missing of a region before it is cut, and how many regions are followed
+EFFORTS = ((6e-6, 60_000), (1.5e-6, 200_000), (4e-7, 360_000))
+USUAL = 1  # of these, if nothing is asked for
 
 
 def prove(setting: Setting) -> Proof:
@@ -89,34 +91,39 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     *Computed.* Sticks are followed backwards, in ever smaller regions until no more is undecided
     than asked for.  The trees are added to the hints.
     """
-    runner, p, V = setting.runner, setting.parameters, speed_of(setting)
     known, hints["places"]["tree"] = by_places(setting, theorem)
     strip, hints["strip"] = by_strip(setting, theorem)
-    whole, worth = 2 * theorem.region()[0] * theorem.region()[1], WORTH
-    while True:
-        trees = sticks.search(p, V, Plan(worth), runner)
-        most = LEAVES if setting.undecided is None else MOST
-        (a, s, stops), hints["sticks"] = counted(trees, known, most)
+    whole = 2 * theorem.region()[0] * theorem.region()[1]
+    wanted = setting.undecided
+    left = Fraction(1)
+    for worth, most in EFFORTS if wanted is not None else EFFORTS[USUAL:]:
+        plan = Plan(worth, STROBES)
+        trees = sticks.search(setting.parameters, speed_of(setting), plan, setting.runner)
+        enough = None if wanted is None else (1 - wanted + 2 * SLACK) * whole - strip
+        (a, s, stops), hints["sticks"] = counted(trees, known, most, enough)
         shares = a / whole, (s + strip) / whole, (stops + strip) / whole
         left = 1 - shares[0] - shares[1] + 2 * SLACK
-        if setting.undecided is None or left <= setting.undecided:
+        if wanted is None or left <= wanted:
             return shares
-        worth /= 4
-        if worth < LEAST:
-            raise NotProved(
-                "share",
-                f"of the part {float(left):.4f} neither fate is shown, with {most} regions; "
-                f"{float(setting.undecided):.4f} was asked for",
-            )
+    raise NotProved(
+        "share",
+        f"of the part {float(left):.4f} neither fate is shown, with {most} regions; "
+        f"{float(wanted or 0):.4f} was asked for",
+    )
 
 
 def counted(
-    trees: tuple[Sticks, Sticks], known: Places, most: int
+    trees: tuple[Sticks, Sticks], known: Places, most: int, enough: Fraction | None
 ) -> tuple[tuple[Fraction, ...], dict[str, str]]:
-    """Return the areas for the fates and of all that sticks, and the regions chosen, as text."""
+    """Return the areas for the fates and of all that sticks, and the regions chosen, as text.
+
+    There are at most so many regions, and not many more than for an area that is ``enough``.
+    """
     found = [areas_of(tree, known) for tree in trees]
     worths = [a + s for a, s, _ in found]
     price = dearest(trees, worths, most)
+    if enough is not None:
+        price = max(price, cheapest(trees, worths, float(enough) * (1 + 1e-9)))
     chosen = [tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True)]
     texts = (tree.text(mask) for tree, mask in zip(trees, chosen, strict=True))
     sums = [[below_sum(z[mask]) for z in areas] for areas, mask in zip(found, chosen, strict=True)]

@@ -17,7 +17,8 @@ from cap.sets.compiled import kernel
 EVENTS = 200
 STEEPEST = 2.0
 CLEAR = 3.0  # how much larger one singular value is, for its direction to be of use
-STEPS = 4  # along an edge, to each side
+STEPS = 3  # along an edge, to each side
+DEEP = 12  # strobes after which directions do not change any more
 INSIDE = 0.1  # of the distance of its neighbours an edge is away from them
 
 
@@ -126,7 +127,7 @@ def hoped(
 def _slope(y: System, strip: Strip, q: float, t: float, V: float, strobes: int) -> float:
     """Return a slope of use."""
     inside = min(max(q, 1e-9 - y.width), -1e-9)
-    found = orbit(y, strip, inside, t, V, strobes)
+    found = orbit(y, strip, inside, t, V, min(strobes, DEEP))
     return min(max(found.slope, -STEEPEST), STEEPEST) if found.ratio > CLEAR else 0.0
 
 

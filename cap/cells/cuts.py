@@ -9,7 +9,7 @@
     n + 2      at most n flights are followed, n >= 1
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -119,12 +119,29 @@ def halved(e: Edge, side: int) -> Edge:
 
 def dearest(trees: Sequence[Tree], worths: Sequence[Floats], most: int) -> float:
     """Return a price, nearly the least, at which at most so many nodes are followed."""
+    return _price(trees, worths, lambda count, _worth: count > most)[1]
+
+
+def cheapest(trees: Sequence[Tree], worths: Sequence[Floats], enough: float) -> float:
+    """Return a price, nearly the greatest, at which the nodes that are followed are worth enough.
+
+    If that is none, almost 0.
+    """
+    return _price(trees, worths, lambda _count, worth: worth >= enough)[0]
+
+
+def _price(
+    trees: Sequence[Tree], worths: Sequence[Floats], low_at: Callable[[int, float], bool]
+) -> tuple[float, float]:
+    """Return prices next to each other: the lower one is too low, the other is not."""
     low, high = 0.0, max(float(np.max(worth)) for worth in worths)
     for _ in range(STEPS):
-        price = 0.5 * (low + high)
-        count = sum(np.sum(t.best(w, price)) for t, w in zip(trees, worths, strict=True))
-        low, high = (price, high) if count > most else (low, price)
-    return high
+        price, count, worth = 0.5 * (low + high), 0, 0.0
+        for tree, w in zip(trees, worths, strict=True):
+            chosen = tree.best(w, price)
+            count, worth = count + int(np.sum(chosen)), worth + float(np.sum(w[chosen]))
+        low, high = (price, high) if low_at(count, worth) else (low, price)
+    return low, high
 
 
 def joined(parts: Sequence[Nodes]) -> Nodes:

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from cap.cells.listing import written
-from cap.checker.folded.backward import System
+from cap.checker.folded.backward import System, upcoming
 from cap.checker.folded.events import after, event
+from cap.checker.folded.instants import hitting, stopping
 from cap.checker.folded.regions import flights, leaves
 from cap.checker.folded.sticks import (
     PARTS,
@@ -100,6 +101,39 @@ def released(p, state, theta):
         t0 = (first + n / 2) * 2 * math.pi / float(p.omega)
         found = swarm.follow(p, found.states, 0.5, t0)
     return math.nan
+
+
+def test_polynomials_are_next_to_the_times_of_events():
+    """What they leave of p or s falls by 32, nearly, with half the distance from the middle."""
+    y, ratios = System(SYSTEMS["paper"]), {"hit": [], "stop": []}
+    for _late, _, start in regions(y):
+        for f in flown_from(y, start.flight, 6):
+            kind, near, _k = upcoming(y, f)
+            d = (hitting if kind == "hit" else stopping)(y, f, near)
+            left = [abs(remains(y, f, kind, near, d, x)) for x in (0.2, 0.1)]
+            if left[0] > 1e-10:
+                ratios[kind].append(left[0] / left[1])
+    assert min(map(len, ratios.values())) > 3
+    assert all(20 < np.median(found) < 100 for found in ratios.values())
+
+
+def flown_from(y, f, count):
+    """Give so many flights, or as many as are certain."""
+    for _ in range(count):
+        yield f
+        try:
+            f = after(y, f, event(y, f))
+        except Rejected:
+            return
+
+
+def remains(y, f, kind, near, d, x):
+    """Return p or s at a point, at the time of a polynomial."""
+    t = near + value(d, x, x)[0]
+    D, A, B = t - f.ref, value(f.A, x, x)[0], value(f.B, x, x)[0]
+    if kind == "hit":
+        return D * (y.a * D / 2 + A) + B - math.cos(t)
+    return math.sin(t) + y.a * D + A
 
 
 @pytest.mark.parametrize("name", SYSTEMS)

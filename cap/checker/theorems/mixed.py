@@ -54,7 +54,7 @@ from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
-_MOST_FLIGHTS = 1 << 21
+_MOST_FLIGHTS = 1 << 23
 
 Work = Callable[..., Sequence[Any]]  # a map over tasks
 
