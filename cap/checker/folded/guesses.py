@@ -10,7 +10,7 @@ from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.line import Coefficients
 from cap.checker.kernel.rejection import need
 
-_STEPS = 4  # of Newton's method
+_STEPS = 8  # of Newton's method
 
 
 def hit_guess(y: System, f: Path, near: float) -> Coefficients:
