@@ -99,16 +99,16 @@ class Search:
 
     def tried(self, nodes: Sequence[Node]) -> list[tuple[Node, Piece | None]]:
         """Return nodes with pieces, where they are followed."""
-        ends = self.ends(nodes)
+        ends, strip = self.ends(nodes), target(self.strip)
         beyond = np.diff(ends) * BEYOND * np.array([-1, 1])
-        found = next_releases(self.system, target(self.strip), ends + beyond)
-        pieces = list[Piece | None]()
-        for node, kind, model in zip(
-            nodes, found.kinds.tolist(), found.models.tolist(), strict=True
-        ):
-            after = None if kind == HELD else (tuple(model[:-1]), model[-1])
-            pieces.append(None if kind == LOST else Piece(node, after))
-        return list(zip(nodes, pieces, strict=True))
+        sure = next_releases(self.system, strip, ends + beyond).kinds != LOST
+        found = next_releases(self.system, strip, ends[sure])
+        pieces = dict[Node, Piece]()
+        for n, kind, model in zip(np.flatnonzero(sure).tolist(), *found, strict=True):
+            after = None if kind == HELD else (tuple(model[:-1].tolist()), float(model[-1]))
+            if kind != LOST:
+                pieces[nodes[n]] = Piece(nodes[n], after)
+        return [(node, pieces.get(node)) for node in nodes]
 
     def fine(self, piece: Piece) -> bool:
         """Return whether the next places are known well, from a node of the level `GRAIN`."""
@@ -131,6 +131,8 @@ class Search:
         """Return weights at places: 1, and those of the places that come there next."""
         ends = np.array(places.ends)
         passes = [(n, q.image, q.c) for n, q in enumerate(places.parts) if isinstance(q, Portion)]
+        if not passes:
+            return np.ones(len(at))
         numbers, images, slopes = map(np.array, zip(*passes, strict=True))
         borders, jumps = images.T.ravel(), np.concatenate([1 / slopes, -1 / slopes])
         order = np.argsort(borders)

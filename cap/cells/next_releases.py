@@ -28,6 +28,7 @@ HELD = 3  # besides `LOST` and `RELEASED`: all come to the strip before
 EVENTS = 64
 STROBES = 4  # of a flight
 DEGREE = 6
+STEEP = 2e-6  # of speeds at stops: for less, times may not be found without a bracket
 _TIME, _SLOPE, _RATE, _COS, _SIN, ROWS = range(6)
 
 
@@ -73,7 +74,7 @@ def _next(y: System, f: Path, room: Floats) -> Step:
         t -= place_at(t, -y.a, f.A[0], f.B[0], f.ref) / s
         return hit(y, f, _solved(y, f, t, speed_at(t, -y.a, f.A[0], f.ref), room, True))
     m = math.cos(t) - y.a
-    if not m < 0:
+    if not m < -STEEP:
         return lost(f)
     t -= speed_at(t, -y.a, f.A[0], f.ref) / m
     return stop(y, f, _solved(y, f, t, math.cos(t) - y.a, room, False))

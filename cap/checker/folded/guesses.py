@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from operator import mul
 
 from cap.checker.folded.flights import Path, System
 from cap.checker.kernel import line
@@ -10,7 +11,7 @@ from cap.checker.kernel.angles import cos_sin
 from cap.checker.kernel.line import Coefficients
 from cap.checker.kernel.rejection import need
 
-_STEPS = 4  # of Newton's method
+_STEPS, _CLOSE = 8, 1e-8  # of Newton's method, which squares the last one
 
 
 def hit_guess(y: System, f: Path, near: float) -> Coefficients:
@@ -26,7 +27,10 @@ def stop_guess(y: System, f: Path, near: float) -> Coefficients:
     for _ in range(_STEPS):
         m = math.cos(near) - y.a
         need(m < 0, "a stop is not transversal")
-        near -= (math.sin(near) - y.a * (near - f.ref) + f.A[0]) / m
+        step = (math.sin(near) - y.a * (near - f.ref) + f.A[0]) / m
+        near -= step
+        if abs(step) < _CLOSE:
+            break
     return solved(y, f, near, math.cos(near) - y.a, full=False)
 
 
@@ -36,8 +40,12 @@ def polished(y: System, f: Path, near: float) -> float:
         cos, sin = cos_sin(near)
         d = near - f.ref
         s = sin - y.a * d + f.A[0]
-        if s > 0:
-            near -= (-cos + d * (f.A[0] - y.a * d / 2) + f.B[0]) / s
+        if s <= 0:
+            break
+        step = (-cos + d * (f.A[0] - y.a * d / 2) + f.B[0]) / s
+        near -= step
+        if abs(step) < _CLOSE:
+            break
     return near
 
 
@@ -46,17 +54,18 @@ def solved(y: System, f: Path, near: float, m: float, full: bool) -> Coefficient
     T, D, rates = [near], [near - f.ref], [m]  # rates: s, or cos T - a
     cos, sin = cos_sin(near)
     C, S, slopes = [cos], [sin], list[float]()
+    pulls = [k * a for k, a in enumerate(f.A)][1:]
     for k in range(line.DEGREE):
-        past = sum(rates[j] * slopes[k - j] for j in range(1, k + 1))
+        past = sum(map(mul, rates[1:], reversed(slopes)))
         if full:
-            pull = sum((j + 1) * f.A[j + 1] * D[k - j] for j in range(k + 1))
-            past += pull + (k + 1) * f.B[k + 1]
+            past += sum(map(mul, pulls, reversed(D))) + (k + 1) * f.B[k + 1]
         else:
-            past += (k + 1) * f.A[k + 1]
+            past += pulls[k]
         slopes.append(-past / m)
         T.append(slopes[k] / (k + 1))
         D.append(T[-1])
-        C.append(-sum(slopes[j] * S[k - j] for j in range(k + 1)) / (k + 1))
-        S.append(sum(slopes[j] * C[k - j] for j in range(k + 1)) / (k + 1))
-        rates.append(S[-1] - y.a * T[-1] + f.A[k + 1] if full else C[-1])
+        cos, sin = (sum(map(mul, slopes, reversed(z))) / (k + 1) for z in (S, C))
+        C.append(-cos)
+        S.append(sin)
+        rates.append(sin - y.a * T[-1] + f.A[k + 1] if full else -cos)
     return tuple(T)

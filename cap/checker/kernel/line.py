@@ -28,7 +28,7 @@ r with |r| = d <= 1 is added to g, |cos(a + g + r) - cos(a + g)| <= |cos(a + g)|
 from __future__ import annotations
 
 from itertools import accumulate
-from operator import mul
+from operator import add, mul
 
 from cap.checker.kernel.angles import cos_sin
 
@@ -60,7 +60,8 @@ def across(ends: tuple[float, float]) -> Line:
 
 def size(c: Coefficients) -> float:
     """Return a bound of the norm of a polynomial."""
-    norm: float = sum(map(mul, map(abs, c), _WEIGHTS))
+    a0, a1, a2, a3, a4, a5, a6 = map(abs, c)
+    norm = a0 + 1.25 * a1 + 1.5 * a2 + 1.75 * a3 + 2 * a4 + 2.25 * a5 + 2.5 * a6
     return norm * _UP + _TINY
 
 
@@ -94,15 +95,24 @@ def scaled(p: Line, a: float, e: float = 0.0) -> Line:
 
 def total(p: Line, q: Line) -> Line:
     """Return p + q."""
-    c = tuple([a + b for a, b in zip(p[0], q[0], strict=True)])
+    c = tuple(map(add, p[0], q[0]))
     return c, (p[1] + q[1] + size(c) * _ROUND) * _UP
 
 
 def product(p: Line, q: Line) -> Line:
     """Return p q; terms of a degree above n go into the error."""
     (a, e), (b, f) = p, q
-    back = b[::-1]
-    c = tuple([sum(map(mul, a[: k + 1], back[DEGREE - k :])) for k in _ORDERS])
+    a0, a1, a2, a3, a4, a5, a6 = a
+    b0, b1, b2, b3, b4, b5, b6 = b
+    c = (
+        a0 * b0,
+        a0 * b1 + a1 * b0,
+        a0 * b2 + a1 * b1 + a2 * b0,
+        a0 * b3 + a1 * b2 + a2 * b1 + a3 * b0,
+        a0 * b4 + a1 * b3 + a2 * b2 + a3 * b1 + a4 * b0,
+        a0 * b5 + a1 * b4 + a2 * b3 + a3 * b2 + a4 * b1 + a5 * b0,
+        a0 * b6 + a1 * b5 + a2 * b4 + a3 * b3 + a4 * b2 + a5 * b1 + a6 * b0,
+    )
     left, right = list(map(mul, map(abs, a), _WEIGHTS)), list(map(mul, map(abs, b), _WEIGHTS))
     ends = list(accumulate(right[::-1]))  # of the last coefficients
     tail = sum(map(mul, left[1:], ends))
