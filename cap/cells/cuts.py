@@ -9,6 +9,7 @@
     n + 2      at most n flights are followed, n >= 1
 """
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -35,7 +36,7 @@ from cap.sets.compiled import PROBE, require_ieee
 PARTS = 16  # of an arc, a power of 2
 NODES, DEEP = 1 << 18, 2000  # nodes of a part, regions that wait
 FOLLOWED = 2  # plus the flights
-STEPS = 30
+STEPS, LOWEST = 22, 1e-9  # of a search for a price; of the highest one
 UNIT = 2.0**-80
 
 Edge = tuple[int, int, int]
@@ -134,9 +135,10 @@ def _price(
     trees: Sequence[Tree], worths: Sequence[Floats], low_at: Callable[[int, float], bool]
 ) -> tuple[float, float]:
     """Return prices next to each other: the lower one is too low, the other is not."""
-    low, high = 0.0, max(float(np.max(worth)) for worth in worths)
+    high = max(float(np.max(worth)) for worth in worths)
+    low = LOWEST * high
     for _ in range(STEPS):
-        price, count, worth = 0.5 * (low + high), 0, 0.0
+        price, count, worth = math.sqrt(low * high), 0, 0.0
         for tree, w in zip(trees, worths, strict=True):
             chosen = tree.best(w, price)
             count, worth = count + int(np.sum(chosen)), worth + float(np.sum(w[chosen]))

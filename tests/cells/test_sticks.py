@@ -11,7 +11,7 @@ import pytest
 from support import seeded
 
 from cap.cells.contraction import hoped
-from cap.cells.cuts import PARTS, dearest
+from cap.cells.cuts import PARTS, cheapest, dearest
 from cap.cells.entries import NOWHERE
 from cap.cells.listing import written
 from cap.cells.next_event import next_event
@@ -157,6 +157,20 @@ def test_best_nodes(trees):
             assert not chosen[n + 1 : past[n]].any()
     price = dearest(trees, [tree.areas for tree in trees], 100)
     assert 50 < sum(tree.best(tree.areas, price).sum() for tree in trees) <= 100
+
+
+def test_no_more_nodes_than_enough(trees):
+    """At a price that is a little higher, less than enough is left."""
+    areas = [tree.areas for tree in trees]
+
+    def found(price):
+        chosen = [tree.best(area, price) for tree, area in zip(trees, areas, strict=True)]
+        return sum(area[mask].sum() for area, mask in zip(areas, chosen, strict=True))
+
+    enough = 0.8 * found(0.0)
+    price = cheapest(trees, areas, enough)
+    assert found(price) >= enough > found(price * (1 + 1e-4))
+    assert cheapest(trees, areas, 2 * found(0.0)) < 1e-6
 
 
 def test_leaves_cover_the_arc(trees):

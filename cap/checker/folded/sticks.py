@@ -23,7 +23,7 @@ m sup(density)/inf(h).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import count
 from typing import NamedTuple, Protocol
 
@@ -138,15 +138,24 @@ def areas(y: System, fates: Fates, V: float, task: tuple[Leaf, bool]) -> Areas:
     start = sticks(y, leaf.region, late=late)
     found = [0.0, 0.0, 0.0]
     places = places_of(y, leaf.region, late=late)
-    sums = (sum(fates.missing(part, fate) for part in places) for fate in (ATTRACTOR, SEGMENT))
-    missing = [*(total / PARTS * UP for total in sums), 0.0]
+    missing = [*(without(fates, places, fate) for fate in (ATTRACTOR, SEGMENT)), 0.0]
     for density, strobes in backwards(y, start.flight, leaf.flights if start.least > 0 else 0):
-        area, most = q.integral(density), q.ends(density)[1]
         count = sum(speeds[1] < V for _, speeds in strobes)
+        if not count:
+            continue
+        area, most = q.integral(density), q.ends(density)[1]
         for k, m in enumerate(missing):
             lost = 2 * m * most / start.least * UP if m else 0.0
             found[k] += max(0.0, count * (area - lost) * (1 - TURN))
     return Areas(*(area * (1 - 64 * TURN) for area in found))
+
+
+def without(fates: Fates, places: Sequence[Pair], fate: int) -> float:
+    """Return the mean of the measures of places without a fate, or infinity if none is known."""
+    low, high = min(low for low, _ in places), max(high for _, high in places)
+    if fates.missing((low, high), fate) >= high - low:
+        return math.inf
+    return sum(fates.missing(part, fate) for part in places) / PARTS * UP
 
 
 def backwards(y: System, f: Flight, flights: int) -> Iterator[tuple[Model, list[Strobe]]]:
