@@ -4,8 +4,8 @@ Let E f be the sum of w f_w, f_w the part of degree w of f: a derivation.  So wh
 
     s E T + (T - ref) E A + E B = 0      or      (cos T + a) E T + E A = 0,
 
-which gives the parts of T one after the other.  A part of degree w is the list of its w + 1
-coefficients, in the order of `cap.checker.kernel.polynomials`.
+which gives the parts of T one after the other, with those of cos T and sin T: E cos T = -sin T E T,
+E sin T = cos T E T.  Coefficients are in the order of `cap.checker.kernel.polynomials`.
 """
 
 from __future__ import annotations
@@ -14,12 +14,13 @@ import math
 from collections.abc import Sequence
 
 from cap.checker.folded.backward import Flight, System
-from cap.checker.kernel.polynomials import DEGREE, Model
+from cap.checker.kernel.polynomials import DEGREE, LAST, MONOMIALS, Model
 from cap.checker.kernel.rejection import need
 
-Part = list[float]
-_DEGREES = range(1, DEGREE + 1)
-_ENDS = [(w * (w + 1) // 2, (w + 1) * (w + 2) // 2) for w in range(DEGREE + 1)]
+Part = tuple[float, ...]
+Coefficients = list[float]
+_DEGREES = [i + j for i, j in MONOMIALS]
+_PARTS = [(w, w * (w + 1) // 2, (w + 1) * (w + 2) // 2) for w in range(1, DEGREE + 1)]
 _POLISHED = 2
 
 
@@ -31,15 +32,18 @@ def hitting(y: System, f: Flight, near: float) -> Model:
         s = math.sin(t) + y.a * d + f.A[0]
         need(s > 0, "the mass may stop, or hit")
         t -= (d * (y.a * d / 2 + f.A[0]) + f.B[0] - math.cos(t)) / s
-    A, B = parts(f.A), parts(f.B)
-    T, D, cos, sin = begun(t, f.ref)
-    speeds = [[sin[0][0] + y.a * D[0][0] + A[0][0]]]
-    for w in _DEGREES:
-        pull = derived(T, speeds, w, w - 1), derived(A, D, w, w), B[w]
-        rise = [-sum(z) / speeds[0][0] for z in zip(*pull, strict=True)]
-        extended(T, D, cos, sin, rise)
-        speeds.append([z + y.a * u + v for z, u, v in zip(sin[w], rise, A[w], strict=True)])
-    return joined(T, t - near)
+    T, ET, cos, sin, D, speeds = (_room(z) for z in (t, 0.0, math.cos(t), math.sin(t), 0.0, 0.0))
+    D[0] = t - f.ref
+    s = speeds[0] = sin[0] + y.a * D[0] + f.A[0]
+    EA, EB = _derived(f.A), _derived(f.B)
+    for w, low, high in _PARTS:
+        pulls = zip(part(w, ET, speeds), part(w, EA, D), EB[low:high], strict=True)
+        rise = [-(u + v + z) / s for u, v, z in pulls]
+        _extend(w, (low, high), (T, ET, cos, sin), rise)
+        D[low:high] = T[low:high]
+        for k in range(low, high):
+            speeds[k] = sin[k] + y.a * T[k] + f.A[k]
+    return (t - near, *T[1:], 0.0)
 
 
 def stopping(y: System, f: Flight, near: float) -> Model:
@@ -49,45 +53,56 @@ def stopping(y: System, f: Flight, near: float) -> Model:
         slope = math.cos(t) + y.a
         need(slope < 0, "a stop is not transversal")
         t -= (math.sin(t) + y.a * (t - f.ref) + f.A[0]) / slope
-    A = parts(f.A)
-    T, D, cos, sin = begun(t, f.ref)
-    for w in _DEGREES:
-        pull = derived(T, cos, w, w - 1), A[w]
-        extended(T, D, cos, sin, [-sum(z) / (cos[0][0] + y.a) for z in zip(*pull, strict=True)])
-    return joined(T, t - near)
+    T, ET, cos, sin = (_room(z) for z in (t, 0.0, math.cos(t), math.sin(t)))
+    EA, slope = _derived(f.A), cos[0] + y.a
+    for w, low, high in _PARTS:
+        pulls = zip(part(w, ET, cos), EA[low:high], strict=True)
+        _extend(w, (low, high), (T, ET, cos, sin), [-(u + v) / slope for u, v in pulls])
+    return (t - near, *T[1:], 0.0)
 
 
-def begun(t: float, ref: float) -> tuple[list[Part], list[Part], list[Part], list[Part]]:
-    """Return the first parts of T, T - ref, cos T and sin T."""
-    return [[t]], [[t - ref]], [[math.cos(t)]], [[math.sin(t)]]
+def _room(constant: float) -> Coefficients:
+    """Return the coefficients of a constant."""
+    return [constant, *[0.0] * (LAST - 1)]
 
 
-def extended(T: list[Part], D: list[Part], cos: list[Part], sin: list[Part], part: Part) -> None:
-    """Add the next part to T, and to what depends on it: E cos T = -sin T E T."""
-    w = len(T)
-    T.append(part)
-    D.append(part)
-    falls, rises = derived(T, sin, w, w), derived(T, cos, w, w)
-    cos.append([-z for z in falls])
-    sin.append(rises)
+def _derived(p: Model) -> Coefficients:
+    """Return the coefficients of E p."""
+    return [w * c for w, c in zip(_DEGREES, p, strict=False)]
 
 
-def derived(f: Sequence[Part], g: Sequence[Part], w: int, last: int) -> Part:
-    """Return the part of degree w of g E f, divided by w, but for those of f after the last."""
-    found = [0.0] * (w + 1)
-    for v in range(1, last + 1):
-        other, share = g[w - v], v / w
-        for i, x in enumerate(f[v]):
-            for j, z in enumerate(other, i):
-                found[j] += share * x * z
-    return found
+def _extend(
+    w: int, ends: tuple[int, int], functions: tuple[Coefficients, ...], rise: Coefficients
+) -> None:
+    """Write the parts of degree w of T, E T, cos T and sin T; that of E T is ``rise``."""
+    (low, high), (T, ET, cos, sin) = ends, functions
+    ET[low:high] = rise
+    T[low:high] = [z / w for z in rise]
+    falls, rises = part(w, ET, sin), part(w, ET, cos)
+    cos[low:high] = [-z / w for z in falls]
+    sin[low:high] = [z / w for z in rises]
 
 
-def parts(p: Model) -> list[Part]:
-    """Return the parts of a polynomial."""
-    return [list(p[low:high]) for low, high in _ENDS]
-
-
-def joined(f: Sequence[Part], constant: float) -> Model:
-    """Return the polynomial with these parts, and another constant."""
-    return (constant, *(c for part in f[1:] for c in part), 0.0)
+def part(w: int, f: Sequence[float], g: Sequence[float]) -> Part:
+    """Return the part of degree w of f g, for f without a constant, w from 1 to 4."""
+    if w == 1:
+        return f[1] * g[0], f[2] * g[0]
+    _, f1, f2, f3, f4, f5, f6, f7, f8, f9, *last = f
+    g0, g1, g2, g3, g4, g5, g6, g7, g8, g9, *_ = g
+    if w == 2:
+        return f1 * g1 + f3 * g0, f1 * g2 + f2 * g1 + f4 * g0, f2 * g2 + f5 * g0
+    if w == 3:
+        return (
+            f1 * g3 + f3 * g1 + f6 * g0,
+            f1 * g4 + f2 * g3 + f3 * g2 + f4 * g1 + f7 * g0,
+            f1 * g5 + f2 * g4 + f4 * g2 + f5 * g1 + f8 * g0,
+            f2 * g5 + f5 * g2 + f9 * g0,
+        )
+    f10, f11, f12, f13, f14 = last
+    return (
+        f1 * g6 + f3 * g3 + f6 * g1 + f10 * g0,
+        f1 * g7 + f2 * g6 + f3 * g4 + f4 * g3 + f6 * g2 + f7 * g1 + f11 * g0,
+        f1 * g8 + f2 * g7 + f3 * g5 + f4 * g4 + f5 * g3 + f7 * g2 + f8 * g1 + f12 * g0,
+        f1 * g9 + f2 * g8 + f4 * g5 + f5 * g4 + f8 * g2 + f9 * g1 + f13 * g0,
+        f2 * g9 + f5 * g5 + f9 * g2 + f14 * g0,
+    )
