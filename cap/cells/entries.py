@@ -144,7 +144,7 @@ def _flown(y: System, strip: Strip, f: Flight, V: float, passed: int) -> tuple[b
 def _during(
     strip: Strip, event: Event, V: float, seen: tuple[int, int], passed: int
 ) -> tuple[bool, int, int]:
-    """Return the same with those that are not after an event; ``seen`` are the last two before.
+    """Return the same for those not after an event; ``seen``: how many count, and the first one.
 
     s changes at a rate below 2.
     """

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import pytest
 
+from cap.checker.folded import settled
 from cap.checker.folded.flights import System
 from cap.checker.folded.masses import Places
 from cap.checker.folded.paths import next_release
@@ -138,6 +139,13 @@ def test_portions_are_halved_where_fates_differ():
     assert found[16].missing((0.25, 0.5), ATTRACTOR) == pytest.approx(true, rel=1e-3)
     assert found[16].missing((0.4, 0.5), ATTRACTOR) < 1e-9
     assert found[2].missing((0.4, 0.5), ATTRACTOR) > 0.01
+
+
+def test_portions_are_not_halved_without_end(monkeypatch):
+    """If there are too many, they are left as they are."""
+    monkeypatch.setattr(settled, "_MOST", 0)
+    piece = Piece(Node(1, 2), ((0.5, 0.3, *ZEROS), 1e-12))
+    assert Places((0.5, 1.0), 1.0, 16, [piece]).fate((0.4, 0.49)) == 0
 
 
 def test_pieces_that_overlap():
