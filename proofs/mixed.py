@@ -55,7 +55,7 @@ SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 5000)  # of a share: where the checker cannot follow as far as the prover
 STROBES = 24  # that may count for an orbit from a stick
 # the area that is missing of a region before it is cut, and how many regions are followed
-EFFORTS = ((6e-6, 60_000), (1.5e-6, 200_000), (4e-7, 360_000))
+EFFORTS = ((6e-6, 60_000), (3e-6, 75_000), (8e-7, 300_000))
 USUAL = 1  # of these, if nothing is asked for
 
 

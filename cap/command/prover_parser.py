@@ -38,7 +38,7 @@ OF_SOME = {
             "undecided",
             exact_positive,
             "go on until of at most the part Q of the states neither fate is shown (default: as "
-            "far as 200000 regions go)",
+            "far as 75000 regions go)",
             "Q",
         ),
         Option(
