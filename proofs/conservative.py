@@ -27,13 +27,15 @@ that proves the theorem.
 
 import math
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
 from cap.cells import strips
 from cap.cells.cover import Cover
 from cap.cells.listing import listed, runs, written
-from cap.cells.strips import World
+from cap.cells.rounds import Round, Rounds
+from cap.cells.strips import GRAIN, World
 from cap.checker.flow.ceiling import Flights, descends
 from cap.checker.flow.columns import LINE, columns
 from cap.checker.flow.overlap import gaps, mirrored, shared
@@ -48,7 +50,7 @@ from cap.proofs.fixed_point import Proof, Setting, assembled
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 SEARCH = candidates.every_motion
-OPTIONS = ("flights", "jobs")
+OPTIONS = ("flights", "jobs", "journal")
 
 FLIGHTS = 25  # that launches are followed, forward and backward, if nothing else is asked for
 WIDE = Fraction(1, 64)  # of columns, at first
@@ -76,11 +78,9 @@ def prove(setting: Setting) -> Proof:
     lines = strips.lines(strips.window(a, b, c), WIDE)
     world = World(float(p.f / p.F), float(R), a, b, c, lines)
     flights = setting.flights or FLIGHTS
-    deep, rough = flights > FLIGHTS, min(flights, ROUGH)
-    for loss in (*LOSSES, *([DEEPER] if deep else [])):
-        family = strips.found(_begun(p, world, ceiling), rough, setting.runner)
-        world = world.cut(strips.lossy(family, rough, loss, FINE))
-    family = strips.found(_begun(p, world, ceiling), flights, setting.runner)
+    deep = flights > FLIGHTS
+    begin = partial(_begun, p, ceiling)
+    world, family = _rounds(flights).found(world, begin, setting.runner)
     family = strips.worthy(family, LESS if deep else WORTH)
     texts = [_text(each) for each in family]
     hints = {
@@ -118,8 +118,15 @@ def checked(p: Parameters, world: World, ceiling: tuple[Fraction, Fraction, Frac
     return Checked(f, R, top, list(world.lines), [])
 
 
+def _rounds(flights: int) -> Rounds:
+    """Return in which rounds cells are found."""
+    rough, losses = min(flights, ROUGH), (*LOSSES, *([DEEPER] if flights > FLIGHTS else []))
+    cuts = tuple(Round(rough, GRAIN, loss) for loss in losses)
+    return Rounds((*cuts, Round(flights, GRAIN, 0)), FINE)
+
+
 def _begun(
-    p: Parameters, world: World, ceiling: tuple[Fraction, Fraction, Fraction]
+    p: Parameters, ceiling: tuple[Fraction, Fraction, Fraction], world: World
 ) -> strips.Family:
     """Return columns without cells, with those bottoms that the checker accepts."""
     covers = world.cover(), world.mirrored.cover()
