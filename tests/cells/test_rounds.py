@@ -11,7 +11,9 @@ import pytest
 
 from cap.cells import strips
 from cap.cells.fit import UNIT
+from cap.cells.listing import listed, runs
 from cap.cells.rounds import Round, Rounds
+from cap.checker.flow.columns import columns
 from cap.errors import BadInput
 from cap.runner import Runner
 
@@ -58,6 +60,14 @@ def test_cells_are_in_order():
             assert (ends[:, 0] < ends[:, 1]).all()
             follows = own[1:] == own[:-1]
             assert (ends[1:, 0] >= ends[:-1, 1])[follows].all()
+
+
+def test_thin_parts_of_strips_are_apart():
+    """Parts that rounding would make touch others are left out: the checker reads the columns."""
+    grain = GRAIN._replace(thin=1e-7, halvings=8)
+    _, family = Rounds((Round(3, grain, 0),), 1).found(world(), begun, Runner())
+    for cover in family:
+        assert columns(listed([runs(cover, j) for j in range(len(cover.top))]))
 
 
 def test_columns_are_cut_between_rounds():

@@ -39,6 +39,24 @@ def test_two_flights():
     assert areas[1] < areas[0] < 3
 
 
+def test_an_interrupted_proof_goes_on(tmp_path, monkeypatch):
+    """With a journal; ctrl-C leaves one that has all that was done."""
+
+    def interrupt(_words, part):
+        if part is not None:
+            raise KeyboardInterrupt
+
+    def setting(**more):
+        runner = Runner(journal=tmp_path / "journal", whole=True, **more)
+        return replace(SETTING, flights=1, runner=runner)
+
+    with pytest.raises(KeyboardInterrupt):
+        conservative.prove(setting(tell=interrupt))
+    proved = conservative.prove(setting())(Fraction(1))
+    monkeypatch.setattr(strips, "grown", None)  # nothing is looked for again
+    assert conservative.prove(setting())(Fraction(1)) == proved
+
+
 @cache
 def family(flights):
     """Return a world with its cells."""
