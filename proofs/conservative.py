@@ -20,20 +20,22 @@ Proof (all of it in `cap.checker.theorems.conservative` and the modules that it 
 5. *Area.*  What the cells of both families leave is at most ``area``.
 
 The cells are found in doubles, by compiled code, and nothing rests on that; it tries cells as the
-checker does, and a little more strictly.  Columns of times in which much is lost are halved; at
-last those cells are left out that take away little.  It is the checker's verdict on all of them
-that proves the theorem.
+checker does, and a little more strictly.  Columns of times in which much is lost are halved, in
+rounds whose steps a journal keeps; at last those cells are left out that take away little.  It is
+the checker's verdict on all of them that proves the theorem.
 """
 
 import math
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
 from cap.cells import strips
 from cap.cells.cover import Cover
 from cap.cells.listing import listed, runs, written
-from cap.cells.strips import World
+from cap.cells.rounds import Round, Rounds
+from cap.cells.strips import GRAIN, World
 from cap.checker.flow.ceiling import Flights, descends
 from cap.checker.flow.columns import LINE, columns
 from cap.checker.flow.overlap import gaps, mirrored, shared
@@ -48,15 +50,17 @@ from cap.proofs.fixed_point import Proof, Setting, assembled
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 SEARCH = candidates.every_motion
-OPTIONS = ("flights", "jobs")
+OPTIONS = ("flights", "jobs", "journal")
 
 FLIGHTS = 25  # that launches are followed, forward and backward, if nothing else is asked for
 WIDE = Fraction(1, 64)  # of columns, at first
 FINE = 1 / 2048  # of the narrowest columns
+ROUGH = 20  # flights, before columns are cut
 LOSSES = 1e-7, 1e-7  # of area for each of its cells: a column that loses more is cut, twice
 WORTH = 1.25e-7  # the area that a cell takes away is at least this
-DEEPER, LESS = 5e-8, 1.25e-8  # for more than `FLIGHTS` flights: columns are cut once more
-ROUGH = 20  # flights, before columns are cut
+LESS, LEAST = (1e-7, 5e-8, 3e-8), 6e-9  # the same for more than `FLIGHTS` flights
+COARSE = GRAIN._replace(step=6e-5, thin=1e-5)  # how fine cells are then, before columns are cut
+LONGER = GRAIN._replace(step=1.2e-5, thin=3e-6)  # and after that
 CEILING = (
     Fraction(4, 5),
     Fraction(1, 10),
@@ -76,12 +80,9 @@ def prove(setting: Setting) -> Proof:
     lines = strips.lines(strips.window(a, b, c), WIDE)
     world = World(float(p.f / p.F), float(R), a, b, c, lines)
     flights = setting.flights or FLIGHTS
-    deep, rough = flights > FLIGHTS, min(flights, ROUGH)
-    for loss in (*LOSSES, *([DEEPER] if deep else [])):
-        family = strips.found(_begun(p, world, ceiling), rough, setting.runner)
-        world = world.cut(strips.lossy(family, rough, loss, FINE))
-    family = strips.found(_begun(p, world, ceiling), flights, setting.runner)
-    family = strips.worthy(family, LESS if deep else WORTH)
+    begin = partial(_begun, p, ceiling)
+    world, family = _rounds(flights).found(world, begin, setting.runner)
+    family = strips.worthy(family, LEAST if flights > FLIGHTS else WORTH)
     texts = [_text(each) for each in family]
     hints = {
         "ceiling": dict(zip(("height", "phase", "level"), map(str, ceiling), strict=True)),
@@ -118,8 +119,16 @@ def checked(p: Parameters, world: World, ceiling: tuple[Fraction, Fraction, Frac
     return Checked(f, R, top, list(world.lines), [])
 
 
+def _rounds(flights: int) -> Rounds:
+    """Return in which rounds cells are found."""
+    deep, rough = flights > FLIGHTS, min(flights, ROUGH)
+    losses, grain, last = (LESS, COARSE, LONGER) if deep else (LOSSES, GRAIN, GRAIN)
+    cuts = [Round(rough, grain, loss) for loss in losses]
+    return Rounds((*cuts, Round(flights, last, 0)), FINE)
+
+
 def _begun(
-    p: Parameters, world: World, ceiling: tuple[Fraction, Fraction, Fraction]
+    p: Parameters, ceiling: tuple[Fraction, Fraction, Fraction], world: World
 ) -> strips.Family:
     """Return columns without cells, with those bottoms that the checker accepts."""
     covers = world.cover(), world.mirrored.cover()

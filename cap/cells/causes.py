@@ -13,7 +13,7 @@ from cap.cells.worth import gaps_at
 from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
 
-PLACES = 20  # in each column
+PLACES = 7  # in each column
 GOLDEN = 0.6180339887498949
 
 

@@ -104,17 +104,25 @@ def above(p: Floats, q: Floats) -> bool:
 
 
 @kernel
+def _apart(p: Floats, q: Floats) -> bool:
+    """Return whether the edge q is p, or certainly above it."""
+    return same(p, q) or above(p, q)
+
+
+@kernel
 def _holds(search: Search, j: int, p: Floats) -> bool:
     return holds(search.cover, j, search.level, p, search.room.seen, search.grain.arcs) > 0
 
 
 @kernel
-def _cut(search: Search, j: int) -> float:
-    """Add the cells into which what lies between two edges can be cut; return which part it is."""
+def _cut(search: Search, j: int, gap: Gap) -> float:
+    """Add the cells into which what lies between two edges, in a gap, can be cut; return which part
+    of it they are.
+    """
     new, grain, room = search.new, search.grain, search.room
     most, edges = 1 << grain.halvings, room.edges
     depth, k, total, cells = 0, 0, 0, new.cells[j]
-    width = edges[3] - edges[0]
+    width, low = edges[3] - edges[0], gap.low
     while True:
         size, m = most >> depth, new.number[j]
         if m == len(cells):
@@ -123,8 +131,9 @@ def _cut(search: Search, j: int) -> float:
         for q in range(3):
             p[q] = _rounded(edges[q] + (edges[3 + q] - edges[q]) * n / most)
             p[3 + q] = _rounded(edges[q] + (edges[3 + q] - edges[q]) * (n + size) / most)
-        good = above(p[:3], p[3:]) and _holds(search, j, p)
-        if good:
+        good = _apart(low, p[:3]) and above(p[:3], p[3:]) and _apart(p[3:], gap.high)
+        if good and _holds(search, j, p):
+            low = p[3:]
             total += size
             new.number[j] += 1
         elif depth < grain.halvings and width * size > grain.thin * most:
@@ -167,7 +176,7 @@ def _fitted(search: Search, j: int, gap: Gap) -> None:
             break
         new.number[j] = first
         if _bounded(gap, inward, room):
-            share = _cut(search, j)
+            share = _cut(search, j, gap)
             if share == 1:
                 return
             if share * (width - 2 * inward) > best:
@@ -175,7 +184,7 @@ def _fitted(search: Search, j: int, gap: Gap) -> None:
         inward *= WIDER
     new.number[j] = first
     if best > 0 and _bounded(gap, kept_at, room):
-        _cut(search, j)
+        _cut(search, j, gap)
 
 
 @kernel

@@ -4,70 +4,93 @@ It steers; nothing rests on it.  Units F = omega = 1; a launch (t, E) has the sp
 """
 
 import math
+from typing import NamedTuple
 
 from cap.sets.compiled import kernel
 
 TURN = 2 * math.pi
+NEAR = 1e-9  # steps of Newton's method at which the next one changes nothing
+LEAST = 1e-15  # nor does it in an interval that is shorter
+
+
+class _Launch(NamedTuple):
+    """A launch: its time and the cosine of it, u - sin t, and the friction."""
+
+    t: float
+    cos: float
+    rate: float
+    f: float
 
 
 @kernel
-def _place(t: float, u: float, f: float, T: float) -> float:
-    d = T - t
-    return u * d + math.cos(t) - math.cos(T) - d * math.sin(t) - 0.5 * f * d * d
+def _place(n: _Launch, d: float, cos: float) -> float:
+    """Return x after a time d, at a moment with this cosine."""
+    return (n.rate - 0.5 * n.f * d) * d + n.cos - cos
 
 
 @kernel
-def _speed(t: float, u: float, f: float, T: float) -> float:
-    return u + math.sin(T) - math.sin(t) - f * (T - t)
-
-
-@kernel
-def _reach(t: float, u: float, f: float, R: float, low: float, high: float) -> float:
-    """Return when x = R, between two times at which x is below and above."""
-    T = high
+def _reach(n: _Launch, R: float, low: float, high: float) -> tuple[float, float]:
+    """Return when x = R, between two times at which x is below and above, and the speed."""
+    T, v = high, 0.0
     for _ in range(100):
-        x, v = _place(t, u, f, T), _speed(t, u, f, T)
+        d, sin, cos = T - n.t, math.sin(T), math.cos(T)
+        x, v = _place(n, d, cos), n.rate + sin - n.f * d
         if x >= R:
             high = min(high, T)
         else:
             low = max(low, T)
-        new = T - (x - R) / v if v > 0 else low
-        if not (low < new < high):
-            new = 0.5 * (low + high)
-        if abs(new - T) < 1e-15 * max(1.0, abs(T)) or high - low < 1e-15:
-            return new
-        T = new
-    return T
+        step = (R - x) / v if v > 0 else math.inf
+        if abs(step) < NEAR:
+            return T + step, v + step * (cos - n.f)
+        if high - low < LEAST:
+            break
+        T += step
+        if not (low < T < high):
+            T = 0.5 * (low + high)
+    return T, v
 
 
 @kernel
-def _halt(t: float, u: float, f: float, low: float, high: float) -> float:
+def _halt(n: _Launch, low: float, high: float) -> float:
     """Return when v = 0, between two times at which it is positive and not."""
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if _speed(t, u, f, middle) > 0:
-            low = middle
+    T = high
+    for _ in range(100):
+        d = T - n.t
+        v, push = n.rate + math.sin(T) - n.f * d, math.cos(T) - n.f
+        if v > 0:
+            low = max(low, T)
         else:
-            high = middle
-    return low
+            high = min(high, T)
+        step = -v / push if push < 0 else math.inf
+        if abs(step) < NEAR:
+            return T + step
+        if high - low < LEAST:
+            break
+        T += step
+        if not (low < T < high):
+            T = 0.5 * (low + high)
+    return T
 
 
 @kernel
 def fly(t: float, u: float, f: float, R: float) -> tuple[float, float]:
     """Return the time and the speed of the hit; no speed if the flight stops."""
-    rest = math.acos(f)
+    rest, height = math.acos(f), math.sqrt(1 - f * f)
     k = math.floor((t + rest) / TURN)
     rising = t - k * TURN < rest
-    T = t
+    n, T = _Launch(t, math.cos(t), u - math.sin(t), f), t
     for _ in range(40):
         end = k * TURN + rest if rising else (k + 1) * TURN - rest
-        if not rising and _speed(t, u, f, end) <= 0:
-            end = _halt(t, u, f, T, end)
-            if _place(t, u, f, end) < R:
-                return end, 0.0
-        if _place(t, u, f, end) >= R:
-            T = _reach(t, u, f, R, T, end)
-            return T, max(0.0, _speed(t, u, f, T))
+        d, cos = end - t, f
+        stops = not rising and n.rate - height - f * d <= 0
+        if stops:
+            end = _halt(n, T, end)
+            d, cos = end - t, math.cos(end)
+        if _place(n, d, cos) >= R:
+            T, v = _reach(n, R, T, end)
+            return T, max(0.0, v)
+        if stops:
+            return end, 0.0
         if not rising:
             k += 1
         rising = not rising

@@ -9,11 +9,12 @@ import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
 from cap.cells.causes import Chance, trace
-from cap.cells.cover import NEITHER, Cover, Integers
+from cap.cells.cover import NEITHER, Cover, Floats, Integers
 from cap.cells.fit import Found, Grain, Room, Search, Wanted, fit
 from cap.cells.links import link
 from cap.cells.margins import begin
@@ -21,12 +22,20 @@ from cap.cells.worth import choose, want, weigh
 from cap.runner import Runner
 
 GRAIN = Grain(step=3e-5, thin=6e-6, halvings=4, arcs=60)
+FIRST = 1e-3  # strips of level k are looked for by steps of at least FIRST/2^k
 MARGIN = 7e-4  # so near what the other family leaves cells are looked for
 MOST = 250  # new cells of a column; energies that are looked for
 GAPS = 8000  # of a column
 FEW = 20  # cells of a column cost as much as so many more
 
 Family = tuple[Cover, Cover]
+
+
+class New(NamedTuple):
+    """The number (C,) of new cells of each column, and these cells (N, 6)."""
+
+    number: Integers
+    cells: Floats
 
 
 @dataclass(frozen=True)
@@ -73,18 +82,9 @@ class World:
         return cover
 
 
-def found(begun: Family, flights: int, runner: Runner) -> Family:
-    """Return the cells of forward and of backward orbits, after so many flights of each."""
-    one, two = begun
-    for level in range(1, flights + 1):
-        runner.tell("flights followed", (level - 1) / flights)
-        one = _grown(one, two, level, runner)
-        two = _grown(two, one, level, runner)
-    return one, two
-
-
-def _grown(cover: Cover, other: Cover, level: int, runner: Runner) -> Cover:
-    """Return columns with the cells of one more level, near what the other family leaves."""
+def grown(family: Family, level: int, grain: Grain, runner: Runner) -> New:
+    """Find the cells of one more level of the first columns, near what the second ones leave."""
+    cover, other = family
     C = len(cover.top)
     link(cover, np.zeros(1 + C + len(cover.cells), np.int64))
     wanted = Wanted(np.zeros(C, np.int64), np.zeros((C, MOST, 2)))
@@ -92,13 +92,16 @@ def _grown(cover: Cover, other: Cover, level: int, runner: Runner) -> Cover:
     new = Found(np.zeros(C, np.int64), np.zeros((C, MOST, 6)))
     parts = [np.arange(k, C, 8) for k in range(8)]
     quiet = Runner(runner.jobs, whole=True)
-    quiet.map(partial(_fitted, cover, new, wanted, level), parts, "")
-    return _with(cover, new, level)
+    grain = grain._replace(step=max(grain.step, FIRST / 2**level))
+    quiet.map(partial(_fitted, cover, new, wanted, (level, grain)), parts, "")
+    return New(new.number, np.concatenate([new.cells[j, :n] for j, n in enumerate(new.number)]))
 
 
-def _fitted(cover: Cover, new: Found, wanted: Wanted, level: int, columns: Integers) -> None:
+def _fitted(
+    cover: Cover, new: Found, wanted: Wanted, how: tuple[int, Grain], columns: Integers
+) -> None:
     room = Room(np.zeros((5, 2)), np.zeros(6), _seen(cover), np.zeros(3))
-    fit(Search(cover, new, wanted, level, GRAIN, room), columns)
+    fit(Search(cover, new, wanted, *how, room), columns)
 
 
 def _seen(cover: Cover) -> Integers:
@@ -113,12 +116,11 @@ def columns_of(cover: Cover) -> Integers:
     return np.repeat(np.arange(len(cover.top)), np.diff(cover.start))
 
 
-def _with(cover: Cover, new: Found, level: int) -> Cover:
+def joined(cover: Cover, new: New, level: int) -> Cover:
     """Return columns with new cells."""
-    listed = [new.cells[j, :n] for j, n in enumerate(new.number)]
     own = np.concatenate([columns_of(cover), np.repeat(np.arange(len(cover.top)), new.number)])
-    cells = np.concatenate([cover.cells, *listed])
-    levels = np.append(cover.levels, np.full(len(cells) - len(cover.levels), level))
+    cells = np.concatenate([cover.cells, new.cells])
+    levels = np.append(cover.levels, np.full(len(new.cells), level))
     order = np.lexsort((cells[:, 0], own))
     return cover._replace(
         start=_starts(own, len(cover.top)),

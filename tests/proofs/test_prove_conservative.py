@@ -5,11 +5,11 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
-import numpy as np
 import pytest
 from support import proving
 
 from cap.cells import strips
+from cap.cells.rounds import Round, Rounds
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
@@ -39,26 +39,33 @@ def test_two_flights():
     assert areas[1] < areas[0] < 3
 
 
+def test_an_interrupted_proof_goes_on(tmp_path, monkeypatch):
+    """With a journal; ctrl-C leaves one that has all that was done."""
+
+    def interrupt(_words, part):
+        if part is not None:
+            raise KeyboardInterrupt
+
+    def setting(**more):
+        runner = Runner(journal=tmp_path / "journal", whole=True, **more)
+        return replace(SETTING, flights=1, runner=runner)
+
+    with pytest.raises(KeyboardInterrupt):
+        conservative.prove(setting(tell=interrupt))
+    proved = conservative.prove(setting())(Fraction(1))
+    monkeypatch.setattr(strips, "grown", None)  # nothing is looked for again
+    assert conservative.prove(setting())(Fraction(1)) == proved
+
+
 @cache
 def family(flights):
     """Return a world with its cells."""
     a, b, c = map(float, conservative.CEILING)
     lines = strips.lines(strips.window(a, b, c), Fraction(1, 16))
-    world = strips.World(0.4, 2.0, a, b, c, lines)
-    return world, *strips.found((world.cover(), world.mirrored.cover()), flights, Runner())
-
-
-def test_cells_are_in_order():
-    """In each column each is above the one before."""
-    _, one, two = family(2)
-    for cover in (one, two):
-        own = strips.columns_of(cover)
-        assert set(cover.levels.tolist()) == {1, 2}
-        for s in (-1, 0, 1):
-            ends = cover.cells @ np.array([[1, 0], [s, 0], [s * s, 0], [0, 1], [0, s], [0, s * s]])
-            assert (ends[:, 0] < ends[:, 1]).all()
-            follows = own[1:] == own[:-1]
-            assert (ends[1:, 0] >= ends[:-1, 1])[follows].all()
+    rounds = Rounds((Round(flights, strips.GRAIN, 0),), 1)
+    begin = lambda world: (world.cover(), world.mirrored.cover())  # noqa: E731
+    world, found = rounds.found(strips.World(0.4, 2.0, a, b, c, lines), begin, Runner())
+    return world, *found
 
 
 def test_what_is_worth_little_is_left_out():
