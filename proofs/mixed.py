@@ -55,8 +55,8 @@ SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 5000)  # of a share: where the checker cannot follow as far as the prover
 STROBES = 24  # that may count for an orbit from a stick
 # the area that is missing of a region before it is cut, and how many regions are followed
-EFFORTS = ((6e-6, 60_000), (3e-6, 75_000), (8e-7, 300_000))
-USUAL = 1  # of these, if nothing is asked for
+EFFORTS = ((6e-6, 60_000), (2e-6, 150_000), (8e-7, 300_000))  # until it is what is asked for
+USUAL = 3e-6, 75_000  # if nothing is asked for
 
 
 def prove(setting: Setting) -> Proof:
@@ -94,12 +94,11 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     known, hints["places"]["tree"] = by_places(setting, theorem)
     strip, hints["strip"] = by_strip(setting, theorem)
     whole = 2 * theorem.region()[0] * theorem.region()[1]
-    wanted = setting.undecided
-    left = Fraction(1)
-    for worth, most in EFFORTS if wanted is not None else EFFORTS[USUAL:]:
+    wanted, left = setting.undecided, Fraction(1)
+    enough = None if wanted is None else (1 - wanted + 2 * SLACK) * whole - strip
+    for worth, most in (USUAL,) if wanted is None else EFFORTS:
         plan = Plan(worth, STROBES)
         trees = sticks.search(setting.parameters, speed_of(setting), plan, setting.runner)
-        enough = None if wanted is None else (1 - wanted + 2 * SLACK) * whole - strip
         (a, s, stops), hints["sticks"] = counted(trees, known, most, enough)
         shares = a / whole, (s + strip) / whole, (stops + strip) / whole
         left = 1 - shares[0] - shares[1] + 2 * SLACK
@@ -107,8 +106,8 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
             return shares
     raise NotProved(
         "share",
-        f"of the part {float(left):.4f} neither fate is shown, with {most} regions; "
-        f"{float(wanted or 0):.4f} was asked for",
+        f"of the part {float(left):.4f} neither fate is shown, with {EFFORTS[-1][1]} regions; "
+        f"{setting.undecided} was asked for",
     )
 
 

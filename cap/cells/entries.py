@@ -17,13 +17,11 @@ from cap.cells.backward import (
     System,
     at,
     gain,
-    hit,
     influence,
     moving,
-    turn,
 )
 from cap.cells.mirrored import after_hit, after_turn
-from cap.cells.next_event import HIT, next_event
+from cap.cells.next_event import HIT
 from cap.cells.polynomials import (
     Model,
     constant,
@@ -36,7 +34,7 @@ from cap.cells.polynomials import (
     total,
     widened,
 )
-from cap.cells.regions import APART, LARGE, Limits, Region, Seen, sides, spread
+from cap.cells.regions import APART, LARGE, Limits, Region, Seen, next_of, sides, spread
 from cap.sets.compiled import kernel
 
 ALL = 1 - 2.0**-40  # of a sum of areas, less rounding
@@ -160,16 +158,6 @@ def _during(
 
 
 @kernel
-def _next(y: System, f: Flight) -> tuple[int, Event]:
-    """Return the kind of the next event, and the event."""
-    begun = 0.5 * (f.begun[0] + f.begun[1])
-    kind, near = next_event(y.a, y.theta, f.A[0], f.B[0], f.ref, begun)
-    if kind == HIT:
-        return kind, hit(y, f, near)
-    return kind, turn(y, f, near)
-
-
-@kernel
 def _known(f: Flight, size: float) -> bool:
     """Return whether enough is known of a flight to go on."""
     across, far = spread(f)
@@ -185,7 +173,7 @@ def entered(y: System, strip: Strip, r: Region, limits: Limits) -> Seen:
         if not _known(f, limits.size) or first(f) + passed != coming:
             break
         outside, count, j = _flown(y, strip, f, limits.V, passed)
-        kind, event = _next(y, f)
+        kind, event = next_of(y, f)
         if outside and event.why == 0:
             outside, count, j = _during(strip, event, limits.V, (count, j), passed)
         got = count * integral(density)

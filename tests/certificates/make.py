@@ -164,7 +164,7 @@ def mixed(true):
         ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
         ("mixed_places_dropped", "hints", "places", "tree", "0"),
         ("mixed_places_all_at_once", "hints", "places", "tree", "1"),
-        ("mixed_sticks_dropped", "hints", "sticks", "early", mixed_small.even(0, 0, 0)),
+        ("mixed_sticks_dropped", "hints", "sticks", "early", mixed_small.written([0])),
         ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
         ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),
     ):

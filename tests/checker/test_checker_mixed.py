@@ -173,4 +173,4 @@ def test_work_is_bounded(true):
     """Too many pieces are refused before anything is computed."""
     full = {"level": "12", "tree": tree_of(17)}
     rejected(changed(true, "hints", "places", full), "too many places")
-    rejected(changed(true, *EARLY, written([66] * 40000)), "too many flights")
+    rejected(changed(true, *EARLY, written([66] * 140000)), "too many flights")

@@ -24,7 +24,7 @@ from cap.proofs.theorems import THEOREMS, accepted
 def coarse():
     """Return a certificate for |v| < 2 with few regions."""
     patch = pytest.MonkeyPatch()
-    patch.setattr(mixed, "EFFORTS", ((1e-2, 300), (1e-2, 300)))
+    patch.setattr(mixed, "USUAL", (1e-2, 300))
     patch.setattr(strip, "WORTH", 1e-3)
     for name, value in {"LEVEL": 15, "WORTHS": (1e-3, 1e-4)}.items():
         patch.setattr(places, name, value)
