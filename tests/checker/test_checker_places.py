@@ -183,3 +183,12 @@ def test_a_tree():
     assert nodes("0") == []
     assert nodes("2210211") == [Node(0, 2), Node(2, 2), Node(3, 2)]
     assert Node(2, 2).ends(2.0) == (1.0, 1.5)
+
+
+def test_nothing_is_shown_of_a_place_that_is_no_number():
+    """Its part is as one in which the next place may turn back, of any fate."""
+    node = Node(0, 1)
+    after = (math.nan, math.nan, *ZEROS), 0.0
+    assert portion(node, after, 0.0, 1.0).c == 0
+    places = Places((0.75, 1.0), 1.0, 6, [Piece(node, after)])
+    assert places.missing((0.0, 0.5), ATTRACTOR) >= 0.5

@@ -78,7 +78,7 @@ def portion(node: Node, after: Line, left: float, width: float) -> Portion:
     ends = node.ends(width)
     low, high = line.slopes(after, 4 * left * UP)
     slope = max(low, -high) / UP
-    if slope <= 0:
+    if not slope > 0:
         return Portion(node, after, left, ends, line.ends(after), 0.0, even=False)
     a, b = sorted(line.at_ends(after))
     e = line.blur(after)

@@ -186,7 +186,8 @@ def flown(y: System, f: Flight) -> Iterator[Strobe]:
             return
         p, s = y.at(f, t, error)
         speeds = q.ends(q.widened(s, f.errors[0]))
-        if speeds[0] <= 0 or q.ends(q.widened(p, y.influence(f, t, error)))[1] >= 0:
+        nearest = q.ends(q.widened(p, y.influence(f, t, error)))[1]
+        if not (speeds[0] > 0 and nearest < 0):
             return
         yield k + f.passed, speeds
 

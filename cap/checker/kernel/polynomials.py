@@ -148,7 +148,7 @@ def inverse(p: Model) -> Model:
     h = product(g, g)
     r = product(moved(total(g, h), 1.0, 0.0), h)  # g^2 + g^3 + g^4
     r = moved(total(g, r), 1.0, 0.0)
-    return scaled(widened(r, G**5 / (1 - G) * _UP), c)
+    return scaled(widened(r, G * G * G * G * G / (1 - G) * _UP), c)
 
 
 def ends(p: Model) -> tuple[float, float]:
@@ -175,9 +175,9 @@ def trigonometric(p: Model) -> tuple[Model, Model]:
     g = with_constant(p, 0.0)
     G, h, e = size(g), product(g, g), 2.0**-55
     cos = moved(product(moved(scaled(h, 1 / 24, e), -0.5, 0.0), h), 1.0, 0.0)
-    cos = widened(cos, G**6 / 720 * _UP)
+    cos = widened(cos, G * G * G * G * G * G / 720 * _UP)
     sin = product(moved(scaled(h, -1 / 6, e), 1.0, 0.0), g)
-    sin = widened(sin, G**5 / 120 * _UP)
+    sin = widened(sin, G * G * G * G * G / 120 * _UP)
     e = 2.0**-50
     return (
         total(scaled(cos, c, e), scaled(sin, -s, e)),
