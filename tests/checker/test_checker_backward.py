@@ -201,8 +201,8 @@ def test_an_integral_is_a_bound_from_below():
 
 
 def test_flights_of_a_tree():
-    """They are counted without its regions."""
+    """They are counted without its regions, and four more for each leaf."""
     tree = written([1, 2, 0, 0, 0, 5, 0, 12])
-    assert flights(tree) == 13
+    assert flights(tree) == (3 + 4) + (10 + 4)
     y = System(SYSTEMS["paper"])
     assert [leaf.flights for leaf in leaves(tree, all_sticks(y))] == [3, 10]

@@ -24,6 +24,7 @@ from cap.checker.kernel.rejection import need
 UNIT, CUT = 2.0**-80, 1 << 40  # edges by cuts are multiples of CUT units
 MOST_HALVINGS, MOST_CUTS, MOST_FLIGHTS = 20, 60, 64
 _LARGEST = 1 << 84
+_BEGIN = 4  # flights take as long as all else for a leaf
 
 
 class Region(NamedTuple):
@@ -91,12 +92,15 @@ def leaves(text: str, root: Region) -> Iterator[Leaf]:
 
 
 def flights(text: str) -> int:
-    """Return how many flights the leaves of a tree are followed over, at most."""
+    """Return how many flights the leaves of a tree are followed over, at most.
+
+    What a leaf takes besides counts as `_BEGIN` more.
+    """
     found, total = integers(text), 0
     for code in found:
         if code == 2:
             for _ in range(3):
                 next(found, None)
-        else:
-            total += max(0, min(code - 2, MOST_FLIGHTS))
+        elif code > 2:
+            total += _BEGIN + min(code - 2, MOST_FLIGHTS)
     return total
