@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.cells.backward import System
+from cap.cells.constants import system_of
 from cap.cells.entries import Strip as Target
-from cap.cells.next_releases import HELD, forwards, next_releases
+from cap.cells.next_releases import HELD, next_releases
 from cap.cells.paths import LOST
 from cap.checker.folded.masses import Places
 from cap.checker.folded.numbers import Pair
@@ -54,7 +55,7 @@ class Search:
     @cached_property
     def system(self) -> System:
         """The constants."""
-        return forwards(self.p)
+        return system_of(self.p, forwards=True)
 
     def run(self, worths: Sequence[float]) -> str:
         """Return the tree, in letters."""

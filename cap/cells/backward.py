@@ -186,12 +186,10 @@ def _at_zero(y: System, f: Flight, near: float) -> Model:
     d = scaled(product(p, r), -1.0, 0.0)
     bend = product(r, product(d, d))
     d = exact(total(d, scaled(bend, -0.5 * (y.a + cosine), 0.0)))
-    for _ in range(1):
-        cos, sin = trigonometric(centred(d, near + d[0]))
-        D = moved(d, near - f.ref, 0.0)
-        r = inverse(speed(y, f.A, D, sin))
-        d = exact(total(d, scaled(product(place(y, f, D, cos), r), -1.0, 0.0)))
-    return d
+    cos, sin = trigonometric(centred(d, near + d[0]))
+    D = moved(d, near - f.ref, 0.0)
+    r = inverse(speed(y, f.A, D, sin))
+    return exact(total(d, scaled(product(place(y, f, D, cos), r), -1.0, 0.0)))
 
 
 @kernel
@@ -227,12 +225,10 @@ def _at_rest(y: System, f: Flight, near: float) -> Model:
     slope = cosine + y.a
     d = scaled(at(y, f, (near, 0.0), cosine, sine)[1], -1 / slope, 0.0)
     d = exact(total(d, scaled(product(d, d), sine / (2 * slope), 0.0)))
-    for _ in range(1):
-        cos, sin = trigonometric(centred(d, near + d[0]))
-        r = inverse(moved(cos, y.a, 0.0))
-        s = speed(y, f.A, moved(d, near - f.ref, 0.0), sin)
-        d = exact(total(d, scaled(product(s, r), -1.0, 0.0)))
-    return d
+    cos, sin = trigonometric(centred(d, near + d[0]))
+    r = inverse(moved(cos, y.a, 0.0))
+    s = speed(y, f.A, moved(d, near - f.ref, 0.0), sin)
+    return exact(total(d, scaled(product(s, r), -1.0, 0.0)))
 
 
 @kernel

@@ -5,10 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cap.cells.constants import system_of
 from cap.cells.cuts import PARTS, Edges, Tree, grown, joined
 from cap.cells.entries import Strip
 from cap.cells.regions import Limits
-from cap.cells.sticks import FLIGHTS, SIZE, system_of
+from cap.cells.sticks import FLIGHTS, SIZE
 from cap.cells.trees import Arc, Plan, Search
 from cap.parameters import Parameters
 from cap.runner import Runner

@@ -9,32 +9,22 @@ pi that are passed, as long as all have been outside of the strip at each before
 import math
 from typing import NamedTuple
 
-from cap.cells.backward import (
-    PI_ERROR,
-    ROUND,
-    Event,
-    Flight,
-    System,
-    at,
-    gain,
-    influence,
-    moving,
+from cap.cells.backward import PI_ERROR, ROUND, Event, Flight, System
+from cap.cells.polynomials import LAST, Model, between, ends, exact, integral, moved, scaled, total
+from cap.cells.regions import (
+    APART,
+    NONE,
+    Limits,
+    Region,
+    Seen,
+    after,
+    first,
+    known,
+    next_of,
+    passing,
+    sides,
+    spread,
 )
-from cap.cells.mirrored import after_hit, after_turn
-from cap.cells.next_event import HIT
-from cap.cells.polynomials import (
-    Model,
-    constant,
-    ends,
-    exact,
-    integral,
-    moved,
-    product,
-    scaled,
-    total,
-    widened,
-)
-from cap.cells.regions import APART, LARGE, Limits, Region, Seen, next_of, sides, spread
 from cap.sets.compiled import kernel
 
 ALL = 1 - 2.0**-40  # of a sum of areas, less rounding
@@ -64,21 +54,14 @@ def _entry(r: Region) -> tuple[Flight, Model]:
     """Return the flight from the strip, and its density in X and Y."""
     place, wide = sides(r)
     size = (abs(r.middle) + r.half) * ROUND
-    A = along(r.middle, r.half, size)
+    A = between((r.middle, r.half, 0.0), NONE, size)
     B = moved(place, -1.0, ROUND)
     density = scaled(wide, r.half, size)
-    errors = A[-1], B[-1]
+    errors = A[LAST], B[LAST]
     far = PI_ERROR + 8 * ROUND
     begun = math.pi - far, math.pi + far
     f = Flight(exact(A), exact(B), (1.0, 0.0, 0.0, 1.0), errors, errors, math.pi, begun, 1)
     return f, density
-
-
-@kernel
-def along(a: float, b: float, e: float) -> Model:
-    """Return the model of what is within e of a + b Y."""
-    z = constant(a, e)
-    return (z[0], b, *z[2:])
 
 
 @kernel
@@ -107,28 +90,11 @@ def _outside(y: System, strip: Strip, p: Model, s: Model) -> bool:
 
 
 @kernel
-def _passing(y: System, f: Flight, j: int) -> tuple[bool, Model, Model]:
-    """Return whether all flights are certain to be under way at j pi, and p and s."""
-    t = j * math.pi
-    e = abs(j) * PI_ERROR + abs(t) * ROUND
-    p, s = at(y, f, (t, e), -1.0 if j % 2 else 1.0, 0.0)
-    s, p = widened(s, f.errors[0]), widened(p, influence(f, t - f.ref, e))
-    flying = f.begun[1] < t - e and ends(s)[0] > 0 and ends(p)[1] < 0
-    return flying and moving(y, f, t + e), p, s
-
-
-@kernel
-def first(f: Flight) -> int:
-    """Return the number of the first multiple of pi certainly after the start of a flight."""
-    return math.floor((f.begun[1] + APART) / math.pi) + 1
-
-
-@kernel
 def _flown(y: System, strip: Strip, f: Flight, V: float, passed: int) -> tuple[bool, int, int]:
     """Return whether all is outside at the strobes passed for certain, how many count, the next."""
     count, j = 0, first(f)
     while True:
-        flying, p, s = _passing(y, f, j)
+        flying, p, s = passing(y, f, j)
         if not flying:
             return True, count, j
         if (j + passed) % 2:
@@ -158,19 +124,12 @@ def _during(
 
 
 @kernel
-def _known(f: Flight, size: float) -> bool:
-    """Return whether enough is known of a flight to go on."""
-    across, far = spread(f)
-    return max(f.errors[0], f.errors[1]) <= LARGE and across + far <= size
-
-
-@kernel
 def entered(y: System, strip: Strip, r: Region, limits: Limits) -> Seen:
     """Follow a region of a strip backwards as long as it is certain what happens."""
     f, density = _entry(r)
     area, last, passed, coming = 0.0, 0, 0, 2
     for n in range(limits.flights):
-        if not _known(f, limits.size) or first(f) + passed != coming:
+        if not known(f, limits.size) or first(f) + passed != coming:
             break
         outside, count, j = _flown(y, strip, f, limits.V, passed)
         kind, event = next_of(y, f)
@@ -182,11 +141,7 @@ def entered(y: System, strip: Strip, r: Region, limits: Limits) -> Seen:
         if not outside or event.why != 0:
             break
         coming = j + passed
-        if kind == HIT:
-            f = after_hit(y, f, event)
-        else:
-            density = product(density, gain(y, event))
-            f = after_turn(y, f, event)
+        f, density = after(y, f, density, kind, event)
         passed += round((event.near - f.ref) / math.pi)
     across, far = spread(f)
-    return Seen(area * ALL, 0.0, last, 0, across, far)
+    return Seen(area * ALL, 0.0, last, across, far)

@@ -14,12 +14,8 @@ from cap.cells.entries import Strip
 from cap.cells.lines import Line, ends, moved, scaled, total
 from cap.cells.next_event import HIT, NOTHING, next_event, place_at, speed_at
 from cap.cells.paths import LOST, RELEASED, Path, Step, hit, lost, released, seen, stop
-from cap.cells.units import BITS, of_ball
-from cap.parameters import Parameters
-from cap.sets import interval
 from cap.sets.circular import sin_cos_of_double
 from cap.sets.compiled import PROBE, compiled, kernel, require_ieee, rounds_to_nearest
-from cap.sets.doubles import enclosing
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -160,13 +156,3 @@ def next_releases(y: System, strip: Strip, places: Floats) -> Found:
     room = np.zeros((ROWS, DEGREE + 1))
     require_ieee(_releases(y, strip, places, PROBE, room, found))
     return found
-
-
-def forwards(p: Parameters) -> System:
-    """Return the constants of the flow forwards, enclosed."""
-    a, width = p.f / p.F, (p.r - p.l) * p.omega**2 / p.F
-    with interval.workprec(BITS):
-        ratio = interval.ball(a)
-        sine = ((1 - ratio) * (1 + ratio)).sqrt()
-        known = enclosing(a), enclosing(width), of_ball(ratio.acos()), of_ball(sine)
-    return System(*(end for q in known for end in (q.mid, q.rad)))

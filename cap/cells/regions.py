@@ -47,7 +47,6 @@ TIME = 2.0**-48  # more than those of rounding of a time in an arc
 LARGE = 1.0  # errors above which nothing more is certain
 APART = 1e-12  # between a strobe and the start of a flight
 NONE = 0.0, 0.0, 0.0
-ERRORS, SIZE, FAST = 9, 10, 11  # reasons besides those of events
 
 
 class Region(NamedTuple):
@@ -72,13 +71,12 @@ class Seen(NamedTuple):
 
     ``area``: a lower bound of the area of the states at all strobes that count; ``weight``: an
     upper bound of what of it comes from sticks at places of measure 1; ``flights``: up to the last
-    strobe that counts; ``why`` it ended; the ranges ``across`` and ``along``: by X, and by Y alone.
+    strobe that counts; the ranges ``across`` and ``along`` at last: by X, and by Y alone.
     """
 
     area: float
     weight: float
     flights: int
-    why: int
     across: float
     along: float
 
@@ -110,19 +108,20 @@ def launched(y: System, r: Region) -> tuple[Flight, Model, float]:
 
 
 @kernel
-def passes(y: System, f: Flight, j: int, V: float) -> int:
-    """Return 1 or 2 if all flights are certain to be under way at j pi, and 2 if slower than V."""
+def first(f: Flight) -> int:
+    """Return the number of the first multiple of pi certainly after the start of a flight."""
+    return math.floor((f.begun[1] + APART) / math.pi) + 1
+
+
+@kernel
+def passing(y: System, f: Flight, j: int) -> tuple[bool, Model, Model]:
+    """Return whether all flights are certain to be under way at j pi, and p and s."""
     t = j * math.pi
     e = abs(j) * PI_ERROR + abs(t) * ROUND
-    if not f.begun[1] < t - e:
-        return 0
     p, s = at(y, f, (t, e), -1.0 if j % 2 else 1.0, 0.0)
-    least, most = ends(widened(s, f.errors[0]))
-    if not least > 0 or not moving(y, f, t + e):
-        return 0
-    if not ends(widened(p, influence(f, t - f.ref, e)))[1] < 0:
-        return 0
-    return 2 if most < V else 1
+    s, p = widened(s, f.errors[0]), widened(p, influence(f, t - f.ref, e))
+    flying = f.begun[1] < t - e and ends(s)[0] > 0 and ends(p)[1] < 0
+    return flying and moving(y, f, t + e), p, s
 
 
 @kernel
@@ -137,14 +136,21 @@ def spread(f: Flight) -> tuple[float, float]:
 
 
 @kernel
+def known(f: Flight, size: float) -> bool:
+    """Return whether enough is known of a flight to go on."""
+    across, along = spread(f)
+    return max(f.errors[0], f.errors[1]) <= LARGE and across + along <= size
+
+
+@kernel
 def underway(y: System, f: Flight, V: float) -> tuple[int, int]:
     """Return how many strobes that count all flights are certain to pass, and the next one."""
-    count, j = 0, math.floor((f.begun[1] + APART) / math.pi) + 1
+    count, j = 0, first(f)
     while True:
-        found = passes(y, f, j, V)
-        if found == 0:
+        flying, _p, s = passing(y, f, j)
+        if not flying:
             return count, j
-        count, j = count + found - 1, j + 1
+        count, j = count + (ends(s)[1] < V), j + 1
 
 
 @kernel
@@ -174,35 +180,31 @@ def next_of(y: System, f: Flight) -> tuple[int, Event]:
 
 
 @kernel
+def after(y: System, f: Flight, density: Model, kind: int, event: Event) -> tuple[Flight, Model]:
+    """Return the flight and the density after an event."""
+    if kind == HIT:
+        return after_hit(y, f, event), density
+    return after_turn(y, f, event), product(density, gain(y, event))
+
+
+@kernel
 def followed(y: System, r: Region, limits: Limits) -> Seen:
     """Follow a region backwards as long as it is certain what happens."""
     f, density, wide = launched(y, r)
-    area, weight, last, why = 0.0, 0.0, 0, 0
+    area, weight, last = 0.0, 0.0, 0
     for n in range(limits.flights):
-        across, along = spread(f)
-        if not max(f.errors[0], f.errors[1]) <= LARGE:
-            why = ERRORS
-            break
-        if across + along > limits.size:
-            why = SIZE
+        if not known(f, limits.size):
             break
         count, j = underway(y, f, limits.V)
         kind, event = next_of(y, f)
-        why = event.why
-        if why == 0:
+        if event.why == 0:
             count += during(event, j, limits.V)
         got = count * integral(density)
         if got > 0 and wide > 0:
             area, weight = area + got, weight + 2 * count * ends(density)[1] / wide
             last = n + 1
-        if why == 0 and event.least > limits.V + 2:
-            why = FAST
-        if why != 0:
+        if event.why != 0 or event.least > limits.V + 2:
             break
-        if kind == HIT:
-            f = after_hit(y, f, event)
-        else:
-            density = product(density, gain(y, event))
-            f = after_turn(y, f, event)
+        f, density = after(y, f, density, kind, event)
     across, along = spread(f)
-    return Seen(area / UP, weight * UP, last, why, across, along)
+    return Seen(area / UP, weight * UP, last, across, along)

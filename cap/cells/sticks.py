@@ -17,16 +17,14 @@ from functools import partial
 import numpy as np
 
 from cap.cells.backward import System
+from cap.cells.constants import system_of
 from cap.cells.cuts import PARTS, UNIT, Edges, Tree, grown, joined
 from cap.cells.entries import NOWHERE
 from cap.cells.regions import Limits
 from cap.cells.trees import Arc, Floats, Nodes, Plan, Search
-from cap.cells.units import BITS, of_ball
 from cap.errors import BadInput
 from cap.parameters import Parameters
 from cap.runner import Runner
-from cap.sets import interval
-from cap.sets.doubles import enclosing
 
 FLIGHTS, SIZE = 60, 3.0
 WIDEST = 8  # edges are doubles with a bounded error for walls that are not farther apart
@@ -82,17 +80,6 @@ def search(p: Parameters, V: Fraction, plan: Plan, runner: Runner) -> tuple[Stic
         _tree(width, first, -first.values[:, 4:2:-1], late=False),
         _tree(width, second, second.values[:, 3:5] + (far - more, far + more), late=True),
     )
-
-
-def system_of(p: Parameters) -> System:
-    """Return the constants, enclosed."""
-    a, width = p.f / p.F, (p.r - p.l) * p.omega**2 / p.F
-    with interval.workprec(BITS):
-        ratio = interval.ball(a)
-        theta = interval.pi() - ratio.acos()
-        sine = ((1 - ratio) * (1 + ratio)).sqrt()
-        found = enclosing(a), enclosing(width), of_ball(theta), of_ball(sine)
-    return System(*(end for q in found for end in (q.mid, q.rad)))
 
 
 def root(width: Fraction) -> Edges:

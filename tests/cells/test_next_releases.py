@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from support import seeded
 
+from cap.cells.constants import system_of
 from cap.cells.entries import NOWHERE, Strip
-from cap.cells.next_releases import HELD, forwards, next_release, next_releases
+from cap.cells.next_releases import HELD, next_release, next_releases
 from cap.cells.paths import LOST, RELEASED
 from cap.cells.rests import height
 from cap.checker.folded import strip as checked
@@ -58,7 +59,7 @@ def later(p, places):
 @pytest.mark.parametrize("p", [PAPER, OTHER], ids=["paper", "other"])
 def test_orbits_in_floats(p):
     """They are in the models, with their difference quotients."""
-    y, random = forwards(p), seeded("next releases")
+    y, random = system_of(p, forwards=True), seeded("next releases")
     places = drawn(random, y.width, 30)
     found, compared = next_releases(y, NOWHERE, places), 0
     for (low, high), kind, model in zip(places, found.kinds, found.models, strict=True):
@@ -78,7 +79,7 @@ def test_orbits_in_floats(p):
 @pytest.mark.parametrize("p", [PAPER, OTHER], ids=["paper", "other"])
 def test_the_checker_follows_the_same(p):
     """The same intervals, and to the same places."""
-    y, other, random = forwards(p), System(given(p)), seeded("next releases, twice")
+    y, other, random = system_of(p, forwards=True), System(given(p)), seeded("next releases, twice")
     places = drawn(random, y.width, 250)
     found = next_releases(y, NOWHERE, places)
     assert 30 < (found.kinds == RELEASED).sum() < 245
@@ -95,7 +96,7 @@ def test_the_checker_follows_the_same(p):
 
 def test_a_strip_holds_orbits():
     """All that pass the time 0 in a strip as large as the plane; none in one that is as thin."""
-    y, (low, high) = forwards(PAPER), (0.731, 0.7311)
+    y, (low, high) = system_of(PAPER, forwards=True), (0.731, 0.7311)
     large = Strip(-99.0, 99.0, 0.0, 0.0, 99.0, 0.0, 1.0, 0.0)
     room = np.zeros((5, 7))
     assert next_release(y, large, low, high, room)[0] == HELD
@@ -111,12 +112,12 @@ def test_a_strip_holds_orbits():
 def test_nothing_is_followed_across_a_border():
     """An interval whose orbits meet other events; all places at once; what is not a number."""
     places = np.array([(0.0, 2.0), (0.5, 1.0), (1.2, 1.3), (math.nan, 1.0)])
-    assert (next_releases(forwards(PAPER), NOWHERE, places).kinds == LOST).all()
+    assert (next_releases(system_of(PAPER, forwards=True), NOWHERE, places).kinds == LOST).all()
 
 
 def test_rests_after_slow_hits():
     """As the checker finds them, but for what is close to the border."""
-    y, other, random = forwards(PAPER), System(given(PAPER)), seeded("rests")
+    y, other, random = system_of(PAPER, forwards=True), System(given(PAPER)), seeded("rests")
     resting_near = [0, 0, 0]
     for _ in range(3000):
         t, speed = random.uniform(-1.5, 1.5), 10 ** random.uniform(-3, -0.3)

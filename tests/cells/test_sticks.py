@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 from support import seeded
 
+from cap.cells.constants import system_of
 from cap.cells.contraction import hoped
 from cap.cells.cuts import PARTS, cheapest, dearest
 from cap.cells.entries import NOWHERE
 from cap.cells.listing import written
 from cap.cells.next_event import next_event
 from cap.cells.regions import Limits, Region, followed
-from cap.cells.sticks import search, system_of
+from cap.cells.sticks import search
 from cap.cells.trees import Plan
 from cap.errors import BadInput
 from cap.floats import swarm

@@ -7,11 +7,11 @@ from types import SimpleNamespace
 
 import pytest
 
+from cap.cells.constants import system_of
 from cap.cells.contraction import hoped
 from cap.cells.entries import Strip, entered
 from cap.cells.listing import written
 from cap.cells.regions import Limits, Region
-from cap.cells.sticks import system_of
 from cap.checker.folded import strips
 from cap.checker.folded.backward import System
 from cap.checker.folded.regions import UNIT

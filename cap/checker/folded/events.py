@@ -1,9 +1,8 @@
 """Hits and turns of the flow backwards in time (`cap.checker.folded.backward`).
 
-*Hits and stops*: T is a
-polynomial, and what p or s leave there bounds the error of the time.  As |s'| <= 1 + a < 2: if s >=
-m > 0 and |p| <= g at T, and 2 g/m < m/4, p vanishes once within 2 g/m of T.  If -cos t - a >= m > 0
-and |s| <= g at T, and 2 g/m < m/2, s vanishes within 2 g/m of T.
+*Hits and stops*: T is a polynomial, and what p or s leave there bounds the error of the time.  As
+|s'| <= 1 + a < 2: if s >= m > 0 and |p| <= g at T, and 2 g/m < m/4, p vanishes once within 2 g/m of
+T.  If -cos t - a >= m > 0 and |s| <= g at T, and 2 g/m < m/2, s vanishes within 2 g/m of T.
 
 *After a hit* at T, with s then: A' = 2 sin T + A + a (ref' + pi - ref), B' = -W - cos T - a d'^2/2
 - A' d', d' = T - pi - ref'.  *After a turn* at T: A' = sin T - a d', B' = -W - p - cos T - a d'^2/2

@@ -32,18 +32,17 @@ def hitting(y: System, f: Flight, near: float) -> Model:
         s = math.sin(t) + y.a * d + f.A[0]
         need(s > 0, "the mass may stop, or hit")
         t -= (d * (y.a * d / 2 + f.A[0]) + f.B[0] - math.cos(t)) / s
-    T, ET, cos, sin, D, speeds = (_room(z) for z in (t, 0.0, math.cos(t), math.sin(t), 0.0, 0.0))
-    D[0] = t - f.ref
-    s = speeds[0] = sin[0] + y.a * D[0] + f.A[0]
+    d = t - f.ref
+    s = math.sin(t) + y.a * d + f.A[0]
+    D, ET, cos, sin, speeds = (_room(z) for z in (d, 0.0, math.cos(t), math.sin(t), s))
     EA, EB = _derived(f.A), _derived(f.B)
     for w, low, high in _PARTS:
         pulls = zip(part(w, ET, speeds), part(w, EA, D), EB[low:high], strict=True)
         rise = [-(u + v + z) / s for u, v, z in pulls]
-        _extend(w, (low, high), (T, ET, cos, sin), rise)
-        D[low:high] = T[low:high]
+        _extend(w, (low, high), (D, ET, cos, sin), rise)
         for k in range(low, high):
-            speeds[k] = sin[k] + y.a * T[k] + f.A[k]
-    return (t - near, *T[1:], 0.0)
+            speeds[k] = sin[k] + y.a * D[k] + f.A[k]
+    return (t - near, *D[1:], 0.0)
 
 
 def stopping(y: System, f: Flight, near: float) -> Model:
