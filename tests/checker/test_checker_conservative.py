@@ -14,12 +14,12 @@ from support import rounds, seeded
 
 from cap.cells.listing import Run as Listed
 from cap.cells.listing import listed, written
-from cap.checker.flow.arc import Arc, Image, Launches, least
+from cap.checker.flow.arc import Arc, Launches, image, least
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Run, columns, lines
 from cap.checker.flow.landing import Place
 from cap.checker.flow.overlap import gaps, mirrored, shared
-from cap.checker.flow.strips import Ceiling, Flown, World, along
+from cap.checker.flow.strips import Ceiling, World, along
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.parabolas import BYTES, integers
 from cap.checker.kernel.rejection import Rejected
@@ -65,14 +65,14 @@ def test_images_contain_flights():
         e1, e2 = random.uniform(-0.02, 0.02), random.uniform(-1e-3, 1e-3)
         arc = Arc(Double(t), Double(0.01), Double(e), Double(e1), Double(e2))
         try:
-            image = Image(Launches(arc, F, R))
+            found = image(Launches(arc, F, R))
         except Rejected:
             continue
         followed += 1
         s = random.uniform(-1, 1)
         event = hit(t + 0.01 * s, e + s * (e1 + s * e2))
         assert event.word == "hit r"
-        a, b, c = image.T
+        a, b, c = found.T
         low, high = (a.mid + s * b.mid + s * s * end / 2 for end in (c.lower, c.upper))
         assert low - 1e-9 <= event.time <= high + 1e-9
     assert followed > 20
@@ -119,11 +119,11 @@ def test_what_is_no_number_is_not_positive(k):
 def test_the_part_in_a_column():
     """It has all places of the arc at which the column is met, and may be none."""
     arc = Arc(Double(4.2), Double(0.005), Double(0.7), Double(0.02), Double(0.001))
-    image, met = Image(Launches(arc, F, R)), set()
-    first = round(image.T[0].mid * 64) - 32
+    found, met = image(Launches(arc, F, R)), set()
+    first = round(found.T[0].mid * 64) - 32
     for k in range(first, first + 64):
         low, high = k / 64, (k + 1) / 64
-        part = Place(image, Double(0.0), low, high).part
+        part = Place(found, Double(0.0), (low, high)).part
         met.add(part is None)
         for r in np.linspace(-1, 1, 41):
             time = hit(4.2 + 0.005 * r, 0.7 + r * (0.02 + 0.001 * r)).time
@@ -296,7 +296,7 @@ def test_no_level_is_above_a_gap(level):
     low = tuple(round(0.05 * p + 0.95 * q) for q, p in pairs)  # most of the gap below the run
     other = run._replace(edges=[low, *run.edges], levels=[level, *run.levels])
     whole.columns[j] = [*whole.columns[j][:n], other, *whole.columns[j][n + 1 :]]
-    arcs = [Flown(whole, whole.arc(j, edge)) for edge in (low, run.edges[0])]
+    arcs = [whole.arc(j, edge) for edge in (low, run.edges[0])]
     with pytest.raises(Rejected):
         whole.falls(level, *arcs, *whole.sides(j, low, run.edges[0]))
 

@@ -90,20 +90,42 @@ def _point(t: Double, energy: Double, slope: Double, bend: Double) -> Point:
     return Point(t, *cos_sin(t), u, du, (bend - du * du) / u)
 
 
-class Launches:
-    """The launches of an arc, followed against the friction ``f`` to a wall at the distance R."""
+def everywhere(arc: Arc) -> Point:
+    """Return what is known of all launches of an arc, or of arcs with intervals of coefficients."""
+    bend = arc.e2 * 2.0
+    reach = arc.e1.magnitude + arc.e2.magnitude
+    t, slope = arc.t.widened(arc.dt.magnitude), arc.e1.widened(bend.magnitude)
+    return _point(t, arc.e.widened(reach), slope, bend)
 
-    def __init__(self, arc: Arc, f: Double, R: Double) -> None:
+
+class Hit(NamedTuple):
+    """When and how fast the other wall is hit at s = 0, with the derivatives of both."""
+
+    T: Double
+    V: Double
+    T1: Double
+    V1: Double
+
+
+class Launches:
+    """The launches of an arc, followed against the friction ``f`` to a wall at the distance R.
+
+    ``all`` are these, or more of them, ``among`` which they are.
+    """
+
+    def __init__(self, arc: Arc, f: Double, R: Double, among: Point | None = None) -> None:
         self.dt, self.f, self.R = arc.dt, f, R
-        bend = arc.e2 * 2.0
-        reach = arc.e1.magnitude + arc.e2.magnitude
-        self.near = _point(arc.t, arc.e, arc.e1, bend)
-        self.all = _point(
-            arc.t.widened(arc.dt.magnitude),
-            arc.e.widened(reach),
-            arc.e1.widened(bend.magnitude),
-            bend,
-        )
+        self.near = _point(arc.t, arc.e, arc.e1, arc.e2 * 2.0)
+        self.all = among or everywhere(arc)
+
+    @cached_property
+    def hit(self) -> Hit:
+        """The hit at s = 0, or a rejection."""
+        near, dt, T = self.near, self.dt, _hit(self)
+        cos, sin = cos_sin(T)
+        V = self.speed(near, T, sin)
+        T1 = _numerator(self, near, T) / V
+        return Hit(T, V, T1, near.du + (cos - self.f) * T1 - (near.cos - self.f) * dt)
 
     def velocity(self, T: Double) -> Taylor:
         """Return v at a fixed time."""
@@ -159,34 +181,45 @@ def _arccos(y: Double) -> Double:
     return Double(a, far / sine * (1 + 1e-9))
 
 
+class Bends:
+    """What is known of all hits: T, V, d, A, T', and the second derivatives of T and E = V^2/2.
+
+    At s = 0 they are in T; ``slope`` is likely to be T' there, and needs no trust.
+    """
+
+    def __init__(self, launches: Launches, T: Double, slope: Double) -> None:
+        whole, dt, f = launches.all, launches.dt, launches.f
+        self.T, cos, sin, self.V, self.dT = _window(launches, T, slope)
+        self.d, self.A = self.T - whole.t, cos - f
+        d, A, dT, a, d1 = self.d, self.A, self.dT, whole.cos - f, self.dT - dt
+        dV = whole.du + A * dT - a * dt
+        a1, A1 = -(whole.sin * dt), -(sin * dT)
+        dN = (whole.du + d1 * a + d * a1) * dt - d1 * whole.du - d * whole.d2u
+        self.T2 = (dN - dV * dT) / self.V
+        V2 = whole.d2u + A * self.T2 + A1 * dT - a1 * dt
+        self.E2 = dV * dV + self.V * V2
+
+
 class Image:
     """The image of an arc all of whose flights reach the other wall."""
 
-    def __init__(self, launches: Launches) -> None:
-        near, whole, dt, f = launches.near, launches.all, launches.dt, launches.f
-        T = _hit(launches)
-        cos, sin = cos_sin(T)
-        V = launches.speed(near, T, sin)
-        N = _numerator(launches, near, T)
-        T1 = N / V
-        V1 = near.du + (cos - f) * T1 - (near.cos - f) * dt
-        Ts, cos, sin, Vs, dTs = _window(launches, T, T1)
-        need(launches.moves(Ts.upper), "a flight may stop")
-        A, a, d, d1 = cos - f, whole.cos - f, Ts - whole.t, dTs - dt
-        dVs = whole.du + A * dTs - a * dt
-        a1, A1 = -(whole.sin * dt), -(sin * dTs)
-        dN = (whole.du + d1 * a + d * a1) * dt - d1 * whole.du - d * whole.d2u
-        T2 = (dN - dVs * dTs) / Vs
-        V2 = whole.d2u + A * T2 + A1 * dTs - a1 * dt
-        self.T: Taylor = (T, T1, T2)
-        self.E: Taylor = (V * V * 0.5, V * V1, dVs * dVs + Vs * V2)
-        self.dT, self.all = dTs, Ts
+    def __init__(self, hit: Hit, bends: Bends) -> None:
+        self.T: Taylor = (hit.T, hit.T1, bends.T2)
+        self.E: Taylor = (hit.V * hit.V * 0.5, hit.V * hit.V1, bends.E2)
+        self.dT, self.all = bends.dT, bends.T
 
     @cached_property
     def times(self) -> Double:
         """All times of the hits."""
         T, T1, T2 = self.T
         return T.widened(T1.magnitude + T2.magnitude / 2)
+
+
+def image(launches: Launches) -> Image:
+    """Return the image of an arc, or reject it."""
+    bends = Bends(launches, launches.hit.T, launches.hit.T1)
+    need(launches.moves(bends.T.upper), "a flight may stop")
+    return Image(launches.hit, bends)
 
 
 def _numerator(launches: Launches, at: Point, T: Double) -> Double:

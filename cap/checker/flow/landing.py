@@ -17,7 +17,8 @@ of numbers below twice the sum of |z(0)|, |z'(0)| and |b|: ERROR = 2^-48 times t
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import math
+from functools import cached_property
 
 from cap.checker.flow.arc import Image, Taylor, negative
 from cap.checker.flow.columns import UNIT
@@ -30,22 +31,50 @@ MORE = 1 + 2.0**-40
 Part = tuple[float, float]
 
 
-class Target(NamedTuple):
-    """The interval of energies in a column into which a cell is to fly; None: no end."""
+class Target:
+    """The interval of energies in a column into which a cell is to fly; None: no end.
 
-    lower: Edge | None
-    upper: Edge | None
+    ``floor`` is above the whole lower edge, ``roof`` below the upper one.
+    """
+
+    def __init__(self, lower: Edge | None, upper: Edge | None) -> None:
+        self.lower, self.upper = lower, upper
+        a, b, c = lower or (-math.inf, 0, 0)
+        self.floor = (a + abs(b) + abs(c)) * UNIT
+        a, b, c = upper or (math.inf, 0, 0)
+        self.roof = (a - abs(b) - abs(c)) * UNIT
 
 
 class Place:
-    """Where an image, which is moved in time, is in a column between two lines."""
+    """Where an image, which is moved in time, is in a column between two lines, or near them.
 
-    def __init__(self, image: Image, shift: Double, low: float, high: float) -> None:
-        t, middle, scale = image.T[0] + shift, (low + high) / 2, 2 / (high - low)  # powers of 2
-        self.E = image.E
-        self.part = _part(t, image.dT, low, high)
-        self.s = (t - middle) * scale, image.T[1] * scale, image.T[2] * scale
-        self.all, self.ds = (image.all + shift - middle) * scale, image.dT * scale
+    The part in the column begins so much earlier, and ends so much later.
+    """
+
+    def __init__(
+        self,
+        image: Image,
+        shift: Double,
+        between: tuple[float, float],
+        early: float = 0.0,
+        late: float = 0.0,
+    ) -> None:
+        low, high = between
+        self.image, self.E, self.t, self.shift = image, image.E, image.T[0] + shift, shift
+        self.middle, self.scale = (low + high) / 2, 2 / (high - low)  # powers of 2
+        self.part = _part(self.t, image.dT, low - early, high + late)
+
+    @cached_property
+    def s(self) -> Taylor:
+        """Where in the column the image is."""
+        _, t1, t2 = self.image.T
+        return (self.t - self.middle) * self.scale, t1 * self.scale, t2 * self.scale
+
+    @cached_property
+    def everywhere(self) -> tuple[Double, Double]:
+        """All s, and all their derivatives."""
+        s = (self.image.all + self.shift - self.middle) * self.scale
+        return s, self.image.dT * self.scale
 
     def launch(self) -> tuple[float, float]:
         """Return s and E about in the middle of the part; it steers only."""
@@ -55,17 +84,37 @@ class Place:
 
     def within(self, target: Target) -> bool:
         """Return whether the image is certainly between the edges, and not on a lower one."""
-        low, high = target
-        above = low is None or self.positive(self.gap(low))
-        return above and (high is None or self.positive(negative(self.gap(high))))
+        if self.part and -1 < self.part[0] and self.part[1] < 1:  # it crosses the column
+            low, high = self.energies(*self.part)
+            if target.floor <= low and high <= target.roof:
+                return True
+        return self.above(target.lower) and self.below(target.upper)
+
+    def energies(self, first: float, last: float) -> tuple[float, float]:
+        """Return bounds of E between two r: by its value at the middle, and its slope."""
+        e, e1, e2 = self.E
+        r, half = (first + last) / 2, (last - first) / 2
+        middle = e.mid + r * (e1.mid + r * (e2.mid / 2))
+        size = abs(e.mid) + abs(e1.mid) + abs(e2.mid) + e2.rad
+        reach = e.rad + e1.rad + e2.rad / 2 + half * (abs(e1.mid) + abs(e2.mid) + e2.rad)
+        reach = reach * MORE + ERROR * size
+        return middle - reach, middle + reach
+
+    def above(self, edge: Edge | None) -> bool:
+        """Return whether the image is certainly not below an edge."""
+        return edge is None or self.positive(self.gap(edge))
+
+    def below(self, edge: Edge | None) -> bool:
+        """Return whether the image is certainly not above an edge."""
+        return edge is None or self.positive(negative(self.gap(edge)))
 
     def gap(self, edge: Edge) -> Taylor:
         """Return E - q(s): its second derivative is E'' - 2 q_2 s'^2 - (q_1 + 2 q_2 s) s''."""
         a, b, c = (q * UNIT for q in edge)
-        s, s1, s2 = self.s
+        (s, s1, s2), (places, slopes) = self.s, self.everywhere
         value = self.E[0] - (s * (s * c + b) + a)
         slope = self.E[1] - (s * (2 * c) + b) * s1
-        bend = self.E[2] - self.ds * self.ds * (2 * c) - (self.all * (2 * c) + b) * s2
+        bend = self.E[2] - slopes * slopes * (2 * c) - (places * (2 * c) + b) * s2
         return value, slope, bend
 
     def positive(self, z: Taylor) -> bool:

@@ -10,10 +10,13 @@ By induction: a cell of level 0 lies above the ceiling, or all its launches stop
 level k > 0 all launches fly to the other wall, and land above the ceiling, or in cells of levels
 below k.
 
-*Only boundaries are followed.*  (i) At one time t, of two launches the faster is ahead in place and
-in speed as long as both fly; so if a launch reaches the wall, faster ones do, and if it stops,
-slower ones do.  So it is enough that an edge at the bottom stops, and that all launches of the
-lower edge of a cell reach the wall.
+*A cell at once.*  Of a cell that is not tall it is tried to show that all of it lands in runs of
+cells of lower levels, one for each column, as in `cap.checker.flow.patches`.
+
+*Else only its boundary is followed.*  (i) At one time t, of two launches the faster is ahead in
+place and in speed as long as both fly; so if a launch reaches the wall, faster ones do, and if it
+stops, slower ones do.  So it is enough that an edge at the bottom stops, and that all launches of
+the lower edge of a cell reach the wall.
 
 (ii) On the open set of the launches that reach the wall without a stop, with V > 0, the flight map
 G, with its time not taken modulo 2 pi, is continuous and injective: a flight can be followed
@@ -33,18 +36,19 @@ from __future__ import annotations
 import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable
-from functools import cached_property
 from typing import NamedTuple, Protocol, Self, TypeVar
 
-from cap.checker.flow.arc import SPAN, Arc, Image, Launches, Taylor, least, negative
+from cap.checker.flow.arc import SPAN, Arc, Image, Launches, Taylor, image, least, negative
 from cap.checker.flow.columns import UNIT, Column
 from cap.checker.flow.landing import Place, Target
+from cap.checker.flow.patches import Patch, Spread
 from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.rejection import Rejected, need
 
 MOST = 5_000_000  # arcs: ten minutes
 HALVINGS = 12  # of an arc, until what is to be shown of it is certain
+TALL = 1 / 256  # of cells that are higher only the boundary is followed
 ROUND = 6.28  # less than 2 pi
 NO_CELL = math.inf  # where a run ends; above all levels
 LATE = (1e-5, 1e-4, 1e-3, 1e-2)  # before and after a stop, v > 0 and v < 0 are tried
@@ -84,7 +88,7 @@ class World:
         """Prove what is shown of all cells of a column."""
         self.ends(j)
         for run in self.columns[j]:
-            edges = [Flown(self, self.arc(j, edge)) for edge in run.edges]
+            edges = [self.arc(j, edge) for edge in run.edges]
             for k, level in enumerate(run.levels):
                 self.falls(level, *edges[k : k + 2], *self.sides(j, *run.edges[k : k + 2]))
 
@@ -98,14 +102,17 @@ class World:
                 above = along(top, lambda arc: least(self.ceiling.excess(arc)) >= 0)
                 need(above, "the top is not above the ceiling")
 
-    def falls(self, level: int, *boundary: Flown) -> None:
-        """Prove it of one cell."""
+    def falls(self, level: int, low: Arc, high: Arc, *sides: Arc) -> None:
+        """Prove it of one cell: of all of it at once or, if that fails, of its boundary."""
         targets = dict[int, Target]()
 
-        def lands(arc: Flown) -> bool:
-            return self.lands(arc.image, level, targets)
+        if self.spreads(Patch(low, high), level, targets):
+            return
 
-        for arc in boundary:
+        def lands(arc: Arc) -> bool:
+            return self.lands(image(self.launches(arc)), level, targets)
+
+        for arc in (low, high, *sides):
             need(along(arc, lands), "a cell may not fly into cells of lower levels")
 
     def arc(self, j: int, edge: Edge) -> Arc:
@@ -117,23 +124,26 @@ class World:
         """Return the middle of a column and half its width, exactly."""
         return (self.lines[j] + self.lines[j + 1]) / 2, (self.lines[j + 1] - self.lines[j]) / 2
 
-    def sides(self, j: int, low: Edge, high: Edge) -> list[Flown]:
+    def sides(self, j: int, low: Edge, high: Edge) -> list[Arc]:
         """Return the two sides of a cell."""
-        sides = list[Flown]()
+        sides = list[Arc]()
         for s, t in ((-1, self.lines[j]), (1, self.lines[j + 1])):
             ends = [UNIT * (q[0] + s * q[1] + q[2]) for q in (low, high)]
             middle, half = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2  # exact
             zero = Double(0.0)
-            arc = Arc(Double(t), zero, Double(middle), Double(half), zero)
-            sides.append(Flown(self, arc))
+            sides.append(Arc(Double(t), zero, Double(middle), Double(half), zero))
         return sides
 
     def launches(self, arc: Arc) -> Launches:
         """Return the launches of an arc; too many arcs are refused."""
-        self.arcs += 1
+        self.count(1)
+        return Launches(arc, self.f, self.R)
+
+    def count(self, arcs: int) -> None:
+        """Count arcs that are followed."""
+        self.arcs += arcs
         if self.arcs > MOST:
             raise TooLong(f"more than {MOST} arcs would have to be followed")
-        return Launches(arc, self.f, self.R)
 
     def stops(self, arc: Arc) -> bool:
         """Return whether all launches of an arc certainly stop.
@@ -176,25 +186,65 @@ class World:
 
     def lands(self, image: Image, level: int, targets: dict[int, Target]) -> bool:
         """Return whether all of an image is in the targets; they are chosen when first met."""
+
+        def holds(j: int, shift: Double, met: dict[int, Target]) -> bool:
+            place = Place(image, shift, self.between(j))
+            if place.part is None:
+                return True
+            if j not in met:
+                met[j] = self.target(j, level, *place.launch())
+            return place.within(met[j])
+
+        return self.met(image.times, targets, holds)
+
+    def spreads(self, patch: Patch, level: int, targets: dict[int, Target]) -> bool:
+        """Return the same of the image of a patch."""
+        if patch.height > TALL:
+            return False
+        self.count(2)
+        try:
+            return self.spread(Spread(patch, self.f, self.R), level, targets)
+        except Rejected:
+            return False
+
+    def spread(self, spread: Spread, level: int, targets: dict[int, Target]) -> bool:
+        """Return whether all of the image of a patch is in the targets."""
+
+        def holds(j: int, shift: Double, met: dict[int, Target]) -> bool:
+            low, high = spread.places(shift, self.between(j))
+            if low.part is None or high.part is None:
+                return True
+            if j not in met:
+                (s, E), (t, e) = low.launch(), high.launch()
+                met[j] = self.target(j, level, (s + t) / 2, (E + e) / 2)
+            return spread.lands(low, high, met[j])
+
+        return self.met(spread.times, targets, holds)
+
+    def met(
+        self,
+        times: Double,
+        targets: dict[int, Target],
+        holds: Callable[[int, Double, dict[int, Target]], bool],
+    ) -> bool:
+        """Return whether something holds in all columns that are met; then targets are kept."""
         begin = self.lines[0]
-        turns = math.floor((image.T[0].mid + math.pi - begin) / (2 * math.pi))
-        shift = PI * (1.0 - 2 * turns)
-        times = image.times + shift
+        turns = math.floor((times.mid + math.pi - begin) / (2 * math.pi))
+        shift, met = PI * (1.0 - 2 * turns), dict(targets)
+        times = times + shift
         if not begin <= times.lower <= times.upper < begin + ROUND:
             return False
-        met = dict(targets)
         for j in range(self.column(times.lower), len(self.columns)):
             if self.lines[j] > times.upper:
                 break
-            place = Place(image, shift, *self.lines[j : j + 2])
-            if place.part is None:
-                continue
-            if j not in met:
-                met[j] = self.target(j, level, *place.launch())
-            if not place.within(met[j]):
+            if not holds(j, shift, met):
                 return False
         targets.update(met)
         return True
+
+    def between(self, j: int) -> tuple[float, float]:
+        """Return the lines of a column."""
+        return self.lines[j], self.lines[j + 1]
 
     def column(self, t: float) -> int:
         """Return the first column that may contain a time, or those after it."""
@@ -223,27 +273,6 @@ def stacked(column: Column) -> tuple[list[Edge], list[float]]:
         edges += run.edges
         levels += [0 if run.bottom else NO_CELL, *run.levels]
     return edges, [*levels, 0 if column[-1].top else NO_CELL]
-
-
-class Flown:
-    """An arc with its image and its halves, each found once: most edges bound two cells."""
-
-    def __init__(self, world: World, arc: Arc) -> None:
-        self.world, self.arc = world, arc
-
-    @cached_property
-    def image(self) -> Image:
-        """The image, or a rejection."""
-        return Image(self.world.launches(self.arc))
-
-    @cached_property
-    def _halves(self) -> tuple[Flown, Flown]:
-        low, high = self.arc.halves()
-        return Flown(self.world, low), Flown(self.world, high)
-
-    def halves(self) -> tuple[Flown, Flown]:
-        """Return the halves."""
-        return self._halves
 
 
 class Halved(Protocol):

@@ -1,0 +1,108 @@
+"""Patches: launches between two arcs over the same times, and where all of them land.
+
+Notation as in `cap.checker.flow.arc`.  A *patch* is the set of the launches (t, E) with t = t_0 +
+t_1 s and E between the values of two arcs, ``low`` and ``high``, at the same s in [-1, 1].
+
+*All of it reaches the wall* if the launches of ``low`` do: at one time t, of two launches the
+faster is ahead in place and in speed as long as both fly; it hits first.  Each launch of the patch
+is on an arc whose coefficients are between those of the two.  What is known of all these arcs (T is
+at s = 0 between the times of the two) holds for it.
+
+*Where it lands.*  At one time t let the speed u of a launch grow from ``low`` to ``high``.  Then
+
+    dT/du = -d/V < 0,      dV/du = 1 - A d/V,      d(V^2/2)/du = V - A d,
+
+so T falls, in all by at most ``wait``, the largest d/(V u) times the largest difference in E.  For
+an edge q and Z = V^2/2 - q(T),
+
+    V dZ/du = V^2 - A d V + d q'(T).
+
+If this has one sign, for an edge below a target, in a column and up to ``wait`` beyond its lines,
+where the edge is continued as a parabola, then all of the patch that lands in the column is above
+the edge, if
+
+- Z grows, and ``low`` is above the edge whenever it lands in the column or less than ``wait``
+  later: each orbit of the patch began so much later at most, with Z >= 0, and Z has grown;
+- or Z falls, and ``high`` is above the edge whenever it lands in the column or less than ``wait``
+  earlier: u may grow on until that, so much earlier at most, and Z, which falls, is >= 0 there.
+
+In the same way it is below an edge above a target, with ``low`` and ``high`` exchanged.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from cap.checker.flow.arc import Arc, Bends, Image, Launches, everywhere
+from cap.checker.flow.columns import UNIT
+from cap.checker.flow.landing import Place, Target
+from cap.checker.kernel.doubles import Double, between
+from cap.checker.kernel.parabolas import Edge
+from cap.checker.kernel.rejection import need
+
+ROOM = 1e-12  # more than the rounding of a time
+MORE = 1 + 2.0**-40
+
+
+class Patch(NamedTuple):
+    """The launches between two arcs over the same times."""
+
+    low: Arc
+    high: Arc
+
+    @property
+    def arcs(self) -> Arc:
+        """All arcs between the two, as one with intervals of coefficients."""
+        e, e1, e2 = (_hull(p, q) for p, q in zip(self.low[2:], self.high[2:], strict=True))
+        return Arc(self.low.t, self.low.dt, e, e1, e2)
+
+    @property
+    def height(self) -> float:
+        """A number above all differences of E at one time."""
+        rest = (q - p for p, q in zip(self.low[2:], self.high[2:], strict=True))
+        a, b, c = (z.magnitude for z in rest)
+        return (a + b + c) * MORE
+
+
+class Spread:
+    """The image of a patch all of whose flights reach the other wall."""
+
+    def __init__(self, patch: Patch, f: Double, R: Double) -> None:
+        whole = everywhere(patch.arcs)
+        low, high = (Launches(arc, f, R, whole) for arc in patch)
+        bends = Bends(low, _hull(low.hit.T, high.hit.T), low.hit.T1)
+        need(low.moves(bends.T.upper), "a flight may stop")
+        self.low, self.high = Image(low.hit, bends), Image(high.hit, bends)
+        self.d, V = bends.d, bends.V
+        self.rise = (V - bends.A * bends.d) * V
+        self.wait = (bends.d / (V * whole.u) * patch.height).magnitude + ROOM
+        self.times = between(self.high.times.lower, self.low.times.upper)
+
+    def places(self, shift: Double, between: tuple[float, float]) -> tuple[Place, Place]:
+        """Return where both arcs land, in a column and near it, with their times shifted.
+
+        If one of them has no part there, the patch has none in the column.
+        """
+        low = Place(self.low, shift, between, late=self.wait)
+        return low, Place(self.high, shift, between, early=self.wait)
+
+    def lands(self, low: Place, high: Place, target: Target) -> bool:
+        """Return whether all that lands in a column is in a target, from where both arcs land."""
+        first, last = target.lower, target.upper
+        return (first is None or self.extreme(first, low, high).above(first)) and (
+            last is None or self.extreme(last, high, low).below(last)
+        )
+
+    def extreme(self, edge: Edge, one: Place, other: Place) -> Place:
+        """Return the first place if Z certainly grows with u, the other one if it falls."""
+        _, b, c = (q * UNIT * one.scale for q in edge)
+        slope = Double(b, 2 * abs(c) * (1 + one.scale * self.wait) * MORE)
+        growth = self.rise + self.d * slope
+        grows = growth.is_positive()
+        need(grows or (-growth).is_positive(), "an edge may be met along a patch")
+        return one if grows else other
+
+
+def _hull(p: Double, q: Double) -> Double:
+    """Return an interval that contains two."""
+    return between(min(p.lower, q.lower), max(p.upper, q.upper))

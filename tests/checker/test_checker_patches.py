@@ -1,0 +1,147 @@
+"""Patches of the checker: where all launches between two arcs land, and how that is shown."""
+
+import json
+import math
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from support import rounds, seeded
+
+from cap.checker.flow.arc import Arc
+from cap.checker.flow.columns import columns, lines
+from cap.checker.flow.landing import Place
+from cap.checker.flow.patches import Patch, Spread
+from cap.checker.flow.strips import Ceiling, World
+from cap.checker.kernel.doubles import Double, enclosing
+from cap.checker.kernel.rejection import Rejected
+from cap.flow.itinerary import itinerary
+from cap.parameters import PAPER
+
+F, R = enclosing(Fraction(2, 5)), Double(2.0)
+UNIT = 2**24
+NONE = Double(0.0)
+FILE = Path(__file__).parents[1] / "certificates/accept/conservative_by_three_flights.json"
+
+
+def value(arc, s):
+    """Return the energy of an arc at a place."""
+    return arc.e.mid + s * (arc.e1.mid + s * arc.e2.mid)
+
+
+def hit(t, E):
+    """Return the time and the energy of the next hit of a launch from the left, in floats."""
+    event = itinerary(PAPER, -1 + 1e-13, math.sqrt(2 * E), t + 9, start=t).events[0]
+    assert event.word == "hit r"
+    return event.time, event.velocity**2 / 2
+
+
+def drawn(random):
+    """Return a patch, and its image."""
+    while True:
+        numbers = random.uniform(3.3, 4.6), random.uniform(0.5, 0.9)
+        t, e, e1 = *numbers, random.uniform(-0.02, 0.02)
+        rise = [random.uniform(1e-6, 2e-3), random.uniform(-4e-7, 4e-7), random.uniform(0, 1e-7)]
+        low = Arc(Double(t), Double(0.002), Double(e), Double(e1), Double(1e-4))
+        high = Arc(*low[:2], *(p + q for p, q in zip(low[2:], rise, strict=True)))
+        try:
+            return Patch(low, high), Spread(Patch(low, high), F, R)
+        except Rejected:
+            continue
+
+
+def test_all_of_a_patch_lands_between_its_arcs():
+    """Earlier than the lower arc and later than the upper one, by no more than is said."""
+    random = seeded(6)
+    for _ in range(rounds(25)):
+        patch, spread = drawn(random)
+        s = random.uniform(-1, 1)
+        t, (e, E) = patch.low.t.mid + 0.002 * s, (value(arc, s) for arc in patch)
+        late, between, early = (hit(t, e + part * (E - e))[0] for part in (0, random.random(), 1))
+        assert spread.times.lower - 1e-9 <= early <= between <= late <= spread.times.upper + 1e-9
+        assert late - early <= spread.wait
+        assert spread.wait < 3 * (late - early) + 1e-6
+
+
+def test_what_lands_lowest():
+    """Of the orbits at one time, above an edge: the slowest or the fastest, as is said."""
+    random, found = seeded(7), set()
+    for _ in range(rounds(40)):
+        patch, spread = drawn(random)
+        t, energies = patch.low.t.mid, [value(arc, 0) for arc in patch]
+        first = math.floor(spread.times.mid * 64) / 64
+        between = first, first + 1 / 64
+        edge = (UNIT // 2, round(random.uniform(-1, 1) * UNIT / 256), round(random.uniform(0, 100)))
+        low, high = spread.places(NONE, between)
+        try:
+            is_low = spread.extreme(edge, low, high) is low
+        except Rejected:
+            continue
+        images = [hit(t, energies[0] + k / 4 * (energies[1] - energies[0])) for k in range(5)]
+        rest = []
+        for T, E in images:
+            s = (T - first) * 128 - 1
+            rest.append(E - sum(q * s**k for k, q in enumerate(edge)) / UNIT)
+        found.add(is_low)
+        assert rest == sorted(rest, reverse=not is_low)
+    assert found == {True, False}
+
+
+def test_an_edge_along_a_patch_decides_nothing():
+    """Its orbits land along an edge at one slope; there neither of them is the lowest for sure."""
+    patch, spread = drawn(seeded(8))
+    t, (e, E) = patch.low.t.mid, (value(arc, 0) for arc in patch)
+    (late, slow), (early, fast) = hit(t, e), hit(t, E)
+    slope = (fast - slow) / (early - late)
+    first = math.floor(late * 64) / 64
+    low, high = spread.places(NONE, (first, first + 1 / 64))
+    with pytest.raises(Rejected, match="along"):
+        spread.extreme((UNIT // 2, round(slope / 128 * UNIT), 0), low, high)
+
+
+def test_places_reach_beyond_the_lines():
+    """By as much as orbits of a patch may be apart: later for the slow, earlier for the fast."""
+    _, spread = drawn(seeded(9))
+    end = spread.low.T[0].mid
+    for arc, by in ((spread.low, -0.5), (spread.high, 0.5)):
+        line = arc.T[0].mid + by * spread.wait
+        column = (line - 1 / 64, line) if by < 0 else (line, line + 1 / 64)
+        low, high = spread.places(NONE, column)
+        reached, plain = (low if by < 0 else high).part, Place(arc, NONE, column).part
+        assert reached[0] <= plain[0] if plain else True
+        assert reached[1] - reached[0] > (plain[1] - plain[0] if plain else 0)
+    assert end > spread.high.T[0].mid
+
+
+def test_a_patch_that_stops():
+    """Its lower arc does not reach the wall."""
+    low = Arc(Double(4.0), Double(0.002), Double(0.02), NONE, NONE)
+    with pytest.raises(Rejected):
+        Spread(Patch(low, low._replace(e=Double(0.021))), F, R)
+
+
+def slices(level):
+    """Yield a thin slice of each cell above a level, with its world and level."""
+    hints = json.loads(FILE.read_text())["hints"]
+    top = Ceiling(*(enclosing(Fraction(hints["ceiling"][k])) for k in ("height", "phase", "level")))
+    world = World(F, R, top, lines(hints["lines"]), columns(hints["forward"]))
+    for j, runs in enumerate(world.columns):
+        for run in runs:
+            for (low, high), each in zip(pairwise(run.edges), run.levels, strict=True):
+                over = tuple(round(0.99 * p + 0.01 * q) for p, q in zip(low, high, strict=True))
+                if each > level:
+                    yield world, Patch(world.arc(j, low), world.arc(j, over)), each
+
+
+def test_slices_of_cells():
+    """Many are accepted at once; few of these at a level that is too low, none at the lowest."""
+    accepted = [(world, patch) for world, patch, level in slices(1) if falls(world, patch, level)]
+    assert len(accepted) > 60
+    assert sum(falls(world, patch, 1) for world, patch in accepted) < len(accepted) / 3
+    assert not any(falls(world, patch, 0) for world, patch in accepted)
+
+
+def falls(world, patch, level):
+    """Return whether a patch is accepted."""
+    return world.spreads(patch, level, {})
