@@ -80,11 +80,11 @@ class Place:
         """Return s and E about in the middle of the part; it steers only."""
         r = (self.part[0] + self.part[1]) / 2 if self.part else 0.0
         s, E = (z[0].mid + r * (z[1].mid + r * z[2].mid / 2) for z in (self.s, self.E))
-        return max(-1.0, min(1.0, s)), E
+        return s, E
 
     def within(self, target: Target) -> bool:
         """Return whether the image is certainly between the edges, and not on a lower one."""
-        if self.part and -1 < self.part[0] and self.part[1] < 1:  # it crosses the column
+        if self.part and self.part[0] > -1 and self.part[1] < 1:  # it crosses the column
             low, high = self.energies(*self.part)
             if target.floor <= low and high <= target.roof:
                 return True

@@ -192,7 +192,8 @@ class World:
             if place.part is None:
                 return True
             if j not in met:
-                met[j] = self.target(j, level, *place.launch())
+                s, E = place.launch()
+                met[j] = self.target(j, level, max(-1.0, min(1.0, s)), E)
             return place.within(met[j])
 
         return self.met(image.times, targets, holds)
