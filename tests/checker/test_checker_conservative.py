@@ -17,7 +17,7 @@ from cap.cells.listing import listed, written
 from cap.checker.flow.arc import Arc, Launches, image, least
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Run, columns, lines
-from cap.checker.flow.landing import Place
+from cap.checker.flow.landing import Place, positive
 from cap.checker.flow.overlap import gaps, mirrored, shared
 from cap.checker.flow.strips import Ceiling, World, along
 from cap.checker.kernel.doubles import Double, enclosing
@@ -86,13 +86,6 @@ def test_the_least_value():
     assert least(z) > min(values) - 0.01
 
 
-def place(part):
-    """Return a place of which only the part is known."""
-    found = Place.__new__(Place)
-    found.part = part
-    return found
-
-
 def test_what_is_positive_on_a_part():
     """A quadratic is, if its least value there is; near that nothing is refused."""
     random, found = seeded(5), set()
@@ -100,7 +93,7 @@ def test_what_is_positive_on_a_part():
         part = sorted(random.uniform(-1, 1) for _ in range(2))
         a, b, c = (random.uniform(-1, 1) for _ in range(3))
         values = [a + r * (b + r * c / 2) for r in np.linspace(*part, 200)]
-        holds = place(part).positive((Double(a), Double(b), Double(c, 1e-12)))
+        holds = positive((Double(a), Double(b), Double(c, 1e-12)), part)
         found.add(holds)
         assert min(values) >= 0 if holds else min(values) < 1e-3
     assert found == {True, False}
@@ -112,8 +105,8 @@ def test_what_is_no_number_is_not_positive(k):
     z = [Double(1.0)] * 3
     z[k] = NAN
     for part in ((-1.0, 1.0), (-0.5, 0.7), (0.25, 1.0)):
-        assert place(part).positive([Double(1.0)] * 3)
-        assert not place(part).positive(z)
+        assert positive([Double(1.0)] * 3, part)
+        assert not positive(z, part)
 
 
 def test_the_part_in_a_column():

@@ -114,7 +114,7 @@ class Launches:
     """
 
     def __init__(self, arc: Arc, f: Double, R: Double, among: Point | None = None) -> None:
-        self.dt, self.f, self.R = arc.dt, f, R
+        self.arc, self.dt, self.f, self.R = arc, arc.dt, f, R
         self.near = _point(arc.t, arc.e, arc.e1, arc.e2 * 2.0)
         self.all = among or everywhere(arc)
 
@@ -126,6 +126,11 @@ class Launches:
         V = self.speed(near, T, sin)
         T1 = _numerator(self, near, T) / V
         return Hit(T, V, T1, near.du + (cos - self.f) * T1 - (near.cos - self.f) * dt)
+
+    def alone(self) -> Launches:
+        """Return the launches of the arc, and no more."""
+        self.all = everywhere(self.arc)
+        return self
 
     def velocity(self, T: Double) -> Taylor:
         """Return v at a fixed time."""

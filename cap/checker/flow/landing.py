@@ -46,9 +46,9 @@ class Target:
 
 
 class Place:
-    """Where an image, which is moved in time, is in a column between two lines, or near them.
+    """Where an image, which is moved in time, is in a column between two lines.
 
-    The part in the column begins so much earlier, and ends so much later.
+    To its times those are added that are up to ``wait`` later or, if that is negative, earlier.
     """
 
     def __init__(
@@ -56,13 +56,13 @@ class Place:
         image: Image,
         shift: Double,
         between: tuple[float, float],
-        early: float = 0.0,
-        late: float = 0.0,
+        wait: float = 0.0,
     ) -> None:
+        self.between, self.wait = between, wait
         low, high = between
         self.image, self.E, self.t, self.shift = image, image.E, image.T[0] + shift, shift
         self.middle, self.scale = (low + high) / 2, 2 / (high - low)  # powers of 2
-        self.part = _part(self.t, image.dT, low - early, high + late)
+        self.part = _part(self.t, image.dT, low + min(wait, 0.0), high + max(wait, 0.0))
 
     @cached_property
     def s(self) -> Taylor:
@@ -102,11 +102,36 @@ class Place:
 
     def above(self, edge: Edge | None) -> bool:
         """Return whether the image is certainly not below an edge."""
-        return edge is None or self.positive(self.gap(edge))
+        return edge is None or positive(self.gap(edge), self.part)
 
     def below(self, edge: Edge | None) -> bool:
         """Return whether the image is certainly not above an edge."""
-        return edge is None or self.positive(negative(self.gap(edge)))
+        return edge is None or positive(negative(self.gap(edge)), self.part)
+
+    def clears(self, z: Taylor, gain: float) -> bool:
+        """Return whether z is certainly not negative in the column, nor z + gain |t - line| at the
+        times beyond its line that are added.
+        """
+        if positive(z, self.part):
+            return True
+        line, slope = self.between[1 if self.wait > 0 else 0], self.image.dT
+        away, rate = self.t - line, math.copysign(gain, self.wait)
+        (_, t1, t2), column = self.image.T, _part(self.t, slope, *self.between)
+        more = z[0] + away * rate, z[1] + t1 * rate, z[2] + t2 * rate
+        return positive(z, column) and positive(more, self.beyond(away))
+
+    def beyond(self, away: Double) -> Part | None:
+        """Return the part beyond the line: it begins at -away/(t' + t'' r/2) for an r near it."""
+        (_, t1, t2), slope = self.image.T, self.image.dT
+        first, last = self.part or (-1.0, 1.0)
+        if abs(slope.mid) <= 2 * slope.rad:
+            return first, last
+        r = away / (t2 * (away / slope) * 0.5 - t1)
+        if slope.mid * self.wait > 0:
+            first = max(first, r.lower)
+        else:
+            last = min(last, r.upper)
+        return (first, last) if first <= last else None
 
     def gap(self, edge: Edge) -> Taylor:
         """Return E - q(s): its second derivative is E'' - 2 q_2 s'^2 - (q_1 + 2 q_2 s) s''."""
@@ -117,19 +142,20 @@ class Place:
         bend = self.E[2] - slopes * slopes * (2 * c) - (places * (2 * c) + b) * s2
         return value, slope, bend
 
-    def positive(self, z: Taylor) -> bool:
-        """Return whether z is certainly not negative on the part."""
-        if self.part is None:
-            return True
-        (one, two), (first, last), b = z[:2], self.part, z[2].lower
-        value, slope = one.mid, two.mid
-        err = (one.rad + two.rad) * MORE + ERROR * (abs(value) + abs(slope) + abs(b))
-        for r in (first, last):
-            if not value + (slope + 0.5 * b * r) * r >= err:  # nor NaN
-                return False
-        if b <= 0 or slope + b * first >= err or slope + b * last <= -err:
-            return True
-        return value - (abs(slope) + err) ** 2 / (2 * b) * MORE >= err
+
+def positive(z: Taylor, part: Part | None) -> bool:
+    """Return whether z is certainly not negative on a part."""
+    if part is None:
+        return True
+    (one, two), (first, last), b = z[:2], part, z[2].lower
+    value, slope = one.mid, two.mid
+    err = (one.rad + two.rad) * MORE + ERROR * (abs(value) + abs(slope) + abs(b))
+    for r in (first, last):
+        if not value + (slope + 0.5 * b * r) * r >= err:  # nor NaN
+            return False
+    if b <= 0 or slope + b * first >= err or slope + b * last <= -err:
+        return True
+    return value - (abs(slope) + err) ** 2 / (2 * b) * MORE >= err
 
 
 def _part(t: Double, slope: Double, low: float, high: float) -> Part | None:

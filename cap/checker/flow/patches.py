@@ -33,7 +33,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from cap.checker.flow.arc import Arc, Bends, Image, Launches, everywhere
+from cap.checker.flow.arc import Arc, Bends, Image, Launches, everywhere, image, negative
 from cap.checker.flow.columns import UNIT
 from cap.checker.flow.landing import Place, Target
 from cap.checker.kernel.doubles import Double, between
@@ -69,38 +69,59 @@ class Spread:
 
     def __init__(self, patch: Patch, f: Double, R: Double) -> None:
         whole = everywhere(patch.arcs)
-        low, high = (Launches(arc, f, R, whole) for arc in patch)
+        low, high = self.launches = [Launches(arc, f, R, whole) for arc in patch]
         bends = Bends(low, _hull(low.hit.T, high.hit.T), low.hit.T1)
         need(low.moves(bends.T.upper), "a flight may stop")
         self.low, self.high = Image(low.hit, bends), Image(high.hit, bends)
         self.d, V = bends.d, bends.V
         self.rise = (V - bends.A * bends.d) * V
         self.wait = (bends.d / (V * whole.u) * patch.height).magnitude + ROOM
-        self.times = between(self.high.times.lower, self.low.times.upper)
+
+    @property
+    def times(self) -> Double:
+        """All times of the hits."""
+        return between(self.high.times.lower, self.low.times.upper)
+
+    def sharpened(self) -> Spread:
+        """Return the same with the second derivatives on each arc alone."""
+        self.low, self.high = (image(each.alone()) for each in self.launches)
+        return self
 
     def places(self, shift: Double, between: tuple[float, float]) -> tuple[Place, Place]:
         """Return where both arcs land, in a column and near it, with their times shifted.
 
         If one of them has no part there, the patch has none in the column.
         """
-        low = Place(self.low, shift, between, late=self.wait)
-        return low, Place(self.high, shift, between, early=self.wait)
+        low = Place(self.low, shift, between, self.wait)
+        return low, Place(self.high, shift, between, -self.wait)
 
     def lands(self, low: Place, high: Place, target: Target) -> bool:
         """Return whether all that lands in a column is in a target, from where both arcs land."""
-        first, last = target.lower, target.upper
-        return (first is None or self.extreme(first, low, high).above(first)) and (
-            last is None or self.extreme(last, high, low).below(last)
-        )
+        return self.above(target.lower, low, high) and self.below(target.upper, low, high)
 
-    def extreme(self, edge: Edge, one: Place, other: Place) -> Place:
-        """Return the first place if Z certainly grows with u, the other one if it falls."""
-        _, b, c = (q * UNIT * one.scale for q in edge)
-        slope = Double(b, 2 * abs(c) * (1 + one.scale * self.wait) * MORE)
-        growth = self.rise + self.d * slope
-        grows = growth.is_positive()
-        need(grows or (-growth).is_positive(), "an edge may be met along a patch")
-        return one if grows else other
+    def above(self, edge: Edge | None, low: Place, high: Place) -> bool:
+        """Return whether all that lands in a column is certainly above an edge."""
+        if edge is None:
+            return True
+        gain = self.gain(edge, low.scale)
+        place = low if gain < 0 else high
+        return place.clears(place.gap(edge), abs(gain))
+
+    def below(self, edge: Edge | None, low: Place, high: Place) -> bool:
+        """Return whether all that lands in a column is certainly below an edge."""
+        if edge is None:
+            return True
+        gain = self.gain(edge, low.scale)
+        place = high if gain < 0 else low
+        return place.clears(negative(place.gap(edge)), abs(gain))
+
+    def gain(self, edge: Edge, scale: float) -> float:
+        """Return dZ/dT for an edge or, of its values, the one nearest to 0; it is not 0."""
+        _, b, c = (q * UNIT * scale for q in edge)
+        slope = Double(b, 2 * abs(c) * (1 + scale * self.wait) * MORE)
+        gain = -(self.rise / self.d + slope)
+        need(gain.lower > 0 or gain.upper < 0, "an edge may be met along a patch")
+        return gain.lower if gain.lower > 0 else gain.upper
 
 
 def _hull(p: Double, q: Double) -> Double:

@@ -204,7 +204,11 @@ class World:
             return False
         self.count(2)
         try:
-            return self.spread(Spread(patch, self.f, self.R), level, targets)
+            spread = Spread(patch, self.f, self.R)
+            if self.spread(spread, level, targets):
+                return True
+            self.count(2)
+            return self.spread(spread.sharpened(), level, targets)
         except Rejected:
             return False
 
