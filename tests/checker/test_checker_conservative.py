@@ -14,11 +14,13 @@ from support import rounds, seeded
 
 from cap.cells.listing import Run as Listed
 from cap.cells.listing import listed, written
-from cap.checker.flow.arc import Arc, Launches, image, least
+from cap.checker.flow.arc import Arc, Launches, least
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Run, columns, lines
+from cap.checker.flow.images import image
 from cap.checker.flow.landing import Place, positive
 from cap.checker.flow.overlap import gaps, mirrored, shared
+from cap.checker.flow.stopping import stops_by
 from cap.checker.flow.strips import Ceiling, World, along
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.parabolas import BYTES, integers
@@ -116,7 +118,7 @@ def test_the_part_in_a_column():
     first = round(found.T[0].mid * 64) - 32
     for k in range(first, first + 64):
         low, high = k / 64, (k + 1) / 64
-        part = Place(found, Double(0.0), (low, high)).part
+        part = Place(found, (low, high)).part
         met.add(part is None)
         for r in np.linspace(-1, 1, 41):
             time = hit(4.2 + 0.005 * r, 0.7 + r * (0.02 + 0.001 * r)).time
@@ -142,12 +144,13 @@ def test_a_fall_that_is_no_number(velocity, stops):
         return z, zero, zero
 
     launches = SimpleNamespace(
+        R=R,
         all=SimpleNamespace(t=zero),
         minima=lambda *_: [Double(1.0)],
         velocity=lambda at: of(Double(-1e-3) if at is T else velocity),
         place=lambda _: of(Double(0.5)),
     )
-    assert world()._stops_by(launches, zero, T) is stops
+    assert stops_by(launches, zero, T) is stops
 
 
 @pytest.mark.parametrize(("speed", "holds"), [(Double(0.1), True), (NAN, False)])
@@ -291,7 +294,7 @@ def test_no_level_is_above_a_gap(level):
     whole.columns[j] = [*whole.columns[j][:n], other, *whole.columns[j][n + 1 :]]
     arcs = [whole.arc(j, edge) for edge in (low, run.edges[0])]
     with pytest.raises(Rejected):
-        whole.falls(level, *arcs, *whole.sides(j, low, run.edges[0]))
+        whole.falls(level, *arcs, whole.sides(j, low, run.edges[0]))
 
 
 def test_a_run_of_too_many_edges():

@@ -73,9 +73,9 @@ def test_what_lands_lowest():
         first = math.floor(spread.times.mid * 64) / 64
         between = first, first + 1 / 64
         edge = (UNIT // 2, round(random.uniform(-1, 1) * UNIT / 256), round(random.uniform(0, 100)))
-        low, high = spread.places(NONE, between)
+        low, _ = spread.places(between)
         try:
-            is_low = spread.extreme(edge, low, high) is low
+            is_low = spread.gain(edge, low.scale) < 0
         except Rejected:
             continue
         images = [hit(t, energies[0] + k / 4 * (energies[1] - energies[0])) for k in range(5)]
@@ -94,10 +94,8 @@ def test_an_edge_along_a_patch_decides_nothing():
     t, (e, E) = patch.low.t.mid, (value(arc, 0) for arc in patch)
     (late, slow), (early, fast) = hit(t, e), hit(t, E)
     slope = (fast - slow) / (early - late)
-    first = math.floor(late * 64) / 64
-    low, high = spread.places(NONE, (first, first + 1 / 64))
     with pytest.raises(Rejected, match="along"):
-        spread.extreme((UNIT // 2, round(slope / 128 * UNIT), 0), low, high)
+        spread.gain((UNIT // 2, round(slope / 128 * UNIT), 0), 128.0)
 
 
 def test_places_reach_beyond_the_lines():
@@ -107,8 +105,8 @@ def test_places_reach_beyond_the_lines():
     for arc, by in ((spread.low, -0.5), (spread.high, 0.5)):
         line = arc.T[0].mid + by * spread.wait
         column = (line - 1 / 64, line) if by < 0 else (line, line + 1 / 64)
-        low, high = spread.places(NONE, column)
-        reached, plain = (low if by < 0 else high).part, Place(arc, NONE, column).part
+        low, high = spread.places(column)
+        reached, plain = (low if by < 0 else high).part, Place(arc, column).part
         assert reached[0] <= plain[0] if plain else True
         assert reached[1] - reached[0] > (plain[1] - plain[0] if plain else 0)
     assert end > spread.high.T[0].mid

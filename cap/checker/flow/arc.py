@@ -1,4 +1,4 @@
-"""Arcs of launches, and their images after one flight, to the second order.
+"""Arcs of launches, and their flights to the other wall.
 
 Units: F = omega = 1.  A *launch* (t, E) leaves a wall at the time t with the speed u > 0, E =
 u^2/2.  With s in [-1, 1] an *arc* is the curve t = t_0 + t_1 s, E = e_0 + e_1 s + e_2 s^2.
@@ -22,8 +22,7 @@ and at a fixed time T, v' = u' - a t', v'' = u'' + t'^2 sin t, x' = d u' - (u + 
 x'' = d u'' - 2 t' u' + (a + d sin t) t'^2.
 
 *Where T is.*  At s = 0 let r = |x(T_0) - R| for a guess T_0.  As |v'| <= 1 + |f| in time, v > V/2
-within D = 2 r/V of T_0 if (1 + |f|) D <= V/2, so x = R within D.  On the arc, let |T'| <= m
-whenever |T - T_0| <= b.  If D + m <= b, then T never leaves this interval: |T - T_0| <= D + m |s|.
+within D = 2 r/V of T_0 if (1 + |f|) D <= V/2, so x = R within D.
 """
 
 from __future__ import annotations
@@ -33,9 +32,8 @@ from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 from cap.checker.kernel.doubles import PI, Double, cos_sin
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import need
 
-ATTEMPTS = 4  # to find an interval for T
 SPAN = 40.0  # the longest flight that is followed
 
 Taylor = tuple[Double, Double, Double]
@@ -124,7 +122,7 @@ class Launches:
         near, dt, T = self.near, self.dt, _hit(self)
         cos, sin = cos_sin(T)
         V = self.speed(near, T, sin)
-        T1 = _numerator(self, near, T) / V
+        T1 = numerator(self, near, T) / V
         return Hit(T, V, T1, near.du + (cos - self.f) * T1 - (near.cos - self.f) * dt)
 
     def alone(self) -> Launches:
@@ -186,66 +184,10 @@ def _arccos(y: Double) -> Double:
     return Double(a, far / sine * (1 + 1e-9))
 
 
-class Bends:
-    """What is known of all hits: T, V, d, A, T', and the second derivatives of T and E = V^2/2.
-
-    At s = 0 they are in T; ``slope`` is likely to be T' there, and needs no trust.
-    """
-
-    def __init__(self, launches: Launches, T: Double, slope: Double) -> None:
-        whole, dt, f = launches.all, launches.dt, launches.f
-        self.T, cos, sin, self.V, self.dT = _window(launches, T, slope)
-        self.d, self.A = self.T - whole.t, cos - f
-        d, A, dT, a, d1 = self.d, self.A, self.dT, whole.cos - f, self.dT - dt
-        dV = whole.du + A * dT - a * dt
-        a1, A1 = -(whole.sin * dt), -(sin * dT)
-        dN = (whole.du + d1 * a + d * a1) * dt - d1 * whole.du - d * whole.d2u
-        self.T2 = (dN - dV * dT) / self.V
-        V2 = whole.d2u + A * self.T2 + A1 * dT - a1 * dt
-        self.E2 = dV * dV + self.V * V2
-
-
-class Image:
-    """The image of an arc all of whose flights reach the other wall."""
-
-    def __init__(self, hit: Hit, bends: Bends) -> None:
-        self.T: Taylor = (hit.T, hit.T1, bends.T2)
-        self.E: Taylor = (hit.V * hit.V * 0.5, hit.V * hit.V1, bends.E2)
-        self.dT, self.all = bends.dT, bends.T
-
-    @cached_property
-    def times(self) -> Double:
-        """All times of the hits."""
-        T, T1, T2 = self.T
-        return T.widened(T1.magnitude + T2.magnitude / 2)
-
-
-def image(launches: Launches) -> Image:
-    """Return the image of an arc, or reject it."""
-    bends = Bends(launches, launches.hit.T, launches.hit.T1)
-    need(launches.moves(bends.T.upper), "a flight may stop")
-    return Image(launches.hit, bends)
-
-
-def _numerator(launches: Launches, at: Point, T: Double) -> Double:
+def numerator(launches: Launches, at: Point, T: Double) -> Double:
     """Return N."""
     d = T - at.t
     return (at.u + d * (at.cos - launches.f)) * launches.dt - d * at.du
-
-
-def _window(launches: Launches, T: Double, T1: Double) -> tuple[Double, ...]:
-    """Return an interval of all T of the arc, with its cos T and sin T; all V, and all T'."""
-    whole, bound = launches.all, 1.2 * T1.magnitude + 2 * T.rad + 1e-12
-    for _ in range(ATTEMPTS):
-        Ts = Double(T.mid, bound)
-        cos, sin = cos_sin(Ts)
-        V = launches.speed(whole, Ts, sin)
-        need(V.is_positive(), "a wall may be reached without speed")
-        slope = _numerator(launches, whole, Ts) / V
-        if (T.rad + slope.magnitude) * (1 + 1e-12) <= bound:
-            return Ts, cos, sin, V, slope
-        bound = 1.3 * (T.rad + slope.magnitude)
-    raise Rejected("no interval was found for the times of the hits")
 
 
 def _hit(launches: Launches) -> Double:

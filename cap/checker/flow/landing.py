@@ -11,6 +11,9 @@ n].  Only there E is compared.  For z with z'' >= b on the arc,
 If b <= 0, the right side is least at m or n.  If b > 0, it is so, too, unless z'(0) + b r changes
 its sign between m and n; in any case it is at least z(0) - z'(0)^2/(2 b).
 
+*Ends.*  If the image of an end of the arc is known not to be below an edge, and is in the column,
+none of the image is there, if |z'(0)| >= |z''| and z grows from that end.
+
 *Rounding.*  For |r| <= 1 each value of the right side, and of z'(0) + b r, has at most 6 roundings
 of numbers below twice the sum of |z(0)|, |z'(0)| and |b|: ERROR = 2^-48 times that sum is more.
 """
@@ -20,8 +23,9 @@ from __future__ import annotations
 import math
 from functools import cached_property
 
-from cap.checker.flow.arc import Image, Taylor, negative
+from cap.checker.flow.arc import Taylor, negative
 from cap.checker.flow.columns import UNIT
+from cap.checker.flow.images import Image
 from cap.checker.kernel.doubles import Double
 from cap.checker.kernel.parabolas import Edge
 
@@ -29,6 +33,7 @@ ERROR = 2.0**-48
 MORE = 1 + 2.0**-40
 
 Part = tuple[float, float]
+Ends = tuple[bool, bool]
 
 
 class Target:
@@ -46,49 +51,55 @@ class Target:
 
 
 class Place:
-    """Where an image, which is moved in time, is in a column between two lines.
+    """Where an image is in a column between two lines.
 
     To its times those are added that are up to ``wait`` later or, if that is negative, earlier.
     """
 
-    def __init__(
-        self,
-        image: Image,
-        shift: Double,
-        between: tuple[float, float],
-        wait: float = 0.0,
-    ) -> None:
-        self.between, self.wait = between, wait
+    def __init__(self, image: Image, between: tuple[float, float], wait: float = 0.0) -> None:
+        self.image, self.E, self.between, self.wait = image, image.E, between, wait
         low, high = between
-        self.image, self.E, self.t, self.shift = image, image.E, image.T[0] + shift, shift
         self.middle, self.scale = (low + high) / 2, 2 / (high - low)  # powers of 2
-        self.part = _part(self.t, image.dT, low + min(wait, 0.0), high + max(wait, 0.0))
+        self.part = _part(image, low + min(wait, 0.0), high + max(wait, 0.0))
 
     @cached_property
-    def s(self) -> Taylor:
-        """Where in the column the image is."""
-        _, t1, t2 = self.image.T
-        return (self.t - self.middle) * self.scale, t1 * self.scale, t2 * self.scale
-
-    @cached_property
-    def everywhere(self) -> tuple[Double, Double]:
-        """All s, and all their derivatives."""
-        s = (self.image.all + self.shift - self.middle) * self.scale
-        return s, self.image.dT * self.scale
+    def s(self) -> tuple[Double, Double, Double, Double, Double]:
+        """Where in the column the image is: value, slope and bend; all values and all slopes."""
+        (t, t1, t2), scale = self.image.T, self.scale
+        all_s, slopes = (self.image.all - self.middle) * scale, self.image.dT * scale
+        return (t - self.middle) * scale, t1 * scale, t2 * scale, all_s, slopes
 
     def launch(self) -> tuple[float, float]:
         """Return s and E about in the middle of the part; it steers only."""
         r = (self.part[0] + self.part[1]) / 2 if self.part else 0.0
-        s, E = (z[0].mid + r * (z[1].mid + r * z[2].mid / 2) for z in (self.s, self.E))
-        return s, E
+        t, E = (z[0].mid + r * (z[1].mid + r * z[2].mid / 2) for z in (self.image.T, self.E))
+        return (t - self.middle) * self.scale, E
 
-    def within(self, target: Target) -> bool:
-        """Return whether the image is certainly between the edges, and not on a lower one."""
+    def within(self, target: Target, ends: Ends = (False, False)) -> bool:
+        """Return whether the image is certainly between the edges; some of its ends are, if they
+        are in the column.
+        """
         if self.part and self.part[0] > -1 and self.part[1] < 1:  # it crosses the column
-            low, high = self.energies(*self.part)
-            if target.floor <= low and high <= target.roof:
+            least, most = self.energies(*self.part)
+            if target.floor <= least and most <= target.roof:
                 return True
-        return self.above(target.lower) and self.below(target.upper)
+        low, high = target.lower, target.upper
+        above = low is None or self.clear(self.gap(low), ends)
+        return above and (high is None or self.clear(negative(self.gap(high)), ends))
+
+    def clear(self, z: Taylor, ends: Ends) -> bool:
+        """Return whether z is certainly not negative in the column."""
+        return positive(z, self.part) or self.grows(z, ends)
+
+    def grows(self, z: Taylor, ends: Ends) -> bool:
+        """Return whether z certainly grows from an end that is in the column, where z >= 0."""
+        one, two = z[1], z[2].magnitude
+        first = one.mid > 0
+        if not (ends[0 if first else 1] and abs(one.mid) >= (one.rad + two) * MORE):
+            return False
+        t, t1, t2 = self.image.T
+        t = t + t2 * 0.5 + (-t1 if first else t1)
+        return self.between[0] <= t.lower and t.upper <= self.between[1]
 
     def energies(self, first: float, last: float) -> tuple[float, float]:
         """Return bounds of E between two r: by its value at the middle, and its slope."""
@@ -100,23 +111,15 @@ class Place:
         reach = reach * MORE + ERROR * size
         return middle - reach, middle + reach
 
-    def above(self, edge: Edge | None) -> bool:
-        """Return whether the image is certainly not below an edge."""
-        return edge is None or positive(self.gap(edge), self.part)
-
-    def below(self, edge: Edge | None) -> bool:
-        """Return whether the image is certainly not above an edge."""
-        return edge is None or positive(negative(self.gap(edge)), self.part)
-
     def clears(self, z: Taylor, gain: float) -> bool:
         """Return whether z is certainly not negative in the column, nor z + gain |t - line| at the
         times beyond its line that are added.
         """
         if positive(z, self.part):
             return True
-        line, slope = self.between[1 if self.wait > 0 else 0], self.image.dT
-        away, rate = self.t - line, math.copysign(gain, self.wait)
-        (_, t1, t2), column = self.image.T, _part(self.t, slope, *self.between)
+        line, rate = self.between[1 if self.wait > 0 else 0], math.copysign(gain, self.wait)
+        t, t1, t2 = self.image.T
+        away, column = t - line, _part(self.image, *self.between)
         more = z[0] + away * rate, z[1] + t1 * rate, z[2] + t2 * rate
         return positive(z, column) and positive(more, self.beyond(away))
 
@@ -136,7 +139,7 @@ class Place:
     def gap(self, edge: Edge) -> Taylor:
         """Return E - q(s): its second derivative is E'' - 2 q_2 s'^2 - (q_1 + 2 q_2 s) s''."""
         a, b, c = (q * UNIT for q in edge)
-        (s, s1, s2), (places, slopes) = self.s, self.everywhere
+        s, s1, s2, places, slopes = self.s
         value = self.E[0] - (s * (s * c + b) + a)
         slope = self.E[1] - (s * (2 * c) + b) * s1
         bend = self.E[2] - slopes * slopes * (2 * c) - (places * (2 * c) + b) * s2
@@ -158,12 +161,15 @@ def positive(z: Taylor, part: Part | None) -> bool:
     return value - (abs(slope) + err) ** 2 / (2 * b) * MORE >= err
 
 
-def _part(t: Double, slope: Double, low: float, high: float) -> Part | None:
+def _part(image: Image, low: float, high: float) -> Part | None:
     """Return the ends of an interval of all r at which a column may be met; None: it is not met."""
+    slope = image.dT
     if abs(slope.mid) <= 2 * slope.rad:
         return -1.0, 1.0
-    one, two = (Double(low) - t) / slope, (Double(high) - t) / slope
-    first, last = min(one.lower, two.lower), max(one.upper, two.upper)
+    one, two = image.crossing(low), image.crossing(high)
+    if slope.mid < 0:
+        one, two = two, one
+    first, last = one.lower, two.upper
     if first > 1 or last < -1:
         return None
     return max(-1.0, first), min(1.0, last)

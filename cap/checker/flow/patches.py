@@ -33,8 +33,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from cap.checker.flow.arc import Arc, Bends, Image, Launches, everywhere, image, negative
+from cap.checker.flow.arc import Arc, Launches, everywhere, negative
 from cap.checker.flow.columns import UNIT
+from cap.checker.flow.images import Bends, Image, image
 from cap.checker.flow.landing import Place, Target
 from cap.checker.kernel.doubles import Double, between
 from cap.checker.kernel.parabolas import Edge
@@ -82,18 +83,20 @@ class Spread:
         """All times of the hits."""
         return between(self.high.times.lower, self.low.times.upper)
 
-    def sharpened(self) -> Spread:
-        """Return the same with the second derivatives on each arc alone."""
+    def sharpen(self) -> None:
+        """Find the second derivatives on each arc alone."""
         self.low, self.high = (image(each.alone()) for each in self.launches)
-        return self
 
-    def places(self, shift: Double, between: tuple[float, float]) -> tuple[Place, Place]:
-        """Return where both arcs land, in a column and near it, with their times shifted.
+    def move(self, shift: Double) -> None:
+        """Move all times."""
+        self.low, self.high = self.low.moved(shift), self.high.moved(shift)
+
+    def places(self, between: tuple[float, float]) -> tuple[Place, Place]:
+        """Return where both arcs land, in a column and near it.
 
         If one of them has no part there, the patch has none in the column.
         """
-        low = Place(self.low, shift, between, self.wait)
-        return low, Place(self.high, shift, between, -self.wait)
+        return Place(self.low, between, self.wait), Place(self.high, between, -self.wait)
 
     def lands(self, low: Place, high: Place, target: Target) -> bool:
         """Return whether all that lands in a column is in a target, from where both arcs land."""

@@ -36,12 +36,15 @@ from __future__ import annotations
 import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple, Protocol, Self, TypeVar
 
-from cap.checker.flow.arc import SPAN, Arc, Image, Launches, Taylor, image, least, negative
+from cap.checker.flow.arc import Arc, Launches, Taylor, least
 from cap.checker.flow.columns import UNIT, Column
-from cap.checker.flow.landing import Place, Target
+from cap.checker.flow.images import Image, image
+from cap.checker.flow.landing import Ends, Place, Target
 from cap.checker.flow.patches import Patch, Spread
+from cap.checker.flow.stopping import stops
 from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.rejection import Rejected, need
@@ -50,8 +53,8 @@ MOST = 5_000_000  # arcs: ten minutes
 HALVINGS = 12  # of an arc, until what is to be shown of it is certain
 TALL = 1 / 256  # of cells that are higher only the boundary is followed
 ROUND = 6.28  # less than 2 pi
+NEITHER = False, False  # end is known to land in a target
 NO_CELL = math.inf  # where a run ends; above all levels
-LATE = (1e-5, 1e-4, 1e-3, 1e-2)  # before and after a stop, v > 0 and v < 0 are tried
 
 
 class TooLong(Exception):
@@ -88,31 +91,31 @@ class World:
         """Prove what is shown of all cells of a column."""
         self.ends(j)
         for run in self.columns[j]:
-            edges = [self.arc(j, edge) for edge in run.edges]
-            for k, level in enumerate(run.levels):
-                self.falls(level, *edges[k : k + 2], *self.sides(j, *run.edges[k : k + 2]))
+            for (low, high), level in zip(pairwise(run.edges), run.levels, strict=True):
+                self.falls(level, self.arc(j, low), self.arc(j, high), self.sides(j, low, high))
 
     def ends(self, j: int) -> None:
         """Prove it of the bottom and of the top of a column."""
         for run in self.columns[j]:
             if run.bottom:
-                need(along(self.arc(j, run.edges[0]), self.stops), "a launch may not stop")
+                stop = along(self.arc(j, run.edges[0]), lambda arc: stops(self.launches(arc)))
+                need(stop, "a launch may not stop")
             if run.top:
                 top = self.arc(j, run.edges[-1])
                 above = along(top, lambda arc: least(self.ceiling.excess(arc)) >= 0)
                 need(above, "the top is not above the ceiling")
 
-    def falls(self, level: int, low: Arc, high: Arc, *sides: Arc) -> None:
+    def falls(self, level: int, low: Arc, high: Arc, sides: list[Side]) -> None:
         """Prove it of one cell: of all of it at once or, if that fails, of its boundary."""
         targets = dict[int, Target]()
 
         if self.spreads(Patch(low, high), level, targets):
             return
 
-        def lands(arc: Arc) -> bool:
-            return self.lands(image(self.launches(arc)), level, targets)
+        def lands(arc: Side) -> bool:
+            return self.lands(image(self.launches(arc.arc)), level, targets, arc.ends)
 
-        for arc in (low, high, *sides):
+        for arc in (Side(low, NEITHER), Side(high, NEITHER), *sides):
             need(along(arc, lands), "a cell may not fly into cells of lower levels")
 
     def arc(self, j: int, edge: Edge) -> Arc:
@@ -124,14 +127,14 @@ class World:
         """Return the middle of a column and half its width, exactly."""
         return (self.lines[j] + self.lines[j + 1]) / 2, (self.lines[j + 1] - self.lines[j]) / 2
 
-    def sides(self, j: int, low: Edge, high: Edge) -> list[Arc]:
-        """Return the two sides of a cell."""
-        sides = list[Arc]()
+    def sides(self, j: int, low: Edge, high: Edge) -> list[Side]:
+        """Return the two sides of a cell; their ends are those of its edges."""
+        sides, zero = list[Side](), Double(0.0)
         for s, t in ((-1, self.lines[j]), (1, self.lines[j + 1])):
             ends = [UNIT * (q[0] + s * q[1] + q[2]) for q in (low, high)]
             middle, half = (ends[0] + ends[1]) / 2, (ends[1] - ends[0]) / 2  # exact
-            zero = Double(0.0)
-            sides.append(Arc(Double(t), zero, Double(middle), Double(half), zero))
+            arc = Arc(Double(t), zero, Double(middle), Double(half), zero)
+            sides.append(Side(arc, (True, True)))
         return sides
 
     def launches(self, arc: Arc) -> Launches:
@@ -145,58 +148,29 @@ class World:
         if self.arcs > MOST:
             raise TooLong(f"more than {MOST} arcs would have to be followed")
 
-    def stops(self, arc: Arc) -> bool:
-        """Return whether all launches of an arc certainly stop.
+    def lands(
+        self, image: Image, level: int, targets: dict[int, Target], ends: Ends = NEITHER
+    ) -> bool:
+        """Return whether all of an image is in the targets; some of its ends are known to be.
 
-        Let v(T) < 0 at a time T; then there is a stop or a hit before.  Let v > 0 until a time B,
-        and v >= -m from B to T, m >= 0.  After a hit x would fall by m (T - B) at most: so x(T) + m
-        (T - B) < R excludes it.  (B may be the time of the launch.)
+        Targets are chosen when first met.
         """
-        launches = self.launches(arc)
-        return any(self._stops_by(launches, *times) for times in self._late(launches))
 
-    def _late(self, launches: Launches) -> list[tuple[Double, Double]]:
-        """Return times B and T at which v > 0 and v < 0 are likely."""
-        t, u, f = launches.near.t.mid, launches.near.u.mid, self.f.mid
-        for T in launches.minima(t, t + SPAN):
-            if T.mid > t and u + math.sin(T.mid) - math.sin(t) - f * (T.mid - t) < 0:
-                early, late = t, T.mid
-                for _ in range(40):
-                    middle = (early + late) / 2
-                    rises = u + math.sin(middle) - math.sin(t) - f * (middle - t) > 0
-                    early, late = (middle, late) if rises else (early, middle)
-                around = [(Double(early - w), Double(late + w)) for w in LATE]
-                return [(launches.all.t, T), *around]
-        return []
-
-    def _stops_by(self, launches: Launches, B: Double, T: Double) -> bool:
-        begin = launches.all.t
-        if B is not begin:
-            flies = launches.moves(B.upper) and least(launches.velocity(B)) > 0
-            if not (begin.upper < B.lower and flies):
-                return False
-        lows = [*launches.minima(B.lower, T.upper), T]
-        slowest = [least(launches.velocity(low)) for low in lows]
-        if not all(v > -math.inf for v in slowest):  # `max` would pass over NaN
+        shift = self.shift(image.times)
+        if shift is None:
             return False
-        depth = max(0.0, *(-v for v in slowest))
-        fallen = least(negative(launches.velocity(T))) > 0
-        most = -least(negative(launches.place(T)))
-        return fallen and (self.R - (T - B) * depth - most).is_positive()
+        moved = image.moved(shift)
 
-    def lands(self, image: Image, level: int, targets: dict[int, Target]) -> bool:
-        """Return whether all of an image is in the targets; they are chosen when first met."""
-
-        def holds(j: int, shift: Double, met: dict[int, Target]) -> bool:
-            place = Place(image, shift, self.between(j))
+        def holds(j: int, met: dict[int, Target]) -> bool:
+            place = Place(moved, self.between(j))
             if place.part is None:
                 return True
             if j not in met:
                 s, E = place.launch()
                 met[j] = self.target(j, level, max(-1.0, min(1.0, s)), E)
-            return place.within(met[j])
+            return place.within(met[j], ends)
 
-        return self.met(image.times, targets, holds)
+        return self.met(moved.times, targets, holds)
 
     def spreads(self, patch: Patch, level: int, targets: dict[int, Target]) -> bool:
         """Return the same of the image of a patch."""
@@ -208,15 +182,20 @@ class World:
             if self.spread(spread, level, targets):
                 return True
             self.count(2)
-            return self.spread(spread.sharpened(), level, targets)
+            spread.sharpen()
+            return self.spread(spread, level, targets)
         except Rejected:
             return False
 
     def spread(self, spread: Spread, level: int, targets: dict[int, Target]) -> bool:
         """Return whether all of the image of a patch is in the targets."""
+        shift = self.shift(spread.times)
+        if shift is None:
+            return False
+        spread.move(shift)
 
-        def holds(j: int, shift: Double, met: dict[int, Target]) -> bool:
-            low, high = spread.places(shift, self.between(j))
+        def holds(j: int, met: dict[int, Target]) -> bool:
+            low, high = spread.places(self.between(j))
             if low.part is None or high.part is None:
                 return True
             if j not in met:
@@ -226,23 +205,26 @@ class World:
 
         return self.met(spread.times, targets, holds)
 
+    def shift(self, times: Double) -> Double | None:
+        """Return by how much times of hits are to be moved; None: by no multiple of 2 pi."""
+        begin = self.lines[0]
+        turns = math.floor((times.mid + math.pi - begin) / (2 * math.pi))
+        shift = PI * (1.0 - 2 * turns)
+        times = times + shift
+        return shift if begin <= times.lower <= times.upper < begin + ROUND else None
+
     def met(
         self,
         times: Double,
         targets: dict[int, Target],
-        holds: Callable[[int, Double, dict[int, Target]], bool],
+        holds: Callable[[int, dict[int, Target]], bool],
     ) -> bool:
         """Return whether something holds in all columns that are met; then targets are kept."""
-        begin = self.lines[0]
-        turns = math.floor((times.mid + math.pi - begin) / (2 * math.pi))
-        shift, met = PI * (1.0 - 2 * turns), dict(targets)
-        times = times + shift
-        if not begin <= times.lower <= times.upper < begin + ROUND:
-            return False
+        met = dict(targets)
         for j in range(self.column(times.lower), len(self.columns)):
             if self.lines[j] > times.upper:
                 break
-            if not holds(j, shift, met):
+            if not holds(j, met):
                 return False
         targets.update(met)
         return True
@@ -278,6 +260,18 @@ def stacked(column: Column) -> tuple[list[Edge], list[float]]:
         edges += run.edges
         levels += [0 if run.bottom else NO_CELL, *run.levels]
     return edges, [*levels, 0 if column[-1].top else NO_CELL]
+
+
+class Side(NamedTuple):
+    """An arc of a boundary, and which of its ends are known to land in targets."""
+
+    arc: Arc
+    ends: Ends
+
+    def halves(self) -> tuple[Side, Side]:
+        """Return the halves."""
+        (one, two), (first, last) = self.arc.halves(), self.ends
+        return Side(one, (first, False)), Side(two, (False, last))
 
 
 class Halved(Protocol):

@@ -1,0 +1,84 @@
+"""Images of arcs after one flight, to the second order.
+
+Notation as in `cap.checker.flow.arc`.
+
+*Where T is.*  At s = 0 let |T - T_0| <= D.  On the arc, let |T'| <= m
+whenever |T - T_0| <= b.  If D + m <= b, then T never leaves this interval: |T - T_0| <= D + m |s|.
+The same holds for all arcs of a set, if T is so for all of them at s = 0, and m is a bound for all.
+"""
+
+from __future__ import annotations
+
+from cap.checker.flow.arc import Hit, Launches, Taylor, numerator
+from cap.checker.kernel.doubles import Double, cos_sin
+from cap.checker.kernel.rejection import Rejected, need
+
+ATTEMPTS = 4  # to find an interval for T
+
+
+class Bends:
+    """What is known of all hits: T, V, d, A, T', and the second derivatives of T and E = V^2/2.
+
+    At s = 0 they are in T; ``slope`` is likely to be T' there, and needs no trust.
+    """
+
+    def __init__(self, launches: Launches, T: Double, slope: Double) -> None:
+        whole, dt, f = launches.all, launches.dt, launches.f
+        self.T, cos, sin, self.V, self.dT = _window(launches, T, slope)
+        self.d, self.A = self.T - whole.t, cos - f
+        d, A, dT, a, d1 = self.d, self.A, self.dT, whole.cos - f, self.dT - dt
+        dV = whole.du + A * dT - a * dt
+        a1, A1 = -(whole.sin * dt), -(sin * dT)
+        dN = (whole.du + d1 * a + d * a1) * dt - d1 * whole.du - d * whole.d2u
+        self.T2 = (dN - dV * dT) / self.V
+        V2 = whole.d2u + A * self.T2 + A1 * dT - a1 * dt
+        self.E2 = dV * dV + self.V * V2
+
+
+class Image:
+    """The image of an arc all of whose flights reach the other wall, ``shift`` later."""
+
+    def __init__(self, hit: Hit, bends: Bends, shift: float | Double = 0.0) -> None:
+        self.hit, self.bends = hit, bends
+        self.T: Taylor = (hit.T + shift, hit.T1, bends.T2)
+        self.E: Taylor = (hit.V * hit.V * 0.5, hit.V * hit.V1, bends.E2)
+        self.dT, self.all = bends.dT, bends.T + shift
+        self.crossings = dict[float, Double]()
+
+    @property
+    def times(self) -> Double:
+        """All times of the hits."""
+        T, T1, T2 = self.T
+        return T.widened(T1.magnitude + T2.magnitude / 2)
+
+    def moved(self, shift: Double) -> Image:
+        """Return the image at other times."""
+        return Image(self.hit, self.bends, shift)
+
+    def crossing(self, line: float) -> Double:
+        """Return where on the arc a time may be met, if T' has one sign."""
+        if line not in self.crossings:
+            self.crossings[line] = (Double(line) - self.T[0]) / self.dT
+        return self.crossings[line]
+
+
+def image(launches: Launches) -> Image:
+    """Return the image of an arc, or reject it."""
+    bends = Bends(launches, launches.hit.T, launches.hit.T1)
+    need(launches.moves(bends.T.upper), "a flight may stop")
+    return Image(launches.hit, bends)
+
+
+def _window(launches: Launches, T: Double, T1: Double) -> tuple[Double, ...]:
+    """Return an interval of all T of the arc, with its cos T and sin T; all V, and all T'."""
+    whole, bound = launches.all, 1.2 * T1.magnitude + 2 * T.rad + 1e-12
+    for _ in range(ATTEMPTS):
+        Ts = Double(T.mid, bound)
+        cos, sin = cos_sin(Ts)
+        V = launches.speed(whole, Ts, sin)
+        need(V.is_positive(), "a wall may be reached without speed")
+        slope = numerator(launches, whole, Ts) / V
+        if (T.rad + slope.magnitude) * (1 + 1e-12) <= bound:
+            return Ts, cos, sin, V, slope
+        bound = 1.3 * (T.rad + slope.magnitude)
+    raise Rejected("no interval was found for the times of the hits")
