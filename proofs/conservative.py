@@ -60,7 +60,7 @@ LOSSES = 1e-7, 1e-7  # of area for each of its cells: a column that loses more i
 WORTH = 1.25e-7  # the area that a cell takes away is at least this
 LESS, LEAST = (1e-7, 5e-8, 3e-8), 6e-9  # the same for more than `FLIGHTS` flights
 COARSE = GRAIN._replace(step=6e-5, thin=1e-5)  # how fine cells are then, before columns are cut
-LONGER = GRAIN._replace(step=1.2e-5, thin=3e-6)  # and after that
+LONGER = GRAIN._replace(step=1.2e-5, thin=3e-6, halvings=7)  # and after that
 CEILING = (
     Fraction(4, 5),
     Fraction(1, 10),

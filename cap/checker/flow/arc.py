@@ -125,6 +125,12 @@ class Launches:
         T1 = numerator(self, near, T) / V
         return Hit(T, V, T1, near.du + (cos - self.f) * T1 - (near.cos - self.f) * dt)
 
+    def end(self, s: float) -> Launches:
+        """Return the launch at s = -1 or 1."""
+        t, dt, e, e1, e2 = self.arc
+        none = Double(0.0)
+        return Launches(Arc(t + dt * s, none, e + e1 * s + e2, none, none), self.f, self.R)
+
     def alone(self) -> Launches:
         """Return the launches of the arc, and no more."""
         self.all = everywhere(self.arc)

@@ -9,8 +9,8 @@ The same holds for all arcs of a set, if T is so for all of them at s = 0, and m
 
 from __future__ import annotations
 
-from cap.checker.flow.arc import Hit, Launches, Taylor, numerator
-from cap.checker.kernel.doubles import Double, cos_sin
+from cap.checker.flow.arc import Launches, Taylor, numerator
+from cap.checker.kernel.doubles import Double, between, cos_sin
 from cap.checker.kernel.rejection import Rejected, need
 
 ATTEMPTS = 4  # to find an interval for T
@@ -38,8 +38,8 @@ class Bends:
 class Image:
     """The image of an arc all of whose flights reach the other wall, ``shift`` later."""
 
-    def __init__(self, hit: Hit, bends: Bends, shift: float | Double = 0.0) -> None:
-        self.hit, self.bends = hit, bends
+    def __init__(self, launches: Launches, bends: Bends, shift: float | Double = 0.0) -> None:
+        self.launches, self.bends, self.shift, hit = launches, bends, shift, launches.hit
         self.T: Taylor = (hit.T + shift, hit.T1, bends.T2)
         self.E: Taylor = (hit.V * hit.V * 0.5, hit.V * hit.V1, bends.E2)
         self.dT, self.all = bends.dT, bends.T + shift
@@ -53,20 +53,38 @@ class Image:
 
     def moved(self, shift: Double) -> Image:
         """Return the image at other times."""
-        return Image(self.hit, self.bends, shift)
+        return Image(self.launches, self.bends, shift)
+
+    def end(self, s: float) -> Double:
+        """Return when the launch at s = -1 or 1 hits; it does so once among all these times."""
+        T = self.launches.end(s).hit.T + self.shift
+        return T if self.all.lower <= T.lower and T.upper <= self.all.upper else self.all
 
     def crossing(self, line: float) -> Double:
-        """Return where on the arc a time may be met, if T' has one sign."""
+        """Return an interval: on the arc T passes the line there or, if r = -1 or 1 is in between,
+        nowhere; T' does not vanish.
+        """
         if line not in self.crossings:
             self.crossings[line] = (Double(line) - self.T[0]) / self.dT
         return self.crossings[line]
+
+    def sharp_crossing(self, line: float) -> Double:
+        """Return a smaller one: T' + T'' r/2 with T' at 0 is instead of T' for all of the arc.
+
+        If T does not pass the line on the arc, both have numbers beyond the end next to it.
+        """
+        r, (T, T1, T2) = self.crossing(line), self.T
+        if not (r.lower <= 1 and r.upper >= -1):
+            return r
+        chord = T1 + T2 * between(max(-1.0, r.lower), min(1.0, r.upper)) * 0.5
+        return (Double(line) - T) / chord if abs(chord.mid) > 2 * chord.rad else r
 
 
 def image(launches: Launches) -> Image:
     """Return the image of an arc, or reject it."""
     bends = Bends(launches, launches.hit.T, launches.hit.T1)
     need(launches.moves(bends.T.upper), "a flight may stop")
-    return Image(launches.hit, bends)
+    return Image(launches, bends)
 
 
 def _window(launches: Launches, T: Double, T1: Double) -> tuple[Double, ...]:

@@ -21,6 +21,7 @@ of numbers below twice the sum of |z(0)|, |z'(0)| and |b|: ERROR = 2^-48 times t
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cached_property
 
 from cap.checker.flow.arc import Taylor, negative
@@ -60,7 +61,12 @@ class Place:
         self.image, self.E, self.between, self.wait = image, image.E, between, wait
         low, high = between
         self.middle, self.scale = (low + high) / 2, 2 / (high - low)  # powers of 2
-        self.part = _part(image, low + min(wait, 0.0), high + max(wait, 0.0))
+        self.part = _part(image, image.crossing, low + min(wait, 0.0), high + max(wait, 0.0))
+
+    @cached_property
+    def core(self) -> Part | None:
+        """The part in the column, as small as it is known."""
+        return _part(self.image, self.image.sharp_crossing, *self.between)
 
     @cached_property
     def s(self) -> tuple[Double, Double, Double, Double, Double]:
@@ -89,7 +95,9 @@ class Place:
 
     def clear(self, z: Taylor, ends: Ends) -> bool:
         """Return whether z is certainly not negative in the column."""
-        return positive(z, self.part) or self.grows(z, ends)
+        if positive(z, self.part) or self.grows(z, ends):
+            return True
+        return self.core is not None and positive(z, self.core)
 
     def grows(self, z: Taylor, ends: Ends) -> bool:
         """Return whether z certainly grows from an end that is in the column, where z >= 0."""
@@ -97,8 +105,7 @@ class Place:
         first = one.mid > 0
         if not (ends[0 if first else 1] and abs(one.mid) >= (one.rad + two) * MORE):
             return False
-        t, t1, t2 = self.image.T
-        t = t + t2 * 0.5 + (-t1 if first else t1)
+        t = self.image.end(-1.0 if first else 1.0)
         return self.between[0] <= t.lower and t.upper <= self.between[1]
 
     def energies(self, first: float, last: float) -> tuple[float, float]:
@@ -119,18 +126,15 @@ class Place:
             return True
         line, rate = self.between[1 if self.wait > 0 else 0], math.copysign(gain, self.wait)
         t, t1, t2 = self.image.T
-        away, column = t - line, _part(self.image, *self.between)
-        more = z[0] + away * rate, z[1] + t1 * rate, z[2] + t2 * rate
-        return positive(z, column) and positive(more, self.beyond(away))
+        more = z[0] + (t - line) * rate, z[1] + t1 * rate, z[2] + t2 * rate
+        return positive(z, self.core) and positive(more, self.beyond(line))
 
-    def beyond(self, away: Double) -> Part | None:
-        """Return the part beyond the line: it begins at -away/(t' + t'' r/2) for an r near it."""
-        (_, t1, t2), slope = self.image.T, self.image.dT
-        first, last = self.part or (-1.0, 1.0)
-        if abs(slope.mid) <= 2 * slope.rad:
-            return first, last
-        r = away / (t2 * (away / slope) * 0.5 - t1)
-        if slope.mid * self.wait > 0:
+    def beyond(self, line: float) -> Part | None:
+        """Return the part beyond the line."""
+        if self.part is None or _turns(self.image):
+            return self.part
+        (first, last), r = self.part, self.image.sharp_crossing(line)
+        if self.image.dT.mid * self.wait > 0:
             first = max(first, r.lower)
         else:
             last = min(last, r.upper)
@@ -161,13 +165,19 @@ def positive(z: Taylor, part: Part | None) -> bool:
     return value - (abs(slope) + err) ** 2 / (2 * b) * MORE >= err
 
 
-def _part(image: Image, low: float, high: float) -> Part | None:
+def _turns(image: Image) -> bool:
+    """Return whether T' may vanish."""
+    return not abs(image.dT.mid) > 2 * image.dT.rad
+
+
+def _part(
+    image: Image, crossing: Callable[[float], Double], low: float, high: float
+) -> Part | None:
     """Return the ends of an interval of all r at which a column may be met; None: it is not met."""
-    slope = image.dT
-    if abs(slope.mid) <= 2 * slope.rad:
+    if _turns(image):
         return -1.0, 1.0
-    one, two = image.crossing(low), image.crossing(high)
-    if slope.mid < 0:
+    one, two = crossing(low), crossing(high)
+    if image.dT.mid < 0:
         one, two = two, one
     first, last = one.lower, two.upper
     if first > 1 or last < -1:

@@ -73,9 +73,9 @@ class Spread:
         low, high = self.launches = [Launches(arc, f, R, whole) for arc in patch]
         bends = Bends(low, _hull(low.hit.T, high.hit.T), low.hit.T1)
         need(low.moves(bends.T.upper), "a flight may stop")
-        self.low, self.high = Image(low.hit, bends), Image(high.hit, bends)
-        self.d, V = bends.d, bends.V
-        self.rise = (V - bends.A * bends.d) * V
+        self.low, self.high = Image(low, bends), Image(high, bends)
+        V = bends.V
+        self.rate = (V / bends.d - bends.A) * V
         self.wait = (bends.d / (V * whole.u) * patch.height).magnitude + ROOM
 
     @property
@@ -122,7 +122,7 @@ class Spread:
         """Return dZ/dT for an edge or, of its values, the one nearest to 0; it is not 0."""
         _, b, c = (q * UNIT * scale for q in edge)
         slope = Double(b, 2 * abs(c) * (1 + scale * self.wait) * MORE)
-        gain = -(self.rise / self.d + slope)
+        gain = -(self.rate + slope)
         need(gain.lower > 0 or gain.upper < 0, "an edge may be met along a patch")
         return gain.lower if gain.lower > 0 else gain.upper
 

@@ -165,10 +165,14 @@ class World:
             place = Place(moved, self.between(j))
             if place.part is None:
                 return True
-            if j not in met:
+            found = met.get(j)
+            if found is None:
                 s, E = place.launch()
-                met[j] = self.target(j, level, max(-1.0, min(1.0, s)), E)
-            return place.within(met[j], ends)
+                found = self.target(j, level, max(-1.0, min(1.0, s)), E)
+            if found is None or not place.within(found, ends):
+                return place.core is None  # the column is not met
+            met[j] = found
+            return True
 
         return self.met(moved.times, targets, holds)
 
@@ -198,10 +202,12 @@ class World:
             low, high = spread.places(self.between(j))
             if low.part is None or high.part is None:
                 return True
-            if j not in met:
-                (s, E), (t, e) = low.launch(), high.launch()
-                met[j] = self.target(j, level, (s + t) / 2, (E + e) / 2)
-            return spread.lands(low, high, met[j])
+            (s, E), (t, e) = low.launch(), high.launch()
+            found = met.get(j) or self.target(j, level, (s + t) / 2, (E + e) / 2)
+            if found is None or not spread.lands(low, high, found):
+                return False
+            met[j] = found
+            return True
 
         return self.met(spread.times, targets, holds)
 
@@ -237,13 +243,14 @@ class World:
         """Return the first column that may contain a time, or those after it."""
         return max(0, bisect_left(self.lines, t) - 1)
 
-    def target(self, j: int, level: int, s: float, E: float) -> Target:
-        """Return the run of cells of lower levels in which a launch is; it steers only."""
+    def target(self, j: int, level: int, s: float, E: float) -> Target | None:
+        """Return the run of cells of lower levels in which a launch is, or None; it steers only."""
         if j not in self.stacks:
             self.stacks[j] = stacked(self.columns[j])
         edges, levels = self.stacks[j]
         low = high = bisect_right(edges, E / UNIT, key=lambda q: q[0] + s * (q[1] + s * q[2]))
-        need(levels[low] < level, "a cell may not fly to one of lower level")
+        if not levels[low] < level:
+            return None
         while low > 0 and levels[low - 1] < level:
             low -= 1
         while high < len(edges) and levels[high + 1] < level:
