@@ -29,7 +29,6 @@ import math
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
-from typing import Any
 
 from cap.cells import strips
 from cap.cells.cover import Cover
@@ -37,7 +36,7 @@ from cap.cells.listing import listed, runs, written
 from cap.cells.rounds import Round, Rounds
 from cap.cells.strips import GRAIN, World
 from cap.checker.flow.ceiling import Flights, descends
-from cap.checker.flow.columns import LINE, columns
+from cap.checker.flow.columns import LINE, Column, columns
 from cap.checker.flow.overlap import gaps, mirrored, shared
 from cap.checker.flow.strips import Ceiling
 from cap.checker.flow.strips import World as Checked
@@ -83,14 +82,14 @@ def prove(setting: Setting) -> Proof:
     begin = partial(_begun, p, ceiling)
     world, family = _rounds(flights).found(world, begin, setting.runner)
     family = strips.worthy(family, LEAST if flights > FLIGHTS else WORTH)
-    texts = [_text(each) for each in family]
+    texts, found = zip(*map(_read, family), strict=True)
     hints = {
         "ceiling": dict(zip(("height", "phase", "level"), map(str, ceiling), strict=True)),
         "lines": _lines(world.lines),
         **dict(zip(("forward", "backward"), texts, strict=True)),
     }
     claims = {
-        "area": _above(_area(world, hints) * float(p.F**2 / p.omega**3)),
+        "area": _above(_area(world, *found) * float(p.F**2 / p.omega**3)),
         "speed": _speed(p.F / p.omega, (ceiling[0] + ceiling[2]), (p.F - p.f) * p.R),
     }
     parameters = p.elastic_strings()
@@ -134,20 +133,19 @@ def _begun(
     covers = world.cover(), world.mirrored.cover()
     for each, cover in zip((world, world.mirrored), covers, strict=True):
         referee = checked(p, each, ceiling)
-        referee.columns = columns(_text(cover))
+        referee.columns = _read(cover)[1]
         for j in range(len(cover.top)):
             cover.has_bottom[j] = cover.has_bottom[j] and _accepts(referee, j)
     return covers
 
 
-def _text(cover: Cover) -> str:
-    """Return the text of a family; the checker refuses columns that are too long."""
+def _read(cover: Cover) -> tuple[str, list[Column]]:
+    """Return the text of a family, as the checker reads it; that refuses columns too long."""
     text = listed([runs(cover, j) for j in range(len(cover.top))])
     try:
-        columns(text)
+        return text, columns(text)
     except Rejected as reason:
         raise NotProved("Lemma 4", f"the cells are too many for the checker ({reason})") from None
-    return text
 
 
 def _accepts(referee: Checked, j: int) -> bool:
@@ -165,9 +163,8 @@ def _lines(lines: tuple[float, ...]) -> str:
     return written([units[0], *(b - a for a, b in pairwise(units))])
 
 
-def _area(world: World, hints: dict[str, Any]) -> float:
+def _area(world: World, forward: list[Column], backward: list[Column]) -> float:
     """Return the area that is left, in units F = ω = 1."""
-    forward, backward = (columns(hints[name]) for name in ("forward", "backward"))
     pairs = zip(forward, reversed(backward), strict=True)
     left = [shared(gaps(one), mirrored(gaps(two))) for one, two in pairs]
     widths = [b - a for a, b in pairwise(world.lines)]

@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 from support import rounds, seeded
 
-from cap.checker.flow.arc import Arc
+from cap.checker.flow.arc import Arc, Launches
 from cap.checker.flow.columns import columns, lines
+from cap.checker.flow.images import image
 from cap.checker.flow.landing import Place
 from cap.checker.flow.patches import Patch, Spread
 from cap.checker.flow.strips import Ceiling, World
@@ -143,3 +144,70 @@ def test_slices_of_cells():
 def falls(world, patch, level):
     """Return whether a patch is accepted."""
     return world.spreads(patch, level, {})
+
+
+def test_where_a_line_is_crossed():
+    """On the arc a time is passed in both intervals; the sharp one is smaller."""
+    random = seeded(10)
+    for _ in range(rounds(20)):
+        patch, _ = drawn(random)
+        found = image(Launches(patch.low, F, R))
+        r = random.uniform(-0.9, 0.9)
+        T = hit(patch.low.t.mid + 0.002 * r, value(patch.low, r))[0]
+        if abs(found.dT.mid) <= 2 * found.dT.rad:
+            continue
+        rough, sharp = found.crossing(T), found.sharp_crossing(T)
+        for z in (rough, sharp):
+            assert z.lower - 1e-6 <= r <= z.upper + 1e-6
+        assert sharp.rad < rough.rad
+
+
+def test_a_line_that_is_not_crossed():
+    """It is passed beyond an end, or nothing is said of it."""
+    found = image(Launches(drawn(seeded(11))[0].low, F, R))
+    early, late = found.times.lower - 0.01, found.times.upper + 0.01
+    rising = found.dT.mid > 0
+    for z in (found.crossing, found.sharp_crossing):
+        first, last = (z(early), z(late)) if rising else (z(late), z(early))
+        assert first.lower < -1
+        assert last.upper > 1
+
+
+def side():
+    """Return a side, its energies and its image: faster launches hit earlier."""
+    arc = Arc(Double(3.9), NONE, Double(0.7), Double(0.001), NONE)
+    return image(Launches(arc, F, R))
+
+
+def test_the_ends_of_a_side():
+    """They hit when their flights do."""
+    found = side()
+    for s in (-1.0, 1.0):
+        T = found.end(s)
+        assert abs(T.mid - hit(3.9, 0.7 + 0.001 * s)[0]) < 1e-9
+        assert T.rad < 1e-9
+        assert found.times.lower <= T.mid <= found.times.upper
+
+
+def test_what_grows_from_an_end():
+    """It is not negative, if the end is in the column and known not to be; else that is open."""
+    found = side()
+    line = math.floor(found.end(-1.0).mid * 64) / 64
+    z = Double(1e-4 - 1e-9), Double(1e-4), NONE  # -1e-9 at r = -1
+    here, after = (Place(found, (low, low + 1 / 64)) for low in (line, line + 1 / 64))
+    assert here.grows(z, (True, False))
+    assert not after.grows(z, (True, False))
+    assert not here.grows(z, (False, True))
+    assert not here.grows((z[0], z[1], Double(0.0, 2e-4)), (True, False))
+    assert not here.grows((z[0], Double(math.nan), NONE), (True, True))
+    assert not here.clear(z, (False, False))
+
+
+def test_energies_of_a_part():
+    """They contain those of flights, and little more."""
+    found = side()
+    line = math.floor(found.end(1.0).mid * 64) / 64
+    least, most = Place(found, (line, line + 1 / 64)).energies(-0.5, 0.25)
+    energies = [hit(3.9, 0.7 + 0.001 * r)[1] for r in (-0.5, -0.2, 0.25)]
+    assert least <= min(energies) < max(energies) <= most
+    assert most - least < 1.2 * (max(energies) - min(energies))

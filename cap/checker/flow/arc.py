@@ -108,11 +108,14 @@ class Hit(NamedTuple):
 class Launches:
     """The launches of an arc, followed against the friction ``f`` to a wall at the distance R.
 
-    ``all`` are these, or more of them, ``among`` which they are.
+    ``all`` are these, or more of them, ``among`` which they are; the hit at s = 0 may be ``near`` a
+    time: that steers only.
     """
 
-    def __init__(self, arc: Arc, f: Double, R: Double, among: Point | None = None) -> None:
-        self.arc, self.dt, self.f, self.R = arc, arc.dt, f, R
+    def __init__(
+        self, arc: Arc, f: Double, R: Double, among: Point | None = None, near: float | None = None
+    ) -> None:
+        self.arc, self.dt, self.f, self.R, self.guess = arc, arc.dt, f, R, near
         self.near = _point(arc.t, arc.e, arc.e1, arc.e2 * 2.0)
         self.all = among or everywhere(arc)
 
@@ -198,7 +201,8 @@ def numerator(launches: Launches, at: Point, T: Double) -> Double:
 
 def _hit(launches: Launches) -> Double:
     """Return an interval around the time of the hit at s = 0."""
-    guess = _guess(launches.near.t.mid, launches.near.u.mid, launches.f.mid, launches.R.mid)
+    at, f, R = launches.near, launches.f.mid, launches.R.mid
+    guess = _guess(at.t.mid, at.u.mid, f, R, launches.guess)
     T = Double(guess)
     cos, sin = cos_sin(T)
     V = launches.speed(launches.near, T, sin).lower
@@ -209,8 +213,8 @@ def _hit(launches: Launches) -> Double:
     return Double(guess, D)
 
 
-def _guess(t: float, u: float, f: float, R: float) -> float:
-    """Return a float near the first time at which x = R: it needs no trust."""
+def _guess(t: float, u: float, f: float, R: float, near: float | None) -> float:
+    """Return a float near the first time at which x = R, or near another one: it needs no trust."""
     s, c = math.sin(t), math.cos(t)
 
     def x(T: float) -> float:
@@ -219,8 +223,8 @@ def _guess(t: float, u: float, f: float, R: float) -> float:
     def v(T: float) -> float:
         return u + math.sin(T) - s - f * (T - t)
 
-    low, T = t, t
-    while x(T) < R:
+    low, T = (t, t) if near is None else (near - 0.125, near)
+    while near is None and x(T) < R:
         low, T = T, T + 0.25
         if v(T) < 0:  # x may have passed R, and come back
             rising = low

@@ -70,7 +70,9 @@ class Spread:
 
     def __init__(self, patch: Patch, f: Double, R: Double) -> None:
         whole = everywhere(patch.arcs)
-        low, high = self.launches = [Launches(arc, f, R, whole) for arc in patch]
+        low = Launches(patch.low, f, R, whole)
+        high = Launches(patch.high, f, R, whole, low.hit.T.mid)
+        self.launches = low, high
         bends = Bends(low, _hull(low.hit.T, high.hit.T), low.hit.T1)
         need(low.moves(bends.T.upper), "a flight may stop")
         self.low, self.high = Image(low, bends), Image(high, bends)
