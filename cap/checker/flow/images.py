@@ -9,6 +9,8 @@ The same holds for all arcs of a set, if T is so for all of them at s = 0, and m
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from cap.checker.flow.arc import Launches, Taylor, numerator
 from cap.checker.kernel.doubles import Double, between, cos_sin
 from cap.checker.kernel.rejection import Rejected, need
@@ -38,22 +40,24 @@ class Bends:
 class Image:
     """The image of an arc all of whose flights reach the other wall, ``shift`` later."""
 
-    def __init__(self, launches: Launches, bends: Bends, shift: float | Double = 0.0) -> None:
-        self.launches, self.bends, self.shift, hit = launches, bends, shift, launches.hit
-        self.T: Taylor = (hit.T + shift, hit.T1, bends.T2)
+    def __init__(self, launches: Launches, bends: Bends) -> None:
+        self.launches, self.shift, hit = launches, Double(0.0), launches.hit
+        self.T: Taylor = (hit.T, hit.T1, bends.T2)
         self.E: Taylor = (hit.V * hit.V * 0.5, hit.V * hit.V1, bends.E2)
-        self.dT, self.all = bends.dT, bends.T + shift
+        self.dT, self.all = bends.dT, bends.T
         self.crossings = dict[float, Double]()
 
-    @property
+    def move(self, shift: Double) -> Image:
+        """Move all times."""
+        T, T1, T2 = self.T
+        self.shift, self.T, self.all = shift, (T + shift, T1, T2), self.all + shift
+        return self
+
+    @cached_property
     def times(self) -> Double:
-        """All times of the hits."""
+        """All times of the hits, when these are not moved any more."""
         T, T1, T2 = self.T
         return T.widened(T1.magnitude + T2.magnitude / 2)
-
-    def moved(self, shift: Double) -> Image:
-        """Return the image at other times."""
-        return Image(self.launches, self.bends, shift)
 
     def end(self, s: float) -> Double:
         """Return when the launch at s = -1 or 1 hits; it does so once among all these times."""

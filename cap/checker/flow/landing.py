@@ -60,7 +60,7 @@ class Place:
     def __init__(self, image: Image, between: tuple[float, float], wait: float = 0.0) -> None:
         self.image, self.E, self.between, self.wait = image, image.E, between, wait
         low, high = between
-        self.middle, self.scale = (low + high) / 2, 2 / (high - low)  # powers of 2
+        self.middle, self.width = (low + high) / 2, high - low  # powers of 2
         self.part = _part(image, image.crossing, low + min(wait, 0.0), high + max(wait, 0.0))
 
     @cached_property
@@ -68,18 +68,17 @@ class Place:
         """The part in the column, as small as it is known."""
         return _part(self.image, self.image.sharp_crossing, *self.between)
 
-    @cached_property
-    def s(self) -> tuple[Double, Double, Double, Double, Double]:
-        """Where in the column the image is: value, slope and bend; all values and all slopes."""
-        (t, t1, t2), scale = self.image.T, self.scale
-        all_s, slopes = (self.image.all - self.middle) * scale, self.image.dT * scale
-        return (t - self.middle) * scale, t1 * scale, t2 * scale, all_s, slopes
+    def parabola(self, edge: Edge) -> tuple[float, float, float]:
+        """Return the coefficients of an edge in t - t_0, exactly."""
+        a, b, c = edge
+        scale = 2 / self.width
+        return a * UNIT, b * (UNIT * scale), c * (UNIT * scale * scale)
 
     def launch(self) -> tuple[float, float]:
         """Return s and E about in the middle of the part; it steers only."""
         r = (self.part[0] + self.part[1]) / 2 if self.part else 0.0
         t, E = (z[0].mid + r * (z[1].mid + r * z[2].mid / 2) for z in (self.image.T, self.E))
-        return (t - self.middle) * self.scale, E
+        return 2 * (t - self.middle) / self.width, E
 
     def within(self, target: Target, ends: Ends = (False, False)) -> bool:
         """Return whether the image is certainly between the edges; some of its ends are, if they
@@ -141,12 +140,12 @@ class Place:
         return (first, last) if first <= last else None
 
     def gap(self, edge: Edge) -> Taylor:
-        """Return E - q(s): its second derivative is E'' - 2 q_2 s'^2 - (q_1 + 2 q_2 s) s''."""
-        a, b, c = (q * UNIT for q in edge)
-        s, s1, s2, places, slopes = self.s
-        value = self.E[0] - (s * (s * c + b) + a)
-        slope = self.E[1] - (s * (2 * c) + b) * s1
-        bend = self.E[2] - slopes * slopes * (2 * c) - (places * (2 * c) + b) * s2
+        """Return E - q; with x = t - t_0 its bend is E'' - 2 c t'^2 - (b + 2 c x) t''."""
+        (a, b, c), (t, t1, t2), slopes = self.parabola(edge), self.image.T, self.image.dT
+        x, places = t - self.middle, self.image.all - self.middle
+        value = self.E[0] - (x * (x * c + b) + a)
+        slope = self.E[1] - (x * (2 * c) + b) * t1
+        bend = self.E[2] - slopes * slopes * (2 * c) - (places * (2 * c) + b) * t2
         return value, slope, bend
 
 
@@ -176,10 +175,10 @@ def _part(
     """Return the ends of an interval of all r at which a column may be met; None: it is not met."""
     if _turns(image):
         return -1.0, 1.0
-    one, two = crossing(low), crossing(high)
-    if image.dT.mid < 0:
-        one, two = two, one
-    first, last = one.lower, two.upper
-    if first > 1 or last < -1:
-        return None
-    return max(-1.0, first), min(1.0, last)
+    begins, ends, rises = image.times.lower < low, image.times.upper > high, image.dT.mid > 0
+    first, last = -1.0, 1.0
+    if begins if rises else ends:
+        first = max(first, crossing(low if rises else high).lower)
+    if ends if rises else begins:
+        last = min(last, crossing(high if rises else low).upper)
+    return (first, last) if first <= last else None

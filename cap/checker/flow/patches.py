@@ -34,7 +34,6 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cap.checker.flow.arc import Arc, Launches, everywhere, negative
-from cap.checker.flow.columns import UNIT
 from cap.checker.flow.images import Bends, Image, image
 from cap.checker.flow.landing import Place, Target
 from cap.checker.kernel.doubles import Double, between
@@ -60,38 +59,42 @@ class Patch(NamedTuple):
     @property
     def height(self) -> float:
         """A number above all differences of E at one time."""
-        rest = (q - p for p, q in zip(self.low[2:], self.high[2:], strict=True))
-        a, b, c = (z.magnitude for z in rest)
+        rest = (q.mid - p.mid for p, q in zip(self.low[2:], self.high[2:], strict=True))  # exact
+        a, b, c = map(abs, rest)
         return (a + b + c) * MORE
 
 
 class Spread:
     """The image of a patch all of whose flights reach the other wall."""
 
+    low: Image
+    high: Image
+
     def __init__(self, patch: Patch, f: Double, R: Double) -> None:
         whole = everywhere(patch.arcs)
         low = Launches(patch.low, f, R, whole)
         high = Launches(patch.high, f, R, whole, low.hit.T.mid)
-        self.launches = low, high
         bends = Bends(low, _hull(low.hit.T, high.hit.T), low.hit.T1)
         need(low.moves(bends.T.upper), "a flight may stop")
-        self.low, self.high = Image(low, bends), Image(high, bends)
-        V = bends.V
-        self.rate = (V / bends.d - bends.A) * V
-        self.wait = (bends.d / (V * whole.u) * patch.height).magnitude + ROOM
+        self.launches, self.bends = (low, high), bends
+        d, V = bends.d, bends.V
+        self.rate = (V / d - bends.A) * V
+        self.wait = (d / (V * whole.u) * patch.height).magnitude + ROOM
+
+    def roughly(self, shift: Double) -> Spread:
+        """Find where both arcs land, with all times moved, by what is known of all of the patch."""
+        self.low, self.high = (Image(each, self.bends).move(shift) for each in self.launches)
+        return self
+
+    def sharply(self, shift: Double) -> Spread:
+        """Find it by what is known of each arc alone."""
+        self.low, self.high = (image(each.alone()).move(shift) for each in self.launches)
+        return self
 
     @property
     def times(self) -> Double:
         """All times of the hits."""
         return between(self.high.times.lower, self.low.times.upper)
-
-    def sharpen(self) -> None:
-        """Find the second derivatives on each arc alone."""
-        self.low, self.high = (image(each.alone()) for each in self.launches)
-
-    def move(self, shift: Double) -> None:
-        """Move all times."""
-        self.low, self.high = self.low.moved(shift), self.high.moved(shift)
 
     def places(self, between: tuple[float, float]) -> tuple[Place, Place]:
         """Return where both arcs land, in a column and near it.
@@ -108,7 +111,7 @@ class Spread:
         """Return whether all that lands in a column is certainly above an edge."""
         if edge is None:
             return True
-        gain = self.gain(edge, low.scale)
+        gain = self.gain(edge, low)
         place = low if gain < 0 else high
         return place.clears(place.gap(edge), abs(gain))
 
@@ -116,14 +119,14 @@ class Spread:
         """Return whether all that lands in a column is certainly below an edge."""
         if edge is None:
             return True
-        gain = self.gain(edge, low.scale)
+        gain = self.gain(edge, low)
         place = high if gain < 0 else low
         return place.clears(negative(place.gap(edge)), abs(gain))
 
-    def gain(self, edge: Edge, scale: float) -> float:
+    def gain(self, edge: Edge, place: Place) -> float:
         """Return dZ/dT for an edge or, of its values, the one nearest to 0; it is not 0."""
-        _, b, c = (q * UNIT * scale for q in edge)
-        slope = Double(b, 2 * abs(c) * (1 + scale * self.wait) * MORE)
+        _, b, c = place.parabola(edge)
+        slope = Double(b, abs(c) * (2 * self.wait + place.width) * MORE)
         gain = -(self.rate + slope)
         need(gain.lower > 0 or gain.upper < 0, "an edge may be met along a patch")
         return gain.lower if gain.lower > 0 else gain.upper

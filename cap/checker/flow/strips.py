@@ -92,7 +92,7 @@ class World:
         self.ends(j)
         for run in self.columns[j]:
             for (low, high), level in zip(pairwise(run.edges), run.levels, strict=True):
-                self.falls(level, self.arc(j, low), self.arc(j, high), self.sides(j, low, high))
+                self.falls(j, level, low, high)
 
     def ends(self, j: int) -> None:
         """Prove it of the bottom and of the top of a column."""
@@ -105,17 +105,17 @@ class World:
                 above = along(top, lambda arc: least(self.ceiling.excess(arc)) >= 0)
                 need(above, "the top is not above the ceiling")
 
-    def falls(self, level: int, low: Arc, high: Arc, sides: list[Side]) -> None:
+    def falls(self, j: int, level: int, *edges: Edge) -> None:
         """Prove it of one cell: of all of it at once or, if that fails, of its boundary."""
-        targets = dict[int, Target]()
-
-        if self.spreads(Patch(low, high), level, targets):
+        low, high = (self.arc(j, edge) for edge in edges)
+        if self.spreads(Patch(low, high), level):
             return
+        targets = dict[int, Target]()
 
         def lands(arc: Side) -> bool:
             return self.lands(image(self.launches(arc.arc)), level, targets, arc.ends)
 
-        for arc in (Side(low, NEITHER), Side(high, NEITHER), *sides):
+        for arc in (Side(low, NEITHER), Side(high, NEITHER), *self.sides(j, *edges)):
             need(along(arc, lands), "a cell may not fly into cells of lower levels")
 
     def arc(self, j: int, edge: Edge) -> Arc:
@@ -156,13 +156,10 @@ class World:
         Targets are chosen when first met.
         """
 
-        shift = self.shift(image.times)
-        if shift is None:
-            return False
-        moved = image.moved(shift)
+        image.move(self.shift(image.T[0]))
 
         def holds(j: int, met: dict[int, Target]) -> bool:
-            place = Place(moved, self.between(j))
+            place = Place(image, self.between(j))
             if place.part is None:
                 return True
             found = met.get(j)
@@ -174,50 +171,40 @@ class World:
             met[j] = found
             return True
 
-        return self.met(moved.times, targets, holds)
+        return self.met(image.times, targets, holds)
 
-    def spreads(self, patch: Patch, level: int, targets: dict[int, Target]) -> bool:
-        """Return the same of the image of a patch."""
+    def spreads(self, patch: Patch, level: int) -> bool:
+        """Return whether certainly all of a patch flies to cells of lower levels."""
         if patch.height > TALL:
             return False
         self.count(2)
         try:
             spread = Spread(patch, self.f, self.R)
-            if self.spread(spread, level, targets):
+            shift = self.shift(spread.bends.T)
+            if self.spread(spread.roughly(shift), level):
                 return True
             self.count(2)
-            spread.sharpen()
-            return self.spread(spread, level, targets)
+            return self.spread(spread.sharply(shift), level)
         except Rejected:
             return False
 
-    def spread(self, spread: Spread, level: int, targets: dict[int, Target]) -> bool:
-        """Return whether all of the image of a patch is in the targets."""
-        shift = self.shift(spread.times)
-        if shift is None:
-            return False
-        spread.move(shift)
+    def spread(self, spread: Spread, level: int) -> bool:
+        """Return whether all of the image of a patch is in runs of such cells."""
 
-        def holds(j: int, met: dict[int, Target]) -> bool:
+        def holds(j: int, _met: dict[int, Target]) -> bool:
             low, high = spread.places(self.between(j))
             if low.part is None or high.part is None:
                 return True
             (s, E), (t, e) = low.launch(), high.launch()
-            found = met.get(j) or self.target(j, level, (s + t) / 2, (E + e) / 2)
-            if found is None or not spread.lands(low, high, found):
-                return False
-            met[j] = found
-            return True
+            found = self.target(j, level, (s + t) / 2, (E + e) / 2)
+            return found is not None and spread.lands(low, high, found)
 
-        return self.met(spread.times, targets, holds)
+        return self.met(spread.times, {}, holds)
 
-    def shift(self, times: Double) -> Double | None:
-        """Return by how much times of hits are to be moved; None: by no multiple of 2 pi."""
-        begin = self.lines[0]
-        turns = math.floor((times.mid + math.pi - begin) / (2 * math.pi))
-        shift = PI * (1.0 - 2 * turns)
-        times = times + shift
-        return shift if begin <= times.lower <= times.upper < begin + ROUND else None
+    def shift(self, times: Double) -> Double:
+        """Return the odd multiple of pi by which times of hits are to be moved."""
+        turns = math.floor((times.mid + math.pi - self.lines[0]) / (2 * math.pi))
+        return PI * (1.0 - 2 * turns)
 
     def met(
         self,
@@ -226,7 +213,9 @@ class World:
         holds: Callable[[int, dict[int, Target]], bool],
     ) -> bool:
         """Return whether something holds in all columns that are met; then targets are kept."""
-        met = dict(targets)
+        met, begin = dict(targets), self.lines[0]
+        if not begin <= times.lower <= times.upper < begin + ROUND:
+            return False
         for j in range(self.column(times.lower), len(self.columns)):
             if self.lines[j] > times.upper:
                 break
