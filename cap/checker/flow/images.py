@@ -2,9 +2,9 @@
 
 Notation as in `cap.checker.flow.arc`.
 
-*Where T is.*  At s = 0 let |T - T_0| <= D.  On the arc, let |T'| <= m
-whenever |T - T_0| <= b.  If D + m <= b, then T never leaves this interval: |T - T_0| <= D + m |s|.
-The same holds for all arcs of a set, if T is so for all of them at s = 0, and m is a bound for all.
+*Where T is.*  At s = 0 let |T - T_0| <= D.  On the arc, let |T'| <= m whenever |T - T_0| <= b.  If
+D + m <= b, then T never leaves this interval: |T - T_0| <= D + m |s|.  The same holds for all arcs
+of a set, if all of them have |T - T_0| <= D at s = 0, and m is a bound for all.
 """
 
 from __future__ import annotations
@@ -65,17 +65,20 @@ class Image:
         return T if self.all.lower <= T.lower and T.upper <= self.all.upper else self.all
 
     def crossing(self, line: float) -> Double:
-        """Return an interval: on the arc T passes the line there or, if r = -1 or 1 is in between,
-        nowhere; T' does not vanish.
+        """Return an interval: if T passes the line on the arc, it does so there; T' != 0.
+
+        If it passes nowhere, as all r have T on one side, there are numbers beyond the end that is
+        nearest to the line.
         """
         if line not in self.crossings:
             self.crossings[line] = (Double(line) - self.T[0]) / self.dT
         return self.crossings[line]
 
     def sharp_crossing(self, line: float) -> Double:
-        """Return a smaller one: T' + T'' r/2 with T' at 0 is instead of T' for all of the arc.
+        """Return a smaller one: (T(r) - T(0))/r is T' + T'' r/2, T' at 0, for an r of the first.
 
-        If T does not pass the line on the arc, both have numbers beyond the end next to it.
+        If T passes nowhere, the first one has the nearest end, or none of the arc; so r = -1 or 1
+        is among these, and that end lies between the line and r = 0.
         """
         r, (T, T1, T2) = self.crossing(line), self.T
         if not (r.lower <= 1 and r.upper >= -1):

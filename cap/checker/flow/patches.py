@@ -17,14 +17,15 @@ an edge q and Z = V^2/2 - q(T),
 
     V dZ/du = V^2 - A d V + d q'(T).
 
-If this has one sign, for an edge below a target, in a column and up to ``wait`` beyond its lines,
-where the edge is continued as a parabola, then all of the patch that lands in the column is above
-the edge, if
+Let dZ/dT have one sign, and be at least ``gain`` > 0 in size, for an edge below a target, in a
+column and up to ``wait`` beyond its lines, where the edge is continued as a parabola.  Then all of
+the patch that lands in the column is above the edge, if
 
-- Z grows, and ``low`` is above the edge whenever it lands in the column or less than ``wait``
-  later: each orbit of the patch began so much later at most, with Z >= 0, and Z has grown;
-- or Z falls, and ``high`` is above the edge whenever it lands in the column or less than ``wait``
-  earlier: u may grow on until that, so much earlier at most, and Z, which falls, is >= 0 there.
+- Z grows with u, ``low`` is above the edge whenever it lands in the column, and Z + gain (T - T_1)
+  >= 0 whenever it lands less than ``wait`` later than the line T_1: what lands in the column began
+  there, or so much later at most, and on the way to the line has gained what was missing;
+- or Z falls with u, ``high`` is above the edge whenever it lands in the column, and Z + gain (T_1 -
+  T) >= 0 whenever it lands less than ``wait`` earlier than the line T_1.
 
 In the same way it is below an edge above a target, with ``low`` and ``high`` exchanged.
 """

@@ -155,7 +155,6 @@ class World:
 
         Targets are chosen when first met.
         """
-
         image.move(self.shift(image.T[0]))
 
         def holds(j: int, met: dict[int, Target]) -> bool:
