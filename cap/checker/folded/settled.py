@@ -14,7 +14,7 @@ from cap.checker.folded.portions import Piece, Portion, portion
 from cap.checker.folded.table import ATTRACTOR, SEGMENT, Known, table
 
 _FEW = 0.05  # of the portions without a fate
-_DOUBTFUL = 0.5  # part of the next places without a fate, for which it is of no use to halve
+_DOUBTFUL = 0.8  # part of the next places without a fate, for which it is of no use to halve
 _MOST = 1 << 17  # portions that may be halved
 
 
