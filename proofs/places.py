@@ -29,7 +29,7 @@ LEVEL, COARSE = 23, 18  # of portions, at last and while weights are found
 GRAIN = 24  # level of nodes, of which next places are known up to a part of their range
 FIRST = 6  # the tree begins with 2^6 nodes
 # parts of W, times weights, that are left undecided rather than follow one more node
-WORTHS = (1e-5, 4e-6, 2e-6, 1e-6, 4e-7, 2e-7)
+WORTHS = (1e-5, 4e-6, 2e-6, 1e-6, 4e-7)
 NARROW = 2.0**-24  # a part of W that is followed even if the errors are large
 TOLERANCE = 0.02  # errors of the next place, as a part of its range in a node of the level `GRAIN`
 PASSES = 12  # in which weights are found
