@@ -57,7 +57,7 @@ FINE = 1 / 2048  # of the narrowest columns
 ROUGH = 20  # flights, before columns are cut
 LOSSES = 1e-7, 1e-7  # of area for each of its cells: a column that loses more is cut, twice
 WORTH = 1.25e-7  # the area that a cell takes away is at least this
-LESS, LEAST = (1e-7, 5e-8, 3e-8), 3e-9  # the same for more than `FLIGHTS` flights
+LESS, LEAST = (1e-7, 5e-8, 3e-8), 1e-9  # the same for more than `FLIGHTS` flights
 COARSE = GRAIN._replace(step=6e-5, thin=1e-5)  # how fine cells are then, before columns are cut
 LONGER = GRAIN._replace(step=1.2e-5, thin=3e-6, halvings=7)  # and after that
 CEILING = (

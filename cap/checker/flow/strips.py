@@ -49,7 +49,7 @@ from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.rejection import Rejected, need
 
-MOST = 5_000_000  # arcs: ten minutes
+MOST = 8_000_000  # arcs: a quarter of an hour
 HALVINGS = 12  # of an arc, until what is to be shown of it is certain
 TALL = 1 / 256  # of cells that are higher only the boundary is followed
 ROUND = 6.28  # less than 2 pi

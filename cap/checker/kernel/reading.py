@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 
 from cap.checker.kernel.rejection import Rejected, need
 
-MAX_BYTES = 1 << 23
+MAX_BYTES = 1 << 24
 MAX_CHARACTERS = 4000
 MAX_DEPTH = 16
 NUMBER = r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+|/[1-9][0-9]*)?"
@@ -40,7 +40,7 @@ def number(value: Any, where: str) -> Fraction:
 
 def parsed(data: bytes) -> object:
     """Return the JSON value, built of objects, lists and strings; anything else rejects."""
-    need(len(data) <= MAX_BYTES, "the file is larger than 8 MiB")
+    need(len(data) <= MAX_BYTES, "the file is larger than 16 MiB")
     try:
         value = json.loads(
             data.decode("utf-8"),
