@@ -26,11 +26,12 @@ from cap.checker.kernel import line
 from cap.parameters import Parameters
 
 LEVEL, COARSE = 23, 18  # of portions, at last and while weights are found
-GRAIN = 24  # level of nodes, of which next places are known up to a part of their range
+GRAIN = (
+    24  # level of nodes that are followed at any rate; larger ones, if it is well known where to
+)
 FIRST = 6  # the tree begins with 2^6 nodes
 # parts of W, times weights, that are left undecided rather than follow one more node
 WORTHS = (1e-5, 4e-6, 2e-6, 1e-6, 4e-7)
-NARROW = 2.0**-24  # a part of W that is followed even if the errors are large
 TOLERANCE = 0.02  # errors of the next place, as a part of its range in a node of the level `GRAIN`
 PASSES = 12  # in which weights are found
 TINY = 1e-13  # an error that does not matter
@@ -114,10 +115,10 @@ class Search:
     def fine(self, piece: Piece) -> bool:
         """Return whether the next places are known well, from a node of the level `GRAIN`."""
         node, after = piece
-        if after is None or 2.0**-node.m <= NARROW:
+        if after is None or node.m >= GRAIN:
             return True
         low, high = line.ends(after)
-        grain = 2.0 ** min(0, node.m - GRAIN)
+        grain = 2.0 ** (node.m - GRAIN)
         sharp = after[1] <= TOLERANCE * grain * line.size((0.0, *after[0][1:]))
         return sharp or after[1] < TINY or (self.kept[0] < low and high < self.kept[1])
 

@@ -135,15 +135,10 @@ def slices(level):
 
 def test_slices_of_cells():
     """Many are accepted at once; few of these at a level that is too low, none at the lowest."""
-    accepted = [(world, patch) for world, patch, level in slices(1) if falls(world, patch, level)]
+    accepted = [(world, patch) for world, patch, level in slices(1) if world.spreads(patch, level)]
     assert len(accepted) > 60
-    assert sum(falls(world, patch, 1) for world, patch in accepted) < len(accepted) / 3
-    assert not any(falls(world, patch, 0) for world, patch in accepted)
-
-
-def falls(world, patch, level):
-    """Return whether a patch is accepted."""
-    return world.spreads(patch, level)
+    assert sum(world.spreads(patch, 1) for world, patch in accepted) < len(accepted) / 3
+    assert not any(world.spreads(patch, 0) for world, patch in accepted)
 
 
 def test_where_a_line_is_crossed():

@@ -36,13 +36,12 @@ from typing import NamedTuple
 
 from cap.checker.flow.arc import Arc, Launches, everywhere, negative
 from cap.checker.flow.images import Bends, Image, image
-from cap.checker.flow.landing import Place, Target
+from cap.checker.flow.landing import MORE, Place, Target
 from cap.checker.kernel.doubles import Double, between
 from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.rejection import need
 
 ROOM = 1e-12  # more than the rounding of a time
-MORE = 1 + 2.0**-40
 
 
 class Patch(NamedTuple):

@@ -156,8 +156,9 @@ class World:
         Targets are chosen when first met.
         """
         image.move(self.shift(image.T[0]))
+        columns, met = self.crossed(image.times), dict(targets)
 
-        def holds(j: int, met: dict[int, Target]) -> bool:
+        def holds(j: int) -> bool:
             place = Place(image, self.between(j))
             if place.part is None:
                 return True
@@ -170,7 +171,10 @@ class World:
             met[j] = found
             return True
 
-        return self.met(image.times, targets, holds)
+        if columns is None or not all(map(holds, columns)):
+            return False
+        targets.update(met)
+        return True
 
     def spreads(self, patch: Patch, level: int) -> bool:
         """Return whether certainly all of a patch flies to cells of lower levels."""
@@ -190,7 +194,9 @@ class World:
     def spread(self, spread: Spread, level: int) -> bool:
         """Return whether all of the image of a patch is in runs of such cells."""
 
-        def holds(j: int, _met: dict[int, Target]) -> bool:
+        columns = self.crossed(spread.times)
+
+        def holds(j: int) -> bool:
             low, high = spread.places(self.between(j))
             if low.part is None or high.part is None:
                 return True
@@ -198,30 +204,20 @@ class World:
             found = self.target(j, level, (s + t) / 2, (E + e) / 2)
             return found is not None and spread.lands(low, high, found)
 
-        return self.met(spread.times, {}, holds)
+        return columns is not None and all(map(holds, columns))
 
     def shift(self, times: Double) -> Double:
         """Return the odd multiple of pi by which times of hits are to be moved."""
         turns = math.floor((times.mid + math.pi - self.lines[0]) / (2 * math.pi))
         return PI * (1.0 - 2 * turns)
 
-    def met(
-        self,
-        times: Double,
-        targets: dict[int, Target],
-        holds: Callable[[int, dict[int, Target]], bool],
-    ) -> bool:
-        """Return whether something holds in all columns that are met; then targets are kept."""
-        met, begin = dict(targets), self.lines[0]
+    def crossed(self, times: Double) -> range | None:
+        """Return the columns that times may be in, or None if they are not all in one turn."""
+        begin = self.lines[0]
         if not begin <= times.lower <= times.upper < begin + ROUND:
-            return False
-        for j in range(self.column(times.lower), len(self.columns)):
-            if self.lines[j] > times.upper:
-                break
-            if not holds(j, met):
-                return False
-        targets.update(met)
-        return True
+            return None
+        last = bisect_right(self.lines, times.upper)
+        return range(self.column(times.lower), min(last, len(self.columns)))
 
     def between(self, j: int) -> tuple[float, float]:
         """Return the lines of a column."""

@@ -2,7 +2,7 @@
 
 A portion has a fate if all its next places have it, by what is known so far; at first one interval
 is attracted, and some pieces go to the segment.  When few more have a fate so, portions are halved,
-if their next places have a fate for the most part, or G' varies much.
+if enough of their next places have a fate, or G' varies much.
 """
 
 from __future__ import annotations
