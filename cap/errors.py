@@ -1,6 +1,7 @@
 """The two ways in which a request can end without a theorem."""
 
 from collections.abc import Mapping
+from typing import Any
 
 
 class BadInput(ValueError):
@@ -20,6 +21,10 @@ class NotProved(Exception):
         self.sets = dict(sets or {})
         shown = ", ".join(f"{name} = {value}" for name, value in self.sets.items())
         super().__init__(f"{step}: {reason}" + (f"  [{shown}]" if shown else ""))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let it be raised in another process."""
+        return type(self), (self.step, self.reason, self.sets)
 
 
 class TooFewDigits(NotProved):

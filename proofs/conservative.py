@@ -26,6 +26,7 @@ the checker's verdict on all of them that proves the theorem.
 """
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
@@ -37,7 +38,7 @@ from cap.cells.rounds import Round, Rounds
 from cap.cells.strips import GRAIN, World
 from cap.checker.flow.ceiling import Flights, descends
 from cap.checker.flow.columns import LINE, Column, columns
-from cap.checker.flow.overlap import gaps, mirrored, shared
+from cap.checker.flow.overlap import Gap, gaps, left
 from cap.checker.flow.strips import Ceiling
 from cap.checker.flow.strips import World as Checked
 from cap.checker.kernel.doubles import enclosing
@@ -46,6 +47,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.runner import Runner
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 SEARCH = candidates.every_motion
@@ -82,14 +84,15 @@ def prove(setting: Setting) -> Proof:
     begin = partial(_begun, p, ceiling)
     world, family = _rounds(flights).found(world, begin, setting.runner)
     family = strips.worthy(family, LEAST if flights > FLIGHTS else WORTH)
-    texts, found = zip(*map(_read, family), strict=True)
+    work = replace(setting.runner, journal=None, whole=True)
+    texts, found = zip(*work.map(_read, family, "families written", processes=True), strict=True)
     hints = {
         "ceiling": dict(zip(("height", "phase", "level"), map(str, ceiling), strict=True)),
         "lines": _lines(world.lines),
         **dict(zip(("forward", "backward"), texts, strict=True)),
     }
     claims = {
-        "area": _above(_area(world, *found) * float(p.F**2 / p.omega**3)),
+        "area": _above(_area(world, work, *found) * float(p.F**2 / p.omega**3)),
         "speed": _speed(p.F / p.omega, (ceiling[0] + ceiling[2]), (p.F - p.f) * p.R),
     }
     parameters = p.elastic_strings()
@@ -133,17 +136,26 @@ def _begun(
     covers = world.cover(), world.mirrored.cover()
     for each, cover in zip((world, world.mirrored), covers, strict=True):
         referee = checked(p, each, ceiling)
-        referee.columns = _read(cover)[1]
+        referee.columns = _columns(_text(cover))
         for j in range(len(cover.top)):
             cover.has_bottom[j] = cover.has_bottom[j] and _accepts(referee, j)
     return covers
 
 
-def _read(cover: Cover) -> tuple[str, list[Column]]:
-    """Return the text of a family, as the checker reads it; that refuses columns too long."""
-    text = listed([runs(cover, j) for j in range(len(cover.top))])
+def _read(cover: Cover) -> tuple[str, list[list[Gap]]]:
+    """Return the text of a family, and the gaps of its columns as the checker reads them."""
+    text = _text(cover)
+    return text, [*map(gaps, _columns(text))]
+
+
+def _text(cover: Cover) -> str:
+    return listed([runs(cover, j) for j in range(len(cover.top))])
+
+
+def _columns(text: str) -> list[Column]:
+    """Return the columns that the checker reads; it refuses those that are too long."""
     try:
-        return text, columns(text)
+        return columns(text)
     except Rejected as reason:
         raise NotProved("Lemma 4", f"the cells are too many for the checker ({reason})") from None
 
@@ -163,12 +175,11 @@ def _lines(lines: tuple[float, ...]) -> str:
     return written([units[0], *(b - a for a, b in pairwise(units))])
 
 
-def _area(world: World, forward: list[Column], backward: list[Column]) -> float:
+def _area(world: World, runner: Runner, *found: list[list[Gap]]) -> float:
     """Return the area that is left, in units F = ω = 1."""
-    pairs = zip(forward, reversed(backward), strict=True)
-    left = [shared(gaps(one), mirrored(gaps(two))) for one, two in pairs]
+    areas = left(lambda f, tasks: runner.map(f, [*tasks], "area", processes=True), *found)
     widths = [b - a for a, b in pairwise(world.lines)]
-    return math.fsum(w * area for w, area in zip(widths, left, strict=True))
+    return math.fsum(w * area for w, area in zip(widths, areas, strict=True))
 
 
 def _above(x: float) -> str:

@@ -9,7 +9,7 @@ from threading import get_ident
 
 import pytest
 
-from cap.errors import BadInput
+from cap.errors import BadInput, NotProved
 from cap.runner import AHEAD, Plan, Runner
 
 
@@ -45,6 +45,19 @@ def test_results_are_in_the_order_of_the_tasks(jobs, processes):
     found = Runner(jobs).map(square, list(range(20)), "test", processes=processes)
     assert found == [n * n for n in range(20)]
     assert Runner(jobs).map(square, [], "test", processes=processes) == []
+
+
+def unproved(n):
+    """Fail to prove something."""
+    raise NotProved("Lemma 4", "too many", {"cells": n})
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_what_is_not_proved_in_a_process(jobs):
+    """It is not proved here either, and says where."""
+    with pytest.raises(NotProved, match=r"too many.*cells = ") as caught:
+        Runner(jobs).map(unproved, [7, 7], "", processes=True)
+    assert (caught.value.step, caught.value.sets) == ("Lemma 4", {"cells": 7})
 
 
 @pytest.mark.parametrize("jobs", [1, 3])

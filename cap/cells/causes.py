@@ -8,7 +8,7 @@ with it, again and again.
 
 from typing import NamedTuple
 
-from cap.cells.cover import NEITHER, Cover, Floats, found, place, time
+from cap.cells.cover import NEITHER, Cover, Floats, Integers, found, place, time
 from cap.cells.worth import gaps_at
 from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
@@ -64,9 +64,9 @@ def _column(family: tuple[Cover, Cover], j: int, chance: Chance, lost: Floats) -
                 b += 1
 
 
-def _trace(family: tuple[Cover, Cover], chance: Chance, lost: Floats) -> None:
-    """Find where what both families leave was lost."""
-    for j in range(len(lost)):
+def _trace(family: tuple[Cover, Cover], chance: Chance, columns: Integers, lost: Floats) -> None:
+    """Add where what both families leave in some columns was lost."""
+    for j in columns:
         _column(family, j, chance, lost)
 
 

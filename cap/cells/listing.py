@@ -54,14 +54,15 @@ def _deltas(column: Sequence[Run]) -> Integers:
 
 def runs(cover: Cover, j: int) -> list[Run]:
     """Return the runs of a column."""
-    found = [Run([_units(cover.bottom[j])], [], BOTTOM)] if cover.has_bottom[j] else []
-    for i in range(cover.start[j], cover.start[j + 1]):
-        low, high = edges_of(cover, i)
+    bottom, top = _edges(np.stack([cover.bottom[j], cover.top[j]]))
+    found = [Run([bottom], [], BOTTOM)] if cover.has_bottom[j] else []
+    own = slice(cover.start[j], cover.start[j + 1])
+    lows, highs = _edges(cover.cells[own, :3]), _edges(cover.cells[own, 3:])
+    for low, high, level in zip(lows, highs, cover.levels[own].tolist(), strict=True):
         if not (found and found[-1].edges[-1] == low):
             found.append(Run([low], [], 0))
         found[-1].edges.append(high)
-        found[-1].levels.append(int(cover.levels[i]))
-    top = _units(cover.top[j])
+        found[-1].levels.append(level)
     if found and found[-1].edges[-1] == top:
         last = found.pop()
         found.append(last._replace(kind=last.kind | TOP))
@@ -70,11 +71,6 @@ def runs(cover: Cover, j: int) -> list[Run]:
     return found
 
 
-def edges_of(cover: Cover, i: int) -> tuple[Edge, Edge]:
-    """Return the edges of a cell."""
-    return _units(cover.cells[i, :3]), _units(cover.cells[i, 3:])
-
-
-def _units(p: Floats) -> Edge:
-    a, b, c = (round(float(q) / UNIT) for q in p)
-    return a, b, c
+def _edges(coefficients: Floats) -> list[Edge]:
+    """Return edges, given by rows of coefficients (N, 3)."""
+    return [(a, b, c) for a, b, c in np.rint(coefficients / UNIT).astype(np.int64).tolist()]

@@ -81,7 +81,7 @@ class _Search:
         """Do a step."""
         flights, grain, loss = self.rounds.each[step.round]
         if step.level > flights:
-            parts = strips.lossy(self.family, flights, loss, self.rounds.finest)
+            parts = strips.lossy(self.family, flights, loss, self.rounds.finest, self.runner)
             return New(parts, np.zeros((0, 6)))
         return strips.grown(self._pair(step), step.level, grain, self.runner)
 

@@ -6,10 +6,12 @@ It steers, in doubles: what comes out is to be proved.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from typing import NamedTuple
+from itertools import pairwise
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -26,7 +28,10 @@ FIRST = 1e-3  # strips of level k are looked for by steps of at least FIRST/2^k
 MARGIN = 7e-4  # so near what the other family leaves cells are looked for
 MOST = 250  # new cells of a column; energies that are looked for
 GAPS = 8000  # of a column
+PARTS = 32  # in which columns are given to threads: none waits long for the last one
 FEW = 20  # cells of a column cost as much as so many more
+
+R = TypeVar("R")
 
 Family = tuple[Cover, Cover]
 
@@ -84,24 +89,35 @@ class World:
 
 def grown(family: Family, level: int, grain: Grain, runner: Runner) -> New:
     """Find the cells of one more level of the first columns, near what the second ones leave."""
-    cover, other = family
+    cover, _ = family
     C = len(cover.top)
     link(cover, np.zeros(1 + C + len(cover.cells), np.int64))
     wanted = Wanted(np.zeros(C, np.int64), np.zeros((C, MOST, 2)))
-    want(other, MARGIN, wanted, np.zeros((GAPS, 2)), np.zeros((GAPS, 2)))
     new = Found(np.zeros(C, np.int64), np.zeros((C, MOST, 6)))
-    parts = [np.arange(k, C, 8) for k in range(8)]
-    quiet = Runner(runner.jobs, whole=True)
     grain = grain._replace(step=max(grain.step, FIRST / 2**level))
-    quiet.map(partial(_fitted, cover, new, wanted, (level, grain)), parts, "")
+    _by_threads(partial(_fitted, family, new, wanted, (level, grain)), C, runner)
     return New(new.number, np.concatenate([new.cells[j, :n] for j, n in enumerate(new.number)]))
 
 
+def _by_threads(function: Callable[[Integers], R], C: int, runner: Runner) -> list[R]:
+    """Return what a function gives of parts of the columns; these do not depend on the threads."""
+    parts = [np.arange(k, C, PARTS) for k in range(PARTS)]
+    return Runner(runner.jobs, whole=True).map(function, parts, "")
+
+
 def _fitted(
-    cover: Cover, new: Found, wanted: Wanted, how: tuple[int, Grain], columns: Integers
+    family: Family, new: Found, wanted: Wanted, how: tuple[int, Grain], columns: Integers
 ) -> None:
+    """Find the cells of some columns."""
+    cover, other = family
+    want(other, MARGIN, wanted, columns, _gaps())
     room = Room(np.zeros((5, 2)), np.zeros(6), _seen(cover), np.zeros(3))
     fit(Search(cover, new, wanted, *how, room), columns)
+
+
+def _gaps() -> tuple[Floats, Floats]:
+    """Return room for the gaps of two columns."""
+    return np.zeros((GAPS, 2)), np.zeros((GAPS, 2))
 
 
 def _seen(cover: Cover) -> Integers:
@@ -117,21 +133,19 @@ def columns_of(cover: Cover) -> Integers:
 
 
 def joined(cover: Cover, new: New, level: int) -> Cover:
-    """Return columns with new cells."""
-    own = np.concatenate([columns_of(cover), np.repeat(np.arange(len(cover.top)), new.number)])
-    cells = np.concatenate([cover.cells, new.cells])
-    levels = np.append(cover.levels, np.full(len(new.cells), level))
-    order = np.lexsort((cells[:, 0], own))
-    return cover._replace(
-        start=_starts(own, len(cover.top)),
-        cells=cells[order],
-        levels=levels[order],
-        links=np.zeros(len(order), np.int64),
-    )
+    """Return columns with new cells, which are in order, between the ones that they have."""
+    start, more = cover.start, _starts(new.number)
+    known, found = cover.cells[:, 0], new.cells[:, 0]
+    ends = zip(pairwise(start), pairwise(more), strict=True)
+    places = [a + np.searchsorted(known[a:b], found[c:d]) for (a, b), (c, d) in ends]
+    cells = np.insert(cover.cells, np.concatenate(places), new.cells, axis=0)
+    levels = np.insert(cover.levels, np.concatenate(places), level)
+    links = np.zeros(len(cells), np.int64)
+    return cover._replace(start=start + more, cells=cells, levels=levels, links=links)
 
 
-def _starts(own: Integers, C: int) -> Integers:
-    return np.append(0, np.cumsum(np.bincount(own, minlength=C)))
+def _starts(number: Integers) -> Integers:
+    return np.append(0, np.cumsum(number))
 
 
 def worthy(family: Family, least: float) -> Family:
@@ -156,7 +170,7 @@ def kept(cover: Cover, which: np.ndarray) -> Cover:
     """Return columns with some of their cells."""
     own = columns_of(cover)[which]
     return cover._replace(
-        start=_starts(own, len(cover.top)),
+        start=_starts(np.bincount(own, minlength=len(cover.top))),
         cells=cover.cells[which],
         levels=cover.levels[which],
         links=cover.links[which],
@@ -169,20 +183,27 @@ def lines(ends: tuple[float, float], width: Fraction) -> tuple[float, ...]:
     return tuple(float(k * width) for k in range(first, last + 1))
 
 
-def lossy(family: Family, flights: int, least: float, finest: float) -> Integers:
+def lossy(family: Family, flights: int, least: float, finest: float, runner: Runner) -> Integers:
     """Return into how many parts columns should be cut: 1, 2 or 4.
 
     That depends on what was lost there, for each cell of the column; ``finest`` is the width of the
     narrowest columns.
     """
     one, two = family
-    lost, width = np.zeros(len(one.top)), np.diff(one.lines)
-    trace(family, Chance(np.zeros((GAPS, 2)), np.zeros((GAPS, 2)), flights), lost)
+    C, width = len(one.top), np.diff(one.lines)
+    lost = sum(_by_threads(partial(_traced, family, flights), C, runner), np.zeros(C))
     share = lost / (np.diff(one.start) + np.diff(two.start)[::-1] + FEW)
-    parts = np.ones(len(lost), np.int64)
+    parts = np.ones(C, np.int64)
     for k in (1, 2):
         parts[(share > least * k * k) & (width > 1.5 * k * finest)] = 2 * k
     return parts
+
+
+def _traced(family: Family, flights: int, columns: Integers) -> Floats:
+    """Return how much of what is left in some columns was lost in each column."""
+    lost = np.zeros(len(family[0].top))
+    trace(family, Chance(*_gaps(), flights), columns, lost)
+    return lost
 
 
 def window(a: float, b: float, c: float) -> tuple[float, float]:

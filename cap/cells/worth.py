@@ -35,18 +35,20 @@ def gaps_at(cover: Cover, j: int, s: float, thin: float, ends: Floats) -> int:
     return n
 
 
-def _want(other: Cover, margin: float, wanted: Wanted, gaps: Floats, room: Floats) -> None:
-    """Write the energies near gaps of the other family; ``gaps`` and ``room`` (K, 2) are room."""
-    C = len(wanted.number)
-    for j in range(C):
+def _want(
+    other: Cover, margin: float, wanted: Wanted, columns: Integers, room: tuple[Floats, Floats]
+) -> None:
+    """Write the energies near gaps of the other family in some columns, with room (K, 2) twice."""
+    C, (gaps, found) = len(wanted.number), room
+    for j in columns:
         n = 0
         for k in range(max(0, j - 1), min(C, j + 2)):
             for s in (-1.0, 0.0, 1.0):
                 for i in range(gaps_at(other, C - 1 - k, s, THIN, gaps)):
-                    n = _join(room, n, gaps[i, 0] - margin, gaps[i, 1] + margin)
+                    n = _join(found, n, gaps[i, 0] - margin, gaps[i, 1] + margin)
         wanted.number[j] = min(n, wanted.ends.shape[1])
         for i in range(wanted.number[j]):
-            wanted.ends[j, i, 0], wanted.ends[j, i, 1] = room[i, 0], room[i, 1]
+            wanted.ends[j, i, 0], wanted.ends[j, i, 1] = found[i, 0], found[i, 1]
 
 
 @kernel

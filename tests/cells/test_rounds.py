@@ -70,6 +70,11 @@ def test_thin_parts_of_strips_are_apart():
         assert columns(listed([runs(cover, j) for j in range(len(cover.top))]))
 
 
+def test_threads_find_the_same():
+    """However many there are."""
+    assert same(ROUNDS.found(world(), begun, Runner(3)), found())
+
+
 def test_columns_are_cut_between_rounds():
     """The other lines stay."""
     cut = found()[0]

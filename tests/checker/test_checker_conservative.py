@@ -5,6 +5,7 @@ import json
 import math
 import zlib
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -19,11 +20,12 @@ from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Run, columns, lines
 from cap.checker.flow.images import image
 from cap.checker.flow.landing import Place, positive
-from cap.checker.flow.overlap import gaps, mirrored, shared
+from cap.checker.flow.overlap import gaps, left, mirrored, shared
 from cap.checker.flow.stopping import stops_by
 from cap.checker.flow.strips import Ceiling, World, along
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.parabolas import BYTES, integers
+from cap.checker.kernel.processes import each
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary
@@ -373,6 +375,16 @@ def test_areas():
     crossing = shared(one, mirrored(one))
     assert crossing == pytest.approx((1 / 64) ** 2 / (2 / 8) / 2, rel=1e-3)
     assert shared(one, mirrored(one)) >= (1 / 64) ** 2 / (2 / 8) / 2
+
+
+def test_areas_in_processes():
+    """Of the columns of the second family the last one is the mirror image of the first."""
+    gap = ((1 << 20, 1 << 15, 0), (1 << 21, 1 << 15, 1 << 10))
+    forward, backward = [[gap], []], [[], mirrored([gap])]
+    for jobs in (1, 2):
+        assert left(partial(each, jobs), forward, backward) == [shared([gap], [gap]), 0.0]
+    with pytest.raises(ValueError, match="shorter"):
+        left(partial(each, 1), forward, backward[1:])
 
 
 def test_curved_gaps_are_not_lost():

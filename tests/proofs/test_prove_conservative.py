@@ -30,10 +30,11 @@ def wide(monkeypatch):
 
 
 def test_two_flights():
-    """The checker accepts the theorem, and more flights leave less."""
+    """The checker accepts the theorem, and more flights leave less; in processes, or here."""
     areas = []
     for flights in (1, 2):
-        found = accepted(THEOREMS["conservative"], replace(SETTING, flights=flights))
+        setting = replace(SETTING, flights=flights, runner=Runner(flights))
+        found = accepted(THEOREMS["conservative"], setting)
         areas.append(Fraction(found["claims"]["area"]))
         assert Fraction(found["claims"]["speed"]) ** 2 >= Fraction(528, 100)
     assert areas[1] < areas[0] < 3
@@ -78,14 +79,14 @@ def test_what_is_worth_little_is_left_out():
 def test_columns_are_cut_where_much_is_lost():
     """Not where nothing is, and not below the finest width; the other lines stay."""
     world, one, two = family(2)
-    parts = strips.lossy((one, two), 2, 1e-6, 1 / 32)
+    parts = strips.lossy((one, two), 2, 1e-6, 1 / 32, Runner())
     assert set(parts.tolist()) == {1, 2}
     lines = world.cut(parts).lines
     assert set(world.lines) < set(lines)
     assert {32 * (b - a) for a, b in pairwise(lines)} == {1, 2}
-    assert set(strips.lossy((one, two), 2, 1e-6, 1 / 16).tolist()) == {1}
-    assert set(strips.lossy((one, two), 2, 10.0, 1 / 64).tolist()) == {1}
-    assert (strips.lossy((one, two), 2, 1e-6, 1 / 128) >= parts).all()
+    assert set(strips.lossy((one, two), 2, 1e-6, 1 / 16, Runner()).tolist()) == {1}
+    assert set(strips.lossy((one, two), 2, 10.0, 1 / 64, Runner()).tolist()) == {1}
+    assert (strips.lossy((one, two), 2, 1e-6, 1 / 128, Runner(2)) >= parts).all()
 
 
 def test_too_many_cells(monkeypatch):

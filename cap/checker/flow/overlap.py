@@ -19,6 +19,7 @@ two lines there.  So ``SLACK`` = 2^-36 per part of unit width is more than what 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterable, Sequence
 from itertools import accumulate
 
 from cap.checker.flow.columns import UNIT, Column
@@ -31,6 +32,7 @@ HIGH = 2.0**12
 
 Gap = tuple[Edge, Edge]
 Line = tuple[float, float]
+Work = Callable[..., list[float]]  # a map over tasks
 
 
 def gaps(column: Column) -> list[Gap]:
@@ -46,6 +48,16 @@ def gaps(column: Column) -> list[Gap]:
 def mirrored(found: list[Gap]) -> list[Gap]:
     """Return gaps with -s for s."""
     return [((a, -b, c), (d, -e, f)) for (a, b, c), (d, e, f) in found]
+
+
+def left(work: Work, forward: Iterable[list[Gap]], backward: Sequence[list[Gap]]) -> list[float]:
+    """Return upper bounds of the areas that two families leave, for columns of width 1."""
+    return work(_both, zip(forward, map(mirrored, reversed(backward)), strict=True))
+
+
+def _both(columns: tuple[list[Gap], list[Gap]]) -> float:
+    """Return the bound for one column."""
+    return shared(*columns)
 
 
 def shared(one: list[Gap], two: list[Gap]) -> float:

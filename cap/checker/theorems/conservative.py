@@ -38,11 +38,12 @@ is at most pi times the measure of S, and area(Omega_NS) <= A.
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Column, columns, lines
-from cap.checker.flow.overlap import gaps, mirrored, shared
+from cap.checker.flow.overlap import gaps, left
 from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.processes import each
@@ -106,12 +107,11 @@ class Conservative(Theorem):
     def compare_area(self, at: list[float], forward: list[Column], backward: list[Column]) -> None:
         """Compare the area that is left with the one claimed."""
         total = Double(0.0)
-        pairs = zip(pairwise(at), forward, reversed(backward), strict=True)
-        for (low, high), one, two in pairs:
-            area = shared(gaps(one), mirrored(gaps(two)))
+        areas = left(partial(each, self.jobs), map(gaps, forward), [*map(gaps, backward)])
+        for (low, high), area in zip(pairwise(at), areas, strict=True):
             total = total + Double(area) * (high - low)
-        left = Fraction(total.upper) * self.p.F**2 / self.p.omega**3
-        need(left <= self.claims["area"], "more area is left than is claimed")
+        whole = Fraction(total.upper) * self.p.F**2 / self.p.omega**3
+        need(whole <= self.claims["area"], "more area is left than is claimed")
         self.step("the launches that are left have at most the area claimed")
 
     def compare_speed(self, energy: Fraction) -> None:
