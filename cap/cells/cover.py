@@ -89,10 +89,16 @@ def found(cover: Cover, j: int, s: float, E: float, slack: float) -> int:
 @kernel
 def place(cover: Cover, t: float, E: float) -> tuple[int, float, float]:
     """Return the column in which a launch lands, where, and its energy; -1: it stops; -2: none."""
-    lines, y = cover.lines, cover.y
+    y = cover.y
     if E <= 0:
         return -1, 0.0, 0.0
     T, V = fly(t, math.sqrt(2 * E), y[0], y[1])
+    return landed(cover.lines, T, V)
+
+
+@kernel
+def landed(lines: Floats, T: float, V: float) -> tuple[int, float, float]:
+    """Return the same from the time and the speed of its hit."""
     if V <= 0:
         return -1, 0.0, 0.0
     t = lines[0] + (T + math.pi - lines[0]) % TURN
@@ -103,17 +109,23 @@ def place(cover: Cover, t: float, E: float) -> tuple[int, float, float]:
 
 
 @kernel
-def link(cover: Cover, t: float, E: float) -> int:
-    """Return the link of the cell into which a launch flies, or `NO_LINK`."""
-    j, s, E = place(cover, t, E)
+def link(cover: Cover, t: float, E: float, near: float) -> tuple[int, float]:
+    """Return the link of the cell into which a launch flies, or `NO_LINK`, and when it hits.
+
+    It is found sooner if it hits ``near`` a time.
+    """
+    if E <= 0:
+        return NO_LINK, near
+    T, V = fly(t, math.sqrt(2 * E), cover.y[0], cover.y[1], near)
+    j, s, E = landed(cover.lines, T, V)
     if j < 0:
-        return 0 if j == -2 else NO_LINK
+        return 0 if j == -2 else NO_LINK, T
     i = found(cover, j, s, E, SLACK)
     if i == TOP:
-        return 0
+        return 0, T
     if i == BOTTOM:
-        return int(cover.under[j])
-    return NO_LINK if i == NEITHER else int(cover.links[i])
+        return int(cover.under[j]), T
+    return NO_LINK if i == NEITHER else int(cover.links[i]), T
 
 
 @kernel

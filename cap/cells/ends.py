@@ -7,7 +7,7 @@ link (`cap.cells.links`).
 import math
 from typing import NamedTuple
 
-from cap.cells.cover import BOTTOM, Cover, Floats, at, found, link, place, time
+from cap.cells.cover import BOTTOM, Cover, Floats, at, found, landed, link, time
 from cap.cells.hits import fly, pulled
 from cap.sets.compiled import kernel
 
@@ -21,24 +21,32 @@ class Gap(NamedTuple):
     high: Floats
 
 
+class Begin(NamedTuple):
+    """A launch, and when it hits."""
+
+    t: float
+    E: float
+    T: float
+
+
 @kernel
-def end_of(
-    cover: Cover, at_time: tuple[float, float], to: int, step: float, limits: tuple[float, float]
-) -> float:
+def end_of(cover: Cover, begin: Begin, to: int, step: float, limits: tuple[float, float]) -> float:
     """Return up to where, from E in the direction of ``step``, launches fly into cells of one link.
 
-    From the energy at a time (both given) by steps up to the first limit; it errs by the second.
+    By steps up to the first limit; it errs by the second.
     """
-    t, E = at_time
+    t, E, T = begin
     bound, near = limits
     low, high, sign = E, E + step, 1.0 if step > 0 else -1.0
     for _ in range(60):
         if sign * (high - bound) >= 0:
-            if link(cover, t, bound) == to:
+            there, T = link(cover, t, bound, T)
+            if there == to:
                 return bound
             high = bound
             break
-        if link(cover, t, high) != to:
+        there, T = link(cover, t, high, T)
+        if there != to:
             break
         low, step = high, 1.7 * step
         high = low + step
@@ -46,7 +54,8 @@ def end_of(
         if abs(high - low) < near:
             break
         middle = 0.5 * (low + high)
-        if link(cover, t, middle) == to:
+        there, T = link(cover, t, middle, T)
+        if there == to:
             low = middle
         else:
             high = middle
@@ -58,7 +67,7 @@ def _slope(cover: Cover, t: float, E: float) -> float:
     """Return the slope of the strip in which a launch is: its flight turns it to that of a cell."""
     lines, y = cover.lines, cover.y
     T, V = fly(t, math.sqrt(2 * E), y[0], y[1])
-    j, s, energy = place(cover, t, E)
+    j, s, energy = landed(lines, T, V)
     if j < 0:
         return 0.0
     i, p = found(cover, j, s, energy, 0.0), cover.top[j]
@@ -88,7 +97,8 @@ def followed(cover: Cover, j: int, gap: Gap, to: int, ends: Floats) -> bool:
             E = 0.5 * (low + high)
             there = E + (new - t) * _slope(cover, t, E)
             bottom, top = bounds(gap, side * (s + move))
-            if not bottom <= there <= top or link(cover, new, there) != to:
+            into, T = link(cover, new, there, math.inf)
+            if not bottom <= there <= top or into != to:
                 step *= 0.5
                 if step < 1e-2:
                     return False
@@ -97,8 +107,8 @@ def followed(cover: Cover, j: int, gap: Gap, to: int, ends: Floats) -> bool:
             arrived = s >= 0.5 * node - 1e-12
             near, share = CLOSE if arrived else 0.02 * (high - low), 0.3 * (high - low)
             low, high = (
-                end_of(cover, (new, there), to, -share, (bottom, near)),
-                end_of(cover, (new, there), to, share, (top, near)),
+                end_of(cover, Begin(new, there, T), to, -share, (bottom, near)),
+                end_of(cover, Begin(new, there, T), to, share, (top, near)),
             )
             if high - low < 0.02 * width:
                 return False

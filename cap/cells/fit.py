@@ -18,7 +18,7 @@ from cap.cells.cover import (
     same,
     time,
 )
-from cap.cells.ends import CLOSE, Gap, bounds, end_of, followed, touches
+from cap.cells.ends import CLOSE, Begin, Gap, bounds, end_of, followed, touches
 from cap.sets.compiled import kernel, sources
 from cap.sets.kept import kept
 
@@ -217,7 +217,7 @@ def _column(search: Search, j: int) -> None:
         search.grain,
         search.room,
     )
-    t, ends = time(cover.lines, j, 0.0), room.ends
+    t, ends, T = time(cover.lines, j, 0.0), room.ends, math.inf
     new.number[j] = 0
     for i in range(cover.start[j], cover.start[j + 1] + 1):
         gap = _gap(cover, j, i, room)
@@ -226,12 +226,12 @@ def _column(search: Search, j: int) -> None:
         bottom, top = bounds(gap, 0.0)
         E = _next(wanted, j, bottom + min(0.5 * grain.step, 0.5 * (top - bottom)))
         while top > E:
-            to = link(cover, t, E)
+            to, T = link(cover, t, E, T)
             if to == NO_LINK:
                 E = _next(wanted, j, E + grain.step)
                 continue
-            lower = end_of(cover, (t, E), to, -0.5 * grain.step, (bottom, CLOSE))
-            upper = end_of(cover, (t, E), to, 0.5 * grain.step, (top, CLOSE))
+            lower = end_of(cover, Begin(t, E, T), to, -0.5 * grain.step, (bottom, CLOSE))
+            upper = end_of(cover, Begin(t, E, T), to, 0.5 * grain.step, (top, CLOSE))
             if upper - lower > grain.thin:
                 ends[2, 0], ends[2, 1] = lower, upper
                 before = new.number[j]

@@ -29,9 +29,9 @@ def _place(n: _Launch, d: float, cos: float) -> float:
 
 
 @kernel
-def _reach(n: _Launch, R: float, low: float, high: float) -> tuple[float, float]:
+def _reach(n: _Launch, R: float, low: float, high: float, near: float) -> tuple[float, float]:
     """Return when x = R, between two times at which x is below and above, and the speed."""
-    T, v = high, 0.0
+    T, v = near if low < near < high else high, 0.0
     for _ in range(100):
         d, sin, cos = T - n.t, math.sin(T), math.cos(T)
         x, v = _place(n, d, cos), n.rate + sin - n.f * d
@@ -73,8 +73,11 @@ def _halt(n: _Launch, low: float, high: float) -> float:
 
 
 @kernel
-def fly(t: float, u: float, f: float, R: float) -> tuple[float, float]:
-    """Return the time and the speed of the hit; no speed if the flight stops."""
+def fly(t: float, u: float, f: float, R: float, near: float = math.inf) -> tuple[float, float]:
+    """Return the time and the speed of the hit; no speed if the flight stops.
+
+    It is found sooner if it is ``near`` a time.
+    """
     rest, height = math.acos(f), math.sqrt(1 - f * f)
     k = math.floor((t + rest) / TURN)
     rising = t - k * TURN < rest
@@ -87,7 +90,7 @@ def fly(t: float, u: float, f: float, R: float) -> tuple[float, float]:
             end = _halt(n, T, end)
             d, cos = end - t, math.cos(end)
         if _place(n, d, cos) >= R:
-            T, v = _reach(n, R, T, end)
+            T, v = _reach(n, R, T, end, near)
             return T, max(0.0, v)
         if stops:
             return end, 0.0
