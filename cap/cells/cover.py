@@ -87,18 +87,17 @@ def found(cover: Cover, j: int, s: float, E: float, slack: float) -> int:
 
 
 @kernel
-def place(cover: Cover, t: float, E: float) -> tuple[int, float, float]:
-    """Return the column in which a launch lands, where, and its energy; -1: it stops; -2: none."""
-    y = cover.y
-    if E <= 0:
-        return -1, 0.0, 0.0
-    T, V = fly(t, math.sqrt(2 * E), y[0], y[1])
-    return landed(cover.lines, T, V)
+def _flown(y: Floats, t: float, E: float, near: float) -> tuple[float, float]:
+    """Return when and how fast a launch hits, as `fly` does."""
+    return fly(t, math.sqrt(2 * E), y[0], y[1], near) if E > 0 else (near, 0.0)
 
 
 @kernel
 def landed(lines: Floats, T: float, V: float) -> tuple[int, float, float]:
-    """Return the same from the time and the speed of its hit."""
+    """Return the column in which a launch lands, where, and its energy; -1: it stops; -2: none.
+
+    It hits at the time T with the speed V.
+    """
     if V <= 0:
         return -1, 0.0, 0.0
     t = lines[0] + (T + math.pi - lines[0]) % TURN
@@ -109,14 +108,19 @@ def landed(lines: Floats, T: float, V: float) -> tuple[int, float, float]:
 
 
 @kernel
+def place(cover: Cover, t: float, E: float) -> tuple[int, float, float]:
+    """Return where a launch lands."""
+    T, V = _flown(cover.y, t, E, math.inf)
+    return landed(cover.lines, T, V)
+
+
+@kernel
 def link(cover: Cover, t: float, E: float, near: float) -> tuple[int, float]:
     """Return the link of the cell into which a launch flies, or `NO_LINK`, and when it hits.
 
     It is found sooner if it hits ``near`` a time.
     """
-    if E <= 0:
-        return NO_LINK, near
-    T, V = fly(t, math.sqrt(2 * E), cover.y[0], cover.y[1], near)
+    T, V = _flown(cover.y, t, E, near)
     j, s, E = landed(cover.lines, T, V)
     if j < 0:
         return 0 if j == -2 else NO_LINK, T
