@@ -6,8 +6,9 @@ with l < x < r, |v| < V at t = 0.  There are explicit numbers such that of the a
 
  (i)   at least `shares.attractor` tends to the orbits released in A (theorem `attractor`),
  (ii)  at least `shares.segment` converges to T-periodic orbits that touch no wall (`segment`),
- (iii) at least `shares.stops` stops at least once, the first two included,
- (iv)  at most `never_stopping_area` never stops.
+ (iii) at least `shares.either` does one of both,
+ (iv)  at least `shares.stops` stops at least once, all these included,
+ (v)   at most `never_stopping_area` never stops.
 
 Proof.  After a stick the state is one number, the place of the release, and what becomes of places
 is found in rounds (`cap.proofs.places`).  Almost each state that sticks is what becomes of its
@@ -35,8 +36,7 @@ from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
 from cap.checker.folded.masses import UNIT as MASS
 from cap.checker.folded.masses import Places
-from cap.checker.folded.sticks import PARTS
-from cap.checker.folded.table import ATTRACTOR, SEGMENT
+from cap.checker.folded.sticks import FATES, PARTS
 from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
@@ -74,7 +74,7 @@ def prove(setting: Setting) -> Proof:
         "sticks": {"early": written([0]), "late": written([0])},
         "strip": {"slow": written([0]), "fast": written([0])},
     }
-    draft = certificate_of(setting, claims_of(setting, (0, 0, 0)) | nested, hints)
+    draft = certificate_of(setting, claims_of(setting, (0, 0, 0, 0)) | nested, hints)
     theorem = Mixed(read(dumps({**draft, "provenance": {}}).encode()), silent)
     parts = lemma_shares(setting, theorem, hints)
     proved = certificate_of(setting, claims_of(setting, parts) | nested, hints)
@@ -86,7 +86,7 @@ def silent(_step: str) -> None:
 
 
 def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tuple[Fraction, ...]:
-    """*Statement.* Such parts of the box are attracted, go to the segment, and stop.
+    """*Statement.* Such parts of the box are attracted, go to the segment, do either, and stop.
 
     *Computed.* Sticks are followed backwards, in ever smaller regions until no more is undecided
     than asked for.  The trees are added to the hints.
@@ -95,13 +95,13 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     strip, hints["strip"] = by_strip(setting, theorem)
     whole = 2 * theorem.region()[0] * theorem.region()[1]
     wanted, left = setting.undecided, Fraction(1)
-    enough = None if wanted is None else (1 - wanted + 2 * SLACK) * whole - strip
+    enough = None if wanted is None else (1 - wanted + SLACK) * whole - strip
     for worth, most in (USUAL,) if wanted is None else EFFORTS:
         plan = Plan(worth, STROBES)
         trees = sticks.search(setting.parameters, speed_of(setting), plan, setting.runner)
-        (a, s, stops), hints["sticks"] = counted(trees, known, most, enough)
-        shares = a / whole, (s + strip) / whole, (stops + strip) / whole
-        left = 1 - shares[0] - shares[1] + 2 * SLACK
+        (a, *others), hints["sticks"] = counted(trees, known, most, enough)
+        shares = a / whole, *((more + strip) / whole for more in others)
+        left = 1 - shares[2] + SLACK
         if wanted is None or left <= wanted:
             return shares
     raise NotProved(
@@ -119,7 +119,7 @@ def counted(
     There are at most so many regions, and not many more than for an area that is ``enough``.
     """
     found = [areas_of(tree, known) for tree in trees]
-    worths = [a + s for a, s, _ in found]
+    worths = [either for _, _, either, _ in found]
     price = dearest(trees, worths, most)
     if enough is not None:
         price = max(price, cheapest(trees, worths, float(enough) * (1 + 1e-9)))
@@ -135,12 +135,12 @@ def below_sum(areas: Floats) -> Fraction:
     return sum(map(Fraction, areas.tolist()), Fraction(0))
 
 
-def areas_of(tree: Sticks, known: Places) -> tuple[Floats, Floats, Floats]:
+def areas_of(tree: Sticks, known: Places) -> tuple[Floats, ...]:
     """Return the areas for the fates, and of all that sticks, from each region (N,), from below."""
     spans = tree.spans(PARTS)
-    lost = (missing(known, fate, spans).mean(axis=1) for fate in (ATTRACTOR, SEGMENT))
-    a, s = (np.maximum(0.0, tree.areas - tree.weights * more) * (1 - 1e-12) for more in lost)
-    return a, s, tree.areas
+    lost = (missing(known, fate, spans).mean(axis=1) for fate in FATES)
+    fated = (np.maximum(0.0, tree.areas - tree.weights * more) * (1 - 1e-12) for more in lost)
+    return (*fated, tree.areas)
 
 
 def missing(known: Places, fate: int, places: Floats) -> Floats:
@@ -176,11 +176,12 @@ def claims_of(setting: Setting, found: tuple[Fraction | int, ...]) -> dict[str, 
     """Return the claims about the shares found, with some slack."""
     p = setting.parameters
     V = speed_of(setting)
-    a, s, known = (max(Fraction(0), share - SLACK) for share in found)
+    a, s, either, known = (max(Fraction(0), share - SLACK) for share in found)
     area = 2 * p.R * V
     claimed = {
         "attractor": (a, 1 - s),
         "segment": (s, 1 - a),
+        "either": (max(a + s, either), Fraction(1)),
         "stops": (known, Fraction(1)),
         "undecided": (Fraction(0), 1 - known),
     }

@@ -16,7 +16,8 @@ A = -sin t at ref = t, and dB = dq + ...  A hit keeps it.  A turn at T multiplie
 
 *Strobes* are the multiples of pi.  The states there from different sticks, or from one stick after
 different times, are different: the motion from a state has one first stick.  A strobe during an
-event has, from each stick, the density before or that after; that before is less.
+event has, from each stick, the density before or that after; that before is less.  What counts is
+slower than V then: of a region, a part.
 
 *Errors.*  A = A_0(X, Y) + u, B = B_0(X, Y) + v with polynomials A_0, B_0 and (u, v) = C n, |n_1| <=
 R_1, |n_2| <= R_2, as in `cap.checker.folded.flights`; J is the derivative of (A', B') in (A, B).

@@ -10,7 +10,17 @@ import math
 from typing import NamedTuple
 
 from cap.cells.backward import PI_ERROR, ROUND, Event, Flight, System
-from cap.cells.polynomials import LAST, Model, between, ends, exact, integral, moved, scaled, total
+from cap.cells.polynomials import (
+    LAST,
+    Model,
+    between,
+    ends,
+    exact,
+    integral_below,
+    moved,
+    scaled,
+    total,
+)
 from cap.cells.regions import (
     APART,
     NONE,
@@ -18,6 +28,7 @@ from cap.cells.regions import (
     Region,
     Seen,
     after,
+    fastest,
     first,
     known,
     next_of,
@@ -90,37 +101,40 @@ def _outside(y: System, strip: Strip, p: Model, s: Model) -> bool:
 
 
 @kernel
-def _flown(y: System, strip: Strip, f: Flight, V: float, passed: int) -> tuple[bool, int, int]:
-    """Return whether all is outside at the strobes passed for certain, how many count, the next."""
-    count, j = 0, first(f)
+def _flown(
+    y: System, strip: Strip, f: Flight, density: Model, V: float, passed: int
+) -> tuple[bool, float, int]:
+    """Return whether all is outside at the strobes passed for certain, the area there, the next."""
+    area, j = 0.0, first(f)
     while True:
         flying, p, s = passing(y, f, j)
         if not flying:
-            return True, count, j
+            return True, area, j
         if (j + passed) % 2:
             if not _outside(y, strip, p, s):
-                return False, count, j
-            count += ends(s)[1] < V
+                return False, area, j
+            area += max(0.0, integral_below(density, s, V))
         j += 1
 
 
 @kernel
-def _during(
-    strip: Strip, event: Event, V: float, seen: tuple[int, int], passed: int
-) -> tuple[bool, int, int]:
-    """Return the same for those not after an event; ``seen``: how many count, and the first one.
+def _during(strip: Strip, event: Event, j: int, passed: int) -> tuple[bool, int]:
+    """Return whether all is outside at the strobes from j pi on not after an event, and the next.
 
     s changes at a rate below 2.
     """
-    count, j = seen
     while j * math.pi <= event.ends[1]:
         more = 2 * (event.ends[1] - min(j * math.pi, event.ends[0]) + APART)
-        if (j + passed) % 2:
-            if not _other(strip, event.least - more, event.most + more):
-                return False, count, j
-            count += event.most + more < V
+        if (j + passed) % 2 and not _other(strip, event.least - more, event.most + more):
+            return False, j
         j += 1
-    return True, count, j
+    return True, j
+
+
+@kernel
+def _slow(y: System, f: Flight, density: Model, event: Event, j: int, V: float) -> float:
+    """Return the area slower than V at a strobe next to an event."""
+    return max(0.0, integral_below(density, fastest(y, f, event, j), V))
 
 
 @kernel
@@ -131,11 +145,13 @@ def entered(y: System, strip: Strip, r: Region, limits: Limits) -> Seen:
     for n in range(limits.flights):
         if not known(f, limits.size) or first(f) + passed != coming:
             break
-        outside, count, j = _flown(y, strip, f, limits.V, passed)
+        outside, got, j = _flown(y, strip, f, density, limits.V, passed)
         kind, event = next_of(y, f)
         if outside and event.why == 0:
-            outside, count, j = _during(strip, event, limits.V, (count, j), passed)
-        got = count * integral(density)
+            begin = j + (j + passed + 1) % 2
+            outside, j = _during(strip, event, j, passed)
+            for k in range(begin, j, 2):
+                got += _slow(y, f, density, event, k, limits.V)
         if got > 0:
             area, last = area + got, n + 1
         if not outside or event.why != 0:

@@ -26,6 +26,8 @@ Three = tuple[float, float, float]
 LAST = 15  # where e is
 UP = 1 + 2.0**-40
 SUM, PRODUCT, TINY = 2.0**-51, 2.0**-49, 2.0**-900
+FLAT = 2.0**-200  # so small u and w are added to h
+THIN = 2.0**-40  # of u: a smaller w is added to h; of the square: more than rounding
 ANGLE = 2.0**-50  # more than the error of a cosine or a sine of a double
 RATIO = 2.0**-55  # more than the error of the doubles next to 1/6, 1/24
 NEAREST = 0.6  # sizes of g for which 1/(1 - g) is expanded
@@ -254,3 +256,62 @@ def integral(p: Model) -> float:
     """Return a number that is at most the integral of p over [-1, 1]^2."""
     whole = p[0] + (p[3] + p[5]) / 3 + (p[10] + p[14]) / 5 + p[12] / 9
     return 4 * (whole - (p[15] + norm(p) * 4 * SUM) * UP)
+
+
+@kernel
+def part_below(p: Model, v: float) -> float:
+    """Return a number that is at most the part of [-1, 1]^2 in which p < v.
+
+    p is at most h + a X + b Y, h bounding all other terms; u >= w are the sizes of a and b, and d =
+    v - h.  The part of the square where a X + b Y < d has two corners cut off, or one, or none.
+    """
+    u, w = max(abs(p[1]), abs(p[2])), min(abs(p[1]), abs(p[2]))
+    z = 0.0
+    h = ends(
+        (
+            p[0],
+            z,
+            z,
+            p[3],
+            p[4],
+            p[5],
+            p[6],
+            p[7],
+            p[8],
+            p[9],
+            p[10],
+            p[11],
+            p[12],
+            p[13],
+            p[14],
+            p[15],
+        )
+    )[1]
+    if u < FLAT:
+        h, u, w = h + u + w, 0.0, 0.0
+    if w < u * THIN:
+        h, w = h + w, 0.0
+    d = v - h - (abs(v) + abs(h) + u) * 2 * SUM
+    corner = d + u + w
+    if corner <= 0:
+        return 0.0
+    if d >= u + w:
+        part = 1.0
+    elif corner <= 2 * w:
+        part = corner * corner / (8 * u * w)
+    elif corner <= 2 * u:
+        part = (d + u) / (2 * u)
+    else:
+        part = 1 - (u + w - d) * (u + w - d) / (8 * u * w)
+    return max(0.0, part - THIN)
+
+
+@kernel
+def integral_below(density: Model, p: Model, v: float) -> float:
+    """Return a number that is at most the integral of a density, not negative, over where p < v."""
+    if ends(p)[1] < v:
+        return integral(density)
+    part, (least, most) = part_below(p, v), ends(density)
+    if part == 0:
+        return 0.0
+    return max(4 * part * least / UP, integral(density) - 4 * (1 - part) * most * UP, 0.0)

@@ -30,7 +30,7 @@ from cap.cells.polynomials import (
     between,
     ends,
     exact,
-    integral,
+    integral_below,
     moved,
     product,
     scaled,
@@ -143,30 +143,46 @@ def known(f: Flight, size: float) -> bool:
 
 
 @kernel
-def underway(y: System, f: Flight, V: float) -> tuple[int, int]:
-    """Return how many strobes that count all flights are certain to pass, and the next one."""
-    count, j = 0, first(f)
+def underway(y: System, f: Flight, density: Model, V: float) -> tuple[float, int, int]:
+    """Return the area slower than V at the strobes that all flights are certain to pass.
+
+    And at how many there is some, and the next strobe.
+    """
+    area, count, j = 0.0, 0, first(f)
     while True:
         flying, _p, s = passing(y, f, j)
         if not flying:
-            return count, j
-        count, j = count + (ends(s)[1] < V), j + 1
+            return area, count, j
+        got = max(0.0, integral_below(density, s, V))
+        area, count, j = area + got, count + (got > 0), j + 1
 
 
 @kernel
-def during(event: Event, j: int, V: float) -> int:
-    """Return how many strobes from j pi on count that are not after an event.
+def fastest(y: System, f: Flight, event: Event, j: int) -> Model:
+    """Return a bound of the speeds at j pi, where an event may be before.
 
-    s changes at a rate below 2.
+    After it the speed grows by less than 1 + a a unit of time; that of the flight, continued, falls
+    by less than 1 - a.
     """
-    count, t = 0, j * math.pi
-    while t <= event.ends[1]:
-        fastest = event.most + 2 * (event.ends[1] - min(t, event.ends[0]) + APART)
-        if fastest * UP < V:
-            count += 1
-        j += 1
-        t = j * math.pi
-    return count
+    t = j * math.pi
+    e = abs(j) * PI_ERROR + abs(t) * ROUND
+    s = at(y, f, (t, e), -1.0 if j % 2 else 1.0, 0.0)[1]
+    return moved(s, 2 * max(0.0, t + APART - event.ends[0]) * UP, f.errors[0])
+
+
+@kernel
+def during(
+    y: System, f: Flight, density: Model, event: Event, j: int, V: float
+) -> tuple[float, int]:
+    """Return the area slower than V at the strobes from j pi on that are not after an event.
+
+    And at how many there is some.
+    """
+    area, count = 0.0, 0
+    while j * math.pi <= event.ends[1]:
+        got = max(0.0, integral_below(density, fastest(y, f, event, j), V))
+        area, count, j = area + got, count + (got > 0), j + 1
+    return area, count
 
 
 @kernel
@@ -195,11 +211,11 @@ def followed(y: System, r: Region, limits: Limits) -> Seen:
     for n in range(limits.flights):
         if not known(f, limits.size):
             break
-        count, j = underway(y, f, limits.V)
+        got, count, j = underway(y, f, density, limits.V)
         kind, event = next_of(y, f)
         if event.why == 0:
-            count += during(event, j, limits.V)
-        got = count * integral(density)
+            more, others = during(y, f, density, event, j, limits.V)
+            got, count = got + more, count + others
         if got > 0 and wide > 0:
             area, weight = area + got, weight + 2 * count * ends(density)[1] / wide
             last = n + 1

@@ -124,9 +124,9 @@ def passed(y: System, f: Flight, flights: int) -> list[tuple[int, Points]]:
     try:
         for _ in range(flights):
             strobes = list(flown(y, f))
-            found += [(k, outline(y, f, k - f.passed)) for k, _ in strobes]
+            found += [(each.number, outline(y, f, each.number - f.passed)) for each in strobes]
             e = event(y, f)
-            late = [k for k, _ in at_event(y, f, e, len(strobes))]
+            late = [each.number for each in at_event(y, f, e, len(strobes))]
             found += [(k, outline(y, f, k - f.passed)) for k in late]
             f = after(y, f, e)
             found += [(k, outline(y, f, k - f.passed)) for k in late]

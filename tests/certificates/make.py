@@ -158,10 +158,14 @@ def attracting(sink):
 
 def mixed(true):
     """Write shares that are too good, a box that is another, an interval that G does not keep."""
-    share = true["claims"]["shares"]["attractor"]
-    larger = [f"{float(share[0]) + 1e-4:.6f}", share[1]]
+    shares = true["claims"]["shares"]
+    larger, either = (
+        [f"{float(shares[name][0]) + 1e-4:.6f}", shares[name][1]]
+        for name in ("attractor", "either")
+    )
     for name, *change in (
         ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
+        ("mixed_share_of_both_enlarged", "claims", "shares", "either", either),
         ("mixed_places_dropped", "hints", "places", "tree", "0"),
         ("mixed_places_all_at_once", "hints", "places", "tree", "1"),
         ("mixed_sticks_dropped", "hints", "sticks", "early", mixed_small.written([0])),

@@ -65,11 +65,12 @@ def _small():
     hints["strip"] = {"slow": even(1, 1, 20), "fast": even(2, 2, 20)}
     theorem = Mixed(read(json.dumps(certificate).encode()), lambda _step: None)
     places = theorem.places(here)
-    a, s, known = map(float, counted(theorem, places))
+    a, s, either, known = map(float, counted(theorem, places))
     certificate["claims"] |= {
         "shares": {
             "attractor": [f"{a - 1e-6:.6f}", f"{1 - s + 1e-6:.6f}"],
             "segment": [f"{max(0, s - 1e-6):.6f}", f"{1 - a + 1e-6:.6f}"],
+            "either": [f"{either - 1e-6:.6f}", "1"],
             "stops": [f"{known - 1e-6:.6f}", "1"],
             "undecided": ["0", f"{1 - known + 1e-6:.6f}"],
         },

@@ -35,6 +35,7 @@ REASONS = {
     "mixed_places_all_at_once": "certain",
     "mixed_places_dropped": "shares.attractor does not contain",
     "mixed_share_enlarged": "shares.attractor does not contain",
+    "mixed_share_of_both_enlarged": "shares.either does not contain",
     "more_digits_than_certain": "wider than its digits allow",
     "multipliers_swapped": "multipliers",
     "other_friction": "when a window ends",

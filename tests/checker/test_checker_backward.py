@@ -17,6 +17,7 @@ from cap.checker.folded.regions import flights, leaves
 from cap.checker.folded.sticks import (
     PARTS,
     all_sticks,
+    at_event,
     backwards,
     flown,
     multiple,
@@ -53,7 +54,7 @@ def strobes(y, start, count=12):
     f = start.flight
     try:
         for _ in range(count):
-            for k, _speeds in flown(y, f):
+            for k, _speeds, _most in flown(y, f):
                 yield *y.at(f, multiple(y, k - f.passed)[0]), k - f.passed, f
             f = after(y, f, event(y, f))
     except Rejected:
@@ -164,7 +165,8 @@ def test_each_multiple_of_pi_is_passed_once():
     """One after the other, none twice."""
     y = System(SYSTEMS["paper"])
     for _late, _, start in regions(y):
-        passed = [k for _, found in backwards(y, start.flight, 12) for k, _ in found]
+        strobes = (each for _, found in backwards(y, start.flight, 12) for each in found)
+        passed = [each.number for each in strobes]
         assert passed == sorted(set(passed))
 
 
@@ -198,6 +200,89 @@ def test_an_integral_is_a_bound_from_below():
         p = (*rng.normal(size=q.LAST), 0.01)
         mean = 4 * float(np.mean(value(p, x, z)[0]))
         assert q.integral(p) == pytest.approx(mean - 0.04, abs=1e-3)
+
+
+def test_parts_where_a_model_is_small():
+    """What is said of a half plane is what there is; of bent models, nothing too large."""
+    rng, t = np.random.default_rng(7), np.linspace(-1, 1, 402)[:-1] + 1 / 401
+    x, z = np.meshgrid(t, t)
+    for a, b in (
+        (0.3, 0.2),
+        (-0.2, 0.7),
+        (0.5, 0.0),
+        (0.0, -1e-20),
+        (1e-9, 2.0),
+        (0.0, 0.0),
+        (1e-170, 1e-170),
+    ):
+        for v in np.linspace(-1.1, 1.1, 23):
+            p = q.model(Y=a, X=b, one=0.01)
+            truth = float(np.mean(value(p, x, z)[0] < v))
+            assert q.part_below(p, v) == pytest.approx(truth, abs=4e-3)
+    inside = []
+    for _ in range(200):
+        p = (*(rng.normal(size=q.LAST) * ([1] * 3 + [0.1] * 12)).tolist(), 0.01)
+        v = rng.normal()
+        found, truth = q.part_below(p, v), float(np.mean(value(p, x, z)[0] + 0.01 < v))
+        assert found <= truth + 4e-3
+        inside.append(found > 0.5 * truth > 0)
+    assert sum(inside) > 50
+
+
+def test_integrals_where_a_model_is_small():
+    """Bounds from below of the integral, close for a density that varies little."""
+    rng, t = np.random.default_rng(8), np.linspace(-1, 1, 402)[:-1] + 1 / 401
+    x, z = np.meshgrid(t, t)
+    for _ in range(100):
+        p = (*(rng.normal(size=q.LAST) * ([1] * 3 + [0.003] * 12)).tolist(), 1e-4)
+        density = (1.0, *(rng.normal(size=q.LAST - 1) * 0.003).tolist(), 0.0)
+        v = rng.normal()
+        truth = 4 * float(np.mean(value(density, x, z)[0] * (value(p, x, z)[0] + 1e-4 < v)))
+        found = q.integral_below(density, p, v)
+        assert truth - 0.25 < found <= truth + 0.02
+    assert q.integral_below(density, q.model(one=1.0), 2.0) == q.integral(density)
+    assert q.integral_below(density, q.model(one=1.0), 0.5) == 0
+
+
+def test_areas_of_what_is_slower_than_a_speed():
+    """In regions that are partly faster: the part of points, but for a little, and not more."""
+    y, parts, t = System(SYSTEMS["paper"]), [], np.linspace(-1, 1, 202)[:-1] + 1 / 201
+    x, z = np.meshgrid(t, t)
+    for _late, _, start in regions(y):
+        for f in flown_from(y, start.flight, 6):
+            for strobe in flown(y, f):
+                V = strobe.most[0]
+                slow = value(strobe.most, x, z)[0] < V
+                truth = 4 * np.mean(slow * value(f.density, x, z)[0])
+                found = q.integral_below(f.density, strobe.most, V)
+                assert found < truth * 1.02
+                parts.append(found / truth)
+    assert len(parts) > 20
+    assert np.quantile(parts, 0.75) > 0.8
+
+
+def test_speeds_at_events_are_bounded():
+    """At a multiple of pi next to an event, before it or after it."""
+    y, compared = System(SYSTEMS["paper"]), 0
+    corners = [(a, b) for a in (-1, 0, 1) for b in (-1, 0, 1)]
+    for _late, _, start in regions(y):
+        for f in flown_from(y, start.flight, 6):
+            try:
+                e = event(y, f)
+                g = after(y, f, e)
+            except Rejected:
+                break
+            for strobe in at_event(y, f, e, len(list(flown(y, f)))):
+                t = (strobe.number - f.passed) * math.pi
+                for a, b in corners:
+                    T = e.near + value(e.d, a, b)[0]
+                    if abs(T - t) < 1e-3:
+                        continue
+                    flight, time = (f, t) if t < T else (g, t - (g.passed - f.passed) * math.pi)
+                    s = value(y.at(flight, time)[1], a, b)[0]
+                    assert s < value(strobe.most, a, b)[0] + strobe.most[q.LAST] + 1e-9
+                    compared += 1
+    assert compared > 20
 
 
 def test_flights_of_a_tree():

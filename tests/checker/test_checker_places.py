@@ -14,7 +14,7 @@ from cap.checker.folded.masses import Places
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece, portion
 from cap.checker.folded.strip import Strip
-from cap.checker.folded.table import ATTRACTOR, SEGMENT
+from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
 from cap.checker.folded.tree import nodes
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected
@@ -112,6 +112,7 @@ def test_measures_of_places_that_go_to_the_segment():
     assert found.missing((0.0, 1.0), SEGMENT) == pytest.approx(0.5)
     assert found.missing((0.0, 1.0), ATTRACTOR) == pytest.approx(0.75)
     assert found.missing((0.6, 0.8), ATTRACTOR) == pytest.approx(0.15)
+    assert found.missing((0.0, 1.0), EITHER) == pytest.approx(0.25)
 
 
 def test_a_fold_has_a_share_without_a_slope():

@@ -134,13 +134,15 @@ def coexistence() -> Verdict:
     need(island.claims["twist"].lower > 0, "the twist may vanish")
     need(part["attractor"].lower > 0 and part["segment"].lower > 0, "a share may be zero")
     area = math.ceil(never.claims["area"] * 1000) / 1000
-    attracted, settled, stopping = (least(part[name]) for name in ("attractor", "segment", "stops"))
+    names = "attractor", "segment", "either", "stops"
+    attracted, settled, both, stopping = (least(part[name]) for name in names)
     return confirmed(
         f"true at the paper's parameters, with shares: of the states |v| < {float(V):g} at t = 0 "
         f"at least {attracted} of the area tend to one chaotic set (or its mirror image), at least "
-        f"{settled} to T-periodic orbits that touch no wall, at least {stopping} stop at least "
-        "once, these included. Around P* the velocity never vanishes on a set of positive area; "
-        f"but all such states have, in the whole plane, at most the area {area:g}",
+        f"{settled} to T-periodic orbits that touch no wall, at least {both} to one or the other; "
+        f"at least {stopping} stop at least once, these included. Around P* the velocity never "
+        "vanishes on a set of positive area; but all such states have, in the whole plane, at most "
+        f"the area {area:g}",
         "The stored certificates, checked now; Moser's theorem for the island of elliptic.json. "
         "Never stopping: conservative.json. What is left of the area is undecided.",
         certificate="mixed.json",

@@ -23,7 +23,7 @@ from typing import NamedTuple
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.folded.portions import Piece, Portion
 from cap.checker.folded.settled import Settled
-from cap.checker.folded.table import ATTRACTOR, SEGMENT
+from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
 from cap.checker.kernel.rejection import need
 
 _ROUNDS = 24
@@ -78,7 +78,7 @@ class Places:
             for n, part in enumerate(self.parts)
             if isinstance(part, Portion)
         ]
-        self.masses = {fate: self.mass(fate, reached) for fate in (ATTRACTOR, SEGMENT)}
+        self.masses = {fate: self.mass(fate, reached) for fate in (ATTRACTOR, SEGMENT, EITHER)}
         self.sums = {
             fate: list(accumulate(masses, initial=0)) for fate, masses in self.masses.items()
         }
@@ -95,7 +95,10 @@ class Places:
     def mass(self, fate: int, reached: Sequence[Reached]) -> list[int]:
         """Return bounds of the measures of the places in the parts without a fate."""
         sizes = (units(b - a) for a, b in pairwise(self.ends))
-        masses = [0 if part == fate else size for part, size in zip(self.parts, sizes, strict=True)]
+        masses = [
+            0 if isinstance(part, int) and part & fate else size
+            for part, size in zip(self.parts, sizes, strict=True)
+        ]
         for _ in range(_ROUNDS):
             sums = list(accumulate(masses, initial=0))
             for n, c, reach in reached:

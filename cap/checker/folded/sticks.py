@@ -12,12 +12,14 @@ these states, for all regions of sticks and all multiples of pi passed, add up.
 q.  All sticks of an arc are the region between -W (or a little above) and 0.
 
 *What is counted.* At each multiple of pi that is passed in a flight, for certain before the next
-event, if all speeds are below V then, the integral of the density. The same at one up to the end of
-the next event, if that is certain, and if all speeds are below V: they change by less than 2 a unit
-of time, and the density only grows. Subtracted is what lies over places without the fate in
-question. Let there be places of the measure m at most within the bounds of the edges over one of
-`PARTS` equal parts of Y, and h half the width of the region: the integral is at most the mean of 2
-m sup(density)/inf(h).
+event, the integral of the density over where the speed is below V, from below.  The same at one, t,
+up to the end of the next event, if that is certain, whatever comes after it; the density only
+grows.  For states with the event at T < t the speed is then at most s(t) + 2 (t - T): it grows by
+less than 1 + a a unit of time, is the same before and after a hit and 0 at a turn, and s(t),
+continued, falls by less than 1 - a.  Subtracted is what lies over places without the fate in
+question; for either fate, with none of both.  Let there be places of the measure m at most within
+the bounds of the edges over one of `PARTS` equal parts of Y, and h half the width of the region:
+the integral is at most the mean of 2 m sup(density)/inf(h).
 """
 
 from __future__ import annotations
@@ -31,7 +33,7 @@ from cap.checker.folded.backward import Flight, System
 from cap.checker.folded.events import BackEvent, after, event
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import CUT, UNIT, Leaf, Region
-from cap.checker.folded.table import ATTRACTOR, SEGMENT
+from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.polynomials import LAST, Model
@@ -40,8 +42,18 @@ from cap.checker.kernel.rejection import Rejected
 PARTS = 16  # of Y, in which places are bounded
 _ROUND = 8 * TURN  # more than the errors of times here
 
-Strobe = tuple[int, Pair]
-"""A multiple of pi, counted from the first flight on, and bounds of the speed then."""
+FATES = ATTRACTOR, SEGMENT, EITHER
+
+
+class Strobe(NamedTuple):
+    """A multiple of pi, counted from the first flight on; the speed is then at most ``most``.
+
+    It is between ``speeds``.
+    """
+
+    number: int
+    speeds: Pair
+    most: Model
 
 
 class Fates(Protocol):
@@ -125,28 +137,26 @@ def places_of(y: System, region: Region, *, late: bool) -> list[Pair]:
 
 
 class Areas(NamedTuple):
-    """Areas, from below: for the attractor, for the segment, and of all that stick."""
+    """Areas, from below: for the attractor, the segment, either of them, and of all that stick."""
 
     attractor: float = 0.0
     segment: float = 0.0
+    either: float = 0.0
     stops: float = 0.0
 
 
 def areas(y: System, fates: Fates, V: float, task: tuple[Leaf, bool]) -> Areas:
     """Return the areas of the states at t = 0, slower than V, that come to a region of sticks."""
     leaf, late = task
-    start = sticks(y, leaf.region, late=late)
-    found = [0.0, 0.0, 0.0]
+    start, found = sticks(y, leaf.region, late=late), [0.0] * len(Areas._fields)
     places = places_of(y, leaf.region, late=late)
-    missing = [*(without(fates, places, fate) for fate in (ATTRACTOR, SEGMENT)), 0.0]
+    missing = [*(without(fates, places, fate) for fate in FATES), 0.0]
     for density, strobes in backwards(y, start.flight, leaf.flights if start.least > 0 else 0):
-        count = sum(speeds[1] < V for _, speeds in strobes)
-        if not count:
-            continue
-        area, most = q.integral(density), q.ends(density)[1]
-        for k, m in enumerate(missing):
-            lost = 2 * m * most / start.least * UP if m else 0.0
-            found[k] += max(0.0, count * (area - lost) * (1 - TURN))
+        most = q.ends(density)[1]
+        lost = [2 * m * most / start.least * UP if m else 0.0 for m in missing]
+        for area in (q.integral_below(density, strobe.most, V) for strobe in strobes):
+            for k, less in enumerate(lost):
+                found[k] += max(0.0, (area - less) * (1 - TURN))
     return Areas(*(area * (1 - 64 * TURN) for area in found))
 
 
@@ -185,11 +195,12 @@ def flown(y: System, f: Flight) -> Iterator[Strobe]:
         except Rejected:
             return
         p, s = y.at(f, t, error)
-        speeds = q.ends(q.widened(s, f.errors[0]))
+        s = q.widened(s, f.errors[0])
+        speeds = q.ends(s)
         nearest = q.ends(q.widened(p, y.influence(f, t, error)))[1]
         if not (speeds[0] > 0 and nearest < 0):
             return
-        yield k + f.passed, speeds
+        yield Strobe(k + f.passed, speeds, s)
 
 
 def at_event(y: System, f: Flight, e: BackEvent, flown: int) -> list[Strobe]:
@@ -198,8 +209,9 @@ def at_event(y: System, f: Flight, e: BackEvent, flown: int) -> list[Strobe]:
     k = first(f) + flown
     while sum(multiple(y, k)) <= high:
         t, error = multiple(y, k)
-        more = 2 * (high - min(t - error, low)) * UP
-        found.append((k + f.passed, (least - more, most + more)))
+        more, later = 2 * (high - min(t - error, low)) * UP, 2 * max(0.0, t + error - low) * UP
+        s = q.moved(y.at(f, t, error)[1], later, f.errors[0])
+        found.append(Strobe(k + f.passed, (least - more, most + more), s))
         k += 1
     return found
 

@@ -91,17 +91,17 @@ def entered(y: System, strip: Strip, V: float, task: tuple[Leaf, bool]) -> float
     leaf, fast = task
     f, area, last = strip_of(y, strip, leaf.region, fast=fast).flight, 0.0, 1
     for _ in range(leaf.flights):
-        strobes = [(k, speeds, out(y, strip, f, k)) for k, speeds in flown(y, f)]
+        strobes = [(each, out(y, strip, f, each.number)) for each in flown(y, f)]
         try:
             e = event(y, f)
             found = at_event(y, f, e, len(strobes))
-            strobes += [(k, speeds, other(strip, speeds)) for k, speeds in found]
+            strobes += [(each, other(strip, each.speeds)) for each in found]
         except Rejected:
             e = None
-        for k, (_, speed), outside in strobes:
+        for (k, _, most), outside in strobes:
             if k != last + 1 or (k % 2 and not outside):
                 return area * (1 - 64 * TURN)
-            area += max(0.0, q.integral(f.density)) * (k % 2 and speed < V)
+            area += max(0.0, q.integral_below(f.density, most, V)) if k % 2 else 0.0
             last = k
         if e is None:
             break

@@ -9,6 +9,7 @@ from itertools import accumulate, pairwise
 from cap.checker.folded.numbers import Pair
 
 NONE, ATTRACTOR, SEGMENT = 0, 1, 2
+EITHER = ATTRACTOR | SEGMENT  # what has one of both has it
 
 Known = tuple[Pair, int]
 """An interval, and the fate of all that lies in it."""

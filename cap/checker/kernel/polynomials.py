@@ -20,6 +20,14 @@ part of degree a.
 g (1 - g^2/6) + r, |r| <= G^5/5!.  The coefficients 1/24 and 1/6 are doubles, wrong by less than
 2^-55.
 
+*Where p < v.*  p is at most h + a X + b Y, h bounding all other terms.  With u >= w the sizes of a
+and b, and d = v - h, h + a X + b Y < v in this part of the square:
+
+    0                          if d + u + w <= 0
+    (d + u + w)^2/(8 u w)      if d + u + w <= 2 w
+    (d + u)/(2 u)              if d + u + w <= 2 u
+    1 - (u + w - d)^2/(8 u w)  if d <= u + w,        else 1
+
 *Inverse*: with p c = 1 - g for a double c and |g| <= G < 0.6, 1/p = c (1 + g + g^2 + g^3 + g^4 +
 r), |r| <= G^5/(1 - G).
 """
@@ -38,6 +46,8 @@ MONOMIALS = [(i, degree - i) for degree in range(DEGREE + 1) for i in range(degr
 LAST = len(MONOMIALS)  # where the bound is
 _UP = 1 + 2.0**-40
 _SUM, _PRODUCT, _TINY = 2.0**-51, 2.0**-49, 2.0**-900
+_FLAT = 2.0**-200  # so small u and w are added to h
+_THIN = 2.0**-40  # of u: a smaller w is added to h; of the square: more than rounding
 _SHARES = [4 / ((i + 1) * (j + 1)) if i % 2 == j % 2 == 0 else 0.0 for i, j in MONOMIALS]
 _ODD = itemgetter(*(k for k, (i, j) in enumerate(MONOMIALS) if i % 2 or j % 2))
 _EVEN = [k for k, (i, j) in enumerate(MONOMIALS) if k and i % 2 == j % 2 == 0]
@@ -167,6 +177,37 @@ def integral(p: Model) -> float:
     """Return a lower bound of the integral of p over [-1, 1]^2."""
     found = sum(c * share for c, share in zip(p, _SHARES, strict=False))
     return found - 4 * (p[LAST] + sum(map(abs, p)) * _PRODUCT) * _UP - _TINY
+
+
+def part_below(p: Model, v: float) -> float:
+    """Return a lower bound of the part of [-1, 1]^2 in which p < v."""
+    u, w = max(abs(p[1]), abs(p[2])), min(abs(p[1]), abs(p[2]))
+    high = ends((p[0], 0.0, 0.0, *p[3:]))[1]
+    if u < _FLAT:
+        high, u, w = high + u + w, 0.0, 0.0
+    if w < u * _THIN:
+        high, w = high + w, 0.0
+    d = v - high - (abs(v) + abs(high) + u) * 2 * _SUM
+    corner = d + u + w
+    if corner <= 0 or d >= u + w:
+        part = float(corner > 0)
+    elif corner <= 2 * w:
+        part = corner * corner / (8 * u * w)
+    elif corner <= 2 * u:
+        part = (d + u) / (2 * u)
+    else:
+        part = 1 - (u + w - d) * (u + w - d) / (8 * u * w)
+    return max(0.0, part - _THIN)
+
+
+def integral_below(density: Model, p: Model, v: float) -> float:
+    """Return a lower bound of the integral of a density that is not negative over where p < v."""
+    if ends(p)[1] < v:
+        return integral(density)
+    part, (least, most) = part_below(p, v), ends(density)
+    if part == 0:
+        return 0.0
+    return max(4 * part * least / _UP, integral(density) - 4 * (1 - part) * most * _UP, 0.0)
 
 
 def trigonometric(p: Model) -> tuple[Model, Model]:

@@ -22,9 +22,9 @@ has not the fate (`cap.checker.folded.masses`).
 *Sticks.*  Almost each state that sticks has a first stick, and is what becomes of it backwards in
 time, after so many half periods (`cap.checker.folded.sticks`).  All sticks, by place and time, are
 cut into regions, which are followed backwards; the density of the area of states is followed with
-them.  So their areas at t = 0 are added, for the first two fates less what lies over places without
-the fate.  States that go to the segment without a stick are counted likewise, by the states of a
-strip in which all go there.  What is not counted is undecided.
+them.  So their areas at t = 0 are added, for each of the first two fates, and for either of them,
+less what lies over places without it.  States that go to the segment without a stick are counted
+likewise, by the states of a strip in which all go there.  What is not counted is undecided.
 """
 
 from __future__ import annotations
@@ -82,11 +82,11 @@ class Mixed(Theorem):
     )
     CLAIMS = (
         Field("box", {"x": region, "v": region}, "", "", "all x between the walls, |v| up to V"),
-        Field("shares", {"attractor": enclosure, "segment": enclosure, "stops": enclosure,
-                         "undecided": enclosure}, "share", "s",
+        Field("shares", {"attractor": enclosure, "segment": enclosure, "either": enclosure,
+                         "stops": enclosure, "undecided": enclosure}, "share", "s",
               "parts of the area of the box: of the states that tend to the orbits released in A, "
-              "that converge to an orbit of the segment, that stop at least once, and of those of "
-              "which nothing is shown"),
+              "that converge to an orbit of the segment, that do one of both, that stop at least "
+              "once, and of those of which nothing is shown"),
         Field("never_stopping_area", enclosure, "area that never stops", "A_0",
               "of the states in the box whose velocity never vanishes"),
         Field("attractor", shapes(Attractor.CLAIMS), "", "", "as for the theorem attractor"),
@@ -119,13 +119,13 @@ class Mixed(Theorem):
         self.step("the shares follow from the areas")
 
     def parts(self, counted: Iterable[Areas], more: Iterable[float]) -> tuple[Fraction, ...]:
-        """Return the parts of the area that are attracted, go to the segment, and stop."""
+        """Return the parts of the area for the fates, for either of them, and of all that stops."""
         W, V = self.region()
-        a, s, stops = (
+        a, s, either, stops = (
             sum(map(Fraction, found), Fraction()) for found in zip(*counted, strict=True)
         )
         strip = sum(map(Fraction, more), Fraction())
-        return tuple(area / (2 * W * V) for area in (a, s + strip, stops + strip))
+        return tuple(area / (2 * W * V) for area in (a, s + strip, either + strip, stops + strip))
 
     def lemma(self, theorem: type[Theorem]) -> None:
         """Prove the theorem on which this one stands."""
@@ -206,9 +206,10 @@ class Mixed(Theorem):
 
     def sums(self, parts: Sequence[Fraction]) -> None:
         """Compare the claims with the parts of the area."""
-        (a, s, known), one = parts, Fraction(1)
-        need(a + s <= one and known <= one, "the shares are more than the whole")
+        (a, s, either, known), one = parts, Fraction(1)
+        need(max(a + s, either, known) <= one, "the shares are more than the whole")
         found = {"attractor": (a, one - s), "segment": (s, one - a)}
+        found |= {"either": (max(a + s, either), one)}
         found |= {"stops": (known, one), "undecided": (Fraction(0), one - known)}
         area = 2 * self.R * self.claims["box"]["v"].upper
         for name, ends in found.items():
@@ -256,9 +257,10 @@ _WORDS = (
     "for the release map G (from a release to the right to the next release, mirrored if that is "
     "to the left) on I = {interval}, of topological entropy in {entropy}; at least the part "
     "{part[segment].text[0]} converges to an orbit of the segment of T-periodic orbits that touch "
-    "no wall; at least the part {part[stops].text[0]} stops at least once, these included; of the "
-    "part {part[undecided].text[1]} at most nothing is shown, so the states in the box that never "
-    "stop have an area of at most {area_0}"
+    "no wall; at least the part {part[either].text[0]} does one of both; at least the part "
+    "{part[stops].text[0]} stops at least once, these included; of the part "
+    "{part[undecided].text[1]} at most nothing is shown, so the states in the box that never stop "
+    "have an area of at most {area_0}"
 )
 
 THEOREM = Mixed
