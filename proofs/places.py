@@ -26,9 +26,8 @@ from cap.checker.kernel import line
 from cap.parameters import Parameters
 
 LEVEL, COARSE = 23, 18  # of portions, at last and while weights are found
-GRAIN = (
-    24  # level of nodes that are followed at any rate; larger ones, if it is well known where to
-)
+# level of nodes that are followed at any rate; larger ones, if it is well known where to
+GRAIN = 24
 FIRST = 6  # the tree begins with 2^6 nodes
 # parts of W, times weights, that are left undecided rather than follow one more node
 WORTHS = (1e-5, 4e-6, 2e-6, 1e-6, 4e-7)

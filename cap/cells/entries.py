@@ -28,12 +28,12 @@ from cap.cells.regions import (
     Region,
     Seen,
     after,
-    fastest,
     first,
     known,
     next_of,
     passing,
     sides,
+    slow_at,
     spread,
 )
 from cap.sets.compiled import kernel
@@ -113,7 +113,7 @@ def _flown(
         if (j + passed) % 2:
             if not _outside(y, strip, p, s):
                 return False, area, j
-            area += max(0.0, integral_below(density, s, V))
+            area += integral_below(density, s, V)
         j += 1
 
 
@@ -132,12 +132,6 @@ def _during(strip: Strip, event: Event, j: int, passed: int) -> tuple[bool, int]
 
 
 @kernel
-def _slow(y: System, f: Flight, density: Model, event: Event, j: int, V: float) -> float:
-    """Return the area slower than V at a strobe next to an event."""
-    return max(0.0, integral_below(density, fastest(y, f, event, j), V))
-
-
-@kernel
 def entered(y: System, strip: Strip, r: Region, limits: Limits) -> Seen:
     """Follow a region of a strip backwards as long as it is certain what happens."""
     f, density = _entry(r)
@@ -151,7 +145,7 @@ def entered(y: System, strip: Strip, r: Region, limits: Limits) -> Seen:
             begin = j + (j + passed + 1) % 2
             outside, j = _during(strip, event, j, passed)
             for k in range(begin, j, 2):
-                got += _slow(y, f, density, event, k, limits.V)
+                got += slow_at(y, f, density, event, k, limits.V)
         if got > 0:
             area, last = area + got, n + 1
         if not outside or event.why != 0:

@@ -153,13 +153,13 @@ def underway(y: System, f: Flight, density: Model, V: float) -> tuple[float, int
         flying, _p, s = passing(y, f, j)
         if not flying:
             return area, count, j
-        got = max(0.0, integral_below(density, s, V))
+        got = integral_below(density, s, V)
         area, count, j = area + got, count + (got > 0), j + 1
 
 
 @kernel
-def fastest(y: System, f: Flight, event: Event, j: int) -> Model:
-    """Return a bound of the speeds at j pi, where an event may be before.
+def slow_at(y: System, f: Flight, density: Model, event: Event, j: int, V: float) -> float:
+    """Return the area slower than V at j pi, where an event may be before.
 
     After it the speed grows by less than 1 + a a unit of time; that of the flight, continued, falls
     by less than 1 - a.
@@ -167,7 +167,8 @@ def fastest(y: System, f: Flight, event: Event, j: int) -> Model:
     t = j * math.pi
     e = abs(j) * PI_ERROR + abs(t) * ROUND
     s = at(y, f, (t, e), -1.0 if j % 2 else 1.0, 0.0)[1]
-    return moved(s, 2 * max(0.0, t + APART - event.ends[0]) * UP, f.errors[0])
+    most = moved(s, 2 * max(0.0, t + APART - event.ends[0]) * UP, f.errors[0])
+    return integral_below(density, most, V)
 
 
 @kernel
@@ -180,7 +181,7 @@ def during(
     """
     area, count = 0.0, 0
     while j * math.pi <= event.ends[1]:
-        got = max(0.0, integral_below(density, fastest(y, f, event, j), V))
+        got = slow_at(y, f, density, event, j, V)
         area, count, j = area + got, count + (got > 0), j + 1
     return area, count
 

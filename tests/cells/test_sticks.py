@@ -192,17 +192,25 @@ def test_areas_are_below_those_of_orbits(trees):
             r = region(found, second)
             seen, (near, _) = followed(SYSTEM, r, LIMITS), hoped(SYSTEM, NOWHERE, r, 3.0, 60, 4)
             assert 0 < seen.area < near * 1.02
-    parts, weights = [], []
+    parts = []
     for _ in range(40):
         small = Region(*tiny(random), 1e-5)
-        seen = followed(SYSTEM, small, LIMITS)
-        near, _ = hoped(SYSTEM, NOWHERE, small, 3.0, 60, 25)
-        parts.append(seen.area / near)
-        assert seen.area <= seen.weight * 1e-5
-        weights.append(seen.weight * 1e-5 / max(seen.area, 1e-300))
-    assert np.quantile(weights, 0.75) < 1.2  # more where some is faster than V
-    assert max(parts) < 1.02
+        seen, (near, _) = (
+            followed(SYSTEM, small, LIMITS),
+            hoped(SYSTEM, NOWHERE, small, 3.0, 60, 12),
+        )
+        assert seen.area <= min(near * 1.05, seen.weight * 1e-5)  # of points, 1/12 may be at V
+        if all(followed(SYSTEM, small, at(V)).area == seen.area for V in (2.95, 3.05)):
+            parts.append(seen.area / near)
+            assert seen.weight * 1e-5 <= 1.2 * seen.area
+    assert len(parts) > 20  # of the others, a part is faster than V
+    assert max(parts) < 1.001
     assert np.quantile(parts, 0.75) > 0.9999  # the others pass a strobe less, or so
+
+
+def at(V):
+    """Return the limits for another speed."""
+    return LIMITS._replace(V=V)
 
 
 def tiny(random):

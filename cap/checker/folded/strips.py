@@ -101,7 +101,7 @@ def entered(y: System, strip: Strip, V: float, task: tuple[Leaf, bool]) -> float
         for (k, _, most), outside in strobes:
             if k != last + 1 or (k % 2 and not outside):
                 return area * (1 - 64 * TURN)
-            area += max(0.0, q.integral_below(f.density, most, V)) if k % 2 else 0.0
+            area += q.integral_below(f.density, most, V) if k % 2 else 0.0
             last = k
         if e is None:
             break

@@ -203,7 +203,7 @@ def part_below(p: Model, v: float) -> float:
 def integral_below(density: Model, p: Model, v: float) -> float:
     """Return a lower bound of the integral of a density that is not negative over where p < v."""
     if ends(p)[1] < v:
-        return integral(density)
+        return max(0.0, integral(density))
     part, (least, most) = part_below(p, v), ends(density)
     if part == 0:
         return 0.0

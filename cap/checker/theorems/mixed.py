@@ -209,8 +209,8 @@ class Mixed(Theorem):
         (a, s, either, known), one = parts, Fraction(1)
         need(max(a + s, either, known) <= one, "the shares are more than the whole")
         found = {"attractor": (a, one - s), "segment": (s, one - a)}
-        found |= {"either": (max(a + s, either), one)}
-        found |= {"stops": (known, one), "undecided": (Fraction(0), one - known)}
+        found |= {"either": (max(a + s, either), one), "stops": (known, one)}
+        found |= {"undecided": (Fraction(0), one - known)}
         area = 2 * self.R * self.claims["box"]["v"].upper
         for name, ends in found.items():
             self.contains(f"shares.{name}", self.claims["shares"][name], ends)
