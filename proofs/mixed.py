@@ -11,32 +11,33 @@ with l < x < r, |v| < V at t = 0.  There are explicit numbers such that of the a
  (v)   at most `never_stopping_area` never stops.
 
 Proof.  After a stick the state is one number, the place of the release, and what becomes of places
-is found in rounds (`cap.proofs.places`).  Almost each state that sticks is what becomes of its
-first stick backwards in time, after so many half periods.  So all sticks, by place and time, are
-cut into regions, which are followed backwards with the density of their area; there nothing sticks,
-and different sticks give different states: the areas are added, less what lies over places without
-the fate.  States in which the mass never sticks go to the segment, or are not counted: they are
-found backwards from a strip in which all go there (`cap.proofs.strip`).
+is found in rounds (`cap.proofs.places`).  Almost each state that stops is what becomes of its first
+stop backwards in time, after so many half periods, before the stop before.  So stops, by place and
+time, are cut into regions, which are followed backwards with the density of their area, and
+different stops give different states: the areas are added.  A first stop that is a stick has the
+fate of its place; from turns parts of the regions are followed forwards to the stick, or into a
+strip in which all go to the segment.  Subtracted is what may lie over places without the fate.
 
-The theorems `attractor` and `segment` are proved here in balls; places, and the regions of sticks
-and of the strip, are followed in outward-rounded doubles (`cap.cells`).  How much of the places has
+The theorems `attractor` and `segment` are proved here in balls; places, and the regions of stops,
+are followed in outward-rounded doubles (`cap.cells`).  How much of the places has
 a fate is counted by the checker (`cap.checker.folded.masses`).
 """
 
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from cap.cells import sticks
+from cap.cells import stops
 from cap.cells.cuts import cheapest, dearest
 from cap.cells.listing import written
-from cap.cells.sticks import Sticks
+from cap.cells.missing import FATES
+from cap.cells.missing import known as masses_of
+from cap.cells.stops import SPANS, Late, Releases, Turns
 from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
 from cap.checker.folded.masses import UNIT as MASS
 from cap.checker.folded.masses import Places
-from cap.checker.folded.sticks import FATES, PARTS
 from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
@@ -45,7 +46,6 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.proofs import attractor, places, segment
 from cap.proofs.fixed_point import Proof, Setting, assembled
-from cap.proofs.strip import by_strip
 from cap.sets import interval
 
 SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
@@ -53,10 +53,25 @@ SEARCH = candidates.releasing
 OPTIONS = ("jobs", "speed", "undecided")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 5000)  # of a share: where the checker cannot follow as far as the prover
-STROBES = 24  # that may count for an orbit from a stick
-# the area that is missing of a region before it is cut, and how many regions are followed
-EFFORTS = ((6e-6, 60_000), (2e-6, 150_000), (8e-7, 300_000))  # until it is what is asked for
-USUAL = 3e-6, 75_000  # if nothing is asked for
+STROBES = 40  # that may count for an orbit from a stop
+POINTS = 6  # of a region, in each direction, from which orbits tell what to hope for
+
+
+class Effort(NamedTuple):
+    """What is missing of areas before regions are cut, backwards and forwards, and how many are.
+
+    At most ``back`` regions are followed backwards, and ``ahead`` parts of them forwards.
+    """
+
+    worth: float
+    onwards: float
+    back: int
+    ahead: int
+
+
+USUAL = Effort(6e-6, 3e-6, 13_000, 111_000)  # if nothing is asked for
+# until it is what is asked for
+EFFORTS = (Effort(2e-5, 2e-5, 6000, 30_000), USUAL, Effort(4e-6, 1.2e-6, 16_000, 300_000))
 
 
 def prove(setting: Setting) -> Proof:
@@ -71,8 +86,7 @@ def prove(setting: Setting) -> Proof:
         "bits": str(setting.checker_bits),
         "attractor": attracts["hints"],
         "places": {"level": str(places.LEVEL), "tree": NOTHING},
-        "sticks": {"early": written([0]), "late": written([0])},
-        "strip": {"slow": written([0]), "fast": written([0])},
+        "stops": {"late": written([0]), "turns": written([0])},
     }
     draft = certificate_of(setting, claims_of(setting, (0, 0, 0, 0)) | nested, hints)
     theorem = Mixed(read(dumps({**draft, "provenance": {}}).encode()), silent)
@@ -88,46 +102,56 @@ def silent(_step: str) -> None:
 def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tuple[Fraction, ...]:
     """*Statement.* Such parts of the box are attracted, go to the segment, do either, and stop.
 
-    *Computed.* Sticks are followed backwards, in ever smaller regions until no more is undecided
-    than asked for.  The trees are added to the hints.
+    *Computed.* Stops are followed backwards and forwards, in ever smaller regions until no more is
+    undecided than asked for.  The trees are added to the hints.
     """
     known, hints["places"]["tree"] = by_places(setting, theorem)
-    strip, hints["strip"] = by_strip(setting, theorem)
+    releases = releases_of(theorem, known)
     whole = 2 * theorem.region()[0] * theorem.region()[1]
     wanted, left = setting.undecided, Fraction(1)
-    enough = None if wanted is None else (1 - wanted + SLACK) * whole - strip
-    for worth, most in (USUAL,) if wanted is None else EFFORTS:
-        plan = Plan(worth, STROBES)
-        trees = sticks.search(setting.parameters, speed_of(setting), plan, setting.runner)
-        (a, *others), hints["sticks"] = counted(trees, known, most, enough)
-        shares = a / whole, *((more + strip) / whole for more in others)
+    enough = None if wanted is None else (1 - wanted + SLACK) * whole
+    for effort in (USUAL,) if wanted is None else EFFORTS:
+        plan = Plan(effort.worth, STROBES, points=POINTS, onwards=effort.onwards)
+        p, V = setting.parameters, speed_of(setting)
+        late, turns = stops.search(p, V, releases, plan, setting.runner)
+        areas, hints["stops"] = counted(late, turns, known, effort, enough)
+        shares = tuple(area / whole for area in areas)
         left = 1 - shares[2] + SLACK
         if wanted is None or left <= wanted:
             return shares
     raise NotProved(
         "share",
-        f"of the part {float(left):.4f} neither fate is shown, with {EFFORTS[-1][1]} regions; "
+        f"of the part {float(left):.4f} neither fate is shown, with {EFFORTS[-1].ahead} regions; "
         f"{setting.undecided} was asked for",
     )
 
 
-def counted(
-    trees: tuple[Sticks, Sticks], known: Places, most: int, enough: Fraction | None
-) -> tuple[tuple[Fraction, ...], dict[str, str]]:
-    """Return the areas for the fates and of all that sticks, and the regions chosen, as text.
+def releases_of(theorem: Mixed, known: Places) -> Releases:
+    """Return what is known of releases, for what is compiled."""
+    return Releases(places.target(theorem.strip()), masses_of(known))
 
-    There are at most so many regions, and not many more than for an area that is ``enough``.
+
+def counted(
+    late: Late, turns: Turns, known: Places, effort: Effort, enough: Fraction | None
+) -> tuple[tuple[Fraction, ...], dict[str, str]]:
+    """Return the areas for the fates and of all that stops, and the regions chosen, as text.
+
+    There are at most as many as the effort allows, and not many more than for an area with either
+    fate that is ``enough``.
     """
-    found = [areas_of(tree, known) for tree in trees]
-    worths = [either for _, _, either, _ in found]
-    price = dearest(trees, worths, most)
+    fated = areas_of(late, known)
+    trees, worths = (late, turns), (fated[2], turns.areas)
+    price = dearest(trees, worths, effort.back)
+    sticks, back = (tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True))
+    onwards = turns.onwards(back)
+    price = dearest([turns], [onwards], effort.ahead)
     if enough is not None:
-        price = max(price, cheapest(trees, worths, float(enough) * (1 + 1e-9)))
-    chosen = [tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True)]
-    texts = (tree.text(mask) for tree, mask in zip(trees, chosen, strict=True))
-    sums = [[below_sum(z[mask]) for z in areas] for areas, mask in zip(found, chosen, strict=True)]
-    total = tuple(sum(z, Fraction(0)) for z in zip(*sums, strict=True))
-    return total, dict(zip(("early", "late"), texts, strict=True))
+        wanted = float(enough - below_sum(fated[2][sticks])) + turns.lost(back)
+        price = max(price, cheapest([turns], [onwards], wanted * (1 + 1e-9)))
+    ahead = turns.best(onwards, price)
+    found = [*turns.areas_of(back, ahead).T, turns.areas[back]]
+    total = tuple(below_sum(z[sticks]) + below_sum(w) for z, w in zip(fated, found, strict=True))
+    return total, {"late": late.text(sticks), "turns": turns.text(back, ahead)}
 
 
 def below_sum(areas: Floats) -> Fraction:
@@ -135,9 +159,9 @@ def below_sum(areas: Floats) -> Fraction:
     return sum(map(Fraction, areas.tolist()), Fraction(0))
 
 
-def areas_of(tree: Sticks, known: Places) -> tuple[Floats, ...]:
-    """Return the areas for the fates, and of all that sticks, from each region (N,), from below."""
-    spans = tree.spans(PARTS)
+def areas_of(tree: Late, known: Places) -> tuple[Floats, ...]:
+    """Return the areas for the fates, and of all that stops, from each region (N,), from below."""
+    spans = tree.spans(SPANS)
     lost = (missing(known, fate, spans).mean(axis=1) for fate in FATES)
     fated = (np.maximum(0.0, tree.areas - tree.weights * more) * (1 - 1e-12) for more in lost)
     return (*fated, tree.areas)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from cap.cells.backward import System
 from cap.cells.constants import system_of
-from cap.cells.entries import Strip as Target
 from cap.cells.next_releases import HELD, next_releases
 from cap.cells.paths import LOST
+from cap.cells.target import Strip as Target
 from cap.checker.folded.masses import Places
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import Node, Piece, Portion

@@ -1,4 +1,4 @@
-"""Compiled: backwards in time from a set of sticks, with the areas at the strobes that it passes.
+"""Compiled: backwards in time from a set of stops, with the areas at the strobes that it passes.
 
 *Units* and folding are those of `cap.checker.folded.flights`: a mass moves to the right, the wall
 ahead is at p = 0, the other at -W; after a hit or a turn the picture is mirrored, and its time
@@ -9,15 +9,15 @@ shifted by pi.  Backwards friction drives: a flight has
 Let Theta = pi - arccos a.  s has its minima at the slow times 2 pi k - Theta.  A mass stops only
 where cos t < -a, and turns: its next s' is a - cos t > 0.  So it never sticks.
 
-*Sticks.*  K are the pairs (q, t), q in [-W, 0] and |cos t| < a: from rest at p = q at the time t.
-The area in (p, s) at a later time is the integral of |dA dB| = w dq dt, w = cos t + a at the start:
-A = -sin t at ref = t, and dB = dq + ...  A hit keeps it.  A turn at T multiplies w by
-(a - cos T)/(-a - cos T), as |dA dB| = |s'| dT dp before and after.
+*Stops* are pairs (q, t), q in [-W, 0] and cos t > -a: from rest at p = q at the time t.  The mass
+sticks there if |cos t| < a, and turns if cos t > a.  The area in (p, s) at a later time is the
+integral of |dA dB| = w dq dt, w = cos t + a at the start: A = -sin t at ref = t, and dB = dq + ...
+A hit keeps it.
 
-*Strobes* are the multiples of pi.  The states there from different sticks, or from one stick after
-different times, are different: the motion from a state has one first stick.  A strobe during an
-event has, from each stick, the density before or that after; that before is less.  What counts is
-slower than V then: of a region, a part.
+*Strobes* are the multiples of pi.  The states there from different stops, or from one stop after
+different times, are different, up to the stop before: the motion from a state has one first stop.
+A strobe during a hit is passed before or after it.  What counts is slower than V then: of a region,
+a part.
 
 *Errors.*  A = A_0(X, Y) + u, B = B_0(X, Y) + v with polynomials A_0, B_0 and (u, v) = C n, |n_1| <=
 R_1, |n_2| <= R_2, as in `cap.checker.folded.flights`; J is the derivative of (A', B') in (A, B).
@@ -266,11 +266,3 @@ def turn(y: System, f: Flight, near: float) -> Event:
     if not ends(widened(p, influence(f, D[0], spread)))[1] < 0:
         return _nothing(8)
     return Event(0, near, d, D, cos, sin, p, e, e_all, lag, (low, high), 0.0, 0.0)
-
-
-@kernel
-def gain(y: System, event: Event) -> Model:
-    """Return by what a turn multiplies the density; NaN if this is not certain."""
-    back = scaled(widened(event.cos, event.all), -1.0, 0.0)
-    after, before = moved(back, y.a, y.a_error), moved(back, -y.a, y.a_error)
-    return product(after, inverse(before))

@@ -1,25 +1,21 @@
 """Compiled, in doubles: backward orbits, and the direction in which they come together.
 
-It steers; nothing rests on it.  They begin at sticks (`cap.cells.backward`), or in a strip
-(`cap.cells.entries`).  With an orbit goes the derivative of its place and speed in q and in the
-time of the stick, or the speed in the strip.
+It steers; nothing rests on it.  They begin at stops (`cap.cells.backward`).  With an orbit goes the
+derivative of its place and speed in q and in the time of the stop.
 """
 
 import math
 from typing import NamedTuple
 
 from cap.cells.backward import System
-from cap.cells.entries import Strip
-from cap.cells.next_event import HIT, NOTHING, TURN, next_event, place_at, speed_at
+from cap.cells.next_event import HIT, NOTHING, TURN, next_event, speed_at
 from cap.cells.regions import Edge, Region
 from cap.sets.compiled import kernel
 
 EVENTS = 200
 STEEPEST = 2.0
 CLEAR = 3.0  # how much larger one singular value is, for its direction to be of use
-STEPS = 3  # along an edge, to each side
 DEEP = 12  # strobes after which directions do not change any more
-INSIDE = 0.1  # of the distance of its neighbours an edge is away from them
 
 
 class Orbit(NamedTuple):
@@ -46,25 +42,12 @@ def _contracted(f0: float, f1: float, g0: float, g1: float) -> tuple[float, floa
 
 
 @kernel
-def _inside(y: System, strip: Strip, p: float, s: float) -> bool:
-    """Return whether a state is in a strip."""
-    x, w = strip.edge - y.width - p, s - strip.slow
-    both = x + strip.k * w
-    held = strip.left < x < strip.right and strip.left < both < strip.right
-    return held and abs(w) < strip.d
-
-
-@kernel
-def orbit(y: System, strip: Strip, q: float, z: float, V: float, strobes: int) -> Orbit:
-    """Follow a stick at the time z back over so many strobes; or a state of a strip, of speed z.
-
-    In a strip only every other strobe counts, until the orbit is in it.
-    """
-    a, p, seen, passed, entering = y.a, q, 0, 0, strip.d > 0
-    s, t = (z, math.pi) if entering else (0.0, z)
-    drive = -1.0 if entering else math.cos(t) + a
-    f0, f1, g0, g1 = 0.0, -drive, 1.0, 0.0
-    w, density, slope, ratio, flights = abs(drive), 0.0, 0.0, 1.0, 0
+def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
+    """Follow a stop at the time t back to the one before, over so many strobes."""
+    a, p, s, seen = y.a, q, 0.0, 0
+    w = math.cos(t) + a
+    f0, f1, g0, g1 = 0.0, -w, 1.0, 0.0
+    density, slope, ratio, flights = 0.0, 0.0, 1.0, 0
     for n in range(EVENTS):
         A, B = s - math.sin(t), p + math.cos(t)
         kind, T = next_event(a, y.theta, A, B, t, t)
@@ -73,30 +56,21 @@ def orbit(y: System, strip: Strip, q: float, z: float, V: float, strobes: int) -
         j = math.floor(t / math.pi + 1e-12) + 1
         while j * math.pi < T and seen < strobes:
             d = j * math.pi - t
-            speed, odd = speed_at(t + d, a, A, t), (j + passed) % 2 == 1
+            speed = speed_at(t + d, a, A, t)
             seen, j = seen + 1, j + 1
-            if odd and entering and _inside(y, strip, place_at(t + d, a, A, B, t), speed):
-                seen = strobes
-            elif speed < V and (odd or not entering):
+            if speed < V:
                 density, flights = density + w, n + 1
                 slope, ratio = _contracted(f0 + f1 * d, f1, g0 + g1 * d, g1)
-        if seen >= strobes:
+        if seen >= strobes or kind != HIT:
             break
         d = T - t
         f0, g0 = f0 + f1 * d, g0 + g1 * d
-        s, p = speed_at(T, a, A, t), place_at(T, a, A, B, t)
-        before, after = math.cos(T) + a, a - math.cos(T)
-        if kind == HIT:
-            if s > V + 2:
-                break
-            f1, g1 = f1 + (after - before) * f0 / s, g1 + (after - before) * g0 / s
-            p = -y.width
-        else:
-            f0, f1, g0, g1 = -f0, after * f1 / before, -g0, after * g1 / before
-            w *= abs(after / before)
-            p, s = -y.width - p, 0.0
+        s, p = speed_at(T, a, A, t), -y.width
+        if s > V + 2:
+            break
+        change = -2 * math.cos(T) / s
+        f1, g1 = f1 + change * f0, g1 + change * g0
         t = T + math.pi - TURN * math.floor((T + math.pi) / TURN + 0.5)
-        passed += round((T - t) / math.pi)
     return Orbit(density, flights, slope, ratio)
 
 
@@ -107,9 +81,7 @@ def value(edge: Edge, Y: float) -> float:
 
 
 @kernel
-def hoped(
-    y: System, strip: Strip, r: Region, V: float, strobes: int, points: int
-) -> tuple[float, int]:
+def hoped(y: System, r: Region, V: float, strobes: int, points: int) -> tuple[float, int]:
     """Return the area of the states from a region, nearly, and the flights that it takes."""
     area, flights = 0.0, 0
     for i in range(points):
@@ -117,50 +89,15 @@ def hoped(
         low, high = value(r.low, Y), value(r.high, Y)
         for j in range(points):
             q = low + (high - low) * (j + 0.5) / points
-            found = orbit(y, strip, q, r.middle + r.half * Y, V, strobes)
+            found = orbit(y, q, r.middle + r.half * Y, V, strobes)
             area += found.density * (high - low)
             flights = max(flights, found.flights)
     return area * 2 * r.half / (points * points), flights
 
 
 @kernel
-def _slope(y: System, strip: Strip, q: float, t: float, V: float, strobes: int) -> float:
-    """Return a slope of use."""
+def contracted(y: System, q: float, t: float, V: float, strobes: int) -> float:
+    """Return the slope dq/dt that is contracted, if it is of use."""
     inside = min(max(q, 1e-9 - y.width), -1e-9)
-    found = orbit(y, strip, inside, t, V, min(strobes, DEEP))
+    found = orbit(y, inside, t, V, min(strobes, DEEP))
     return min(max(found.slope, -STEEPEST), STEEPEST) if found.ratio > CLEAR else 0.0
-
-
-@kernel
-def _along(y: System, strip: Strip, r: Region, V: float, strobes: int, side: float) -> float:
-    """Return where a contracted line from the middle of a region leaves it: the midpoint rule."""
-    q = 0.5 * (r.low[0] + r.high[0])
-    t, step = r.middle, side * r.half / STEPS
-    for _ in range(STEPS):
-        first = _slope(y, strip, q, t, V, strobes)
-        q += step * _slope(y, strip, q + 0.5 * step * first, t + 0.5 * step, V, strobes)
-        t += step
-    return q
-
-
-@kernel
-def between(low: Edge, edge: Edge, high: Edge) -> bool:
-    """Return whether an edge is well between two others."""
-    for Y in (-1.0, -0.5, 0.5, 1.0):
-        under, over = value(low, Y), value(high, Y)
-        if not INSIDE < (value(edge, Y) - under) / (over - under) < 1 - INSIDE:
-            return False
-    return True
-
-
-@kernel
-def edge(y: System, strip: Strip, r: Region, V: float, strobes: int, curved: float) -> Edge:
-    """Return an edge that cuts a region across X, along a contracted line if that fits."""
-    e0, m1 = 0.5 * (r.low[0] + r.high[0]), 0.5 * (r.low[1] + r.high[1])
-    m2 = 0.5 * (r.low[2] + r.high[2])
-    left = _along(y, strip, r, V, strobes, -1.0)
-    right = _along(y, strip, r, V, strobes, 1.0)
-    most = curved * (r.high[0] - r.low[0])
-    e2 = min(max(0.5 * (right + left) - e0, m2 - most), m2 + most)
-    found = e0, 0.5 * (right - left), e2
-    return found if between(r.low, found, r.high) else (e0, m1, m2)

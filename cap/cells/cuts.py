@@ -6,24 +6,28 @@
     1          the two halves Y < 0 and Y > 0, the first one first
     2 d0 d1 d2 the parts below and above an edge: the mean of the two edges, each coefficient
                rounded down to a multiple of 2^-40, and so many times 2^-40 more
-    n + 2      at most n flights are followed, n >= 1
+    n + 2      at most n flights are followed backwards, n >= 1
+
+Of a region of turns that is followed backwards, parts are followed forwards.  It is followed by a
+tree of its own, with 0, 1, and 2 as before, and
+
+    3          followed forwards
 """
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cap.cells.choice import Mask, choose, ends
 from cap.cells.listing import written
 from cap.cells.trees import (
     COLUMNS,
     GRAIN,
     GROW,
     HALVES,
-    LEAF,
     VALUES,
     Floats,
     Integers,
@@ -35,14 +39,13 @@ from cap.sets.compiled import PROBE, require_ieee
 
 PARTS = 16  # of an arc, a power of 2
 NODES, DEEP = 1 << 18, 2000  # nodes of a part, regions that wait
-FOLLOWED = 2  # plus the flights
+FOLLOWED, ONWARDS = 2, 3  # plus the flights; forwards
 STEPS, LOWEST = 22, 1e-9  # of a search for a price; of the highest one
 UNIT = 2.0**-80
 
 Edge = tuple[int, int, int]
 """In units of 2^-80."""
 Edges = tuple[Edge, Edge]
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -60,45 +63,50 @@ class Tree:
     flights: Integers
 
     @cached_property
+    def _past(self) -> Integers:
+        past = np.empty(len(self.kinds), np.int64)
+        ends(self.kinds, past)
+        return past
+
+    @cached_property
     def past(self) -> list[int]:
         """The first node after each and its parts."""
-        past = list(range(1, len(self.kinds) + 1))
-        for n in range(len(past))[::-1]:
-            if self.kinds[n] != LEAF:
-                past[n] = past[past[n + 1]]
+        past: list[int] = self._past.tolist()
         return past
 
     def best(self, worths: Floats, price: float) -> Mask:
         """Return which nodes to follow for the most worth, each at a price."""
-        alone, past = np.maximum(worths - price, 0.0).tolist(), self.past
-        chosen, most = worths > price, list(alone)
-        for n in np.flatnonzero(self.kinds != LEAF)[::-1].tolist():
-            parts = most[n + 1] + most[past[n + 1]]
-            if parts >= alone[n]:
-                most[n], chosen[n] = parts, False
-        return self._first(chosen)
+        chosen = np.empty(len(self.kinds), np.bool_)
+        choose(self.kinds, self._past, np.asarray(worths, np.float64), price, chosen)
+        return chosen
 
-    def _first(self, chosen: Mask) -> Mask:
-        """Return those that are not parts of another one."""
-        first, n = np.zeros_like(chosen), 0
-        while n < len(chosen):
-            first[n] = chosen[n]
-            n = self.past[n] if chosen[n] else n + 1
-        return first
+    def text(self, chosen: Mask, parts: Mask | None = None) -> str:
+        """Return the text in which these nodes are followed; none is a part of another one.
 
-    def text(self, chosen: Mask) -> str:
-        """Return the text in which these nodes are followed; none is a part of another one."""
-        return written(self._numbers(chosen))
+        Of each of them those of the ``parts``, if there are any, are followed forwards.
+        """
 
-    def _numbers(self, chosen: Mask) -> Iterator[int]:
-        """Give the numbers of the text."""
-        before = np.concatenate([[0], np.cumsum(chosen)])
-        waiting: list[Edges] = [self.root]
-        n = 0
+        def inside(n: int, edges: Edges) -> Iterator[int]:
+            yield FOLLOWED + int(self.flights[n])
+            if parts is not None:
+                yield from self._numbers(parts, (n, edges), lambda _n, _edges: (ONWARDS,))
+
+        return written(self._numbers(chosen, (0, self.root), inside))
+
+    def _numbers(
+        self,
+        chosen: Mask,
+        begin: tuple[int, Edges],
+        inside: Callable[[int, Edges], Iterable[int]],
+    ) -> Iterator[int]:
+        """Give the numbers for the nodes below one with these edges; ``inside`` of chosen ones."""
+        n, past = begin[0], self.past[begin[0]]
+        before = np.concatenate([[0], np.cumsum(chosen[n:past])])
+        first, waiting = n, [begin[1]]
         while waiting:
             low, high = waiting.pop()
-            if chosen[n] or before[n] == before[self.past[n]]:
-                yield FOLLOWED + int(self.flights[n]) if chosen[n] else 0
+            if chosen[n] or before[n - first] == before[self.past[n] - first]:
+                yield from inside(n, (low, high)) if chosen[n] else (0,)
                 n = self.past[n]
                 continue
             yield int(self.kinds[n])

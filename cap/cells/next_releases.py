@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.cells.backward import ROUND, TURN, TURN_ERROR, System
-from cap.cells.entries import Strip
 from cap.cells.lines import Line, ends, moved, scaled, total
 from cap.cells.next_event import HIT, NOTHING, next_event, place_at, speed_at
 from cap.cells.paths import LOST, RELEASED, Path, Step, hit, lost, released, seen, stop
+from cap.cells.target import Strip, inside
 from cap.sets.circular import sin_cos_of_double
 from cap.sets.compiled import PROBE, compiled, kernel, require_ieee, rounds_to_nearest
 
@@ -77,21 +77,11 @@ def _next(y: System, f: Path, room: Floats) -> Step:
 
 
 @kernel
-def _between(strip: Strip, x: Line) -> bool:
-    """Return whether all x are inside."""
-    low, high = ends(x)
-    return strip.left < low and high < strip.right
-
-
-@kernel
 def _holds(strip: Strip, p: Line, s: Line) -> bool:
     """Return whether all states are in a strip: x = edge + p."""
-    low, high = ends(s)
-    if not (strip.fast - strip.d < low and high < strip.slow + strip.d):
-        return False
     x = moved(p, strip.edge, strip.edge_error)
     w = moved(s, -0.5 * (strip.fast + strip.slow), strip.fast - strip.slow)
-    return _between(strip, x) and _between(strip, total(x, scaled(w, strip.k, 0.0)))
+    return inside(strip, ends(s), ends(x), ends(total(x, scaled(w, strip.k, 0.0))))
 
 
 @kernel

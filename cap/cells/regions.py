@@ -1,4 +1,7 @@
-"""Compiled: a region of sticks followed backwards, and the areas of the states it comes from.
+"""Compiled: a region of stops followed backwards, and the areas of the states it comes from.
+
+It is followed to the stop before, where the states have another first stop: so nothing is counted
+from there on, nor at a strobe that may be there.
 
 A region lies between two edges q = e_0 + e_1 Y + e_2 Y² over times t = middle + half Y; X goes from
 one edge to the other.  See `cap.cells.backward`.
@@ -14,14 +17,13 @@ from cap.cells.backward import (
     Flight,
     System,
     at,
-    gain,
     hit,
     influence,
     moving,
     start,
     turn,
 )
-from cap.cells.mirrored import after_hit, after_turn
+from cap.cells.mirrored import after_hit
 from cap.cells.next_event import HIT, TURNS, next_event
 from cap.cells.polynomials import (
     LAST,
@@ -30,6 +32,7 @@ from cap.cells.polynomials import (
     between,
     ends,
     exact,
+    integral,
     integral_below,
     moved,
     product,
@@ -50,7 +53,7 @@ NONE = 0.0, 0.0, 0.0
 
 
 class Region(NamedTuple):
-    """The sticks between two edges over times."""
+    """The stops between two edges over times."""
 
     low: Edge
     high: Edge
@@ -70,12 +73,14 @@ class Seen(NamedTuple):
     """What is seen of a region.
 
     ``area``: a lower bound of the area of the states at all strobes that count; ``weight``: an
-    upper bound of what of it comes from sticks at places of measure 1; ``flights``: up to the last
-    strobe that counts; the ranges ``across`` and ``along`` at last: by X, and by Y alone.
+    upper bound of what of it comes from sticks at places of measure 1; ``strobes``: how many count;
+    ``flights``: up to the last of these; the ranges ``across`` and ``along`` at last: by X, and by
+    Y alone.
     """
 
     area: float
     weight: float
+    strobes: int
     flights: int
     across: float
     along: float
@@ -175,12 +180,13 @@ def slow_at(y: System, f: Flight, density: Model, event: Event, j: int, V: float
 def during(
     y: System, f: Flight, density: Model, event: Event, j: int, V: float
 ) -> tuple[float, int]:
-    """Return the area slower than V at the strobes from j pi on that are not after an event.
+    """Return the area slower than V at the strobes from j pi on that are not after a hit.
 
-    And at how many there is some.
+    And at how many there is some.  After a hit at T the speed falls by less than 1 - a a unit of
+    time: no mass stops before a strobe at t if it hits with a speed above t - T.
     """
     area, count = 0.0, 0
-    while j * math.pi <= event.ends[1]:
+    while j * math.pi <= event.ends[1] and j * math.pi + APART - event.ends[0] < event.least:
         got = slow_at(y, f, density, event, j, V)
         area, count, j = area + got, count + (got > 0), j + 1
     return area, count
@@ -197,31 +203,30 @@ def next_of(y: System, f: Flight) -> tuple[int, Event]:
 
 
 @kernel
-def after(y: System, f: Flight, density: Model, kind: int, event: Event) -> tuple[Flight, Model]:
-    """Return the flight and the density after an event."""
-    if kind == HIT:
-        return after_hit(y, f, event), density
-    return after_turn(y, f, event), product(density, gain(y, event))
+def measure(y: System, r: Region) -> tuple[float, float]:
+    """Return bounds of the measure of a region."""
+    density = launched(y, r)[1]
+    return max(0.0, integral(density)), -integral(scaled(density, -1.0, 0.0))
 
 
 @kernel
 def followed(y: System, r: Region, limits: Limits) -> Seen:
-    """Follow a region backwards as long as it is certain what happens."""
+    """Follow a region backwards to the stop before, as long as it is certain what happens."""
     f, density, wide = launched(y, r)
-    area, weight, last = 0.0, 0.0, 0
+    area, strobes, last = 0.0, 0, 0
     for n in range(limits.flights):
         if not known(f, limits.size):
             break
         got, count, j = underway(y, f, density, limits.V)
         kind, event = next_of(y, f)
-        if event.why == 0:
+        if event.why == 0 and kind == HIT:
             more, others = during(y, f, density, event, j, limits.V)
             got, count = got + more, count + others
         if got > 0 and wide > 0:
-            area, weight = area + got, weight + 2 * count * ends(density)[1] / wide
-            last = n + 1
-        if event.why != 0 or event.least > limits.V + 2:
+            area, strobes, last = area + got, strobes + count, n + 1
+        if event.why != 0 or event.least > limits.V + 2 or kind == TURNS:
             break
-        f, density = after(y, f, density, kind, event)
+        f = after_hit(y, f, event)
     across, along = spread(f)
-    return Seen(area / UP, weight * UP, last, across, along)
+    weight = 2 * strobes * ends(density)[1] / wide if strobes > 0 else 0.0
+    return Seen(area / UP, weight * UP, strobes, last, across, along)

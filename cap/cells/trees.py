@@ -1,4 +1,7 @@
-"""Compiled: regions of sticks, cut until what they give is nearly what there is.
+"""Compiled: regions of stops, cut until what they give is nearly what there is.
+
+At first they are cut for what is seen backwards (`cap.cells.regions`); where that is enough, for
+what becomes of them forwards (`cap.cells.ahead`).
 
 A part of an arc of times is cut into regions: in halves of its times, or by an edge.  Edges are
 made as multiples of `GRAIN`, exactly.  The double of an edge over a half of its times is wrong by a
@@ -7,15 +10,18 @@ and half the error of the second, and that by at most 8 h and half of itself.  A
 edge is wrong by less than 20 (16 + 8) h + 16 h < 2^-44 = `cap.cells.regions.EDGE`.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cap.cells.ahead import foreseen
 from cap.cells.backward import System
-from cap.cells.contraction import edge, hoped
-from cap.cells.entries import Strip, entered
-from cap.cells.regions import EDGE, Edge, Limits, Region, Seen, followed
+from cap.cells.contraction import hoped
+from cap.cells.edges import Look, edge, mirrored, reversed_times
+from cap.cells.fates import Ahead
+from cap.cells.regions import EDGE, Edge, Limits, Region, followed, measure
 from cap.sets.compiled import IEEE, kernel, rounds_to_nearest, sources
 from cap.sets.kept import kept
 
@@ -25,7 +31,13 @@ Integers = NDArray[np.int64]
 GRAIN = 2.0**-40
 SHORTEST = 2.0**-20  # of an arc
 LEAF, HALVES, CUT = 0, 1, 2
-COLUMNS, VALUES = 14, 11
+COLUMNS, VALUES = 21, 17
+_AREA, _WEIGHT, _FLIGHTS, _ACROSS, _ALONG, _STROBES, _MEASURE, _FATED, _EXCESS, _BELOW = (
+    *range(8, 16),
+    19,
+    20,
+)
+AHEAD = 0.3  # the ratio of a plan, for what is followed forwards
 EQUAL = 0.02  # part of the gain by a cut that another one must have less
 
 
@@ -35,7 +47,8 @@ class Plan(NamedTuple):
     If both cuts gain as much, a region is halved if it is longer than ``ratio`` times what it is
     wide, at its end; edges are more curved than the mean of their neighbours by at most ``curved``
     times their distance.  From ``points`` of a region, in each direction, orbits tell what to hope
-    for.
+    for.  Forwards, as long as ``onwards`` is missing of the area with a fate; if it is infinite,
+    nothing is followed forwards.
     """
 
     worth: float = 1e-4
@@ -43,6 +56,11 @@ class Plan(NamedTuple):
     ratio: float = 1.5
     curved: float = 1.0
     points: int = 2
+    onwards: float = math.inf
+
+    def backwards(self) -> "Plan":
+        """Return the same, where nothing is followed forwards."""
+        return self._replace(onwards=math.inf)
 
 
 class Arc(NamedTuple):
@@ -53,10 +71,10 @@ class Arc(NamedTuple):
 
 
 class Search(NamedTuple):
-    """What is searched: sticks, or a strip, if there is one."""
+    """What is searched, and how."""
 
     system: System
-    strip: Strip
+    ahead: Ahead
     arc: Arc
     limits: Limits
     plan: Plan
@@ -65,8 +83,9 @@ class Search(NamedTuple):
 class Nodes(NamedTuple):
     """Nodes of a tree (N,), each before its parts.
 
-    ``kinds`` (N,): see above; ``edges`` (N, 3) of cuts; ``values`` (N, 11): the area, the weight
-    and the flights of `cap.cells.regions.Seen`, as if nothing was cut, bounds of q, and both edges.
+    ``kinds`` (N,): see above; ``edges`` (N, 3) of cuts; ``values`` (N, 17), as if nothing was cut:
+    the area, the weight and the flights of `cap.cells.regions.Seen`, bounds of q, both edges, the
+    strobes, a lower bound of the measure, those of what has each fate, and an upper bound of it.
     """
 
     kinds: Integers
@@ -121,17 +140,32 @@ def _write(row: Floats, low: Edge, high: Edge, middle: float, half: float) -> No
 
 
 @kernel
-def _see(search: Search, row: Floats, flights: int) -> Seen:
-    """Follow the region of a row, and write what is seen."""
+def _see(search: Search, row: Floats, flights: int) -> float:
+    """Follow the region of a row, and write what is seen; return how much that is worth.
+
+    If something is above it that is followed backwards, it is followed forwards.
+    """
+    if row[_BELOW] > 0:
+        _foresee(search, row)
+        return float(row[_FATED + 2])
     limits = Limits(search.limits.V, min(flights, search.limits.flights), search.limits.size)
+    seen = followed(search.system, _region(search.arc, row), limits)
+    row[_AREA], row[_WEIGHT], row[_FLIGHTS] = seen.area, seen.weight, float(seen.flights)
+    row[_ACROSS], row[_ALONG], row[_STROBES] = seen.across, seen.along, float(seen.strobes)
+    return seen.area
+
+
+@kernel
+def _foresee(search: Search, row: Floats) -> None:
+    """Follow the region of a row forwards, and write what is seen."""
     r = _region(search.arc, row)
-    if search.strip.d > 0:
-        seen = entered(search.system, search.strip, r, limits)
-    else:
-        seen = followed(search.system, r, limits)
-    row[8], row[9], row[10] = seen.area, seen.weight, float(seen.flights)
-    row[11], row[12] = seen.across, seen.along
-    return seen
+    mu, most = measure(search.system, r)
+    found = foreseen(search.ahead, reversed_times(r), mu, search.limits.flights, search.limits.size)
+    row[_MEASURE], row[_FATED + 3], row[_EXCESS] = mu, most, found.excess
+    row[_FATED], row[_FATED + 1], row[_FATED + 2] = found.attractor, found.segment, found.either
+    if row[_BELOW] > 0:
+        row[_AREA], row[_WEIGHT], row[_FLIGHTS], row[_STROBES] = 0.0, 0.0, 0.0, 0.0
+        row[_ACROSS], row[_ALONG] = found.across, found.along
 
 
 @kernel
@@ -143,52 +177,80 @@ def halved(e: Edge, side: float) -> Edge:
 
 @kernel
 def _halve(search: Search, row: Floats, flights: int, tried: Floats) -> float:
-    """Write the halves of a region, the later one first, and return their area."""
-    middle, half, area = row[6], 0.5 * row[7], 0.0
+    """Write the halves of a region, the later one first, and return what they are worth."""
+    middle, half, worth = row[6], 0.5 * row[7], 0.0
     r = _region(search.arc, row)
     for i in range(2):
         side = 1.0 - 2.0 * i
         low, high = halved(r.low, side), halved(r.high, side)
         _write(tried[i], low, high, middle + side * half, half)
-        area += _see(search, tried[i], flights).area
-    return area
+        tried[i, _BELOW] = row[_BELOW]
+        worth += _see(search, tried[i], flights)
+    return worth
 
 
 @kernel
 def _cut(search: Search, row: Floats, new: Edge, flights: int, tried: Floats) -> float:
-    """Write the parts of a region above and below an edge, and return their area."""
+    """Write the parts of a region above and below an edge, and return what they are worth."""
     r = _region(search.arc, row)
     _write(tried[2], new, r.high, row[6], row[7])
     _write(tried[3], r.low, new, row[6], row[7])
-    return _see(search, tried[2], flights).area + _see(search, tried[3], flights).area
+    tried[2, _BELOW], tried[3, _BELOW] = row[_BELOW], row[_BELOW]
+    return _see(search, tried[2], flights) + _see(search, tried[3], flights)
 
 
 @kernel
 def _note(nodes: Nodes, n: int, row: Floats) -> None:
     """Write the values of a node."""
     values, more = nodes.values[n], 4 * EDGE
-    values[0], values[1], values[2] = row[8], row[9], row[10]
+    values[0], values[1], values[2] = row[_AREA], row[_WEIGHT], row[_FLIGHTS]
     values[3] = lowest((row[0], row[1], row[2])) - more
     values[4] = more - lowest((-row[3], -row[4], -row[5]))
     for i in range(6):
         values[5 + i] = row[i]
+    for i in range(6):
+        values[11 + i] = row[_STROBES + i]
+
+
+@kernel
+def _new_edge(search: Search, r: Region, forwards: bool) -> Edge:
+    """Return an edge by which a region is cut."""
+    look = Look(forwards, search.limits.V, search.plan.strobes, search.plan.curved)
+    if forwards:
+        return mirrored(edge(search.ahead.flow, look, reversed_times(r)))
+    return edge(search.system, look, r)
 
 
 @kernel
 def _divide(search: Search, row: Floats, flights: int, tried: Floats, made: Floats) -> int:
     """Cut a region in the way that gains most: 0 or 2, the first row of its parts, or -1."""
-    plan, r = search.plan, _region(search.arc, row)
-    new = edge(search.system, search.strip, r, search.limits.V, plan.strobes, plan.curved)
-    new = grained(new)
+    plan, r, forwards = search.plan, _region(search.arc, row), row[_BELOW] > 0
+    new = grained(_new_edge(search, r, forwards))
     made[0], made[1], made[2] = new
     cuts, halves = apart(r.low, new) and apart(new, r.high), row[7] > SHORTEST
     by_cut = _cut(search, row, new, flights, tried) if cuts else -1.0
     by_halves = _halve(search, row, flights, tried) if halves else -1.0
     if not (cuts or halves):
         return -1
-    if cuts and halves and abs(by_halves - by_cut) <= EQUAL * plan.worth:
-        return 0 if row[12] > plan.ratio * row[11] else 2
+    little = EQUAL * (plan.onwards / row[_BELOW] if forwards else plan.worth)
+    if cuts and halves and abs(by_halves - by_cut) <= little:
+        return 0 if row[_ALONG] > (AHEAD if forwards else plan.ratio) * row[_ACROSS] else 2
     return 0 if by_halves > by_cut else 2
+
+
+@kernel
+def _wanting(search: Search, row: Floats) -> tuple[bool, int]:
+    """Return whether a region is to be cut, and how many flights its parts are followed over."""
+    plan, V, flights = search.plan, search.limits.V, 0
+    if row[_BELOW] == 0:
+        r = _region(search.arc, row)
+        hope, flights = hoped(search.system, r, V, plan.strobes, plan.points)
+        if plan.onwards < math.inf:
+            _foresee(search, row)
+        if hope - row[_AREA] > plan.worth:
+            return True, flights + 1
+        row[_BELOW] = row[_STROBES]
+    return row[_BELOW] * row[_EXCESS] > plan.onwards, flights
 
 
 def _grow(search: Search, memory: Room, nodes: Nodes) -> int:
@@ -196,7 +258,6 @@ def _grow(search: Search, memory: Room, nodes: Nodes) -> int:
 
     Return how many; -1 if the processor does not round as it should.
     """
-    plan, V = search.plan, search.limits.V
     stack, tried = memory.stack, memory.tried
     if not rounds_to_nearest(memory.probe):
         return -1
@@ -204,12 +265,11 @@ def _grow(search: Search, memory: Room, nodes: Nodes) -> int:
     _see(search, stack[0], search.limits.flights)
     while k >= 0:
         row, first = stack[k], -1
-        r = _region(search.arc, row)
-        hope, flights = hoped(search.system, search.strip, r, V, plan.strobes, plan.points)
+        wanting, flights = _wanting(search, row)
         _note(nodes, n, row)
         full = n + k + 3 > room or k + 2 > len(stack)
-        if not full and hope - row[8] > plan.worth:
-            first = _divide(search, row, flights + 1, tried, nodes.edges[n])
+        if wanting and not full:
+            first = _divide(search, row, flights, tried, nodes.edges[n])
         if first < 0:
             nodes.kinds[n], k = LEAF, k - 1
         else:

@@ -1,9 +1,10 @@
 """The basins as they are proved, region by region, beside what floats say.
 
-Each coloured region is what a region of sticks, or a part of the strip, is backwards at t = 0, by
-the arithmetic of the checker; its boundary is drawn to within a pixel.  Attracted are those of
-which all places have that fate; of the others all stop, and most may have a fate; what is grey is
-not proved.
+Each coloured region is what a region of first stops is backwards at t = 0, by the arithmetic of the
+checker; its boundary is drawn to within a pixel.  Of all regions all states stop.  Those of sticks,
+and the parts of those of turns that are followed forwards, have the colour of a fate if the checker
+shows it for all of the region but at most `LOST` of its area; it may be that more of a pale one has
+a fate.  What is grey is not proved.
 """
 
 import math
@@ -19,14 +20,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from cap.checker.folded.backward import Flight, System
+from cap.checker.folded.ahead import Found, Outlook, found
+from cap.checker.folded.areas import stuck
 from cap.checker.folded.events import after, event
+from cap.checker.folded.motion import Flight, System
 from cap.checker.folded.regions import Leaf
-from cap.checker.folded.sticks import at_event, flown, multiple, places_of, sticks
-from cap.checker.folded.strip import Strip
-from cap.checker.folded.strips import half_strip, strip_of
-from cap.checker.folded.table import ATTRACTOR, Table
-from cap.checker.kernel.polynomials import MONOMIALS, Model
+from cap.checker.folded.stops import Start, Strobe, at_hit, flown, multiple, sticks, turns
+from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
 from cap.floats import swarm
@@ -35,10 +35,16 @@ from cap.pictures.style import BLUE, GREY, ORANGE, PALE, blank, style
 
 PIXELS = 256, 768  # of what floats say
 SIDE = 9  # points on a side of a region
+LOST = 0.05  # of the area of a region with a fate, at most
 PERIODS = 40  # that orbits in floats are followed
 OPEN, ATTRACTED, SEGMENT, STOPS = 0, 1, 2, 3
 COLOURS = (GREY, BLUE, ORANGE, PALE)
-NAMES = ("nothing is shown", "attracted", "to the segment", "stops at least once")
+NAMES = (
+    "nothing is shown",
+    f"attracted, but for at most {LOST:.0%} of each region",
+    "to the segment, likewise",
+    "stops at least once",
+)
 
 Image = NDArray[np.int8]
 Points = NDArray[np.float64]
@@ -73,66 +79,76 @@ def draw(theorem: Mixed, work: Work) -> Figure:
             handles=[Patch(color=c, label=n) for c, n in zip(COLOURS, NAMES, strict=True)],
             loc="outside lower center",
             ncols=4,
+            columnspacing=1,
         )
     return figure
 
 
 def proved(theorem: Mixed, work: Work) -> list[Outline]:
-    """Return the outlines of what is proved, in x and v."""
-    y, table, strip = System(theorem.p), theorem.places(work).table, theorem.strip()
-    found = work(partial(of_sticks, y, table), theorem.sticks(y))
-    found = [*found, *work(partial(of_strip, y, strip), theorem.strips(y))]
-    p = theorem.p
+    """Return the outlines of what is proved, in x and v, those on top of others later."""
+    p, y, V = theorem.p, System(theorem.p), float(theorem.region()[1])
+    outlook = theorem.outlook(theorem.places(work))
+    outlines = work(partial(of_sticks, outlook, y, V), theorem.sticks(y))
+    outlines = [*outlines, *work(partial(of_turns, outlook, y, V), theorem.turns(y))]
     unit = np.array([float(p.F / p.omega**2), float(p.F / p.omega)])
     return [
         (fate, np.array([float(p.l), 0.0]) + points * unit)
-        for each in (*found, [(SEGMENT, z) for z in halves(y, strip)])
+        for each in outlines
         for fate, points in each
     ]
 
 
-def of_sticks(y: System, table: Table, task: tuple[Leaf, bool]) -> list[Outline]:
+def of_sticks(o: Outlook, y: System, V: float, leaf: Leaf) -> list[Outline]:
     """Return the outlines of what comes to a region of sticks; x is from the left wall."""
-    leaf, late = task
-    start = sticks(y, leaf.region, late=late)
-    places = places_of(y, leaf.region, late=late)
-    fate = ATTRACTED if all(table.fate(part) == ATTRACTOR for part in places) else STOPS
-    return [(fate, points) for _, points in passed(y, start.flight, leaf.flights)]
+    start = sticks(y, leaf.region)
+    fate = shown(stuck(y, o.fates, start, leaf.region))
+    return [(fate, points) for points in passed(y, V, start, leaf.flights)]
 
 
-def of_strip(y: System, strip: Strip, task: tuple[Leaf, bool]) -> list[Outline]:
-    """Return the outlines of what comes to a part of the strip."""
-    leaf, fast = task
-    f = strip_of(y, strip, leaf.region, fast=fast).flight
-    return [(SEGMENT, points) for k, points in passed(y, f, leaf.flights) if k % 2]
+def of_turns(o: Outlook, y: System, V: float, leaf: Leaf) -> list[Outline]:
+    """Return the outlines of what comes to a region of turns, then those of parts with a fate."""
+    fates = [(STOPS, leaf.region), *((shown(found(o, part)), part) for part in leaf.parts)]
+    return [
+        (fate, points)
+        for k, (fate, region) in enumerate(fates)
+        if k == 0 or fate != STOPS
+        for points in passed(y, V, turns(y, region), leaf.flights)
+    ]
 
 
-def halves(y: System, strip: Strip) -> list[Points]:
-    """Return the outlines of the strip."""
-    regions = [(half_strip(y, strip, fast=fast)[0], fast) for fast in (False, True)]
-    starts = [strip_of(y, strip, region, fast=fast).flight for region, fast in regions]
-    return [outline(y, f, 1) for f in starts]
+def shown(found: Found) -> int:
+    """Return the fate of nearly all of a region, if one is shown."""
+    fates = zip((ATTRACTED, SEGMENT), found.missing, strict=False)
+    return next((fate for fate, missing in fates if missing <= LOST * found.area), STOPS)
 
 
-def passed(y: System, f: Flight, flights: int) -> list[tuple[int, Points]]:
-    """Return the outlines at the multiples of pi that are passed, by their numbers.
+def passed(y: System, V: float, start: Start, flights: int) -> list[Points]:
+    """Return the outlines at the multiples of pi that are passed, where some are slower than V.
 
-    At one next to an event, of the states before it and of those after it: what is outside of the
+    At one next to a hit, of the states before it and of those after it: what is outside of the
     walls is none of them.
     """
-    found = []
+    outlines, f = list[Points](), start.flight
     try:
         for _ in range(flights):
-            strobes = list(flown(y, f))
-            found += [(each.number, outline(y, f, each.number - f.passed)) for each in strobes]
+            flying = list(flown(y, f, V))
+            outlines += outlined(y, f, flying)
             e = event(y, f)
-            late = [each.number for each in at_event(y, f, e, len(strobes))]
-            found += [(k, outline(y, f, k - f.passed)) for k in late]
+            if e.p:
+                break
+            late = at_hit(y, f, e, len(flying), V)
+            outlines += outlined(y, f, late)
             f = after(y, f, e)
-            found += [(k, outline(y, f, k - f.passed)) for k in late]
+            outlines += outlined(y, f, late)
     except Rejected:
         pass
-    return found
+    return outlines
+
+
+def outlined(y: System, f: Flight, strobes: Sequence[Strobe]) -> list[Points]:
+    """Return the outlines in a flight where some are slower than V."""
+    slow = (number for number, excess in strobes if ends(excess)[0] < 0)
+    return [outline(y, f, number - f.passed) for number in slow]
 
 
 def outline(y: System, f: Flight, k: int) -> Points:

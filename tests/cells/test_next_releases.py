@@ -8,10 +8,10 @@ import pytest
 from support import seeded
 
 from cap.cells.constants import system_of
-from cap.cells.entries import NOWHERE, Strip
 from cap.cells.next_releases import HELD, next_release, next_releases
 from cap.cells.paths import LOST, RELEASED
 from cap.cells.rests import height
+from cap.cells.target import NOWHERE, Strip
 from cap.checker.folded import strip as checked
 from cap.checker.folded.flights import System
 from cap.checker.folded.paths import next_release as followed

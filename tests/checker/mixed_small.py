@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import copy
 import json
-from functools import cache, partial
+from functools import cache
 from pathlib import Path
 
 from cap.cells.listing import written
-from cap.checker.folded.backward import System
-from cap.checker.folded.sticks import areas
-from cap.checker.folded.strips import entered
 from cap.checker.kernel.certificate import read
 from cap.checker.theorems.mixed import Mixed
 
@@ -20,14 +17,19 @@ SHALLOW = 12  # the deepest nodes of the tree of places, and its cells
 
 def even(halvings, cuts, flights):
     """Return a tree, as text: times halved, then places cut, so often; all leaves are followed."""
-    return written(numbers(halvings, cuts, flights))
+    return written(numbers(halvings, cuts, [flights + 2]))
 
 
-def numbers(halvings, cuts, flights):
+def parted(halvings, cuts, flights, more):
+    """Return a tree of which each leaf has one of parts: halved and cut so often, all followed."""
+    return written(numbers(halvings, cuts, [flights + 2, *numbers(*more, [3])]))
+
+
+def numbers(halvings, cuts, leaf):
     """Return the numbers of such a tree."""
     if halvings + cuts == 0:
-        return [flights + 2]
-    part = numbers(halvings - 1, cuts, flights) if halvings else numbers(0, cuts - 1, flights)
+        return leaf
+    part = numbers(halvings - 1, cuts, leaf) if halvings else numbers(0, cuts - 1, leaf)
     return [*([1] if halvings else [2, 0, 0, 0]), *part, *part]
 
 
@@ -47,11 +49,7 @@ def here(f, tasks):
 
 def counted(theorem, places):
     """Return the parts of the area."""
-    y = System(theorem.p)
-    V = float(theorem.region()[1])
-    sticks = here(partial(areas, y, places, V), theorem.sticks(y))
-    more = here(partial(entered, y, theorem.strip(), V), theorem.strips(y))
-    return theorem.parts(sticks, [theorem.inside(y, V), *more])
+    return theorem.parts(theorem.counted(here, places))
 
 
 @cache
@@ -61,8 +59,7 @@ def _small():
     hints = certificate["hints"]
     tree = pruned(iter(hints["places"]["tree"]), SHALLOW)
     hints["places"] = {"level": str(SHALLOW), "tree": tree}
-    hints["sticks"] = {"early": even(3, 4, 20), "late": even(3, 4, 20)}
-    hints["strip"] = {"slow": even(1, 1, 20), "fast": even(2, 2, 20)}
+    hints["stops"] = {"late": even(3, 3, 20), "turns": parted(3, 3, 20, (2, 2))}
     theorem = Mixed(read(json.dumps(certificate).encode()), lambda _step: None)
     places = theorem.places(here)
     a, s, either, known = map(float, counted(theorem, places))

@@ -31,6 +31,7 @@ REASONS = {
     "hypothesis_dropped": "cites",
     "mixed_box_past_the_wall": "from wall to wall",
     "mixed_sticks_dropped": "shares.attractor does not contain",
+    "mixed_turns_dropped": "shares.attractor does not contain",
     "mixed_other_interval": "interval",
     "mixed_places_all_at_once": "certain",
     "mixed_places_dropped": "shares.attractor does not contain",

@@ -11,12 +11,13 @@ from mpmath import mp, mpf
 from support import number, rational, rounds, seeded
 
 from cap.certificate.latex import macros
+from cap.checker.flow.hits import Event
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check, words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_capture import PAPER, forcing, forge_capture, lemma
 from checker.hybrid import Flow
-from checker.parts import Event, Interval, Lossy, Parameters, capture, ratio
+from checker.parts import Interval, Lossy, Parameters, capture, ratio
 
 LOSSY = PAPER | {"e": "4/5", "mu": "1/10"}
 CASES = {

@@ -7,16 +7,14 @@ from fractions import Fraction
 import pytest
 
 from cap.cells.listing import written
-from cap.checker.folded.backward import System
-from cap.checker.folded.strips import counts
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, rejected, verify
-from checker.mixed_small import certificate, counted, even, here, small
+from checker.mixed_small import certificate, counted, even, here, parted, small
 
-EARLY = "hints", "sticks", "early"
+LATE, TURNS = ("hints", "stops", "late"), ("hints", "stops", "turns")
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +47,7 @@ def sums(lie):
     places = small()[1]
     theorem = Mixed(read(encode(lie)), lambda _step: None)
     theorem.box()
-    trees = str((theorem.hints["sticks"], theorem.hints["strip"]))
+    trees = str(theorem.hints["stops"])
     if trees not in PARTS:
         PARTS[trees] = counted(theorem, places)
     theorem.sums(PARTS[trees])
@@ -74,12 +72,14 @@ def test_shares_enlarged(true):
 
 
 def test_regions_dropped(true):
-    """A tree of nothing, flights that are not followed, half a strip that is nothing."""
+    """A tree of nothing, flights that are not followed, parts that are not."""
     for at, tree in (
-        (EARLY, written([0])),
-        (("hints", "sticks", "late"), written([0])),
-        (EARLY, even(3, 4, 2)),
-        (("hints", "strip", "fast"), written([0])),
+        (LATE, written([0])),
+        (TURNS, written([0])),
+        (LATE, even(3, 3, 1)),
+        (TURNS, parted(3, 3, 1, (2, 2))),
+        (TURNS, parted(3, 3, 20, (0, 0))),
+        (TURNS, parted(2, 3, 20, (0, 0))),
     ):
         with pytest.raises(Rejected, match="does not contain"):
             sums(changed(true, *at, tree))
@@ -106,7 +106,24 @@ def test_regions_dropped(true):
 def test_what_is_no_tree(true, tree, complaint):
     """Ends early, goes on, cuts beyond an edge, too often, other letters."""
     with pytest.raises(Rejected, match=complaint):
-        sums(changed(true, *EARLY, tree))
+        sums(changed(true, *LATE, tree))
+
+
+@pytest.mark.parametrize(
+    ("tree", "complaint"),
+    [
+        (written([12]), "no kind"),
+        (written([12, 4]), "no kind"),
+        (written([12, 1, 3]), "no kind"),
+        (written([12, 3, 3]), "goes on"),
+        (written([12, 2, 2**41, 0, 0, 3, 3]), "not below"),
+        (written([12, *[1] * 21, *[0] * 22]), "halved too often"),
+    ],
+)
+def test_what_is_no_tree_of_parts(true, tree, complaint):
+    """None, of another kind, ends early, goes on, beyond an edge, too often."""
+    with pytest.raises(Rejected, match=complaint):
+        sums(changed(true, *TURNS, tree))
 
 
 def test_other_boxes(true):
@@ -127,30 +144,13 @@ def test_other_lemmas(true):
     rejected(changed(true, "claims", "segment", "basin", basin), "wall|fast|drift")
 
 
-def test_a_strip_counts_only_in_the_box(true):
-    """Not in a box of slower states; and not if its orbits may stick, or turn back, or are far."""
-    theorem = small()[0]
-    y, strip = System(theorem.p), theorem.strip()
-    whole = theorem.inside(y, 3.0)
-    assert whole == pytest.approx(0.0408, abs=1e-4)
-    assert theorem.inside(y, 0.25) == 0
-    assert counts(y, strip)
-    for wrong in (
-        strip._replace(d=0.49),
-        strip._replace(slow=0.05),
-        strip._replace(edge=(1e13, 0.0)),
-        strip._replace(edge=(1.0, 1e-9)),
-    ):
-        assert not counts(y, wrong)
-    slower = changed(true, "claims", "box", "v", ["-0.01", "0.01"])
-    for name in ("segment", "either", "stops"):
-        slower = changed(slower, "claims", "shares", name, ["1.019", "1.02"])
-    lie = Mixed(read(encode(slower)), lambda _step: None)
-    inside = Fraction(lie.inside(y, 0.01))
-    with pytest.raises(Rejected, match="does not contain"):
-        lie.sums((Fraction(0), inside, inside, Fraction(0)))
+def test_shares_beyond_the_whole(true):
+    """Whatever is counted: no part is more than all."""
+    theorem = Mixed(read(encode(true)), lambda _step: None)
     with pytest.raises(Rejected, match="more than the whole"):
-        lie.sums((Fraction(0), *[Fraction(1019, 1000)] * 3))
+        theorem.sums((Fraction(0), *[Fraction(1019, 1000)] * 3))
+    with pytest.raises(Rejected, match="more than the whole"):
+        theorem.sums((Fraction(2, 3), Fraction(1, 2), Fraction(0), Fraction(0)))
 
 
 def test_places(true):
@@ -174,4 +174,5 @@ def test_work_is_bounded(true):
     """Too many pieces are refused before anything is computed."""
     full = {"level": "12", "tree": tree_of(17)}
     rejected(changed(true, "hints", "places", full), "too many places")
-    rejected(changed(true, *EARLY, written([66] * 140000)), "too many flights")
+    rejected(changed(true, *LATE, written([66] * 140000)), "too many flights")
+    rejected(changed(true, *TURNS, written([12, 3] * 200000)), "too many flights")

@@ -1,21 +1,24 @@
 """The theorem mixed: a coarse proof at another speed, its picture, and refusals."""
 
+import math
 from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from matplotlib.path import Path
 from support import proving
 
 from cap.certificate import report
 from cap.certificate.writer import dumps
+from cap.checker.folded.ahead import Found
 from cap.errors import NotProved
 from cap.explore import mixed as picture
 from cap.floats.candidates import Request
 from cap.parameters import PAPER
 from cap.pictures import proved as painting
-from cap.proofs import mixed, places, strip
+from cap.proofs import mixed, places
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
 
@@ -24,8 +27,7 @@ from cap.proofs.theorems import THEOREMS, accepted
 def coarse():
     """Return a certificate for |v| < 2 with few regions."""
     patch = pytest.MonkeyPatch()
-    patch.setattr(mixed, "USUAL", (1e-2, 300))
-    patch.setattr(strip, "WORTH", 1e-3)
+    patch.setattr(mixed, "USUAL", mixed.Effort(1e-2, 3e-3, 300, 1500))
     for name, value in {"LEVEL": 15, "WORTHS": (1e-3, 1e-4)}.items():
         patch.setattr(places, name, value)
     theorem = THEOREMS["mixed"]
@@ -50,29 +52,60 @@ def test_a_coarse_proof(coarse):
     )
 
 
-def test_its_picture(coarse, tmp_path, capsys, monkeypatch):
-    """Points inside of what is drawn have the fate that floats tell, but next to a border."""
-    path, out = tmp_path / "mixed.json", tmp_path / "mixed.png"
+PIXELS = 32, 96
+
+
+@pytest.fixture(scope="module")
+def drawn(coarse, tmp_path_factory):
+    """Return the file of a certificate, that of its picture, and the outlines in it."""
+    folder, outlines, proved = tmp_path_factory.mktemp("mixed"), [], painting.proved
+    path, out = folder / "mixed.json", folder / "mixed.png"
     path.write_text(dumps(coarse))
-    theorem = picture._theorem(path)
-    outlines = painting.proved(theorem, lambda f, tasks: [f(task) for task in tasks])
-    shape = painting.PIXELS[::-1]
-    floats = painting.in_floats(theorem, shape)
-    box = theorem.claims["box"]
-    low, size = (
-        np.array([float(box[axis][0]) for axis in "xv"]),
-        np.array([float(box[axis][1] - box[axis][0]) for axis in "xv"]),
-    )
-    for fate, least in ((painting.ATTRACTED, 10), (painting.SEGMENT, 3)):
-        middles = [points.mean(axis=0) for found, points in outlines if found == fate]
-        pixels = ((np.array(middles) - low) / size * shape[::-1]).astype(int)
-        inside = ((pixels >= 0) & (pixels < shape[::-1])).all(axis=1)
-        told = floats[pixels[inside, 1], pixels[inside, 0]]
-        assert len(told) > least
-        assert np.mean(told == fate) > 0.7
-    monkeypatch.setattr(painting, "proved", lambda *_: outlines)
-    assert picture.main([str(path), "--out", str(out)]) == 0
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(painting, "PIXELS", PIXELS)
+        patch.setattr(
+            painting, "proved", lambda *known: outlines.extend(proved(*known)) or outlines
+        )
+        assert picture.main([str(path), "--out", str(out)]) == 0
+    return path, out, outlines
+
+
+def test_what_is_drawn(drawn):
+    """As much is drawn as is claimed, of fates less; and floats tell the same."""
+    path, out, outlines = drawn
     assert out.stat().st_size > 10_000
+    theorem = picture._theorem(path)
+    floats = painting.in_floats(theorem, PIXELS[::-1]).ravel()
+    sides = []
+    for axis, n in zip("xv", PIXELS, strict=True):
+        low, high = (float(q) for q in theorem.claims["box"][axis][:2])
+        sides.append(low + (high - low) * (np.arange(n) + 0.5) / n)
+    middles = np.column_stack([side.ravel() for side in np.meshgrid(*sides)])
+    painted = np.zeros(len(middles), dtype=int)
+    for fate, points in outlines:
+        painted[Path(points).contains_points(middles)] = fate
+    claims = {name: float(ends[0]) for name, ends in theorem.claims["shares"].items()}
+    assert np.mean(painted > 0) == pytest.approx(claims["stops"], abs=0.02)
+    assert np.mean(floats[painted > 0] > 0) > 0.99
+    for fate, name in ((painting.ATTRACTED, "attractor"), (painting.SEGMENT, "segment")):
+        assert np.mean(painted == fate) > 0.4 * claims[name]
+        assert np.mean(floats[painted == fate] == fate) > 0.98
+
+
+def test_a_fate_that_is_not_shown():
+    """At most LOST of the area may be without it; infinitely much is."""
+    for missing, fate in (
+        ((0.09, 9.0), painting.ATTRACTED),
+        ((9.0, 0.0), painting.SEGMENT),
+        ((0.11, 0.11), painting.STOPS),
+        ((math.inf, math.inf), painting.STOPS),
+    ):
+        assert painting.shown(Found(2.0, (*missing, 0.0))) == fate
+
+
+def test_no_picture(drawn, tmp_path, capsys):
+    """What is no certificate, or no picture, is refused."""
+    path, out, _ = drawn
     for words in ([str(tmp_path / "no.json")], [str(out)], [str(path), "--out", "a.csv"]):
         capsys.readouterr()
         assert picture.main(words) == 2
@@ -101,14 +134,14 @@ def test_no_more_is_undecided_than_asked_for(monkeypatch):
     """Regions are made smaller until it is so, or it is said what was reached."""
     tried = []
 
-    def search(_p, _V, plan, _runner):
+    def search(_p, _V, _releases, plan, _runner):
         tried.append(plan.worth)
-        return ()
+        return (), ()
 
     counts = iter([0.3, 0.6, 0.9])
-    monkeypatch.setattr(mixed.sticks, "search", search)
+    monkeypatch.setattr(mixed.stops, "search", search)
     monkeypatch.setattr(mixed, "by_places", lambda *_: (None, "0"))
-    monkeypatch.setattr(mixed, "by_strip", lambda *_: (Fraction(0), {}))
+    monkeypatch.setattr(mixed, "releases_of", lambda *_: None)
     whole = Fraction(12)
     monkeypatch.setattr(
         mixed,

@@ -1,1 +1,1 @@
-"""The flow folded by its symmetry: forwards from places of release, backwards from sticks."""
+"""The flow folded by its symmetry: forwards from places of release, both ways from first stops."""

@@ -1,4 +1,4 @@
-"""Hits and turns of the flow backwards in time (`cap.checker.folded.backward`).
+"""Hits and stops of the flow of a region, and the next flights (`cap.checker.folded.motion`).
 
 *Hits and stops*: T is a polynomial, and what p or s leave there bounds the error of the time.  As
 |s'| <= 1 + a < 2: if s >= m > 0 and |p| <= g at T, and 2 g/m < m/4, p vanishes once within 2 g/m of
@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from cap.checker.folded.backward import Flight, System, followed, since, upcoming
 from cap.checker.folded.instants import hitting, stopping
+from cap.checker.folded.motion import Flight, System, followed, since, upcoming
 from cap.checker.folded.numbers import TURN, UP, Pair, middle, minus, quotient, times
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
@@ -26,11 +26,12 @@ from cap.checker.kernel.rejection import need
 _NONE, _ONE = (0.0, 0.0), (1.0, 0.0)
 
 
-class BackEvent(NamedTuple):
-    """A hit or a turn at near + d; the cosine and the sine of that, and D = near + d - ref.
+class Event(NamedTuple):
+    """A hit or a stop at near + d; the cosine and the sine of that, and D = near + d - ref.
 
     ``e`` bounds the error of the time without those of A and B, ``e_all`` with them and rounding;
-    ``ends`` are bounds of the time, ``speeds`` of the speed; ``p`` is the place of a turn.
+    ``ends`` are bounds of the time, ``speeds`` of the speed; ``p`` is the place of a stop, without
+    errors and with them.
     """
 
     near: float
@@ -42,21 +43,21 @@ class BackEvent(NamedTuple):
     e_all: float
     ends: Pair
     speeds: Pair
-    p: Model | None = None
+    p: tuple[Model, Model] | None = None
 
 
-def event(y: System, f: Flight) -> BackEvent:
+def event(y: System, f: Flight) -> Event:
     """Prove what comes next, for all orbits."""
     kind, near, k = upcoming(y, f)
-    return hit(y, f, near) if kind == "hit" else turn(y, f, near, k)
+    return hit(y, f, near) if kind == "hit" else stop(y, f, near, k)
 
 
-def after(y: System, f: Flight, e: BackEvent) -> Flight:
+def after(y: System, f: Flight, e: Event) -> Flight:
     """Return the flight after an event."""
-    return after_hit(y, f, e) if e.p is None else after_turn(y, f, e, e.p)
+    return after_hit(y, f, e) if e.p is None else after_turn(y, f, e, e.p[0])
 
 
-def hit(y: System, f: Flight, near: float) -> BackEvent:
+def hit(y: System, f: Flight, near: float) -> Event:
     """Prove that the next event is a hit, close to a time."""
     d = hitting(y, f, near)
     cos, sin = q.trigonometric(q.with_constant(d, near + d[0]))
@@ -69,14 +70,15 @@ def hit(y: System, f: Flight, near: float) -> BackEvent:
     e_all = 2 * (left + q.size(D) * f.errors[0] + f.errors[1]) / least * UP
     need(4 * e_all < least, "the time of a hit is not certain")
     ends = q.ends(q.widened(q.with_constant(d, near + d[0]), e_all + lag))
-    need(ends[1] - ends[0] < 4, "the time of a hit is not certain")
+    # the next flight begins within 1.5 of [-pi, pi]: after the slow time of number -1
+    need(ends[1] - ends[0] < 3, "the time of a hit is not certain")
     y.since_start(f, ends[0])
     y.moving(f, ends[1])
     speeds = least - 2 * e_all, most + 2 * e_all
-    return BackEvent(near, d, D, cos, sin, e + lag, e_all + lag, ends, speeds)
+    return Event(near, d, D, cos, sin, e + lag, e_all + lag, ends, speeds)
 
 
-def after_hit(y: System, f: Flight, h: BackEvent) -> Flight:
+def after_hit(y: System, f: Flight, h: Event) -> Flight:
     """Return the flight after a hit."""
     c, tau, D = (middle(q.ends(q.widened(z, h.e_all))) for z in (h.cos, h.d, h.D))
     g = quotient((2 * c[0], 2 * c[1]), middle(h.speeds))
@@ -91,8 +93,8 @@ def after_hit(y: System, f: Flight, h: BackEvent) -> Flight:
     return found._replace(slow=1 if found.begun[0] > sum(y.slow(0)) else 0)
 
 
-def turn(y: System, f: Flight, near: float, k: int) -> BackEvent:
-    """Prove that the next event is a turn, close to a time, before the slow time k."""
+def stop(y: System, f: Flight, near: float, k: int) -> Event:
+    """Prove that the next event is a stop, close to a time, before the slow time k."""
     d = stopping(y, f, near)
     cos, sin = q.trigonometric(q.with_constant(d, near + d[0]))
     D, lag = since(f, near, d)
@@ -111,10 +113,10 @@ def turn(y: System, f: Flight, near: float, k: int) -> BackEvent:
     spread = q.size(q.with_constant(D, 0.0)) + e_all
     p_all = q.widened(p, y.influence(f, f.ref + D[0], spread))
     need(q.ends(p_all)[1] < 0, "the mass may hit before it stops")
-    return BackEvent(near, d, D, cos, sin, e + lag, e_all + lag, ends, _NONE, p)
+    return Event(near, d, D, cos, sin, e + lag, e_all + lag, ends, _NONE, (p, p_all))
 
 
-def after_turn(y: System, f: Flight, t: BackEvent, p: Model) -> Flight:
+def after_turn(y: System, f: Flight, t: Event, p: Model) -> Flight:
     """Return the flight after a turn at a place."""
     c, tau, D = (middle(q.ends(q.widened(z, t.e_all))) for z in (t.cos, t.d, t.D))
     a = y.a, y.a_error
@@ -124,12 +126,4 @@ def after_turn(y: System, f: Flight, t: BackEvent, p: Model) -> Flight:
     A = q.total(q.widened(t.sin, t.e), q.scaled(later, -y.a, y.a_error))
     ahead = q.moved(q.scaled(p, -1.0), -y.width[0], y.width[1])
     B = q.total(ahead, y.start(A, later, q.scaled(q.widened(t.cos, t.e), -1.0)))
-    density = denser(y, f.density, q.widened(t.cos, t.e_all))
-    return followed(f, t.ends, (t.near, ref), (A, B), J)._replace(density=density)
-
-
-def denser(y: System, density: Model, cos: Model) -> Model:
-    """Return the density of areas after a turn at a time with this cosine."""
-    minus_cos = q.scaled(cos, -1.0)
-    before = q.inverse(q.moved(minus_cos, -y.a, y.a_error))
-    return q.product(density, q.product(q.moved(minus_cos, y.a, y.a_error), before))
+    return followed(f, t.ends, (t.near, ref), (A, B), J)

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from cap.checker.folded.backward import Flight, System
+from cap.checker.folded.motion import Flight, System
 from cap.checker.kernel.polynomials import DEGREE, LAST, MONOMIALS, Model
 from cap.checker.kernel.rejection import need
 

@@ -10,7 +10,13 @@ edge between its own, or into the halves Y <= 0 and Y >= 0.
     1              cut into halves, Y <= 0 first
     2 d_0 d_1 d_2  cut by the edge that is the mean of its two edges, rounded down to multiples of
                    2^-40 by coefficient, plus these multiples of 2^-40; the lower part first
-    n + 2          followed over n flights, or until what comes next is not certain
+    n + 2          followed back over n flights, or until what comes next is not certain
+
+If regions are followed forwards, too, a tree comes after each n + 2: of its parts, with
+
+    0              nothing is known
+    1, 2           as above
+    3              followed forwards
 """
 
 from __future__ import annotations
@@ -25,6 +31,8 @@ UNIT, CUT = 2.0**-80, 1 << 40  # edges by cuts are multiples of CUT units
 MOST_HALVINGS, MOST_CUTS, MOST_FLIGHTS = 20, 60, 64
 _LARGEST = 1 << 84
 _BEGIN = 4  # flights take as long as all else for a leaf
+_AHEAD = 36  # flights take as long as a part that is followed forwards, at most
+FORWARDS = 3
 
 
 class Region(NamedTuple):
@@ -59,10 +67,11 @@ class Region(NamedTuple):
 
 
 class Leaf(NamedTuple):
-    """A region that is followed over so many flights."""
+    """A region that is followed back over so many flights, and its parts that go forwards."""
 
     region: Region
     flights: int
+    parts: tuple[Region, ...] = ()
 
 
 def restricted(edge: Edge, side: int) -> Edge:
@@ -73,34 +82,43 @@ def restricted(edge: Edge, side: int) -> Edge:
     return found[0] // 4, found[1] // 4, found[2] // 4
 
 
-def leaves(text: str, root: Region) -> Iterator[Leaf]:
-    """Give the leaves of a tree."""
+def leaves(text: str, root: Region, *, parted: bool = False) -> Iterator[Leaf]:
+    """Give the leaves of a tree; ``parted`` if the tree of its parts comes after each."""
     found = integers(text)
+    for region, code in ends(found, root, MOST_FLIGHTS + 2):
+        parts = ends(found, region, FORWARDS) if parted else ()
+        yield Leaf(region, code - 2, tuple(part for part, _ in parts))
+    need(next(found, None) is None, "a tree goes on after its last node")
+
+
+def ends(found: Iterator[int], root: Region, most: int) -> Iterator[tuple[Region, int]]:
+    """Give the regions without parts in a tree, with their codes above 2, which are at most so."""
     waiting = [root]
     while waiting:
         region = waiting.pop()
         code = next(found, -1)
-        need(0 <= code <= MOST_FLIGHTS + 2, "a tree has a node of no kind")
+        need(0 <= code <= most, "a tree has a node of no kind")
         if code == 1:
             waiting += reversed(region.halves())
         elif code == 2:
             more = [next(found, _LARGEST) for _ in range(3)]
             waiting += reversed(region.parts((more[0], more[1], more[2])))
         elif code:
-            yield Leaf(region, code - 2)
-    need(next(found, None) is None, "a tree goes on after its last node")
+            yield region, code
 
 
-def flights(text: str) -> int:
+def flights(text: str, *, parted: bool = False) -> int:
     """Return how many flights the leaves of a tree are followed over, at most.
 
-    What a leaf takes besides counts as `_BEGIN` more.
+    What a leaf takes besides counts as `_BEGIN` more; a part forwards as `_AHEAD` in all.
     """
     found, total = integers(text), 0
     for code in found:
         if code == 2:
             for _ in range(3):
                 next(found, None)
+        elif code == FORWARDS and parted:
+            total += _AHEAD
         elif code > 2:
             total += _BEGIN + min(code - 2, MOST_FLIGHTS)
     return total

@@ -29,13 +29,12 @@ class Strip(NamedTuple):
     def holds(self, strobe: Strobe) -> bool:
         """Return whether all states of models are in the strip."""
         p, s = strobe
-        low, high = line.ends(s)
-        if not (self.fast - self.d < low and high < self.slow + self.d):
-            return False
         x = line.moved(p, *self.edge)
-        low, high = line.ends(x)
-        if not (self.left < low and high < self.right):
-            return False
         w = line.moved(s, -(self.fast + self.slow) / 2, self.fast - self.slow)
-        low, high = line.ends(line.total(x, line.scaled(w, self.k)))
-        return self.left < low and high < self.right
+        both = line.total(x, line.scaled(w, self.k))
+        return self.contains(line.ends(s), line.ends(x), line.ends(both))
+
+    def contains(self, speeds: Pair, *places: Pair) -> bool:
+        """Return whether states with these bounds of s, of x and of x + k w are in the strip."""
+        slow, fast = self.fast - self.d < speeds[0], speeds[1] < self.slow + self.d
+        return slow and fast and all(self.left < x[0] and x[1] < self.right for x in places)

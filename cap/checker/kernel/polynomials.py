@@ -28,8 +28,8 @@ and b, and d = v - h, h + a X + b Y < v in this part of the square:
     (d + u)/(2 u)              if d + u + w <= 2 u
     1 - (u + w - d)^2/(8 u w)  if d <= u + w,        else 1
 
-*Inverse*: with p c = 1 - g for a double c and |g| <= G < 0.6, 1/p = c (1 + g + g^2 + g^3 + g^4 +
-r), |r| <= G^5/(1 - G).
+*Inverse*: with p c = 1 - g for a double c and |g| <= G < 0.6, 1/p = c (1 + g + g^2 + r), |r| <=
+G^3/(1 - G).
 """
 
 from __future__ import annotations
@@ -155,10 +155,8 @@ def inverse(p: Model) -> Model:
     g = moved(scaled(p, -c), 1.0, 0.0)
     G = size(g)
     need(G < 0.6, "a model that may vanish is inverted")
-    h = product(g, g)
-    r = product(moved(total(g, h), 1.0, 0.0), h)  # g^2 + g^3 + g^4
-    r = moved(total(g, r), 1.0, 0.0)
-    return scaled(widened(r, G * G * G * G * G / (1 - G) * _UP), c)
+    r = moved(total(g, product(g, g)), 1.0, 0.0)
+    return scaled(widened(r, G * G * G / (1 - G) * _UP), c)
 
 
 def ends(p: Model) -> tuple[float, float]:

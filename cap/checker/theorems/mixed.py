@@ -19,12 +19,13 @@ with a derivative.  A part has a fate if all its next releases are in an interva
 all its orbits are in the basin of the segment before; of other parts the measure is bounded that
 has not the fate (`cap.checker.folded.masses`).
 
-*Sticks.*  Almost each state that sticks has a first stick, and is what becomes of it backwards in
-time, after so many half periods (`cap.checker.folded.sticks`).  All sticks, by place and time, are
-cut into regions, which are followed backwards; the density of the area of states is followed with
-them.  So their areas at t = 0 are added, for each of the first two fates, and for either of them,
-less what lies over places without it.  States that go to the segment without a stick are counted
-likewise, by the states of a strip in which all go there.  What is not counted is undecided.
+*Stops.*  A state that stops is what becomes of its first stop backwards in time, after so many half
+periods (`cap.checker.folded.stops`).  First stops, by place and time, are cut into regions, which
+are followed back, as long as nothing stops; so the areas at t = 0 are those of the stops, counted
+as often as half periods pass.  At some stops the mass sticks: they have the fate of the place.  At
+the others it turns: parts of the regions are followed forwards, until they stick, or are in a strip
+of states that go to the segment; it is bounded how much of them has not the fate
+(`cap.checker.folded.ahead`).  What is not counted is undecided.
 """
 
 from __future__ import annotations
@@ -35,14 +36,17 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from cap.checker.folded.backward import System
+from cap.checker.folded import flights
+from cap.checker.folded.ahead import Outlook
+from cap.checker.folded.areas import Areas, of_sticks, of_turns
 from cap.checker.folded.masses import Places
+from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import roof
-from cap.checker.folded.regions import Leaf, flights, leaves
-from cap.checker.folded.sticks import Areas, all_sticks, areas
+from cap.checker.folded.regions import Leaf, leaves
+from cap.checker.folded.regions import flights as cost
+from cap.checker.folded.stops import all_stops
 from cap.checker.folded.strip import Strip
-from cap.checker.folded.strips import counts, entered, half_strip, strip_area
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.angles import rounded
 from cap.checker.kernel.processes import each
@@ -75,10 +79,8 @@ class Mixed(Theorem):
         Field("places", {"level": Whole(6, 24), "tree": Letters(LETTERS, 1 << 18)}, "", "",
               "the tree of places that are followed: 2 for a node that is halved, then its halves; "
               "1 followed; 0 not; parts of them are halved down to this level of the tree"),
-        Field("sticks", {"early": text, "late": text}, "", "",
-              "the regions of sticks in the first arc of times and in the second, as trees"),
-        Field("strip", {"slow": text, "fast": text}, "", "",
-              "the regions of the halves of the strip, as trees"),
+        Field("stops", {"late": text, "turns": text}, "", "",
+              "the regions of first stops: of sticks, and of turns with their parts, as trees"),
     )
     CLAIMS = (
         Field("box", {"x": region, "v": region}, "", "", "all x between the walls, |v| up to V"),
@@ -99,8 +101,9 @@ class Mixed(Theorem):
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound the time: the pieces into which places may be cut, and the flights backwards."""
         Attractor.limit(hints["attractor"], claims["attractor"])
-        texts = [*hints["sticks"].values(), hints["strip"]["slow"], hints["strip"]["fast"]]
-        need(sum(map(flights, texts)) <= _MOST_FLIGHTS, "there are too many flights")
+        trees = hints["stops"]
+        total = cost(trees["late"]) + cost(trees["turns"], parted=True)
+        need(total <= _MOST_FLIGHTS, "there are too many flights")
         nodes(hints["places"]["tree"])
 
     def prove(self) -> None:
@@ -111,21 +114,24 @@ class Mixed(Theorem):
         work = partial(each, self.jobs)
         places = self.places(work)
         self.step("the fates of releases are known, by intervals of places")
-        y, V = System(self.p), below(self.region()[1])
-        counted = work(partial(areas, y, places, V), self.sticks(y))
-        self.step("the states are counted by their first sticks")
-        more = work(partial(entered, y, self.strip(), V), self.strips(y))
-        self.sums(self.parts(counted, [self.inside(y, V), *more]))
+        self.sums(self.parts(self.counted(work, places)))
         self.step("the shares follow from the areas")
 
-    def parts(self, counted: Iterable[Areas], more: Iterable[float]) -> tuple[Fraction, ...]:
+    def counted(self, work: Work, places: Places) -> Iterator[Areas]:
+        """Give the areas of the states, by regions of their first stops."""
+        y, V = System(self.p), below(self.region()[1])
+        yield from work(partial(of_sticks, y, places, V), self.sticks(y))
+        self.step("the states are counted that stick at their first stop")
+        yield from work(partial(of_turns, y, self.outlook(places), V), self.turns(y))
+        self.step("the states are counted that turn at their first stop")
+
+    def parts(self, counted: Iterable[Areas]) -> tuple[Fraction, ...]:
         """Return the parts of the area for the fates, for either of them, and of all that stops."""
         W, V = self.region()
-        a, s, either, stops = (
-            sum(map(Fraction, found), Fraction()) for found in zip(*counted, strict=True)
+        sums = (
+            sum(map(Fraction, found), Fraction()) for found in zip(Areas(), *counted, strict=True)
         )
-        strip = sum(map(Fraction, more), Fraction())
-        return tuple(area / (2 * W * V) for area in (a, s + strip, either + strip, stops + strip))
+        return tuple(area / (2 * W * V) for area in sums)
 
     def lemma(self, theorem: type[Theorem]) -> None:
         """Prove the theorem on which this one stands."""
@@ -184,25 +190,18 @@ class Mixed(Theorem):
         """Return W and V of the box, in the units of the flow."""
         return self.length(self.R), self.speed(self.claims["box"]["v"].upper)
 
-    def sticks(self, y: System) -> Iterator[tuple[Leaf, bool]]:
-        """Give the regions of sticks, and whether they are in the second arc."""
-        for name, late in (("early", False), ("late", True)):
-            for leaf in leaves(self.hints["sticks"][name], all_sticks(y)):
-                yield leaf, late
+    def sticks(self, y: System) -> Iterator[Leaf]:
+        """Give the regions of sticks."""
+        return leaves(self.hints["stops"]["late"], all_stops(y))
 
-    def inside(self, y: System, V: float) -> float:
-        """Return the area of the strip, if it is in the box."""
-        strip = self.strip()
-        return strip_area(y, strip) if counts(y, strip) and strip.fast + strip.d < V else 0.0
+    def turns(self, y: System) -> Iterator[Leaf]:
+        """Give the regions of turns, with their parts."""
+        return leaves(self.hints["stops"]["turns"], all_stops(y), parted=True)
 
-    def strips(self, y: System) -> Iterator[tuple[Leaf, bool]]:
-        """Give the regions of the strip, and whether they are in its faster half."""
-        if not counts(y, self.strip()):
-            return
-        for name, fast in (("slow", False), ("fast", True)):
-            root, _ends = half_strip(y, self.strip(), fast=fast)
-            for leaf in leaves(self.hints["strip"][name], root):
-                yield leaf, fast
+    def outlook(self, places: Places) -> Outlook:
+        """Return what tells what becomes of turns."""
+        forwards = System(self.p, forwards=True), flights.System(self.p)
+        return Outlook(*forwards, places, self.strip())
 
     def sums(self, parts: Sequence[Fraction]) -> None:
         """Compare the claims with the parts of the area."""

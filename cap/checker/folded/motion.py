@@ -1,18 +1,13 @@
-"""The flow backwards in time, folded by its symmetry, for all states of a region.
+"""The flow in both directions of time, folded by its symmetry, for all states of a region.
 
-*Units and folding* are those of `cap.checker.folded.flights`.  Backwards, with t for -t, friction
-drives: x'' = cos t + a sgn x'.  While the mass moves to the right, the wall ahead at p = 0,
+*Units and folding* are those of `cap.checker.folded.flights`.  With a = -f/F forwards, and a = f/F
+backwards, with t for -t, x'' = cos t + a sgn x'.  While the mass moves to the right, the wall ahead
+at p = 0,
 
     s(t) = sin t + a d + A,      p(t) = -cos t + a d^2/2 + A d + B,      d = t - ref,
 
 s' = cos t + a.  Let theta = arccos a.  s has its minima at the *slow* times 2 pi k - (pi - theta),
-and decreases in the arcs (pi - theta, pi + theta) modulo 2 pi only: so a mass that stops does so in
-these arcs, where |cos t| > a: it turns, and never sticks.  Only what has just stuck begins at rest
-elsewhere.
-
-*Areas.*  The states at one time have the area of the integral of a density over the region from
-which they come: for states at rest at the places q and the times t, of |s'| dq dt.  A hit keeps it;
-a turn multiplies it by (a - cos T)/(-a - cos T), what |s'| is after it and before it.
+and decreases in the arcs (pi - theta, pi + theta) modulo 2 pi only: there a mass stops.
 """
 
 from __future__ import annotations
@@ -20,11 +15,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from cap.checker.folded.flights import Four, carried, constants
+from cap.checker.folded.flights import Four, angles, carried, constants
 from cap.checker.folded.numbers import TURN, UP, Pair, shifted
 from cap.checker.folded.scout import Middle, scout
 from cap.checker.kernel import polynomials as q
-from cap.checker.kernel.angles import cos_sin
+from cap.checker.kernel.angles import cos_sin, of
 from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.theorem import Parameters
@@ -37,7 +32,7 @@ class Flight(NamedTuple):
     """A flight: bounds of its start, ref, A, B, C, R, bounds of the errors of A and B.
 
     As in `cap.checker.folded.flights`.  ``slow`` is the number of the first slow time that counts,
-    ``density`` that of the area, ``passed`` how many multiples of pi its times have been shifted.
+    ``passed`` how many multiples of pi its times have been shifted.
     """
 
     begun: Pair
@@ -48,17 +43,21 @@ class Flight(NamedTuple):
     R: Pair
     errors: Pair
     slow: int
-    density: Model
     passed: int
 
 
 class System:
-    """The constants, each a double with a bound of its error."""
+    """The constants of one direction of time, each a double with a bound of its error.
 
-    def __init__(self, p: Parameters) -> None:
-        known = constants(p)
-        self.a, self.a_error = known.a
-        self.width, self.theta, self.pi, self.sine = known[1:]
+    ``rest`` is arccos |a|.
+    """
+
+    def __init__(self, p: Parameters, *, forwards: bool = False) -> None:
+        known, (theta, half) = constants(p), angles(p)
+        a, self.a_error = known.a
+        self.a = -a if forwards else a
+        self.width, self.rest, self.pi, self.sine = known[1:]
+        self.theta = of(half - theta) if forwards else self.rest
 
     def slow(self, k: int) -> Pair:
         """Return the slow time of this number, and a bound of its error."""
@@ -138,14 +137,13 @@ def since(f: Flight, near: float, d: Model) -> tuple[Model, float]:
     return q.moved(d, near - f.ref, lag), lag
 
 
-def followed(f: Flight, ends: Pair, times: Pair, models: tuple[Model, Model], J: Four) -> Flight:
+def followed(f: Flight, ends: Pair, near: Pair, models: tuple[Model, Model], J: Four) -> Flight:
     """Return the flight with models A, B after the flight f, the errors of which J carries.
 
-    ``ends`` are the bounds of the time that ended f, ``times`` are near and the new ref.
+    ``ends`` are the bounds of the time that ended f, ``near`` are near and the new ref.
     """
     A, B = models
-    begun = shifted(ends, *times)
+    begun = shifted(ends, *near)
     C, R, errors = carried((f.C, f.R, f.errors), J, (A[LAST], B[LAST]))
-    passed = f.passed + round((times[0] - times[1]) / math.pi)
-    polynomials = q.exact(A), q.exact(B)
-    return Flight(begun, times[1], *polynomials, C, R, errors, 1, f.density, passed)
+    passed = f.passed + round((near[0] - near[1]) / math.pi)
+    return Flight(begun, near[1], q.exact(A), q.exact(B), C, R, errors, 1, passed)

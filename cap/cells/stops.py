@@ -1,0 +1,151 @@
+"""Trees of regions of stops: which states of a box come from which places where masses stop.
+
+The box is the states with |v| < V at the times that are multiples of the period.  A region of stops
+is followed backwards (`cap.cells.regions`); what it gives is a lower bound of the area of states in
+the box whose first stop is in the region.  A region of turns, or its parts, are followed forwards
+(`cap.cells.ahead`) to the places where the masses stick.
+
+The edges of the first region are q = 0 and the multiple of 2^-40 next above -W.  The times of the
+late sticks are -pi/2 + (pi/2 - theta) z, those of turns theta z, theta = arccos(f/F), z from -1 to
+1.  The trees are written as in `cap.cells.cuts`.
+"""
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from cap.cells.choice import Mask
+from cap.cells.constants import system_of
+from cap.cells.cuts import PARTS, UNIT, Edges, Tree, grown, joined
+from cap.cells.fates import Ahead
+from cap.cells.missing import Known
+from cap.cells.regions import Limits
+from cap.cells.target import Strip
+from cap.cells.trees import Arc, Floats, Nodes, Plan, Search
+from cap.errors import BadInput
+from cap.parameters import Parameters
+from cap.runner import Runner
+
+FLIGHTS, SIZE = 60, 3.0
+SPANS = 16  # parts of the times of late sticks, in which places are bounded
+WIDEST = 8  # edges are doubles with a bounded error for walls that are not farther apart
+MORE = np.array([-(2.0**-36), 2.0**-36])  # more than the errors of edges, and of the width
+
+
+class Releases(NamedTuple):
+    """What is known of releases: states that go to the segment, and places with a fate."""
+
+    strip: Strip
+    known: Known
+
+
+@dataclass(frozen=True)
+class Late(Tree):
+    """The nodes of the late sticks.
+
+    From places, seen from the wall ahead, in a set of the measure m come states of the area m
+    ``weights`` at most; ``sides`` are the edges.
+    """
+
+    weights: Floats
+    sides: Floats
+
+    def spans(self, parts: int) -> Floats:
+        """Return bounds of the places over equal parts of the times: (N, parts, 2).
+
+        At each time the measure of a set of places in a region is at most that of its part in these
+        bounds: so the mean of that over the parts, times the weight, bounds the area.
+        """
+        low, high = _range(self.sides[:, :3], parts)[0], _range(self.sides[:, 3:], parts)[1]
+        far = self.root[0][0] * UNIT
+        return np.asarray(np.stack([low - far, high - far], axis=-1) + MORE, np.float64)
+
+
+@dataclass(frozen=True)
+class Turns(Tree):
+    """The nodes of the turns.
+
+    ``strobes`` (N,): how many count; ``measures`` (N, 2): bounds of the measure of a node;
+    ``fated`` (N, 3): of what of it has each fate, from below.
+    """
+
+    strobes: Floats
+    measures: Floats
+    fated: Floats
+
+    def onwards(self, chosen: Mask) -> Floats:
+        """Return what of the area with a fate each node would give, below or at a chosen one."""
+        weights = np.zeros(len(chosen))
+        for n in np.flatnonzero(chosen).tolist():
+            weights[n : self.past[n]] = self.strobes[n]
+        return np.asarray(weights * self.fated[:, -1], np.float64)
+
+    def lost(self, chosen: Mask) -> float:
+        """Return by what all this is more than the areas with a fate, but for rounding."""
+        most = self.strobes[chosen] * self.measures[chosen, 1]
+        return float(np.sum(most - self.areas[chosen]))
+
+    def areas_of(self, chosen: Mask, parts: Mask) -> Floats:
+        """Return the areas with each fate from chosen nodes (N, 3), whose parts are followed."""
+        good = np.zeros((len(chosen) + 1, self.fated.shape[1]))
+        np.cumsum(np.where(parts[:, None], self.fated, 0.0), axis=0, out=good[1:])
+        nodes = np.flatnonzero(chosen)
+        have = good[np.array(self.past, np.int64)[nodes]] - good[nodes]
+        lost = self.measures[nodes, 1][:, None] - have + 1e-13
+        areas = self.areas[nodes][:, None] - self.strobes[nodes][:, None] * np.maximum(0.0, lost)
+        return np.asarray(np.maximum(0.0, areas * (1 - 1e-12)), np.float64)
+
+
+def _range(edges: Floats, parts: int) -> tuple[Floats, Floats]:
+    """Return bounds of edges (N, 3) over equal parts of [-1, 1]: (N, parts)."""
+    half = 1 / parts
+    Y = half * (2 * np.arange(parts) + 1) - 1
+    a, b, c = (edges[:, k, None] for k in range(3))
+    value, far, bend = a + Y * (b + Y * c), np.abs(b + 2 * Y * c) * half, c * half * half
+    return value - far + np.minimum(0.0, bend), value + far + np.maximum(0.0, bend)
+
+
+def search(
+    p: Parameters, V: Fraction, releases: Releases, plan: Plan, runner: Runner
+) -> tuple[Late, Turns]:
+    """Return trees for the late sticks and the turns."""
+    width = (p.r - p.l) * p.omega**2 / p.F
+    if not (p.e == 1 and p.mu == 0 and p.f > 0 and width < WIDEST):
+        raise BadInput(f"stops are followed for e = 1, mu = 0, and walls nearer than {WIDEST}")
+    fast = float(V * p.omega / p.F)
+    limits = Limits(fast - abs(fast) * 2.0**-52, FLIGHTS, SIZE)
+    y, z = system_of(p), system_of(p, forwards=True)
+    ahead = Ahead(z._replace(a=-z.a), z, *releases)
+    late = Search(y, ahead, Arc(-math.pi / 2, y.theta - math.pi / 2), limits, plan.backwards())
+    turns = Search(y, ahead, Arc(0.0, z.theta), limits, plan)
+    tasks = [(each, k) for each in (late, turns) for k in range(PARTS)]
+    parts = runner.map(partial(_grown, root(width)), tasks, "stops")
+    return _late(width, joined(parts[:PARTS])), _turns(width, joined(parts[PARTS:]))
+
+
+def root(width: Fraction) -> Edges:
+    """Return the edges of all stops of an arc."""
+    return (-(width * 2**40 // 1) << 40, 0, 0), (0, 0, 0)
+
+
+def _late(width: Fraction, nodes: Nodes) -> Late:
+    """Return the tree of late sticks."""
+    v = nodes.values
+    found = v[:, 0], v[:, 2].astype(np.int64), v[:, 1], v[:, 5:11]
+    return Late(root(width), nodes.kinds, nodes.edges, *found)
+
+
+def _turns(width: Fraction, nodes: Nodes) -> Turns:
+    """Return the tree of turns."""
+    v = nodes.values
+    found = v[:, 0], v[:, 2].astype(np.int64), v[:, 11], v[:, [12, 16]], v[:, 13:16]
+    return Turns(root(width), nodes.kinds, nodes.edges, *found)
+
+
+def _grown(root: Edges, task: tuple[Search, int]) -> Nodes:
+    """Return the nodes of a part of an arc."""
+    return grown(task[0], root, task[1])

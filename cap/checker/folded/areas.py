@@ -1,0 +1,68 @@
+"""Areas of states at t = 0, by the fate of their first stops.
+
+Let a region of stops have the area M, and a part of the states that come to it at one multiple of
+pi the area m.  If stops of the area g have a fate, at least m - (M - g) of these states have it:
+each stop stands for one state there, and areas are those of the stops (`cap.checker.folded.stops`).
+
+Of sticks in a region those do not have the fate whose places have not: let these have the measure n
+at most within the bounds of the edges over one of equal parts of Y, then they have the area n |s'|
+dt at most.  Turns are followed forwards, by parts of the region (`cap.checker.folded.ahead`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from cap.checker.folded.ahead import FATES, Fates, Found, Outlook, found
+from cap.checker.folded.motion import System
+from cap.checker.folded.numbers import TURN, UP
+from cap.checker.folded.regions import Leaf, Region
+from cap.checker.folded.stops import PARTS, Start, backwards, places_of, sticks, turns
+from cap.checker.kernel import polynomials as q
+
+
+class Areas(NamedTuple):
+    """Areas, from below: for the attractor, the segment, either of them, and of all that stop."""
+
+    attractor: float = 0.0
+    segment: float = 0.0
+    either: float = 0.0
+    stops: float = 0.0
+
+
+def of_sticks(y: System, fates: Fates, V: float, leaf: Leaf) -> Areas:
+    """Return the areas of the states at t = 0, slower than V, that come to a region of sticks."""
+    start = sticks(y, leaf.region)
+    return counted(y, V, leaf, start, [stuck(y, fates, start, leaf.region)])
+
+
+def of_turns(y: System, o: Outlook, V: float, leaf: Leaf) -> Areas:
+    """Return the areas of the states at t = 0, slower than V, that come to a region of turns."""
+    return counted(y, V, leaf, turns(y, leaf.region), [found(o, part) for part in leaf.parts])
+
+
+def stuck(y: System, fates: Fates, start: Start, region: Region) -> Found:
+    """Return what is found of sticks."""
+    places, less = places_of(y, region), 2 * start.rate / PARTS * UP
+    missing = (sum(fates.missing(part, fate) for part in places) * less for fate in FATES)
+    return Found(q.integral(start.density), tuple(missing))
+
+
+def counted(y: System, V: float, leaf: Leaf, start: Start, parts: Sequence[Found]) -> Areas:
+    """Return the areas that come to a region, if these are its parts."""
+    whole = -q.integral(q.scaled(start.density, -1.0))
+    good = (math.fsum(max(0.0, a - m) for a, m in fated(parts, k)) for k in range(len(FATES)))
+    less = [max(0.0, whole - area * (1 - TURN)) * UP for area in good] + [0.0]
+    seen = [
+        q.integral_below(start.density, strobe.excess, 0.0)
+        for _, strobe in backwards(y, start.flight, leaf.flights, V)
+    ]
+    sums = (sum(max(0.0, area - lost) for area in seen) for lost in less)
+    return Areas(*(area * (1 - 64 * TURN) for area in sums))
+
+
+def fated(parts: Sequence[Found], k: int) -> list[tuple[float, float]]:
+    """Return the areas of parts, and what of them is missing for a fate."""
+    return [(part.area, part.missing[k]) for part in parts]
