@@ -31,12 +31,11 @@ import numpy as np
 from cap.cells import stops
 from cap.cells.cuts import cheapest, dearest
 from cap.cells.listing import written
-from cap.cells.missing import FATES
+from cap.cells.missing import FATES, Known, means
 from cap.cells.missing import known as masses_of
 from cap.cells.stops import SPANS, Late, Releases, Turns
 from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
-from cap.checker.folded.masses import UNIT as MASS
 from cap.checker.folded.masses import Places
 from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
@@ -114,7 +113,7 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
         plan = Plan(effort.worth, STROBES, points=POINTS, onwards=effort.onwards)
         p, V = setting.parameters, speed_of(setting)
         late, turns = stops.search(p, V, releases, plan, setting.runner)
-        areas, hints["stops"] = counted(late, turns, known, effort, enough)
+        areas, hints["stops"] = counted(late, turns, releases, effort, enough)
         shares = tuple(area / whole for area in areas)
         left = 1 - shares[2] + SLACK
         if wanted is None or left <= wanted:
@@ -132,14 +131,14 @@ def releases_of(theorem: Mixed, known: Places) -> Releases:
 
 
 def counted(
-    late: Late, turns: Turns, known: Places, effort: Effort, enough: Fraction | None
+    late: Late, turns: Turns, releases: Releases, effort: Effort, enough: Fraction | None
 ) -> tuple[tuple[Fraction, ...], dict[str, str]]:
     """Return the areas for the fates and of all that stops, and the regions chosen, as text.
 
     There are at most as many as the effort allows, and not many more than for an area with either
     fate that is ``enough``.
     """
-    fated = areas_of(late, known)
+    fated = areas_of(late, releases.known)
     trees, worths = (late, turns), (fated[2], turns.areas)
     price = dearest(trees, worths, effort.back)
     sticks, back = (tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True))
@@ -159,27 +158,13 @@ def below_sum(areas: Floats) -> Fraction:
     return sum(map(Fraction, areas.tolist()), Fraction(0))
 
 
-def areas_of(tree: Late, known: Places) -> tuple[Floats, ...]:
+def areas_of(tree: Late, known: Known) -> tuple[Floats, ...]:
     """Return the areas for the fates, and of all that stops, from each region (N,), from below."""
-    spans = tree.spans(SPANS)
-    lost = (missing(known, fate, spans).mean(axis=1) for fate in FATES)
+    spans, lost = tree.spans(SPANS), np.empty((len(FATES), len(tree.areas)))
+    for fate, found in enumerate(lost):
+        means(known, fate, spans, found)
     fated = (np.maximum(0.0, tree.areas - tree.weights * more) * (1 - 1e-12) for more in lost)
     return (*fated, tree.areas)
-
-
-def missing(known: Places, fate: int, places: Floats) -> Floats:
-    """Return bounds of the measure of the places in intervals (..., 2) without a fate.
-
-    As `Places.missing`, for all of them at once.
-    """
-    ends, masses = np.array(known.ends), np.array(known.masses[fate], np.float64) / MASS
-    low, high = np.moveaxis(np.clip(places, 0.0, ends[-1]), -1, 0)
-    i, j = (np.clip(np.searchsorted(ends, x, "right") - 1, 0, len(masses) - 1) for x in (low, high))
-    sums = np.concatenate([[0.0], np.cumsum(masses)])
-    apart = np.minimum(masses[i], ends[i + 1] - low) + sums[j] - sums[np.minimum(i + 1, j)]
-    apart += np.minimum(masses[j], high - ends[j])
-    found = np.where(i < j, apart, np.minimum(masses[i], high - low))
-    return np.asarray(found + 1e-12 * (1 + ends[-1]), np.float64)
 
 
 def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from cap.checker.folded.masses import UNIT, Places
 from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
-from cap.sets.compiled import kernel
+from cap.sets.compiled import kernel, sources
+from cap.sets.kept import kept
 
 Floats = NDArray[np.float64]
 
@@ -70,3 +71,15 @@ def all_have(known: Known, fate: int, low: float, high: float) -> bool:
     """Return whether all places in an interval have a fate."""
     i, j = _part(known, max(low, 0.0)), _part(known, min(high, known.ends[-1]))
     return bool(known.sums[fate][j + 1] == known.sums[fate][i])
+
+
+def _means(known: Known, fate: int, places: Floats, found: Floats) -> None:
+    """Write the means of what is missing in intervals (N, K, 2): (N,)."""
+    for n in range(len(found)):
+        total = 0.0
+        for k in range(places.shape[1]):
+            total += missing(known, fate, places[n, k, 0], places[n, k, 1])
+        found[n] = total / places.shape[1]
+
+
+means = kept(_means, sources())

@@ -135,14 +135,14 @@ def root(width: Fraction) -> Edges:
 def _late(width: Fraction, nodes: Nodes) -> Late:
     """Return the tree of late sticks."""
     v = nodes.values
-    found = v[:, 0], v[:, 2].astype(np.int64), v[:, 1], v[:, 5:11]
+    found = v[:, 0], v[:, 2].astype(np.int64), v[:, 1], v[:, 3:9]
     return Late(root(width), nodes.kinds, nodes.edges, *found)
 
 
 def _turns(width: Fraction, nodes: Nodes) -> Turns:
     """Return the tree of turns."""
     v = nodes.values
-    found = v[:, 0], v[:, 2].astype(np.int64), v[:, 11], v[:, [12, 16]], v[:, 13:16]
+    found = v[:, 0], v[:, 2].astype(np.int64), v[:, 9], v[:, [10, 14]], v[:, 11:14]
     return Turns(root(width), nodes.kinds, nodes.edges, *found)
 
 

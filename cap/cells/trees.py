@@ -31,7 +31,7 @@ Integers = NDArray[np.int64]
 GRAIN = 2.0**-40
 SHORTEST = 2.0**-20  # of an arc
 LEAF, HALVES, CUT = 0, 1, 2
-COLUMNS, VALUES = 21, 17
+COLUMNS, VALUES = 21, 15
 _AREA, _WEIGHT, _FLIGHTS, _ACROSS, _ALONG, _STROBES, _MEASURE, _FATED, _EXCESS, _BELOW = (
     *range(8, 16),
     19,
@@ -83,9 +83,9 @@ class Search(NamedTuple):
 class Nodes(NamedTuple):
     """Nodes of a tree (N,), each before its parts.
 
-    ``kinds`` (N,): see above; ``edges`` (N, 3) of cuts; ``values`` (N, 17), as if nothing was cut:
-    the area, the weight and the flights of `cap.cells.regions.Seen`, bounds of q, both edges, the
-    strobes, a lower bound of the measure, those of what has each fate, and an upper bound of it.
+    ``kinds`` (N,): see above; ``edges`` (N, 3) of cuts; ``values`` (N, 15), as if nothing was cut:
+    the area, the weight and the flights of `cap.cells.regions.Seen`, both edges, the strobes, a
+    lower bound of the measure, those of what has each fate, and an upper bound of it.
     """
 
     kinds: Integers
@@ -202,14 +202,10 @@ def _cut(search: Search, row: Floats, new: Edge, flights: int, tried: Floats) ->
 @kernel
 def _note(nodes: Nodes, n: int, row: Floats) -> None:
     """Write the values of a node."""
-    values, more = nodes.values[n], 4 * EDGE
+    values = nodes.values[n]
     values[0], values[1], values[2] = row[_AREA], row[_WEIGHT], row[_FLIGHTS]
-    values[3] = lowest((row[0], row[1], row[2])) - more
-    values[4] = more - lowest((-row[3], -row[4], -row[5]))
     for i in range(6):
-        values[5 + i] = row[i]
-    for i in range(6):
-        values[11 + i] = row[_STROBES + i]
+        values[3 + i], values[9 + i] = row[i], row[_STROBES + i]
 
 
 @kernel

@@ -53,7 +53,7 @@ def stuck(y: System, fates: Fates, start: Start, region: Region) -> Found:
 def counted(y: System, V: float, leaf: Leaf, start: Start, parts: Sequence[Found]) -> Areas:
     """Return the areas that come to a region, if these are its parts."""
     whole = -q.integral(q.scaled(start.density, -1.0))
-    good = (math.fsum(max(0.0, a - m) for a, m in fated(parts, k)) for k in range(len(FATES)))
+    good = (math.fsum(max(0.0, p.area - p.missing[k]) for p in parts) for k in range(len(FATES)))
     less = [max(0.0, whole - area * (1 - TURN)) * UP for area in good] + [0.0]
     seen = [
         q.integral_below(start.density, strobe.excess, 0.0)
@@ -61,8 +61,3 @@ def counted(y: System, V: float, leaf: Leaf, start: Start, parts: Sequence[Found
     ]
     sums = (sum(max(0.0, area - lost) for area in seen) for lost in less)
     return Areas(*(area * (1 - 64 * TURN) for area in sums))
-
-
-def fated(parts: Sequence[Found], k: int) -> list[tuple[float, float]]:
-    """Return the areas of parts, and what of them is missing for a fate."""
-    return [(part.area, part.missing[k]) for part in parts]
