@@ -4,7 +4,8 @@
 
 with l < x < r, |v| < V at t = 0.  There are explicit numbers such that of the area of this box
 
- (i)   at least `shares.attractor` tends to the orbits released in A (theorem `attractor`),
+ (i)   at least `shares.attractor` tends to the orbits released in A (theorem `attractor`), or to
+       periodic orbits that stick, of `cycles`,
  (ii)  at least `shares.segment` converges to T-periodic orbits that touch no wall (`segment`),
  (iii) at least `shares.either` does one of both,
  (iv)  at least `shares.stops` stops at least once, all these included,
@@ -18,11 +19,15 @@ different stops give different states: the areas are added.  A first stop that i
 fate of its place; from turns parts of the regions are followed forwards to the stick, or into a
 strip in which all go to the segment.  Subtracted is what may lie over places without the fate.
 
-The theorems `attractor` and `segment` are proved here in balls; places, and the regions of stops,
-are followed in outward-rounded doubles (`cap.cells`).  How much of the places has
-a fate is counted by the checker (`cap.checker.folded.masses`).
+What attracts is looked for: where neither an interval as in `attractor`, nor a cycle, nor orbits as
+in `segment` are found and proved, nothing is said of them.
+
+The theorems `attractor` and `segment` are proved here in balls, cycles as the checker does; places,
+and the regions of stops, are followed in outward-rounded doubles (`cap.cells`).  How much of the
+places has a fate is counted by the checker (`cap.checker.folded.masses`).
 """
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -33,7 +38,7 @@ from cap.cells.cuts import cheapest, dearest
 from cap.cells.listing import written
 from cap.cells.missing import FATES, Known, means
 from cap.cells.missing import known as masses_of
-from cap.cells.stops import SPANS, Late, Releases, Turns
+from cap.cells.stops import SPANS, Releases, Sticks, Trees
 from cap.cells.trees import Floats, Plan
 from cap.certificate.writer import dumps
 from cap.checker.folded.masses import Places
@@ -41,17 +46,19 @@ from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import WITHOUT_LOSSES
 from cap.checker.theorems.mixed import Mixed
-from cap.errors import BadInput, NotProved
+from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
-from cap.proofs import attractor, places, segment
+from cap.maps.fixed_point import Start
+from cap.proofs import attractor, cycles, places, segment
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.release.trap import critical_points
 from cap.sets import interval
 
 SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
-SEARCH = candidates.releasing
+SEARCH = candidates.fates
 OPTIONS = ("jobs", "speed", "undecided")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
-SLACK = Fraction(1, 5000)  # of a share: where the checker cannot follow as far as the prover
+SLACK = Fraction(1, 2000)  # of a share, at first: the checker cannot follow all that the prover can
 STROBES = 40  # that may count for an orbit from a stop
 POINTS = 6  # of a region, in each direction, from which orbits tell what to hope for
 
@@ -68,7 +75,7 @@ class Effort(NamedTuple):
     ahead: int
 
 
-USUAL = Effort(6e-6, 3e-6, 13_000, 111_000)  # if nothing is asked for
+USUAL = Effort(6e-6, 3e-6, 13_000, 90_000)  # if nothing is asked for
 # until it is what is asked for
 EFFORTS = (Effort(2e-5, 2e-5, 6000, 30_000), USUAL, Effort(4e-6, 1.2e-6, 16_000, 300_000))
 
@@ -79,19 +86,57 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
     if setting.undecided is not None and setting.undecided >= 1:
         raise BadInput(f"--undecided must be less than 1: {setting.undecided}")
-    attracts, attracted = (each.prove(setting)(Fraction(1)) for each in (attractor, segment))
-    nested = {"attractor": attracts["claims"], "segment": attracted["claims"]}
     hints = {
         "bits": str(setting.checker_bits),
-        "attractor": attracts["hints"],
         "places": {"level": str(places.LEVEL), "tree": NOTHING},
-        "stops": {"late": written([0]), "turns": written([0])},
+        "stops": dict.fromkeys(Trees._fields, written([0])),
     }
-    draft = certificate_of(setting, claims_of(setting, (0, 0, 0, 0)) | nested, hints)
-    theorem = Mixed(read(dumps({**draft, "provenance": {}}).encode()), silent)
-    parts = lemma_shares(setting, theorem, hints)
-    proved = certificate_of(setting, claims_of(setting, parts) | nested, hints)
-    return lambda _part: proved
+    nested = dict[str, Any]()
+    if attracts := chaotic(setting):
+        nested["attractor"], hints["attractor"] = attracts["claims"], attracts["hints"]
+    if attracted := touching_nothing(setting):
+        nested["segment"] = attracted["claims"]
+    if found := cycles.contracted(setting.parameters, draft(setting, nested, hints)):
+        nested["cycles"] = found
+        setting.progress(f"{len(found)} attracting cycles of releases")
+    parts = lemma_shares(setting, draft(setting, nested, hints), hints)
+
+    def proof(part: Fraction) -> dict[str, Any]:
+        slack = SLACK * 10 * (1 - part)
+        enough_left(setting, 1 - parts[2] + slack)
+        return certificate_of(setting, claims_of(setting, parts, slack) | nested, hints)
+
+    return proof
+
+
+def draft(setting: Setting, nested: dict[str, Any], hints: dict[str, Any]) -> Mixed:
+    """Return the checker's theorem, with what is known to attract, and no shares."""
+    nothing = (Fraction(0),) * 4
+    content = certificate_of(setting, claims_of(setting, nothing, SLACK) | nested, hints)
+    return Mixed(read(dumps({**content, "provenance": {}}).encode()), silent)
+
+
+def chaotic(setting: Setting) -> dict[str, Any] | None:
+    """Return a certificate of the theorem `attractor`, if it is proved around a critical point."""
+    for x in critical_points(setting.parameters):
+        try:
+            return attractor.prove(replace(setting, start=Start(x, 0.0, ())))(Fraction(1))
+        except TooFewDigits:
+            raise
+        except (BadInput, NotProved) as problem:
+            setting.progress(f"no attractor around x = {x:.6g}: {problem}")
+    return None
+
+
+def touching_nothing(setting: Setting) -> dict[str, Any] | None:
+    """Return a certificate of the theorem `segment`, if it is proved."""
+    try:
+        return segment.prove(setting)(Fraction(1))
+    except TooFewDigits:
+        raise
+    except NotProved as problem:
+        setting.progress(f"no segment: {problem}")
+        return None
 
 
 def silent(_step: str) -> None:
@@ -107,22 +152,26 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     known, hints["places"]["tree"] = by_places(setting, theorem)
     releases = releases_of(theorem, known)
     whole = 2 * theorem.region()[0] * theorem.region()[1]
-    wanted, left = setting.undecided, Fraction(1)
+    wanted = setting.undecided
     enough = None if wanted is None else (1 - wanted + SLACK) * whole
     for effort in (USUAL,) if wanted is None else EFFORTS:
         plan = Plan(effort.worth, STROBES, points=POINTS, onwards=effort.onwards)
         p, V = setting.parameters, speed_of(setting)
-        late, turns = stops.search(p, V, releases, plan, setting.runner)
-        areas, hints["stops"] = counted(late, turns, releases, effort, enough)
+        trees = stops.search(p, V, releases, plan, setting.runner)
+        areas, hints["stops"] = counted(trees, releases, effort, enough)
         shares = tuple(area / whole for area in areas)
-        left = 1 - shares[2] + SLACK
-        if wanted is None or left <= wanted:
-            return shares
-    raise NotProved(
-        "share",
-        f"of the part {float(left):.4f} neither fate is shown, with {EFFORTS[-1].ahead} regions; "
-        f"{setting.undecided} was asked for",
-    )
+        if wanted is None or 1 - shares[2] + SLACK <= wanted:
+            break
+    enough_left(setting, 1 - shares[2] + SLACK)
+    return shares
+
+
+def enough_left(setting: Setting, left: Fraction) -> None:
+    """Raise `NotProved` if neither fate is shown for more than was asked for."""
+    if setting.undecided is not None and left > setting.undecided:
+        reason = f"of the part {float(left):.4f} neither fate is shown"
+        most = f"with {EFFORTS[-1].ahead} regions; {setting.undecided} was asked for"
+        raise NotProved("share", f"{reason}, {most}")
 
 
 def releases_of(theorem: Mixed, known: Places) -> Releases:
@@ -131,26 +180,30 @@ def releases_of(theorem: Mixed, known: Places) -> Releases:
 
 
 def counted(
-    late: Late, turns: Turns, releases: Releases, effort: Effort, enough: Fraction | None
+    trees: Trees, releases: Releases, effort: Effort, enough: Fraction | None
 ) -> tuple[tuple[Fraction, ...], dict[str, str]]:
     """Return the areas for the fates and of all that stops, and the regions chosen, as text.
 
     There are at most as many as the effort allows, and not many more than for an area with either
     fate that is ``enough``.
     """
-    fated = areas_of(late, releases.known)
-    trees, worths = (late, turns), (fated[2], turns.areas)
+    *sticks, turns = trees
+    fated = [areas_of(tree, releases.known) for tree in sticks]
+    worths = [*(each[2] for each in fated), turns.areas]
     price = dearest(trees, worths, effort.back)
-    sticks, back = (tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True))
+    *stuck, back = (tree.best(worth, price) for tree, worth in zip(trees, worths, strict=True))
+    ended = [[below_sum(z[rows]) for z in each] for each, rows in zip(fated, stuck, strict=True)]
+    total = [sum(each, Fraction(0)) for each in zip(*ended, strict=True)]
     onwards = turns.onwards(back)
     price = dearest([turns], [onwards], effort.ahead)
     if enough is not None:
-        wanted = float(enough - below_sum(fated[2][sticks])) + turns.lost(back)
+        wanted = float(enough - total[2]) + turns.lost(back)
         price = max(price, cheapest([turns], [onwards], wanted * (1 + 1e-9)))
     ahead = turns.best(onwards, price)
     found = [*turns.areas_of(back, ahead).T, turns.areas[back]]
-    total = tuple(below_sum(z[sticks]) + below_sum(w) for z, w in zip(fated, found, strict=True))
-    return total, {"late": late.text(sticks), "turns": turns.text(back, ahead)}
+    areas = tuple(known + below_sum(w) for known, w in zip(total, found, strict=True))
+    late, early = (tree.text(rows) for tree, rows in zip(sticks, stuck, strict=True))
+    return areas, {"late": late, "early": early, "turns": turns.text(back, ahead)}
 
 
 def below_sum(areas: Floats) -> Fraction:
@@ -158,7 +211,7 @@ def below_sum(areas: Floats) -> Fraction:
     return sum(map(Fraction, areas.tolist()), Fraction(0))
 
 
-def areas_of(tree: Late, known: Known) -> tuple[Floats, ...]:
+def areas_of(tree: Sticks, known: Known) -> tuple[Floats, ...]:
     """Return the areas for the fates, and of all that stops, from each region (N,), from below."""
     spans, lost = tree.spans(SPANS), np.empty((len(FATES), len(tree.areas)))
     for fate, found in enumerate(lost):
@@ -181,11 +234,11 @@ def speed_of(setting: Setting) -> Fraction:
     return setting.speed or SPEED * p.R * p.omega
 
 
-def claims_of(setting: Setting, found: tuple[Fraction | int, ...]) -> dict[str, Any]:
-    """Return the claims about the shares found, with some slack."""
+def claims_of(setting: Setting, found: tuple[Fraction, ...], slack: Fraction) -> dict[str, Any]:
+    """Return the claims about the shares found, less some slack."""
     p = setting.parameters
     V = speed_of(setting)
-    a, s, either, known = (max(Fraction(0), share - SLACK) for share in found)
+    a, s, either, known = (max(Fraction(0), share - slack) for share in found)
     area = 2 * p.R * V
     claimed = {
         "attractor": (a, 1 - s),

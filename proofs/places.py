@@ -47,7 +47,7 @@ class Search:
 
     p: Parameters
     strip: Strip
-    kept: Pair
+    kept: Sequence[Pair]
     width: float
     pieces: dict[Node, Piece] = field(default_factory=dict)
     gaps: set[Node] = field(default_factory=set)
@@ -96,7 +96,7 @@ class Search:
     def inside(self, node: Node) -> bool:
         """Return whether a node is attracted anyway."""
         low, high = node.ends(self.width)
-        return self.kept[0] <= low and high <= self.kept[1]
+        return any(a <= low and high <= b for a, b in self.kept)
 
     def tried(self, nodes: Sequence[Node]) -> list[tuple[Node, Piece | None]]:
         """Return nodes with pieces, where they are followed."""
@@ -119,7 +119,7 @@ class Search:
         low, high = line.ends(after)
         grain = 2.0 ** (node.m - GRAIN)
         sharp = after[1] <= TOLERANCE * grain * line.size((0.0, *after[0][1:]))
-        return sharp or after[1] < TINY or (self.kept[0] < low and high < self.kept[1])
+        return sharp or after[1] < TINY or any(a < low and high < b for a, b in self.kept)
 
     # what is known
 

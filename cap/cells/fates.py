@@ -36,6 +36,7 @@ from cap.sets.compiled import kernel
 PARTS = 4  # of Y, in which places are bounded
 LATE = 0.05  # of delta
 FAR = 0.01  # of the wall behind: more than delta^3
+ROOM = 0.01  # of the range of a derivative: the checker's bounds may be wider by so much
 
 LOST, ENDS, TURNED = range(3)
 _NONE, _EARLY, _LATE, _TURN, _EARLY_OR_TURN, _LATE_OR_TURN = range(6)
@@ -150,23 +151,31 @@ def _less(y: System, g: Slopes, event: Event, delta: float) -> float:
 
 @kernel
 def _over(known: Known, x: Model, beyond: float, w: Model, less: float, s: Share) -> Missing:
-    """Return what is missing over the places x, and so much beyond; all of it if it may fold.
+    """Return what is missing over the places x, and so much beyond.
 
-    Their derivative is w, or less than that by so much.
+    That is all where they may fold, but for a fate that all of them have.  Their derivative is w,
+    or less than that by so much.
     """
     a, b, c, wide = 0.0, 0.0, 0.0, 0.0
     for k in range(PARTS):
         low, high = span(x, k)
+        high += beyond
         slopes = span(w, k)
-        slope = _size(slopes[0], slopes[1]) - less
-        if not slope > 0:
-            return Missing(math.inf, math.inf, math.inf, math.inf)
-        factor, high = s.each / slope * UP, high + beyond
-        a += factor * missing(known, 0, low, high)
-        b += factor * missing(known, 1, low, high)
-        c += factor * missing(known, 2, low, high)
-        wide += factor * (high - low)
-    return Missing(a, b, c, c * max(0.0, 1 - s.mu / wide))
+        slope = _size(slopes[0], slopes[1]) - less - ROOM * (slopes[1] - slopes[0])
+        each = s.each / slope * UP if slope > 0 else math.inf
+        a += _part(known, 0, low, high, each)
+        b += _part(known, 1, low, high, each)
+        c += _part(known, 2, low, high, each)
+        wide += each * (high - low)
+    return Missing(a, b, c, c * max(0.0, 1 - s.mu / wide) if c < math.inf else c)
+
+
+@kernel
+def _part(known: Known, fate: int, low: float, high: float, each: float) -> float:
+    """Return what is missing over an interval of places, each of which stands for so much."""
+    if all_have(known, fate, low, high):
+        return 0.0
+    return each * missing(known, fate, low, high)
 
 
 @kernel

@@ -6,8 +6,8 @@ the box whose first stop is in the region.  A region of turns, or its parts, are
 (`cap.cells.ahead`) to the places where the masses stick.
 
 The edges of the first region are q = 0 and the multiple of 2^-40 next above -W.  The times of the
-late sticks are -pi/2 + (pi/2 - theta) z, those of turns theta z, theta = arccos(f/F), z from -1 to
-1.  The trees are written as in `cap.cells.cuts`.
+sticks are -pi/2 + (pi/2 - theta) z, late, and pi/2 + (pi/2 - theta) z, early, those of turns theta
+z, theta = arccos(f/F), z from -1 to 1.  The trees are written as in `cap.cells.cuts`.
 """
 
 import math
@@ -26,12 +26,13 @@ from cap.cells.missing import Known
 from cap.cells.regions import Limits
 from cap.cells.target import Strip
 from cap.cells.trees import Arc, Floats, Nodes, Plan, Search
+from cap.checker.folded.stops import EARLY, LATE
 from cap.errors import BadInput
 from cap.parameters import Parameters
 from cap.runner import Runner
 
 FLIGHTS, SIZE = 60, 3.0
-SPANS = 16  # parts of the times of late sticks, in which places are bounded
+SPANS = 16  # parts of the times of sticks, in which places are bounded
 WIDEST = 8  # edges are doubles with a bounded error for walls that are not farther apart
 MORE = np.array([-(2.0**-36), 2.0**-36])  # more than the errors of edges, and of the width
 
@@ -44,15 +45,16 @@ class Releases(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Late(Tree):
-    """The nodes of the late sticks.
+class Sticks(Tree):
+    """The nodes of the late or the early sticks.
 
     From places, seen from the wall ahead, in a set of the measure m come states of the area m
-    ``weights`` at most; ``sides`` are the edges.
+    ``weights`` at most; ``sides`` are the edges; ``side`` as in `cap.checker.folded.stops`.
     """
 
     weights: Floats
     sides: Floats
+    side: int
 
     def spans(self, parts: int) -> Floats:
         """Return bounds of the places over equal parts of the times: (N, parts, 2).
@@ -62,7 +64,8 @@ class Late(Tree):
         """
         low, high = _range(self.sides[:, :3], parts)[0], _range(self.sides[:, 3:], parts)[1]
         far = self.root[0][0] * UNIT
-        return np.asarray(np.stack([low - far, high - far], axis=-1) + MORE, np.float64)
+        ends = [low - far, high - far] if self.side == LATE else [-high, -low]
+        return np.asarray(np.stack(ends, axis=-1) + MORE, np.float64)
 
 
 @dataclass(frozen=True)
@@ -100,6 +103,14 @@ class Turns(Tree):
         return np.asarray(np.maximum(0.0, areas * (1 - 1e-12)), np.float64)
 
 
+class Trees(NamedTuple):
+    """The trees of all stops that are counted."""
+
+    late: Sticks
+    early: Sticks
+    turns: Turns
+
+
 def _range(edges: Floats, parts: int) -> tuple[Floats, Floats]:
     """Return bounds of edges (N, 3) over equal parts of [-1, 1]: (N, parts)."""
     half = 1 / parts
@@ -109,10 +120,8 @@ def _range(edges: Floats, parts: int) -> tuple[Floats, Floats]:
     return value - far + np.minimum(0.0, bend), value + far + np.maximum(0.0, bend)
 
 
-def search(
-    p: Parameters, V: Fraction, releases: Releases, plan: Plan, runner: Runner
-) -> tuple[Late, Turns]:
-    """Return trees for the late sticks and the turns."""
+def search(p: Parameters, V: Fraction, releases: Releases, plan: Plan, runner: Runner) -> Trees:
+    """Return trees for the sticks and the turns."""
     width = (p.r - p.l) * p.omega**2 / p.F
     if not (p.e == 1 and p.mu == 0 and p.f > 0 and width < WIDEST):
         raise BadInput(f"stops are followed for e = 1, mu = 0, and walls nearer than {WIDEST}")
@@ -120,11 +129,13 @@ def search(
     limits = Limits(fast - abs(fast) * 2.0**-52, FLIGHTS, SIZE)
     y, z = system_of(p), system_of(p, forwards=True)
     ahead = Ahead(z._replace(a=-z.a), z, *releases)
-    late = Search(y, ahead, Arc(-math.pi / 2, y.theta - math.pi / 2), limits, plan.backwards())
+    arcs = (Arc(side * math.pi / 2, y.theta - math.pi / 2) for side in (LATE, EARLY))
+    sticks = [Search(y, ahead, arc, limits, plan.backwards()) for arc in arcs]
     turns = Search(y, ahead, Arc(0.0, z.theta), limits, plan)
-    tasks = [(each, k) for each in (late, turns) for k in range(PARTS)]
+    tasks = [(each, k) for each in (*sticks, turns) for k in range(PARTS)]
     parts = runner.map(partial(_grown, root(width)), tasks, "stops")
-    return _late(width, joined(parts[:PARTS])), _turns(width, joined(parts[PARTS:]))
+    late, early, turned = (joined(parts[k * PARTS : (k + 1) * PARTS]) for k in range(3))
+    return Trees(_sticks(width, late, LATE), _sticks(width, early, EARLY), _turns(width, turned))
 
 
 def root(width: Fraction) -> Edges:
@@ -132,11 +143,11 @@ def root(width: Fraction) -> Edges:
     return (-(width * 2**40 // 1) << 40, 0, 0), (0, 0, 0)
 
 
-def _late(width: Fraction, nodes: Nodes) -> Late:
-    """Return the tree of late sticks."""
+def _sticks(width: Fraction, nodes: Nodes, side: int) -> Sticks:
+    """Return the tree of late or early sticks."""
     v = nodes.values
     found = v[:, 0], v[:, 2].astype(np.int64), v[:, 1], v[:, 3:9]
-    return Late(root(width), nodes.kinds, nodes.edges, *found)
+    return Sticks(root(width), nodes.kinds, nodes.edges, *found, side)
 
 
 def _turns(width: Fraction, nodes: Nodes) -> Turns:

@@ -31,6 +31,7 @@ __all__ = [
     "continued",
     "cyclic",
     "every_motion",
+    "fates",
     "lighter",
     "non_sticking",
     "particles",
@@ -211,6 +212,14 @@ def closed_form(request: Request) -> Found:
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     return found
+
+
+def fates(request: Request) -> Found:
+    """Find nothing: the proof looks for what attracts."""
+    if not request.parameters.f:
+        raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
+    found = _nothing(request, "the fates of states")
+    return found._replace(lines=["What attracts the states is looked for in the proof."])
 
 
 def every_motion(request: Request) -> Found:

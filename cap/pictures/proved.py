@@ -28,7 +28,7 @@ from cap.checker.folded.regions import Leaf
 from cap.checker.folded.stops import Start, Strobe, at_hit, flown, multiple, sticks, turns
 from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems.mixed import Mixed
+from cap.checker.theorems.mixed import SIDES, Mixed
 from cap.floats import swarm
 from cap.parameters import Parameters
 from cap.pictures.style import BLUE, GREY, ORANGE, PALE, blank, style
@@ -88,8 +88,10 @@ def proved(theorem: Mixed, work: Work) -> list[Outline]:
     """Return the outlines of what is proved, in x and v, those on top of others later."""
     p, y, V = theorem.p, System(theorem.p), float(theorem.region()[1])
     outlook = theorem.outlook(theorem.places(work))
-    outlines = work(partial(of_sticks, outlook, y, V), theorem.sticks(y))
-    outlines = [*outlines, *work(partial(of_turns, outlook, y, V), theorem.turns(y))]
+    outlines = list[list[Outline]]()
+    for side in SIDES:
+        outlines += work(partial(of_sticks, outlook, y, V, side), theorem.sticks(y, side))
+    outlines += work(partial(of_turns, outlook, y, V), theorem.turns(y))
     unit = np.array([float(p.F / p.omega**2), float(p.F / p.omega)])
     return [
         (fate, np.array([float(p.l), 0.0]) + points * unit)
@@ -98,10 +100,10 @@ def proved(theorem: Mixed, work: Work) -> list[Outline]:
     ]
 
 
-def of_sticks(o: Outlook, y: System, V: float, leaf: Leaf) -> list[Outline]:
+def of_sticks(o: Outlook, y: System, V: float, side: int, leaf: Leaf) -> list[Outline]:
     """Return the outlines of what comes to a region of sticks; x is from the left wall."""
-    start = sticks(y, leaf.region)
-    fate = shown(stuck(y, o.fates, start, leaf.region))
+    start = sticks(y, side, leaf.region)
+    fate = shown(stuck(y, o.fates, start, side, leaf.region))
     return [(fate, points) for points in passed(y, V, start, leaf.flights)]
 
 

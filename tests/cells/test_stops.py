@@ -27,7 +27,9 @@ from cap.runner import Runner
 
 V, WIDTH = Fraction(3), 2.0
 SYSTEM, THETA = system_of(PAPER), system_of(PAPER, forwards=True).theta
-ARCS = (-math.pi / 2, SYSTEM.theta - math.pi / 2), (0.0, THETA)
+STICKS = SYSTEM.theta - math.pi / 2
+ARCS = (-math.pi / 2, STICKS), (math.pi / 2, STICKS), (0.0, THETA)  # late, early, turns
+TURNS = 2
 LIMITS = Limits(3.0, 60, 3.0)
 GRAIN = Fraction(1, 2**40)
 # places with each fate, as if they were known: those in these parts of [0, 2]
@@ -101,10 +103,10 @@ def value(e, Y):
     return float(e[0] + Y * (e[1] + Y * e[2]))
 
 
-def region(found, turns):
+def region(found, kind):
     """Return the region of a leaf of a text."""
     low, high, (first, last), *_ = found
-    middle, size = ARCS[turns]
+    middle, size = ARCS[kind]
     edges = (tuple(map(float, edge)) for edge in (low, high))
     return Region(*edges, middle + size * float(first + last) / 2, size * float(last - first) / 2)
 
@@ -121,33 +123,34 @@ def read(tree):
 
 def test_text_gives_the_regions(trees):
     """Read on its own, it gives the leaves, with edges in order, and the same areas."""
-    for turns, tree in enumerate(trees):
+    for kind, tree in enumerate(trees):
         chosen, counted = leaves(tree), read(tree)
         assert [found[3] for found in counted] == tree.flights[chosen].tolist()
         for found, area in zip(counted, tree.areas[chosen], strict=True):
             if area > 0.02:
                 limits = LIMITS._replace(flights=found[3])
-                seen = followed(SYSTEM, region(found, turns), limits)
+                seen = followed(SYSTEM, region(found, kind), limits)
                 assert seen.area == pytest.approx(area, rel=1e-9)
             for Y in (-1, Fraction(-1, 3), Fraction(1, 2), 1):
                 assert value(found[0], Y) < value(found[1], Y)
 
 
-def test_spans_bound_the_places_of_each_part(trees):
+@pytest.mark.parametrize("kind", ["late", "early"])
+def test_spans_bound_the_places_of_each_part(trees, kind):
     """At every time."""
-    tree = trees[0]
+    tree = getattr(trees, kind)
     spans = tree.spans(8)[leaves(tree)]
     for (low, high, *_), parts in zip(read(tree), spans, strict=True):
         for k, (least, most) in enumerate(parts):
             for Y in (Fraction(k, 4) - 1, Fraction(3 * k + 1, 12) - 1, Fraction(k + 1, 4) - 1):
-                places = [2 + value(low, Y), 2 + value(high, Y)]
+                places = [2 + value(e, Y) if kind == "late" else -value(e, Y) for e in (low, high)]
                 assert least <= min(places)
                 assert max(places) <= most
 
 
 def test_parts_are_followed_below_what_is_followed_backwards(trees):
     """The text has them where they are, with the measures that the tree says."""
-    turns = trees[1]
+    turns = trees.turns
     back = leaves(turns)
     ahead = turns.best(turns.onwards(back), 1e-3)
     found = [found for found in regions(turns.text(back, ahead), nested=True) if found[3]]
@@ -156,7 +159,7 @@ def test_parts_are_followed_below_what_is_followed_backwards(trees):
     assert len(inner) == ahead.sum() > len(found) / 2
     assert max(len(leaf[4]) for leaf in found) > 2
     for part, (least, most) in zip(inner, turns.measures[ahead], strict=True):
-        ends = measure(SYSTEM, region(part, True))
+        ends = measure(SYSTEM, region(part, TURNS))
         assert ends == pytest.approx((least, most), rel=1e-9)
         assert least <= most <= least * 1.01
     areas = turns.areas_of(back, ahead)
@@ -169,7 +172,7 @@ def test_parts_are_followed_below_what_is_followed_backwards(trees):
 
 def test_fates_are_those_of_orbits(trees):
     """Never more has a fate than of orbits in floats, and nearly as much."""
-    random, turns = seeded("turns ahead"), trees[1]
+    random, turns = seeded("turns ahead"), trees.turns
     back = leaves(turns)
     ahead = turns.best(turns.onwards(back), 1e-3)
     leaf = [leaf for leaf in regions(turns.text(back, ahead), nested=True) if leaf[3]]
@@ -178,7 +181,7 @@ def test_fates_are_those_of_orbits(trees):
     )
     said = told = 0.0
     for part, n in random.sample(parts, 60):
-        counts = shares(random, region(part, True), 150)
+        counts = shares(random, region(part, TURNS), 150)
         mu = turns.measures[n, 1]
         spread = 4 * np.sqrt(counts * (1 - counts) / 150)
         assert (turns.fated[n] <= mu * (counts + spread) + 1e-9).all()
@@ -222,12 +225,12 @@ def test_all_that_sticks_has_a_fate_if_all_places_have(trees):
     """Then nothing is missing of what is followed; if no place has one, nothing is left."""
     everywhere = Releases(NOWHERE, known(np.ones((3, 4), bool)))
     plan = Plan(worth=3e-2, onwards=3e-2)
-    turns = search(PAPER, V, everywhere, plan, Runner())[1]
+    turns = search(PAPER, V, everywhere, plan, Runner()).turns
     seen = turns.fated[:, 0] > 0
     assert seen.sum() > 50
     assert turns.fated[seen, 0] == pytest.approx(turns.measures[seen, 0], rel=1e-6)
     nowhere = Releases(NOWHERE, known(np.zeros((3, 4), bool)))
-    assert not search(PAPER, V, nowhere, plan, Runner())[1].fated.any()
+    assert not search(PAPER, V, nowhere, plan, Runner()).turns.fated.any()
 
 
 def test_what_is_not_followed_is_not_in_the_text(trees):
@@ -242,7 +245,7 @@ def test_what_is_not_followed_is_not_in_the_text(trees):
 
 def test_best_nodes(trees):
     """They are worth most at their price, among all choices: recomputed from the definition."""
-    tree = trees[1]
+    tree = trees.turns
     for price in (0.0, 1e-3, 0.1, 100.0):
         chosen = tree.best(tree.areas, price)
         past, worth = tree.past, list(np.maximum(tree.areas - price, 0))
@@ -283,9 +286,10 @@ def test_leaves_cover_the_arc(trees):
 def test_areas_are_below_those_of_orbits(trees):
     """Never above, and close where all is certain: the mean over orbits in floats."""
     random = seeded("stops")
-    for turns, tree in enumerate(trees):
-        for found in random.sample(read(tree), 12):
-            r = region(found, turns)
+    for kind, tree in enumerate(trees):
+        known = read(tree)
+        for found in random.sample(known, min(12, len(known))):
+            r = region(found, kind)
             seen, (near, _) = followed(SYSTEM, r, LIMITS), hoped(SYSTEM, r, 3.0, 60, 4)
             assert 0 < seen.area < near * 1.02
     parts = []
@@ -331,7 +335,7 @@ def test_states_stop_where_the_trees_say(trees):
 
 
 def first_stop(x, v):
-    """Return the tree, q and z of the first stop of the orbit of a state; None in another arc."""
+    """Return the tree, q and z of the first stop of the orbit of a state; None if there is none."""
     direction = math.copysign(1, v)
     for event in swarm.itinerary(PAPER, (x, v), 12):
         kind, *side = event.word.split()
@@ -341,9 +345,9 @@ def first_stop(x, v):
             t = (math.pi if direction > 0 else 0.0) - event.time
             t -= 2 * math.pi * math.floor(t / (2 * math.pi) + 0.5)
             q = -1 - event.x if direction > 0 else event.x - 1
-            middle, size = ARCS[kind == "turn"]
-            z = (t - middle) / size
-            return (kind == "turn", q, z) if abs(z) <= 1 else None
+            n = TURNS if kind == "turn" else int(t > 0)
+            middle, size = ARCS[n]
+            return n, q, (t - middle) / size
         else:
             return None
     return None
@@ -366,14 +370,14 @@ def test_next_events_are_those_of_the_flow():
 
 def backward(found, times):
     """Return the lengths of as many flights back from a stop as there are before it."""
-    turns, q, z = found
-    middle, size = ARCS[turns]
+    kind, q, z = found
+    middle, size = ARCS[kind]
     t = middle + size * z
     p, s, lengths, a = q, 0.0, [], SYSTEM.a
     for _ in times[1:]:
         A, B = s - math.sin(t), p + math.cos(t)
-        kind, T = next_event(a, SYSTEM.theta, A, B, t, t)
-        assert kind == 1
+        event, T = next_event(a, SYSTEM.theta, A, B, t, t)
+        assert event == 1
         d = T - t
         lengths.append(d)
         s, p = math.sin(T) + a * d + A, -WIDTH
@@ -390,7 +394,7 @@ def test_jobs_do_not_matter(trees):
         assert np.array_equal(tree.kinds, other.kinds)
         assert np.array_equal(tree.edges, other.edges)
         assert np.array_equal(tree.areas, other.areas)
-    assert np.array_equal(trees[1].fated, others[1].fated)
+    assert np.array_equal(trees.turns.fated, others.turns.fated)
 
 
 def test_other_systems_are_refused():

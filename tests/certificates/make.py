@@ -169,6 +169,8 @@ def mixed(true):
         ("mixed_places_dropped", "hints", "places", "tree", "0"),
         ("mixed_places_all_at_once", "hints", "places", "tree", "1"),
         ("mixed_sticks_dropped", "hints", "stops", "late", mixed_small.written([0])),
+        ("mixed_early_sticks_dropped", "hints", "stops", "early", mixed_small.written([0])),
+        ("mixed_no_cycle", "claims", "cycles", [[["-0.9", "-0.899"]]]),
         ("mixed_turns_dropped", "hints", "stops", "turns", mixed_small.written([0])),
         ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
         ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),

@@ -59,7 +59,8 @@ def _small():
     hints = certificate["hints"]
     tree = pruned(iter(hints["places"]["tree"]), SHALLOW)
     hints["places"] = {"level": str(SHALLOW), "tree": tree}
-    hints["stops"] = {"late": even(3, 3, 20), "turns": parted(3, 3, 20, (2, 2))}
+    sticks = {"late": even(3, 3, 20), "early": even(3, 6, 20)}
+    hints["stops"] = {**sticks, "turns": parted(3, 3, 20, (2, 2))}
     theorem = Mixed(read(json.dumps(certificate).encode()), lambda _step: None)
     places = theorem.places(here)
     a, s, either, known = map(float, counted(theorem, places))

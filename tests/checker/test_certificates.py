@@ -30,6 +30,8 @@ REASONS = {
     "friction_a_double": "interior of its box",
     "hypothesis_dropped": "cites",
     "mixed_box_past_the_wall": "from wall to wall",
+    "mixed_early_sticks_dropped": "shares.attractor does not contain",
+    "mixed_no_cycle": "leave their cycle",
     "mixed_sticks_dropped": "shares.attractor does not contain",
     "mixed_turns_dropped": "shares.attractor does not contain",
     "mixed_other_interval": "interval",

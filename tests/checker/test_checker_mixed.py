@@ -14,7 +14,7 @@ from cap.checker.verdict import check, words
 from checker.altered import changed, encode, rejected, verify
 from checker.mixed_small import certificate, counted, even, here, parted, small
 
-LATE, TURNS = ("hints", "stops", "late"), ("hints", "stops", "turns")
+LATE, EARLY, TURNS = (("hints", "stops", name) for name in ("late", "early", "turns"))
 
 
 @pytest.fixture(scope="module")
@@ -72,9 +72,10 @@ def test_shares_enlarged(true):
 
 
 def test_regions_dropped(true):
-    """A tree of nothing, flights that are not followed, parts that are not."""
+    """Trees of nothing, flights that are not followed, parts that are not."""
     for at, tree in (
         (LATE, written([0])),
+        (EARLY, written([0])),
         (TURNS, written([0])),
         (LATE, even(3, 3, 1)),
         (TURNS, parted(3, 3, 1, (2, 2))),

@@ -84,7 +84,7 @@ def doubling(hole):
     below = [n for n in (Node(k, 6) for k in range(32)) if n != hole]
     pieces = [Piece(n, ((4 * n.k + 2) / 128, 1 / 64, *ZEROS)) for n in below]
     pieces = [Piece(n, (c, 1e-15)) for n, c in pieces]
-    return Places((0.5, 1.0), 1.0, 10, pieces)
+    return Places([(0.5, 1.0)], 1.0, 10, pieces)
 
 
 def test_measures_of_places():
@@ -107,7 +107,7 @@ def test_measures_of_places():
 def test_measures_of_places_that_go_to_the_segment():
     """What has the other fate is missing; what has none is missing for both."""
     pieces = [Piece(Node(0, 2), None), Piece(Node(1, 2), ((0.125, 0.125, *ZEROS), 0.0))]
-    found = Places((0.75, 1.0), 1.0, 6, pieces)
+    found = Places([(0.75, 1.0)], 1.0, 6, pieces)
     assert found.fate((0.0, 0.5)) == SEGMENT
     assert found.missing((0.0, 1.0), SEGMENT) == pytest.approx(0.5)
     assert found.missing((0.0, 1.0), ATTRACTOR) == pytest.approx(0.75)
@@ -133,7 +133,7 @@ def test_a_fold_has_a_share_without_a_slope():
 def test_portions_are_halved_where_fates_differ():
     """A piece of which the upper part goes to what is attracted, the lowest to what is unknown."""
     piece = Piece(Node(1, 2), ((0.5, 0.3, *ZEROS), 1e-12))  # [1/4, 1/2] to [0.2, 0.8]
-    found = {level: Places((0.5, 1.0), 1.0, level, [piece]) for level in (2, 6, 16)}
+    found = {level: Places([(0.5, 1.0)], 1.0, level, [piece]) for level in (2, 6, 16)}
     assert [found[level].fate((0.4, 0.49)) for level in found] == [0, ATTRACTOR, ATTRACTOR]
     rate = 0.25 / 0.6
     true = 0.05 * rate / (1 - rate)  # what comes to [0.2, 0.25], at once or later
@@ -146,19 +146,19 @@ def test_portions_are_not_halved_without_end(monkeypatch):
     """If there are too many, they are left as they are."""
     monkeypatch.setattr(settled, "_MOST", 0)
     piece = Piece(Node(1, 2), ((0.5, 0.3, *ZEROS), 1e-12))
-    assert Places((0.5, 1.0), 1.0, 16, [piece]).fate((0.4, 0.49)) == 0
+    assert Places([(0.5, 1.0)], 1.0, 16, [piece]).fate((0.4, 0.49)) == 0
 
 
 def test_pieces_that_overlap():
     """They are no parts."""
     after = (0.2, 0.01, *ZEROS), 1e-12
     with pytest.raises(Rejected, match="overlap"):
-        Places((0.5, 1.0), 1.0, 2, [Piece(Node(0, 2), after), Piece(Node(0, 1), after)])
+        Places([(0.5, 1.0)], 1.0, 2, [Piece(Node(0, 2), after), Piece(Node(0, 1), after)])
 
 
 def test_what_goes_beyond_the_walls_is_nothing():
     """There are no places: nothing is missing of them."""
-    found = Places((0.5, 1.0), 1.0, 3, [Piece(Node(0, 3), ((-1.0, 0.1, *ZEROS), 1e-12))])
+    found = Places([(0.5, 1.0)], 1.0, 3, [Piece(Node(0, 3), ((-1.0, 0.1, *ZEROS), 1e-12))])
     assert found.missing((0.0, 0.125), ATTRACTOR) == pytest.approx(0.0, abs=1e-12)
 
 
@@ -191,5 +191,5 @@ def test_nothing_is_shown_of_a_place_that_is_no_number():
     node = Node(0, 1)
     after = (math.nan, math.nan, *ZEROS), 0.0
     assert portion(node, after, 0.0, 1.0).c == 0
-    places = Places((0.75, 1.0), 1.0, 6, [Piece(node, after)])
+    places = Places([(0.75, 1.0)], 1.0, 6, [Piece(node, after)])
     assert places.missing((0.0, 0.5), ATTRACTOR) >= 0.5

@@ -15,6 +15,8 @@ from cap.checker.folded.instants import hitting, stopping
 from cap.checker.folded.motion import System, upcoming
 from cap.checker.folded.regions import CUT, UNIT, Region, flights, leaves
 from cap.checker.folded.stops import (
+    EARLY,
+    LATE,
     PARTS,
     across,
     all_stops,
@@ -53,29 +55,42 @@ def value(p, x, y):
 
 
 def regions(y):
-    """Give starts of regions of stops: whether they turn, the region and the start."""
-    for turn, begin in ((False, sticks), (True, turns)):
+    """Give starts of regions of stops: 0 for turns or the side, the region and the start.
+
+    Early sticks are soon after a stop, but for those soon after a hit: these are given.
+    """
+    for kind in (LATE, 0):
         for n, leaf in enumerate(leaves(even(4, 5, 12), all_stops(y))):
             if n % 29 == 7:
-                yield turn, leaf.region, begin(y, leaf.region)
+                yield (
+                    kind,
+                    leaf.region,
+                    sticks(y, kind, leaf.region) if kind else turns(y, leaf.region),
+                )
+    for n, leaf in enumerate(leaves(even(6, 9, 12), all_stops(y))):
+        if n % 512 > 496 and n // 512 % 3 == 1:
+            yield EARLY, leaf.region, sticks(y, EARLY, leaf.region)
 
 
-def strobes(y, start, count=12):
-    """Give the models (p, s) at the multiples of pi, their number, and the flight then."""
+def strobes(y, start, count=12, error=math.inf):
+    """Give the models (p, s) at the multiples of pi, their number, and the flight then.
+
+    What is known less well is left out: orbits in floats from there are others.
+    """
     for f, strobe in backwards(y, start.flight, count, FAST):
         k = strobe.number - f.passed
-        if f.begun[1] < k * math.pi:
+        if f.begun[1] < k * math.pi and max(f.errors) < error:
             yield *y.at(f, multiple(y, k)[0]), k, f
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_orbits_in_floats_come_back(name):
     """From a state at t = 0 the first stop is that of the region, at its place and time."""
-    p, compared = SYSTEMS[name], [0, 0]
+    p, compared = SYSTEMS[name], {LATE: 0, EARLY: 0, 0: 0}
     y, ahead, rng = System(p), System(p, forwards=True), np.random.default_rng(3)
-    for turn, region, start in regions(y):
-        f0, long = start.flight, time_of(turn, y, region)
-        for place, speed, k, _f in strobes(y, start):
+    for kind, region, start in regions(y):
+        f0, long = start.flight, time_of(kind, y, region)
+        for place, speed, k, _f in strobes(y, start, error=1e-5 if kind == EARLY else math.inf):
             x, z = rng.uniform(-1, 1, 2)
             a, s = value(place, x, z)[0], value(speed, x, z)[0]
             if s < 0 or not -y.width[0] < a < 0:
@@ -83,13 +98,14 @@ def test_orbits_in_floats_come_back(name):
             q, time = stop(ahead, -y.width[0] - a, s, -k * math.pi + math.pi)
             assert math.cos(time - f0.ref - long * z) > 1 - 1e-6
             assert abs(q - value(across(region)[0], x, z)[0]) < 1e-3
-            compared[turn] += 1
-    assert min(compared) > 15
+            compared[kind] += 1
+    assert min(compared[LATE], compared[0]) > 15
+    assert compared[EARLY] > (0 if name == "weak" else 15)  # there few are not after a stop
 
 
-def time_of(turn, y, region):
+def time_of(kind, y, region):
     """Return how long half of the times of a region are."""
-    half = y.rest[0] if turn else y.pi[0] / 2 - y.rest[0]
+    half = y.pi[0] / 2 - y.rest[0] if kind else y.rest[0]
     return half * 0.5**region.n
 
 
@@ -109,13 +125,15 @@ def stop(y, p, s, t):
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_releases_in_floats_are_where_they_are_said_to_be(name):
     """From a state at t = 0 the first release after a stick is at the place of the region."""
-    p, compared = SYSTEMS[name], 0
+    p, compared = SYSTEMS[name], {LATE: 0, EARLY: 0}
     y, rng = System(p), np.random.default_rng(3)
     given, unit = Given(p.F, p.omega, p.f, p.l, p.r), float(p.F / p.omega**2)
     theta = math.acos(p.f / p.F)
-    for turn, region, start in regions(y):
-        places = places_of(y, region)
-        for place, speed, k, _f in () if turn else strobes(y, start):
+    for kind, region, start in regions(y):
+        places = places_of(y, kind, region)
+        for place, speed, k, _f in (
+            strobes(y, start, error=1e-5 if kind == EARLY else math.inf) if kind else ()
+        ):
             x, z = rng.uniform(-1, 1, 2)
             a, v = value(place, x, z)[0] * unit, value(speed, x, z)[0] * unit * float(p.omega)
             state = (float(p.l) - a, v) if k % 2 else (float(p.r) + a, -v)
@@ -124,8 +142,9 @@ def test_releases_in_floats_are_where_they_are_said_to_be(name):
             gap = released(given, state, theta) * float(p.omega**2 / p.F)
             low, high = places[int((z + 1) / 2 * PARTS)]
             assert low - 1e-6 < gap < high + 1e-6
-            compared += 1
-    assert compared > 10
+            compared[kind] += 1
+    assert compared[LATE] > 10
+    assert compared[EARLY] > (0 if name == "weak" else 10)
 
 
 def released(p, state, theta):
@@ -144,7 +163,7 @@ def released(p, state, theta):
 def test_polynomials_are_next_to_the_times_of_events():
     """What they leave of p or s falls by 32, nearly, with half the distance from the middle."""
     y, ratios = System(SYSTEMS["paper"]), {"hit": [], "stop": []}
-    for _turn, _, start in regions(y):
+    for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             kind, near, _k = upcoming(y, f)
             d = (hitting if kind == "hit" else stopping)(y, f, near)
@@ -182,7 +201,7 @@ def test_areas_are_those_of_the_images(name):
     """The density is the determinant of (p, s) in X and Y; its integral is a bound from below."""
     y, compared = System(SYSTEMS[name]), 0
     x, z = np.meshgrid(MIDDLES, MIDDLES)
-    for _turn, _, start in regions(y):
+    for _kind, _, start in regions(y):
         for place, speed, _k, f in strobes(y, start):
             (_, px, py), (_, sx, sy) = value(place, x, z), value(speed, x, z)
             area = 4 * np.mean(np.abs(px * sy - py * sx))
@@ -196,7 +215,7 @@ def test_areas_are_those_of_the_images(name):
 def test_each_multiple_of_pi_is_passed_once():
     """One after the other, none twice."""
     y = System(SYSTEMS["paper"])
-    for _turn, _, start in regions(y):
+    for _kind, _, start in regions(y):
         passed = [strobe.number for _, strobe in backwards(y, start.flight, 12, FAST)]
         assert passed == sorted(set(passed))
 
@@ -279,7 +298,7 @@ def test_areas_of_what_is_slower_than_a_speed():
     """In regions that are partly faster: the part of points, but for a little, and not more."""
     y, parts, t = System(SYSTEMS["paper"]), [], np.linspace(-1, 1, 202)[:-1] + 1 / 201
     x, z = np.meshgrid(t, t)
-    for _turn, _, start in regions(y):
+    for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             for strobe in flown(y, f, FAST):
                 V = strobe.excess[0]
@@ -296,7 +315,7 @@ def test_speeds_at_events_are_bounded():
     """At a multiple of pi next to an event, before it or after it."""
     y, compared = System(SYSTEMS["paper"]), 0
     corners = [(a, b) for a in (-1, 0, 1) for b in (-1, 0, 1)]
-    for _turn, _, start in regions(y):
+    for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             try:
                 e = event(y, f)

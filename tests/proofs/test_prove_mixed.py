@@ -13,7 +13,7 @@ from support import proving
 from cap.certificate import report
 from cap.certificate.writer import dumps
 from cap.checker.folded.ahead import Found
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
 from cap.explore import mixed as picture
 from cap.floats.candidates import Request
 from cap.parameters import PAPER
@@ -50,6 +50,36 @@ def test_a_coarse_proof(coarse):
     assert "of the states (x, v) between the walls with |v| < 2" in " ".join(
         report.theorem(coarse).split()
     )
+
+
+@pytest.mark.parametrize(
+    ("drag", "share", "least", "words"),
+    [
+        ("3/10", "attractor", 0.4, "is attracted to a periodic orbit, or to its image by S"),
+        ("1/2", "segment", 0.6, "converges to an orbit of the segment"),
+        ("3/5", "stops", 0.5, "stops at least once;"),
+    ],
+)
+def test_other_systems(drag, share, least, words, monkeypatch):
+    """A periodic orbit that sticks attracts nearly all; the segment does; nothing is known to."""
+    monkeypatch.setattr(mixed, "USUAL", mixed.Effort(1e-2, 3e-3, 300, 1500))
+    for name, value in {"LEVEL": 15, "WORTHS": (1e-3, 1e-4)}.items():
+        monkeypatch.setattr(places, name, value)
+    theorem, p = THEOREMS["mixed"], replace(PAPER, f=Fraction(drag))
+    start = theorem.search(Request("mixed", p)).candidates[0].start
+    found = accepted(theorem, replace(Setting(p, start, 8), speed=Fraction(2)))
+    shares = {name: float(ends[0]) for name, ends in found["claims"]["shares"].items()}
+    assert shares[share] > least
+    assert ("attractor" in found["claims"], "cycles" in found["claims"]) == (False, drag == "3/10")
+    assert ("segment" in found["claims"]) == (drag != "3/5")
+    assert ("attracted" in report.theorem(found)) == (drag == "3/10")
+    assert words in " ".join(report.theorem(found).split())
+
+
+def test_friction_is_needed():
+    """Without it nothing sticks."""
+    with pytest.raises(BadInput, match="f > 0"):
+        THEOREMS["mixed"].search(Request("mixed", replace(PAPER, f=Fraction(0))))
 
 
 PIXELS = 32, 96

@@ -32,10 +32,10 @@ class Areas(NamedTuple):
     stops: float = 0.0
 
 
-def of_sticks(y: System, fates: Fates, V: float, leaf: Leaf) -> Areas:
+def of_sticks(y: System, fates: Fates, V: float, side: int, leaf: Leaf) -> Areas:
     """Return the areas of the states at t = 0, slower than V, that come to a region of sticks."""
-    start = sticks(y, leaf.region)
-    return counted(y, V, leaf, start, [stuck(y, fates, start, leaf.region)])
+    start = sticks(y, side, leaf.region)
+    return counted(y, V, leaf, start, [stuck(y, fates, start, side, leaf.region)])
 
 
 def of_turns(y: System, o: Outlook, V: float, leaf: Leaf) -> Areas:
@@ -43,9 +43,9 @@ def of_turns(y: System, o: Outlook, V: float, leaf: Leaf) -> Areas:
     return counted(y, V, leaf, turns(y, leaf.region), [found(o, part) for part in leaf.parts])
 
 
-def stuck(y: System, fates: Fates, start: Start, region: Region) -> Found:
+def stuck(y: System, fates: Fates, start: Start, side: int, region: Region) -> Found:
     """Return what is found of sticks."""
-    places, less = places_of(y, region), 2 * start.rate / PARTS * UP
+    places, less = places_of(y, side, region), 2 * start.rate / PARTS * UP
     missing = (sum(fates.missing(part, fate) for part in places) * less for fate in FATES)
     return Found(q.integral(start.density), tuple(missing))
 

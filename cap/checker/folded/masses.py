@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
@@ -68,8 +68,10 @@ class Places:
     of the places in a part without it.
     """
 
-    def __init__(self, kept: Pair, width: float, level: int, pieces: Sequence[Piece]) -> None:
-        """``kept`` is attracted; the pieces do not overlap; ``level`` is that of ``settled``."""
+    def __init__(
+        self, kept: Sequence[Pair], width: float, level: int, pieces: Sequence[Piece]
+    ) -> None:
+        """``kept`` are attracted; no two pieces overlap; ``level`` is that of ``settled``."""
         settled = Settled(kept, width, level, pieces)
         self.width, self.table = width, settled.table
         self.ends, self.parts = parts(settled)
@@ -122,8 +124,7 @@ class Places:
 
 def parts(settled: Settled) -> tuple[list[float], list[Part]]:
     """Return the ends of the parts, and the parts; portions in part kept are gaps."""
-    low, high = settled.kept
-    apart = [p for p in settled.portions if p.c > 0 and not (p.ends[0] < high and low < p.ends[1])]
+    apart = [p for p in settled.portions if p.c > 0 and not overlaps(p.ends, settled.kept)]
     items: list[tuple[Pair, Part]] = [*settled.table.known(), *((p.ends, p) for p in apart)]
     ends, found = [0.0], list[Part]()
     for (a, b), part in sorted(items, key=lambda item: item[0]):
@@ -137,3 +138,8 @@ def parts(settled: Settled) -> tuple[list[float], list[Part]]:
         ends.append(settled.width)
         found.append(0)
     return ends, found
+
+
+def overlaps(ends: Pair, intervals: Iterable[Pair]) -> bool:
+    """Return whether an interval has more than an end in common with one of these."""
+    return any(ends[0] < high and low < ends[1] for low, high in intervals)

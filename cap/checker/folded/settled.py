@@ -1,8 +1,8 @@
 """Fates of places of release: portions are halved until they have one.
 
-A portion has a fate if all its next places have it, by what is known so far; at first one interval
-is attracted, and some pieces go to the segment.  When few more have a fate so, portions are halved,
-if enough of their next places have a fate, or G' varies much.
+A portion has a fate if all its next places have it, by what is known so far; at first some
+intervals are attracted, and some pieces go to the segment.  When few more have a fate so, portions
+are halved, if enough of their next places have a fate, or G' varies much.
 """
 
 from __future__ import annotations
@@ -21,24 +21,31 @@ _MOST = 1 << 17  # portions that may be halved
 class Settled:
     """The fates of places in [0, W], and the portions without one, in order."""
 
-    def __init__(self, kept: Pair, width: float, level: int, pieces: Sequence[Piece]) -> None:
-        """``kept`` is attracted; the pieces do not overlap; portions are nodes up to a level."""
+    def __init__(
+        self, kept: Sequence[Pair], width: float, level: int, pieces: Sequence[Piece]
+    ) -> None:
+        """``kept`` are attracted; no two pieces overlap; portions are nodes up to a level."""
         self.kept, self.width, self.level = kept, width, level
         to_segment = [piece.node.ends(width) for piece in pieces if piece.next is None]
-        self.table = table(width, [(kept, ATTRACTOR), *self._outside(to_segment, SEGMENT)])
+        self.table = table(width, [*self._attracted(), *self._outside(to_segment, SEGMENT)])
         first = [portion(n, after, after[1], width) for n, after in pieces if after is not None]
         self.portions = [p for p in first if not self._inside(p)]
         while self._settle() or self._halve():
             pass
 
     def _inside(self, p: Portion) -> bool:
-        return self.kept[0] <= p.ends[0] and p.ends[1] <= self.kept[1]
+        return any(low <= p.ends[0] and p.ends[1] <= high for low, high in self.kept)
+
+    def _attracted(self) -> list[Known]:
+        return [(ends, ATTRACTOR) for ends in self.kept]
 
     def _outside(self, intervals: Iterable[Pair], fate: int) -> list[Known]:
         """Return what of these intervals is not kept, with a fate."""
-        low, high = self.kept
-        found = [part for a, b in intervals for part in ((a, min(b, low)), (max(a, high), b))]
-        return [(part, fate) for part in found if part[0] < part[1]]
+        found = list(intervals)
+        for low, high in self.kept:
+            found = [part for a, b in found for part in ((a, min(b, low)), (max(a, high), b))]
+            found = [part for part in found if part[0] < part[1]]
+        return [(part, fate) for part in found]
 
     def _settle(self) -> bool:
         """Find more fates, and return whether it is of use to do so once more."""

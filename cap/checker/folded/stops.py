@@ -9,9 +9,9 @@ not overlap and all multiples of pi passed, add up.  Backwards it ends where the
 stop before.
 
 *Kinds of stops.*  If |t| < theta, cos t > a: the mass turns, and sets out from there, at the place
-q and the time -t of the flow forwards.  If cos t < a, it sticks; in the arc (theta - pi, -theta)
-its next release is at the distance W + q to the wall ahead.  Sticks in (theta, pi - theta) are not
-counted.
+q and the time -t of the flow forwards.  If cos t < a, it sticks: late, in the arc (theta - pi,
+-theta), its next release is in the direction of the flight, at the distance W + q to the wall
+ahead; early, in the arc (theta, pi - theta), it is against that, at the distance -q.
 
 *Regions* (`cap.checker.folded.regions`): z is from -1 to 1 over an arc, and the edges are those of
 q.  All stops of an arc are the region between -W (or a little above) and 0.  The area of the states
@@ -42,6 +42,7 @@ from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.rejection import Rejected
 
 PARTS = 16  # of Y, in which places are bounded
+LATE, EARLY = -1, 1  # sticks, and the signs of their times
 _ROUND = 8 * TURN  # more than the errors of times here
 
 
@@ -98,9 +99,9 @@ def all_stops(y: System) -> Region:
     return Region((bottom, 0, 0), (0, 0, 0))
 
 
-def sticks(y: System, region: Region) -> Start:
-    """Return the flight backwards from sticks in the arc (theta - pi, -theta)."""
-    return at_rest(y, region, -y.pi[0] / 2, y.pi[0] / 2 - y.rest[0])
+def sticks(y: System, side: int, region: Region) -> Start:
+    """Return the flight backwards from `LATE` or `EARLY` sticks."""
+    return at_rest(y, region, side * y.pi[0] / 2, y.pi[0] / 2 - y.rest[0])
 
 
 def turns(y: System, region: Region) -> Start:
@@ -125,10 +126,12 @@ def at_rest(y: System, region: Region, middle: float, half: float) -> Start:
     return Start(f, q.product(force, wide), q.ends(force)[1])
 
 
-def places_of(y: System, region: Region) -> list[Pair]:
+def places_of(y: System, side: int, region: Region) -> list[Pair]:
     """Return bounds of the places of releases over the `PARTS`, as distances to the wall ahead."""
     W, e = y.width
     e += 4 * TURN * (W + 1)
+    if side == EARLY:
+        return [(-b - e, -a + e) for a, b in spans(region)]
     return [(W + a - e, W + b + e) for a, b in spans(region)]
 
 

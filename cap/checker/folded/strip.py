@@ -15,7 +15,8 @@ Strobe = tuple[Line, Line]
 class Strip(NamedTuple):
     """States at the time 0 that tend to the segment: |w| < d, x and x + k w in (left, right).
 
-    w = s - v, v in [slow, fast], x = edge + p.  The numbers are rounded to the safe side.
+    w = s - v, v in [slow, fast], x = edge + p.  The numbers are rounded to the safe side.  Where d
+    is 0 there are none.
     """
 
     left: float
@@ -38,3 +39,6 @@ class Strip(NamedTuple):
         """Return whether states with these bounds of s, of x and of x + k w are in the strip."""
         slow, fast = self.fast - self.d < speeds[0], speeds[1] < self.slow + self.d
         return slow and fast and all(self.left < x[0] and x[1] < self.right for x in places)
+
+
+NOWHERE = Strip(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, (0.0, 0.0))

@@ -5,12 +5,14 @@ without losses but friction:
 
     attractor   the orbit, or its image by (x, v, t) -> (l + r - x, -v, t + T/2), comes to be
                 released in I (``attractor``): it tends to the orbits released in A, the
-                intersection of all G^k(I)
+                intersection of all G^k(I); or it comes to be released in a cycle of intervals that
+                attracts (`cap.checker.folded.cycles`): it tends to a periodic orbit
     segment     it converges to a T-periodic orbit that touches no wall (``segment``)
     stops       its velocity vanishes at least once
 
 The first two exclude each other, since an orbit of the first kind sticks again and again, and one
-of the second does not in the end; both of them stop.
+of the second does not in the end; both of them stop.  Not all of I, cycles and the segment need be
+claimed: what nothing is claimed of has no fate.
 
 *Places.*  After a stick the state is known but for the place of the release; folded by the symmetry
 (x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  Places are divided by
@@ -34,31 +36,45 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
+from itertools import pairwise
 from typing import Any
 
 from cap.checker.folded import flights
 from cap.checker.folded.ahead import Outlook
 from cap.checker.folded.areas import Areas, of_sticks, of_turns
+from cap.checker.folded.cycles import Distances, contract
 from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import roof
 from cap.checker.folded.regions import Leaf, leaves
 from cap.checker.folded.regions import flights as cost
-from cap.checker.folded.stops import all_stops
-from cap.checker.folded.strip import Strip
+from cap.checker.folded.stops import EARLY, LATE, all_stops
+from cap.checker.folded.strip import NOWHERE, Strip
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.angles import rounded
+from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.processes import each
 from cap.checker.kernel.reading import text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Letters, Whole, enclosure, region
+from cap.checker.kernel.shapes import (
+    Enclosure,
+    Field,
+    Letters,
+    Many,
+    Maybe,
+    Whole,
+    enclosure,
+    region,
+)
 from cap.checker.kernel.shapes import Table as Fields
 from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate, Theorem
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
 _MOST_FLIGHTS = 1 << 23
+_MOST_CYCLES, _LONGEST = 16, 32
+SIDES = {LATE: "late", EARLY: "early"}
 
 Work = Callable[..., Sequence[Any]]  # a map over tasks
 
@@ -68,6 +84,20 @@ def shapes(table: Fields) -> dict[str, Any]:
     return {field.name: field.shape for field in table}
 
 
+def named(theorem: type[Theorem]) -> str:
+    """Return the name of a theorem, and of the claims about it."""
+    return theorem.__name__.lower()
+
+
+def where_claimed(citation: Citation) -> Citation:
+    """Return what is cited for an attractor, if one is claimed."""
+    first, found = "only where `attractor` is claimed: ", list[dict[str, Any]]()
+    for known in citation["hypotheses"]:
+        by = [f"attractor.{name}" for name in known["by"]]
+        found.append({**known, "statement": first + known["statement"], "by": by})
+    return citation | {"hypotheses": found}
+
+
 class Mixed(Theorem):
     """The shares of the states that tend to the attractor, to the segment, or stop."""
 
@@ -75,34 +105,41 @@ class Mixed(Theorem):
     # fmt: off
     HINTS = (
         BITS,
-        Field("attractor", shapes(Attractor.HINTS), "", "", "as for the theorem attractor"),
+        Field("attractor", Maybe(shapes(Attractor.HINTS)), "", "",
+              "as for the theorem attractor, if `attractor` is claimed"),
         Field("places", {"level": Whole(6, 24), "tree": Letters(LETTERS, 1 << 18)}, "", "",
               "the tree of places that are followed: 2 for a node that is halved, then its halves; "
               "1 followed; 0 not; parts of them are halved down to this level of the tree"),
-        Field("stops", {"late": text, "turns": text}, "", "",
-              "the regions of first stops: of sticks, and of turns with their parts, as trees"),
+        Field("stops", {"late": text, "early": text, "turns": text}, "", "",
+              "the regions of first stops: of sticks in the second and in the first half of their "
+              "arc, and of turns with their parts, as trees"),
     )
     CLAIMS = (
         Field("box", {"x": region, "v": region}, "", "", "all x between the walls, |v| up to V"),
         Field("shares", {"attractor": enclosure, "segment": enclosure, "either": enclosure,
                          "stops": enclosure, "undecided": enclosure}, "share", "s",
               "parts of the area of the box: of the states that tend to the orbits released in A, "
-              "that converge to an orbit of the segment, that do one of both, that stop at least "
-              "once, and of those of which nothing is shown"),
+              "or to those of the cycles, that converge to an orbit of the segment, that do one of "
+              "both, that stop at least once, and of those of which nothing is shown"),
         Field("never_stopping_area", enclosure, "area that never stops", "A_0",
               "of the states in the box whose velocity never vanishes"),
-        Field("attractor", shapes(Attractor.CLAIMS), "", "", "as for the theorem attractor"),
-        Field("segment", shapes(Segment.CLAIMS), "", "", "as for the theorem segment"),
+        Field("attractor", Maybe(shapes(Attractor.CLAIMS)), "", "", "as for the theorem attractor"),
+        Field("cycles", Maybe(Many(Many(region, 1, _LONGEST), 1, _MOST_CYCLES)), "", "",
+              "intervals of places, each of which G takes into the next one of its cycle, the last "
+              "one into the first, contracted in the end"),
+        Field("segment", Maybe(shapes(Segment.CLAIMS)), "", "", "as for the theorem segment"),
     )
-    CITES = Attractor.CITES
+    CITES = tuple(map(where_claimed, Attractor.CITES))
     # fmt: on
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound the time: the pieces into which places may be cut, and the flights backwards."""
-        Attractor.limit(hints["attractor"], claims["attractor"])
+        need(("attractor" in hints) is ("attractor" in claims), "an attractor without its hints")
+        if "attractor" in claims:
+            Attractor.limit(hints["attractor"], claims["attractor"])
         trees = hints["stops"]
-        total = cost(trees["late"]) + cost(trees["turns"], parted=True)
+        total = sum(cost(trees[name], parted=name == "turns") for name in trees)
         need(total <= _MOST_FLIGHTS, "there are too many flights")
         nodes(hints["places"]["tree"])
 
@@ -110,7 +147,9 @@ class Mixed(Theorem):
         """Prove the theorem."""
         self.box()
         for theorem in (Attractor, Segment):
-            self.lemma(theorem)
+            if named(theorem) in self.claims:
+                self.lemma(theorem)
+        self.cycles()
         work = partial(each, self.jobs)
         places = self.places(work)
         self.step("the fates of releases are known, by intervals of places")
@@ -120,7 +159,8 @@ class Mixed(Theorem):
     def counted(self, work: Work, places: Places) -> Iterator[Areas]:
         """Give the areas of the states, by regions of their first stops."""
         y, V = System(self.p), below(self.region()[1])
-        yield from work(partial(of_sticks, y, places, V), self.sticks(y))
+        for side in SIDES:
+            yield from work(partial(of_sticks, y, places, V, side), self.sticks(y, side))
         self.step("the states are counted that stick at their first stop")
         yield from work(partial(of_turns, y, self.outlook(places), V), self.turns(y))
         self.step("the states are counted that turn at their first stop")
@@ -135,7 +175,7 @@ class Mixed(Theorem):
 
     def lemma(self, theorem: type[Theorem]) -> None:
         """Prove the theorem on which this one stands."""
-        name = theorem.__name__.lower()
+        name = named(theorem)
         hints = self.hints.get(name, self.hints)
         part = Certificate(name, self.p, self.certificate.digits, self.claims[name], hints)
         theorem(part, self.step).prove()
@@ -157,7 +197,9 @@ class Mixed(Theorem):
         need(v.upper > 0 and v.lower == -v.upper, "the box is not from -V to V")
 
     def strip(self) -> Strip:
-        """Return a part of the basin of the segment: D(u) <= k u for 0 <= u <= d."""
+        """Return a part of the basin of the segment, or nothing: D(u) <= k u for 0 <= u <= d."""
+        if "segment" not in self.claims:
+            return NOWHERE
         claims = self.claims["segment"]
         d, (a, b) = claims["basin"]["speed"], claims["basin"]["drift"]
         return Strip(
@@ -181,18 +223,36 @@ class Mixed(Theorem):
         """Return the largest distance to the wall ahead, or a little more."""
         return roof(self.length(self.R))
 
-    def kept(self) -> Pair:
-        """Return the distances to the wall ahead of I."""
-        a, b = self.claims["attractor"]["interval"][:2]
-        return above(self.length(self.p.r - b)), below(self.length(self.p.r - a))
+    def kept(self) -> list[Pair]:
+        """Return the distances to the wall ahead of I, and of the cycles."""
+        found = [self.distances(z).inner for cycle in self.claims.get("cycles", []) for z in cycle]
+        if "attractor" in self.claims:
+            found.append(self.distances(self.claims["attractor"]["interval"]).inner)
+        apart = all(b < c for (_, b), (c, _) in pairwise(sorted(found)))
+        need(apart, "the intervals of places are not apart")
+        return found
+
+    def cycles(self) -> None:
+        """Prove that the release map contracts the cycles."""
+        y, strip = flights.System(self.p), self.strip()
+        for cycle in self.claims.get("cycles", []):
+            contract(y, strip, [self.distances(interval) for interval in cycle])
+            self.step("the release map takes a cycle of intervals into itself, and contracts it")
+
+    def distances(self, places: Enclosure) -> Distances:
+        """Return the distances to the wall ahead of an interval of places."""
+        a, b = places[:2]
+        need(self.p.l < a < b < self.p.r, "an interval of places is not between the walls")
+        low, high = self.length(self.p.r - b), self.length(self.p.r - a)
+        return Distances((below(low), above(high)), (above(low), below(high)))
 
     def region(self) -> tuple[Fraction, Fraction]:
         """Return W and V of the box, in the units of the flow."""
         return self.length(self.R), self.speed(self.claims["box"]["v"].upper)
 
-    def sticks(self, y: System) -> Iterator[Leaf]:
-        """Give the regions of sticks."""
-        return leaves(self.hints["stops"]["late"], all_stops(y))
+    def sticks(self, y: System, side: int) -> Iterator[Leaf]:
+        """Give the regions of late or early sticks."""
+        return leaves(self.hints["stops"][SIDES[side]], all_stops(y))
 
     def turns(self, y: System) -> Iterator[Leaf]:
         """Give the regions of turns, with their parts."""
@@ -224,18 +284,37 @@ class Mixed(Theorem):
     def words(self) -> str:
         """Return the theorem in one line."""
         V, part = self.claims["box"]["v"].upper, self.claims["shares"]
-        claims = self.claims["attractor"]
         losses = {"e": "1", "mu": "0"}
+        fates = [*self.attracted(), *self.to_the_segment()]
         return self.told(
             SYSTEM + _WORDS,
             V=V,
             area=2 * self.R * V,
             part=part,
-            interval=claims["interval"],
-            entropy=claims["entropy"],
+            fates="".join(f"{fate}; " for fate in fates),
+            included=", these included" if fates else "",
             area_0=self.claims["never_stopping_area"].text[1],
             **losses,
         )
+
+    def attracted(self) -> Iterator[str]:
+        """Give the part that is attracted, in words, if something is claimed to attract."""
+        part, to = self.claims["shares"]["attractor"].text[0], list[str]()
+        if "attractor" in self.claims:
+            claims = self.claims["attractor"]
+            to.append(_CHAOTIC.format(claims["interval"], claims["entropy"]))
+        for cycle in self.claims.get("cycles", []):
+            to.append(_PERIODIC.format(" and then in ".join(map(str, cycle))))
+        if to:
+            yield f"at least the part {part} is attracted to {', or to '.join(to)}"
+
+    def to_the_segment(self) -> Iterator[str]:
+        """Give the parts of what goes to the segment, and of either, if one is claimed."""
+        if "segment" in self.claims:
+            part = self.claims["shares"]
+            yield _TO_THE_SEGMENT.format(part["segment"].text[0])
+            if {"attractor", "cycles"} & self.claims.keys():
+                yield f"at least the part {part['either'].text[0]} does one of both"
 
 
 def above(x: Fraction) -> float:
@@ -250,16 +329,24 @@ def below(x: Fraction) -> float:
 
 
 _WORDS = (
-    "with T = 2 pi/omega, of the states (x, v) between the walls with |v| < {V} at t = 0, of area "
-    "{area}, at least the part {part[attractor].text[0]} is attracted to the orbits released in A, "
-    "or to their images by (x, v, t) -> (l + r - x, -v, t + T/2), A the intersection of all G^k(I) "
-    "for the release map G (from a release to the right to the next release, mirrored if that is "
-    "to the left) on I = {interval}, of topological entropy in {entropy}; at least the part "
-    "{part[segment].text[0]} converges to an orbit of the segment of T-periodic orbits that touch "
-    "no wall; at least the part {part[either].text[0]} does one of both; at least the part "
-    "{part[stops].text[0]} stops at least once, these included; of the part "
-    "{part[undecided].text[1]} at most nothing is shown, so the states in the box that never stop "
-    "have an area of at most {area_0}"
+    "with T = 2 pi/omega and S the symmetry (x, v, t) -> (l + r - x, -v, t + T/2), of the states "
+    "(x, v) between the walls with |v| < {V} at t = 0, of area {area}, {fates}at least the part "
+    "{part[stops].text[0]} stops at least once{included}; of the part {part[undecided].text[1]} at "
+    "most nothing is shown, so the states in the box that never stop have an area of at most "
+    "{area_0}"
+)
+_CHAOTIC = (
+    "the orbits released in A, or to their images by S, A the intersection of all G^k(I) for the "
+    "release map G (from a release to the right to the next release, mirrored if that is to the "
+    "left) on I = {}, of topological entropy in {}"
+)
+_PERIODIC = (
+    "a periodic orbit, or to its image by S, that sticks and is released again and again in {} "
+    "(releases to the left mirrored), the only one"
+)
+_TO_THE_SEGMENT = (
+    "at least the part {} converges to an orbit of the segment of T-periodic orbits that touch no "
+    "wall"
 )
 
 THEOREM = Mixed
