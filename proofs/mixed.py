@@ -75,7 +75,7 @@ class Effort(NamedTuple):
     ahead: int
 
 
-USUAL = Effort(6e-6, 3e-6, 13_000, 90_000)  # if nothing is asked for
+USUAL = Effort(6e-6, 3e-6, 13_000, 75_000)  # if nothing is asked for
 # until it is what is asked for
 EFFORTS = (Effort(2e-5, 2e-5, 6000, 30_000), USUAL, Effort(4e-6, 1.2e-6, 16_000, 300_000))
 

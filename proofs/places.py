@@ -31,6 +31,7 @@ GRAIN = 24
 FIRST = 6  # the tree begins with 2^6 nodes
 # parts of W, times weights, that are left undecided rather than follow one more node
 WORTHS = (1e-5, 4e-6, 2e-6, 1e-6, 4e-7)
+MOST = 60_000  # gaps are halved at once: where there are more, orbits do not come to sticks
 TOLERANCE = 0.02  # errors of the next place, as a part of its range in a node of the level `GRAIN`
 PASSES = 12  # in which weights are found
 TINY = 1e-13  # an error that does not matter
@@ -58,7 +59,7 @@ class Search:
         return system_of(self.p, forwards=True)
 
     def run(self, worths: Sequence[float]) -> str:
-        """Return the tree, in letters."""
+        """Return the tree, in letters; worths are tried as long as there are few gaps."""
         self.grow({Node(k, FIRST): 1.0 for k in range(1 << FIRST)}, worths[0])
         for worth in worths:
             gaps = sorted(node for node in self.gaps if node.m < DEEPEST)
@@ -68,6 +69,8 @@ class Search:
                 for node, weight in zip(gaps, weights, strict=True)
                 if weight * 2.0**-node.m > worth
             }
+            if len(chosen) > MOST:
+                break
             self.gaps -= chosen.keys()
             self.grow(halves(chosen), worth)
         return self.letters()

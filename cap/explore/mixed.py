@@ -1,8 +1,8 @@
 """The picture of a certificate of `mixed`: ``python -m cap.explore.mixed FILE --out PICTURE``.
 
-What is drawn is proved, by the checker's arithmetic, as far as the theorems `attractor` and
-`segment` in the certificate are true: of coloured regions all but at most 5 % has the fate, all of
-the pale ones stops.  Beside it, what floats say.
+What is drawn is proved, by the checker's arithmetic, as far as what the certificate says to attract
+does so: of coloured regions all but at most 5 % has the fate, all of the pale ones stops.  Beside
+it, what floats say.
 """
 
 import sys

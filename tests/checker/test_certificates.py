@@ -35,7 +35,7 @@ REASONS = {
     "mixed_sticks_dropped": "shares.attractor does not contain",
     "mixed_turns_dropped": "shares.attractor does not contain",
     "mixed_other_interval": "interval",
-    "mixed_places_all_at_once": "certain",
+    "mixed_places_all_at_once": "shares.attractor does not contain",
     "mixed_places_dropped": "shares.attractor does not contain",
     "mixed_share_enlarged": "shares.attractor does not contain",
     "mixed_share_of_both_enlarged": "shares.either does not contain",

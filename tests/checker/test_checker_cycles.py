@@ -65,6 +65,8 @@ def test_intervals_are_apart():
     theorem(WEAK[0], [inner]).cycles()
     with pytest.raises(Rejected, match="not apart"):
         theorem(WEAK[0], [*WEAK[1], inner]).kept()
+    with pytest.raises(Rejected, match="too short"):
+        theorem(WEAK[0], [[["-0.22", f"-0.21{'9' * 20}"]]]).kept()
     with pytest.raises(Rejected, match="not apart"):
         theorem({}, [[["-0.5", "-0.49"]]], attractor=True).kept()
 

@@ -155,14 +155,14 @@ def test_shares_beyond_the_whole(true):
 
 
 def test_places(true):
-    """A tree that is none; a node that cannot be followed, or one that counts and is not."""
+    """A tree that is none; with a node that cannot be followed, or one that counts and is not."""
     at = "hints", "places", "tree"
     tree = true["hints"]["places"]["tree"]
     rejected(changed(true, *at, tree[:-1]), "not whole")
     rejected(changed(true, *at, tree + "0"), "after its end")
-    for wrong, complaint in (("1", "certain|turn|stop|long|transversal"), ("0", "contain")):
+    for wrong in "10":
         lie = Mixed(read(encode(changed(true, *at, wrong))), lambda _step: None)
-        with pytest.raises(Rejected, match=complaint):
+        with pytest.raises(Rejected, match="does not contain"):
             lie.sums(counted(lie, lie.places(here)))
 
 

@@ -13,6 +13,7 @@ from support import proving
 from cap.certificate import report
 from cap.certificate.writer import dumps
 from cap.checker.folded.ahead import Found
+from cap.checker.folded.strip import NOWHERE
 from cap.errors import BadInput, NotProved
 from cap.explore import mixed as picture
 from cap.floats.candidates import Request
@@ -55,7 +56,7 @@ def test_a_coarse_proof(coarse):
 @pytest.mark.parametrize(
     ("drag", "share", "least", "words"),
     [
-        ("3/10", "attractor", 0.4, "is attracted to a periodic orbit, or to its image by S"),
+        ("3/10", "attractor", 0.4, "is attracted to a periodic orbit that sticks"),
         ("1/2", "segment", 0.6, "converges to an orbit of the segment"),
         ("3/5", "stops", 0.5, "stops at least once;"),
     ],
@@ -74,6 +75,18 @@ def test_other_systems(drag, share, least, words, monkeypatch):
     assert ("segment" in found["claims"]) == (drag != "3/5")
     assert ("attracted" in report.theorem(found)) == (drag == "3/10")
     assert words in " ".join(report.theorem(found).split())
+
+
+def test_many_gaps_are_not_halved(monkeypatch):
+    """Where orbits do not come to sticks, the search for places ends."""
+    p = replace(PAPER, f=Fraction(1, 5))
+    pieces = []
+    for most in (10, 2000):
+        monkeypatch.setattr(places, "MOST", most)
+        search = places.Search(p, NOWHERE, [], 2.0)
+        assert search.run((1e-2, 1e-3, 1e-4, 1e-9)).count("1") == len(search.pieces)
+        pieces.append(len(search.pieces) + len(search.gaps))
+    assert pieces[0] < pieces[1] < 20_000
 
 
 def test_friction_is_needed():

@@ -3,7 +3,8 @@
 Let G, the next place, take J_1 into J_2, ..., J_k into J_1, be continuously differentiable there,
 and the product of the largest |G'| on them be less than 1.  Then G^k contracts J_1, which is
 compact: it has exactly one fixed point there, and the orbits released in the intervals converge to
-the orbit released in it, which is periodic, or to its image by the symmetry.
+the orbit released in it, which is periodic, or to its image by the symmetry, up to shifts of the
+time by multiples of T.
 """
 
 from __future__ import annotations

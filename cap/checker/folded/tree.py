@@ -13,7 +13,7 @@ from cap.checker.folded.flights import System
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece
 from cap.checker.folded.strip import Strip
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.theorem import Parameters
 
 NOTHING, FOLLOWED, HALVED = "0", "1", "2"
@@ -43,6 +43,9 @@ def nodes(tree: str) -> list[Node]:
     return found
 
 
-def followed(p: Parameters, strip: Strip, width: float, node: Node) -> Piece:
-    """Return the releases from a node, with the next ones."""
-    return Piece(node, next_release(system(p), strip, node.ends(width)))
+def followed(p: Parameters, strip: Strip, width: float, node: Node) -> list[Piece]:
+    """Return the releases from a node, with the next ones; nothing, if these are not certain."""
+    try:
+        return [Piece(node, next_release(system(p), strip, node.ends(width)))]
+    except Rejected:
+        return []

@@ -91,10 +91,12 @@ def named(theorem: type[Theorem]) -> str:
 
 def where_claimed(citation: Citation) -> Citation:
     """Return what is cited for an attractor, if one is claimed."""
-    first, found = "only where `attractor` is claimed: ", list[dict[str, Any]]()
+    only, found = "only where ", list[dict[str, Any]]()
     for known in citation["hypotheses"]:
-        by = [f"attractor.{name}" for name in known["by"]]
-        found.append({**known, "statement": first + known["statement"], "by": by})
+        statement, by = known["statement"], [f"attractor.{name}" for name in known["by"]]
+        link = " and " if statement.startswith(only) else ": "
+        statement = f"{only}`attractor` is claimed{link}{statement.removeprefix(only)}"
+        found.append({**known, "statement": statement, "by": by})
     return citation | {"hypotheses": found}
 
 
@@ -119,14 +121,16 @@ class Mixed(Theorem):
         Field("shares", {"attractor": enclosure, "segment": enclosure, "either": enclosure,
                          "stops": enclosure, "undecided": enclosure}, "share", "s",
               "parts of the area of the box: of the states that tend to the orbits released in A, "
-              "or to those of the cycles, that converge to an orbit of the segment, that do one of "
-              "both, that stop at least once, and of those of which nothing is shown"),
+              "to those of the cycles, or to images of these by (x, v, t) -> (l + r - x, -v, t + "
+              "T/2), that converge to an orbit of the segment, that do one of both, that stop at "
+              "least once, and of those of which nothing is shown"),
         Field("never_stopping_area", enclosure, "area that never stops", "A_0",
               "of the states in the box whose velocity never vanishes"),
         Field("attractor", Maybe(shapes(Attractor.CLAIMS)), "", "", "as for the theorem attractor"),
         Field("cycles", Maybe(Many(Many(region, 1, _LONGEST), 1, _MOST_CYCLES)), "", "",
-              "intervals of places, each of which G takes into the next one of its cycle, the last "
-              "one into the first, contracted in the end"),
+              "intervals of places, each of which G, the next place of release, mirrored if that "
+              "is to the left, takes into the next one of its cycle, the last one into the first; "
+              "around the cycle it is a contraction"),
         Field("segment", Maybe(shapes(Segment.CLAIMS)), "", "", "as for the theorem segment"),
     )
     CITES = tuple(map(where_claimed, Attractor.CITES))
@@ -216,7 +220,7 @@ class Mixed(Theorem):
         """Return what is known of all distances to the wall ahead."""
         hints, width = self.hints["places"], self.width()
         step = partial(followed, self.p, self.strip(), width)
-        pieces = work(step, nodes(hints["tree"]))
+        pieces = [piece for found in work(step, nodes(hints["tree"])) for piece in found]
         return Places(self.kept(), width, hints["level"], pieces)
 
     def width(self) -> float:
@@ -228,6 +232,7 @@ class Mixed(Theorem):
         found = [self.distances(z).inner for cycle in self.claims.get("cycles", []) for z in cycle]
         if "attractor" in self.claims:
             found.append(self.distances(self.claims["attractor"]["interval"]).inner)
+        need(all(a < b for a, b in found), "an interval of places is too short")
         apart = all(b < c for (_, b), (c, _) in pairwise(sorted(found)))
         need(apart, "the intervals of places are not apart")
         return found
@@ -298,22 +303,22 @@ class Mixed(Theorem):
         )
 
     def attracted(self) -> Iterator[str]:
-        """Give the part that is attracted, in words, if something is claimed to attract."""
-        part, to = self.claims["shares"]["attractor"].text[0], list[str]()
+        """Give the part that is attracted, in words, if there is some."""
+        part, to = self.claims["shares"]["attractor"], list[str]()
         if "attractor" in self.claims:
             claims = self.claims["attractor"]
             to.append(_CHAOTIC.format(claims["interval"], claims["entropy"]))
         for cycle in self.claims.get("cycles", []):
             to.append(_PERIODIC.format(" and then in ".join(map(str, cycle))))
-        if to:
-            yield f"at least the part {part} is attracted to {', or to '.join(to)}"
+        if to and part.lower > 0:
+            yield f"at least the part {part.text[0]} is attracted to {', or to '.join(to)}"
 
     def to_the_segment(self) -> Iterator[str]:
-        """Give the parts of what goes to the segment, and of either, if one is claimed."""
-        if "segment" in self.claims:
-            part = self.claims["shares"]
+        """Give the parts of what goes to the segment, and of either, if there are some."""
+        part = self.claims["shares"]
+        if "segment" in self.claims and part["segment"].lower > 0:
             yield _TO_THE_SEGMENT.format(part["segment"].text[0])
-            if {"attractor", "cycles"} & self.claims.keys():
+            if part["attractor"].lower > 0:
                 yield f"at least the part {part['either'].text[0]} does one of both"
 
 
@@ -341,8 +346,9 @@ _CHAOTIC = (
     "left) on I = {}, of topological entropy in {}"
 )
 _PERIODIC = (
-    "a periodic orbit, or to its image by S, that sticks and is released again and again in {} "
-    "(releases to the left mirrored), the only one"
+    "a periodic orbit that sticks and is released again and again in {} (releases to the left "
+    "mirrored), or to its image by S; up to S and shifts of the time by multiples of T no other "
+    "periodic orbit is released so"
 )
 _TO_THE_SEGMENT = (
     "at least the part {} converges to an orbit of the segment of T-periodic orbits that touch no "
