@@ -4,6 +4,7 @@ See `cap.checker.folded.cycles` for what is shown, in doubles, as by the checker
 the largest of some for which it succeeds.
 """
 
+import math
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -13,7 +14,7 @@ from cap.checker.folded.flights import System
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.theorems.mixed import Mixed
-from cap.floats.release_cycles import Release, release_cycles
+from cap.floats.candidates import Release, releasing_again
 from cap.parameters import Parameters
 from cap.sets import interval
 
@@ -27,8 +28,8 @@ Intervals = list[Enclosure]
 def contracted(p: Parameters, theorem: Mixed) -> list[list[Pair]]:
     """Return the cycles of intervals found for which the proof succeeds, apart from ``kept``."""
     found = list[list[Pair]]()
-    taken = [(a, b) for a, b in theorem.kept()]
-    for cycle in release_cycles(p):
+    taken = theorem.kept()
+    for cycle in releasing_again(p):
         if intervals := largest(p, theorem, cycle):
             inner = [theorem.distances(each).inner for each in intervals]
             if all(b < c or d < a for a, b in inner for c, d in taken):
@@ -54,10 +55,7 @@ def around(p: Parameters, cycle: list[Release], size: Fraction) -> Iterator[Encl
     """Give intervals around a cycle: the first of half this length, each longer than its image."""
     places = max(0, DIGITS - interval.decade(LARGEST * p.R))
     slopes = [max(abs(release.slope), FLAT) for release in cycle]
-    factor = 1.0
-    for slope in slopes:
-        factor *= slope
-    more = factor ** (-0.5 / len(cycle))  # so that the last image is inside the first one
+    more = math.prod(slopes) ** (-0.5 / len(cycle))  # the last image is in the first
     for release, slope in zip(cycle, slopes, strict=True):
         ends = (Fraction(release.x) + side * size for side in (-1, 1))
         text = tuple(interval.decimal(round(end, places), places) for end in ends)

@@ -77,7 +77,12 @@ class Effort(NamedTuple):
 
 USUAL = Effort(6e-6, 3e-6, 13_000, 75_000)  # if nothing is asked for
 # until it is what is asked for
-EFFORTS = (Effort(2e-5, 2e-5, 6000, 30_000), USUAL, Effort(4e-6, 1.2e-6, 16_000, 300_000))
+EFFORTS = (
+    Effort(2e-5, 2e-5, 6000, 30_000),
+    USUAL,
+    Effort(4e-6, 1.2e-6, 16_000, 300_000),
+    Effort(2e-6, 4e-7, 40_000, 800_000),
+)
 
 
 def prove(setting: Setting) -> Proof:

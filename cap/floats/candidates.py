@@ -13,7 +13,7 @@ from cap.floats import periodic
 from cap.floats.cycles import Cycle, near
 from cap.floats.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.periodic import Guess
-from cap.floats.request import Candidate, Found, Request, Search
+from cap.floats.request import Candidate, Found, Release, Request, Search
 from cap.floats.search import from_hit_times, search
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
@@ -23,6 +23,7 @@ from cap.release.trap import critical_points
 __all__ = [
     "Candidate",
     "Found",
+    "Release",
     "Request",
     "Search",
     "attracting",
@@ -36,6 +37,7 @@ __all__ = [
     "non_sticking",
     "particles",
     "releasing",
+    "releasing_again",
     "touching_nothing",
 ]
 
@@ -220,6 +222,13 @@ def fates(request: Request) -> Found:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     found = _nothing(request, "the fates of states")
     return found._replace(lines=["What attracts the states is looked for in the proof."])
+
+
+def releasing_again(p: Parameters) -> list[list[Release]]:
+    """Return the attracting cycles on which releases end."""
+    from cap.floats.release_cycles import release_cycles  # noqa: PLC0415 (the compiled flow)
+
+    return release_cycles(p)
 
 
 def every_motion(request: Request) -> Found:

@@ -1,22 +1,14 @@
 """The cycles on which releases end, in floats: from them proofs start, and nothing is proved."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from cap.floats.releases import images
+from cap.floats.request import Release
 from cap.parameters import Parameters
 
 PLACES = 400  # between the walls, from which releases are followed
 TRANSIENT, LONGEST = 200, 16  # iterates before a cycle is looked for; its period
 CLOSE = 1e-7  # of R
-
-
-class Release(NamedTuple):
-    """A release to the right: its place x, and the derivative of the release map there."""
-
-    x: float
-    slope: float
 
 
 def release_cycles(p: Parameters) -> list[list[Release]]:

@@ -51,4 +51,11 @@ class Found(NamedTuple):
     candidates: list[Candidate]
 
 
+class Release(NamedTuple):
+    """A release to the right: its place x, and the derivative of the release map there."""
+
+    x: float
+    slope: float
+
+
 Search = Callable[[Request], Found]

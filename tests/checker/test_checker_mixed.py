@@ -175,5 +175,5 @@ def test_work_is_bounded(true):
     """Too many pieces are refused before anything is computed."""
     full = {"level": "12", "tree": tree_of(17)}
     rejected(changed(true, "hints", "places", full), "too many places")
-    rejected(changed(true, *LATE, written([66] * 140000)), "too many flights")
-    rejected(changed(true, *TURNS, written([12, 3] * 200000)), "too many flights")
+    rejected(changed(true, *LATE, written([66] * 500000)), "too many flights")
+    rejected(changed(true, *TURNS, written([12, 3] * 700000)), "too many flights")

@@ -72,7 +72,7 @@ from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
-_MOST_FLIGHTS = 1 << 23
+_MOST_FLIGHTS = 1 << 25
 _MOST_CYCLES, _LONGEST = 16, 32
 SIDES = {LATE: "late", EARLY: "early"}
 
