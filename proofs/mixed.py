@@ -181,7 +181,7 @@ def enough_left(setting: Setting, left: Fraction) -> None:
 
 def releases_of(theorem: Mixed, known: Places) -> Releases:
     """Return what is known of releases, for what is compiled."""
-    return Releases(places.target(theorem.strip()), masses_of(known))
+    return Releases(theorem.strip(), masses_of(known))
 
 
 def counted(

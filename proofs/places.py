@@ -16,7 +16,6 @@ from cap.cells.backward import System
 from cap.cells.constants import system_of
 from cap.cells.next_releases import HELD, next_releases
 from cap.cells.paths import LOST
-from cap.cells.target import Strip as Target
 from cap.checker.folded.masses import Places
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import Node, Piece, Portion
@@ -103,10 +102,10 @@ class Search:
 
     def tried(self, nodes: Sequence[Node]) -> list[tuple[Node, Piece | None]]:
         """Return nodes with pieces, where they are followed."""
-        ends, strip = self.ends(nodes), target(self.strip)
+        ends = self.ends(nodes)
         beyond = np.diff(ends) * BEYOND * np.array([-1, 1])
-        sure = next_releases(self.system, strip, ends + beyond).kinds != LOST
-        found = next_releases(self.system, strip, ends[sure])
+        sure = next_releases(self.system, self.strip, ends + beyond).kinds != LOST
+        found = next_releases(self.system, self.strip, ends[sure])
         pieces = dict[Node, Piece]()
         for n, kind, model in zip(np.flatnonzero(sure).tolist(), *found, strict=True):
             after = None if kind == HELD else (tuple(model[:-1].tolist()), float(model[-1]))
@@ -168,8 +167,3 @@ class Search:
 def halves(roots: Roots) -> Roots:
     """Return the halves of nodes, with their weights."""
     return {node.half(upper): w for node, w in roots.items() for upper in (False, True)}
-
-
-def target(strip: Strip) -> Target:
-    """Return a strip for what is compiled."""
-    return Target(*strip[:6], *strip.edge)

@@ -30,7 +30,8 @@ from cap.cells.missing import Known, all_have, missing
 from cap.cells.polynomials import UP, Model, bound, centred, ends, moved, scaled, total, widened
 from cap.cells.regions import first, passing
 from cap.cells.slopes import Slopes, by_place
-from cap.cells.target import Strip, inside
+from cap.cells.target import inside
+from cap.checker.folded.strip import Strip
 from cap.sets.compiled import kernel
 
 PARTS = 4  # of Y, in which places are bounded
@@ -163,18 +164,18 @@ def _over(known: Known, x: Model, beyond: float, w: Model, less: float, s: Share
         slopes = span(w, k)
         slope = _size(slopes[0], slopes[1]) - less - ROOM * (slopes[1] - slopes[0])
         each = s.each / slope * UP if slope > 0 else math.inf
-        a += _part(known, 0, low, high, each)
-        b += _part(known, 1, low, high, each)
-        c += _part(known, 2, low, high, each)
+        a += _lost(known, 0, low, high, each)
+        b += _lost(known, 1, low, high, each)
+        c += _lost(known, 2, low, high, each)
         wide += each * (high - low)
     return Missing(a, b, c, c * max(0.0, 1 - s.mu / wide) if c < math.inf else c)
 
 
 @kernel
-def _part(known: Known, fate: int, low: float, high: float, each: float) -> float:
+def _lost(known: Known, fate: int, low: float, high: float, each: float) -> float:
     """Return what is missing over an interval of places, each of which stands for so much."""
-    if all_have(known, fate, low, high):
-        return 0.0
+    if each == math.inf:
+        return 0.0 if all_have(known, fate, low, high) else math.inf
     return each * missing(known, fate, low, high)
 
 
@@ -232,6 +233,6 @@ def _held(y: System, strip: Strip, f: Flight, until: float) -> bool:
 @kernel
 def _holds(strip: Strip, p: Model, s: Model) -> bool:
     """Return whether all states are in a strip: x = edge + p."""
-    x = moved(p, strip.edge, strip.edge_error)
+    x = moved(p, strip.edge[0], strip.edge[1])
     w = moved(s, -0.5 * (strip.fast + strip.slow), strip.fast - strip.slow)
     return inside(strip, ends(s), ends(x), ends(total(x, scaled(w, strip.k, 0.0))))

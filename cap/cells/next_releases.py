@@ -13,7 +13,8 @@ from cap.cells.backward import ROUND, TURN, TURN_ERROR, System
 from cap.cells.lines import Line, ends, moved, scaled, total
 from cap.cells.next_event import HIT, NOTHING, next_event, place_at, speed_at
 from cap.cells.paths import LOST, RELEASED, Path, Step, hit, lost, released, seen, stop
-from cap.cells.target import Strip, inside
+from cap.cells.target import inside
+from cap.checker.folded.strip import Strip
 from cap.sets.circular import sin_cos_of_double
 from cap.sets.compiled import PROBE, compiled, kernel, require_ieee, rounds_to_nearest
 
@@ -79,7 +80,7 @@ def _next(y: System, f: Path, room: Floats) -> Step:
 @kernel
 def _holds(strip: Strip, p: Line, s: Line) -> bool:
     """Return whether all states are in a strip: x = edge + p."""
-    x = moved(p, strip.edge, strip.edge_error)
+    x = moved(p, strip.edge[0], strip.edge[1])
     w = moved(s, -0.5 * (strip.fast + strip.slow), strip.fast - strip.slow)
     return inside(strip, ends(s), ends(x), ends(total(x, scaled(w, strip.k, 0.0))))
 

@@ -24,9 +24,9 @@ from cap.cells.cuts import PARTS, UNIT, Edges, Tree, grown, joined
 from cap.cells.fates import Ahead
 from cap.cells.missing import Known
 from cap.cells.regions import Limits
-from cap.cells.target import Strip
 from cap.cells.trees import Arc, Floats, Nodes, Plan, Search
 from cap.checker.folded.stops import EARLY, LATE
+from cap.checker.folded.strip import Strip
 from cap.errors import BadInput
 from cap.parameters import Parameters
 from cap.runner import Runner

@@ -1,29 +1,8 @@
-"""A part of the basin of the segment, for what is compiled: see `cap.checker.folded.strip`."""
+"""Compiled: whether states are in a strip of `cap.checker.folded.strip`."""
 
-from typing import NamedTuple
-
+from cap.checker.folded.numbers import Pair
+from cap.checker.folded.strip import Strip
 from cap.sets.compiled import kernel
-
-Pair = tuple[float, float]
-
-
-class Strip(NamedTuple):
-    """The states (x, s) with |w| < d, x and x + k w in (left, right), w = s - v, v in [slow, fast].
-
-    x = edge + p.  There is no strip if d is 0.
-    """
-
-    left: float
-    right: float
-    slow: float
-    fast: float
-    d: float
-    k: float
-    edge: float
-    edge_error: float
-
-
-NOWHERE = Strip(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @kernel

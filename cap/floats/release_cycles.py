@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cap.floats.releases import images
+from cap.floats.releases import images, period_of
 from cap.floats.request import Release
 from cap.parameters import Parameters
 
@@ -37,10 +37,9 @@ def release_cycles(p: Parameters) -> list[list[Release]]:
 
 def _cycle(places: np.ndarray, slopes: np.ndarray, close: float) -> list[Release]:
     """Return the cycle that an orbit is on, if it is an attracting one, from its least place on."""
-    for period in range(1, LONGEST + 1):
-        if np.all(np.abs(places[period:] - places[:-period]) < close):
-            least = int(np.argmin(places[:period]))
-            turn = [(least + k) % period for k in range(period)]
-            factor = abs(float(np.prod(slopes[:period])))
-            return [Release(float(places[k]), float(slopes[k])) for k in turn] if factor < 1 else []
-    return []
+    period = period_of(places[:, None], close)
+    if not (period and abs(np.prod(slopes[:period])) < 1):
+        return []
+    least = int(np.argmin(places[:period]))
+    turn = [(least + k) % period for k in range(period)]
+    return [Release(float(places[k]), float(slopes[k])) for k in turn]

@@ -60,6 +60,19 @@ def images(p: Parameters, x: ArrayLike) -> Images:
     return found
 
 
+def period_of(iterates: Floats, close: float) -> int:
+    """Return the least period of all columns of (N, K), at most N/2, to within so much; or 0.
+
+    Columns that end, with NaN, do not count, unless all do.
+    """
+    kept = iterates[:, np.isfinite(iterates).all(axis=0)]
+    if kept.shape[1]:
+        for n in range(1, len(kept) // 2 + 1):
+            if (np.abs(kept[n:] - kept[:-n]) < close).all():
+                return n
+    return 0
+
+
 def _before_release(p: Parameters) -> float:
     """Return a time just before a release to the right."""
     period = 2 * math.pi / float(p.omega)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats.events import HIT, TURN
 from cap.floats.findings import Findings, Floats
-from cap.floats.releases import Images, images
+from cap.floats.releases import Images, images, period_of
 from cap.floats.variation import value_of, varied
 from cap.floats.words import described
 from cap.parameters import Parameters
@@ -215,19 +215,6 @@ def _orbit(p: Parameters, x: float, steps: int) -> Floats:
     for _ in np.arange(steps):
         places.append(float(images(p, places[-1:]).value[0]))
     return np.array(places)
-
-
-def period_of(iterates: Floats, close: float) -> int:
-    """Return the least period of all columns of (N, K), at most N/2, to within so much; or 0.
-
-    Columns that end, with NaN, do not count, unless all do.
-    """
-    kept = iterates[:, np.isfinite(iterates).all(axis=0)]
-    if kept.shape[1]:
-        for n in range(1, len(kept) // 2 + 1):
-            if (np.abs(kept[n:] - kept[:-n]) < close).all():
-                return n
-    return 0
 
 
 def late(p: Parameters, iterates: int) -> tuple[Floats, float]:

@@ -11,11 +11,10 @@ from cap.cells.constants import system_of
 from cap.cells.next_releases import HELD, next_release, next_releases
 from cap.cells.paths import LOST, RELEASED
 from cap.cells.rests import height
-from cap.cells.target import NOWHERE, Strip
-from cap.checker.folded import strip as checked
 from cap.checker.folded.flights import System
 from cap.checker.folded.paths import next_release as followed
 from cap.checker.folded.rests import height as resting
+from cap.checker.folded.strip import NOWHERE, Strip
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters as Given
 from cap.floats import swarm
@@ -25,7 +24,6 @@ OTHER = Parameters(
     **{k: Fraction(z) for k, z in {"F": 3, "omega": 2, "f": "4/3", "l": "-1/2", "r": "3/4"}.items()}
 )
 AT = np.array([-0.99, -0.4, 0.5, 0.99])
-NONE = checked.Strip(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, (0.0, 0.0))
 
 
 def given(p):
@@ -85,7 +83,7 @@ def test_the_checker_follows_the_same(p):
     assert 30 < (found.kinds == RELEASED).sum() < 245
     for ends, kind, model in zip(places.tolist(), found.kinds, found.models, strict=True):
         try:
-            c, e = followed(other, NONE, tuple(ends))
+            c, e = followed(other, NOWHERE, tuple(ends))
         except Rejected:
             assert kind == LOST
             continue
@@ -97,7 +95,7 @@ def test_the_checker_follows_the_same(p):
 def test_a_strip_holds_orbits():
     """All that pass the time 0 in a strip as large as the plane; none in one that is as thin."""
     y, (low, high) = system_of(PAPER, forwards=True), (0.731, 0.7311)
-    large = Strip(-99.0, 99.0, 0.0, 0.0, 99.0, 0.0, 1.0, 0.0)
+    large = Strip(-99.0, 99.0, 0.0, 0.0, 99.0, 0.0, (1.0, 0.0))
     room = np.zeros((5, 7))
     assert next_release(y, large, low, high, room)[0] == HELD
     for other in (

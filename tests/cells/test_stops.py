@@ -18,8 +18,8 @@ from cap.cells.missing import Known
 from cap.cells.next_event import next_event
 from cap.cells.regions import Limits, Region, followed, measure
 from cap.cells.stops import Releases, search
-from cap.cells.target import NOWHERE
 from cap.cells.trees import Plan
+from cap.checker.folded.strip import NOWHERE
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.parameters import PAPER, Parameters

@@ -8,7 +8,8 @@ import pytest
 
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS
-from cap.floats.return_map import ReleaseMap, ReleaseOrbits, period_of, release
+from cap.floats.releases import period_of
+from cap.floats.return_map import ReleaseMap, ReleaseOrbits, release
 from cap.parameters import PAPER
 
 
