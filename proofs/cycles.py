@@ -40,11 +40,11 @@ def contracted(p: Parameters, theorem: Mixed) -> list[list[Pair]]:
 
 def largest(p: Parameters, theorem: Mixed, cycle: list[Release]) -> Intervals:
     """Return the largest intervals around a cycle found that are contracted, if there are any."""
-    y, strip = System(theorem.p), theorem.strip()
+    y, basins = System(theorem.p), theorem.basins()
     for n in range(SIZES):
         intervals = list(around(p, cycle, p.R * LARGEST / 2**n))
         try:
-            contract(y, strip, [theorem.distances(each) for each in intervals])
+            contract(y, basins, [theorem.distances(each) for each in intervals])
         except Rejected:
             continue
         return intervals

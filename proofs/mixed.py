@@ -4,8 +4,8 @@
 
 with l < x < r, |v| < V at t = 0.  There are explicit numbers such that of the area of this box
 
- (i)   at least `shares.attractor` tends to the orbits released in A (theorem `attractor`), or to
-       periodic orbits that stick, of `cycles`,
+ (i)   at least `shares.attractor` tends to the orbits released in A (theorem `attractor`), to
+       periodic orbits that stick, of `cycles`, or to periodic orbits that turn, of `sinks`,
  (ii)  at least `shares.segment` converges to T-periodic orbits that touch no wall (`segment`),
  (iii) at least `shares.either` does one of both,
  (iv)  at least `shares.stops` stops at least once, all these included,
@@ -17,14 +17,15 @@ stop backwards in time, after so many half periods, before the stop before.  So 
 time, are cut into regions, which are followed backwards with the density of their area, and
 different stops give different states: the areas are added.  A first stop that is a stick has the
 fate of its place; from turns parts of the regions are followed forwards to the stick, or into a
-strip in which all go to the segment.  Subtracted is what may lie over places without the fate.
+strip in which all go to the segment, or an ellipse that the flow contracts.  Subtracted is what may
+lie over places without the fate.
 
-What attracts is looked for: where neither an interval as in `attractor`, nor a cycle, nor orbits as
-in `segment` are found and proved, nothing is said of them.
+What attracts is looked for: where neither an interval as in `attractor`, nor a cycle, nor a sink,
+nor orbits as in `segment` are found and proved, nothing is said of them.
 
-The theorems `attractor` and `segment` are proved here in balls, cycles as the checker does; places,
-and the regions of stops, are followed in outward-rounded doubles (`cap.cells`).  How much of the
-places has a fate is counted by the checker (`cap.checker.folded.masses`).
+The theorems `attractor` and `segment` are proved here in balls, cycles and sinks as the checker
+does; places, and the regions of stops, are followed in outward-rounded doubles (`cap.cells`).  How
+much of the places has a fate is counted by the checker (`cap.checker.folded.masses`).
 """
 
 from dataclasses import replace
@@ -49,7 +50,7 @@ from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.maps.fixed_point import Start
-from cap.proofs import attractor, cycles, places, segment
+from cap.proofs import attractor, cycles, places, segment, sinks
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.release.trap import critical_points
 from cap.sets import interval
@@ -101,13 +102,16 @@ def prove(setting: Setting) -> Proof:
         nested["attractor"], hints["attractor"] = attracts["claims"], attracts["hints"]
     if attracted := touching_nothing(setting):
         nested["segment"] = attracted["claims"]
+    if turning := sinks.contracted(setting.parameters, draft(setting, nested, hints)):
+        nested["sinks"] = turning
+        setting.progress(f"{len(turning)} ellipses around states of attracting cycles")
     if found := cycles.contracted(setting.parameters, draft(setting, nested, hints)):
         nested["cycles"] = found
         setting.progress(f"{len(found)} attracting cycles of releases")
     parts = lemma_shares(setting, draft(setting, nested, hints), hints)
 
     def proof(part: Fraction) -> dict[str, Any]:
-        slack = SLACK * 10 * (1 - part)
+        slack = SLACK * 4 ** round(5 * (Fraction(9, 10) - part))
         enough_left(setting, 1 - parts[2] + slack)
         return certificate_of(setting, claims_of(setting, parts, slack) | nested, hints)
 
@@ -181,7 +185,7 @@ def enough_left(setting: Setting, left: Fraction) -> None:
 
 def releases_of(theorem: Mixed, known: Places) -> Releases:
     """Return what is known of releases, for what is compiled."""
-    return Releases(theorem.strip(), masses_of(known))
+    return Releases(theorem.basins(), masses_of(known))
 
 
 def counted(
@@ -227,7 +231,7 @@ def areas_of(tree: Sticks, known: Known) -> tuple[Floats, ...]:
 
 def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
     """Return what is known of places of release, and the tree of those that are followed."""
-    parts = theorem.strip(), theorem.kept(), theorem.width()
+    parts = theorem.basins(), theorem.kept(), theorem.width()
     search = places.Search(setting.parameters, *parts)
     tree = search.run(places.WORTHS)
     return search.places(places.LEVEL), tree

@@ -16,10 +16,10 @@ from cap.cells.backward import System
 from cap.cells.constants import system_of
 from cap.cells.next_releases import HELD, next_releases
 from cap.cells.paths import LOST
+from cap.checker.folded.basins import Basins
 from cap.checker.folded.masses import Places
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import Node, Piece, Portion
-from cap.checker.folded.strip import Strip
 from cap.checker.folded.tree import DEEPEST, FOLLOWED, HALVED, NOTHING
 from cap.checker.kernel import line
 from cap.parameters import Parameters
@@ -46,7 +46,7 @@ class Search:
     """The tree as far as it is found: pieces that are followed, and nodes that are not."""
 
     p: Parameters
-    strip: Strip
+    basins: Basins
     kept: Sequence[Pair]
     width: float
     pieces: dict[Node, Piece] = field(default_factory=dict)
@@ -104,19 +104,19 @@ class Search:
         """Return nodes with pieces, where they are followed."""
         ends = self.ends(nodes)
         beyond = np.diff(ends) * BEYOND * np.array([-1, 1])
-        sure = next_releases(self.system, self.strip, ends + beyond).kinds != LOST
-        found = next_releases(self.system, self.strip, ends[sure])
+        sure = next_releases(self.system, self.basins, ends + beyond).kinds != LOST
+        found = next_releases(self.system, self.basins, ends[sure])
         pieces = dict[Node, Piece]()
         for n, kind, model in zip(np.flatnonzero(sure).tolist(), *found, strict=True):
-            after = None if kind == HELD else (tuple(model[:-1].tolist()), float(model[-1]))
+            after = tuple(model[:-1].tolist()), float(model[-1])
             if kind != LOST:
-                pieces[nodes[n]] = Piece(nodes[n], after)
+                pieces[nodes[n]] = Piece(nodes[n], int(kind) - HELD if kind > HELD else after)
         return [(node, pieces.get(node)) for node in nodes]
 
     def fine(self, piece: Piece) -> bool:
         """Return whether the next places are known well, from a node of the level `GRAIN`."""
         node, after = piece
-        if after is None or node.m >= GRAIN:
+        if isinstance(after, int) or node.m >= GRAIN:
             return True
         low, high = line.ends(after)
         grain = 2.0 ** (node.m - GRAIN)

@@ -18,8 +18,10 @@ from cap.cells.fates import (
     Missing,
     Share,
     added,
+    reached,
     resting,
     stopped,
+    without,
 )
 from cap.cells.mirrored import after_hit, after_turn
 from cap.cells.next_event import HIT
@@ -27,6 +29,7 @@ from cap.cells.polynomials import UP
 from cap.cells.regions import Region, known, launched, next_of, spread
 from cap.cells.rests import height
 from cap.cells.slopes import after_the_hit, after_the_turn, at_start
+from cap.checker.folded.table import NONE
 from cap.sets.compiled import kernel
 
 
@@ -71,13 +74,17 @@ def foreseen(s: Ahead, r: Region, mu: float, flights: int, size: float) -> Fated
     """Follow a region, of the measure mu, forwards to the stick, if it is certain what happens."""
     y, share = s.flow, Share(mu, 2 * r.half / PARTS * _densest(s.flow, r) * UP)
     f, _density, _wide = launched(y, r)
-    g, lost = at_start(), Missing(0.0, 0.0, 0.0, 0.0)
+    g, lost, rested = at_start(), Missing(0.0, 0.0, 0.0, 0.0), True
     for _ in range(flights):
         if not known(f, size):
             break
         kind, event = next_of(y, f)
         if event.why != 0:
             break
+        fate = reached(s, f, event.ends[0], rested and kind != HIT)
+        if fate != NONE:
+            return _left(f, mu, added(lost, without(fate, mu)))
+        rested = kind != HIT
         if kind == HIT:
             low = height(s.rests, event.ends, event.most)
             if low >= 0:

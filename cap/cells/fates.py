@@ -26,29 +26,29 @@ from cap.cells.backward import (
     System,
     influence,
 )
+from cap.cells.basins import Basins, anything, fate_of
 from cap.cells.missing import Known, all_have, missing
-from cap.cells.polynomials import UP, Model, bound, centred, ends, moved, scaled, total, widened
+from cap.cells.polynomials import UP, Model, bound, centred, ends, moved, scaled, widened
 from cap.cells.regions import first, passing
 from cap.cells.slopes import Slopes, by_place
-from cap.cells.target import inside
-from cap.checker.folded.strip import Strip
+from cap.checker.folded.table import ATTRACTOR, NONE
 from cap.sets.compiled import kernel
 
 PARTS = 4  # of Y, in which places are bounded
 LATE = 0.05  # of delta
 FAR = 0.01  # of the wall behind: more than delta^3
-ROOM = 0.01  # of the range of a derivative: the checker's bounds may be wider by so much
+ROOM = 0.01  # of a range: the checker's bounds may be wider by so much
 
 LOST, ENDS, TURNED = range(3)
 _NONE, _EARLY, _LATE, _TURN, _EARLY_OR_TURN, _LATE_OR_TURN = range(6)
 
 
 class Ahead(NamedTuple):
-    """The flow forwards, with a < 0 and with a > 0, the strip of the segment, what is known."""
+    """The flow forwards, with a < 0 and with a > 0, parts of basins, what is known."""
 
     flow: System
     rests: System
-    strip: Strip
+    basins: Basins
     known: Known
 
 
@@ -175,7 +175,8 @@ def _over(known: Known, x: Model, beyond: float, w: Model, less: float, s: Share
 def _lost(known: Known, fate: int, low: float, high: float, each: float) -> float:
     """Return what is missing over an interval of places, each of which stands for so much."""
     if each == math.inf:
-        return 0.0 if all_have(known, fate, low, high) else math.inf
+        room = ROOM * (high - low)
+        return 0.0 if all_have(known, fate, low - room, high + room) else math.inf
     return each * missing(known, fate, low, high)
 
 
@@ -198,8 +199,6 @@ def stopped(a: Ahead, f: Flight, g: Slopes, event: Event, share: Share) -> tuple
     if kind == _NONE:
         return LOST, nothing
     if kind == _TURN:
-        if _held(y, a.strip, f, event.ends[0]):
-            return ENDS, Missing(share.mu, 0.0, 0.0, 0.0)
         return TURNED, nothing
     less, beyond = 0.0, 0.0
     if kind == _LATE_OR_TURN:
@@ -217,22 +216,27 @@ def stopped(a: Ahead, f: Flight, g: Slopes, event: Event, share: Share) -> tuple
 
 
 @kernel
-def _held(y: System, strip: Strip, f: Flight, until: float) -> bool:
-    """Return whether all flights are in a strip at a multiple of 2 pi before a time."""
-    j = first(f)
-    while j * math.pi < until:
-        flying, p, s = passing(y, f, j)
-        if not flying:
-            return False
-        if j % 2 == 0 and _holds(strip, p, s):
-            return True
+def reached(a: Ahead, f: Flight, until: float, between: bool) -> int:
+    """Return the fate of all flights, if they are in a basin at a multiple of pi before a time.
+
+    What goes to the segment is looked for between two stops.
+    """
+    j, ellipses = first(f), len(a.basins.ellipses) + len(a.basins.odd)
+    while (ellipses > 0 or between) and j * math.pi < until:
+        if anything(a.basins, j):
+            flying, p, s = passing(a.flow, f, j)
+            if not flying:
+                return NONE
+            fate = fate_of(a.basins, j, between, p, s)
+            if fate != NONE:
+                return fate
         j += 1
-    return False
+    return NONE
 
 
 @kernel
-def _holds(strip: Strip, p: Model, s: Model) -> bool:
-    """Return whether all states are in a strip: x = edge + p."""
-    x = moved(p, strip.edge[0], strip.edge[1])
-    w = moved(s, -0.5 * (strip.fast + strip.slow), strip.fast - strip.slow)
-    return inside(strip, ends(s), ends(x), ends(total(x, scaled(w, strip.k, 0.0))))
+def without(fate: int, mu: float) -> Missing:
+    """Return what is missing of a measure all of which has a fate."""
+    if fate == ATTRACTOR:
+        return Missing(0.0, mu, 0.0, 0.0)
+    return Missing(mu, 0.0, 0.0, 0.0)

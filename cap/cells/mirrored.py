@@ -63,8 +63,11 @@ def minus(x: Pair, y: Pair) -> Pair:
 
 @kernel
 def quotient(x: Pair, y: Pair) -> Pair:
-    """Return a quotient, NaN if y may vanish: (x + u)/(y + w) - x/y = (u - w x/y)/(y + w)."""
-    if not abs(y[0]) > 2 * y[1]:
+    """Return a quotient, NaN if y may vanish: (x + u)/(y + w) - x/y = (u - w x/y)/(y + w).
+
+    The checker, with its bounds, divides only if |y| > 2 |w|.
+    """
+    if not abs(y[0]) > 2.1 * y[1]:
         return math.nan, math.nan
     m = x[0] / y[0]
     return m, ((x[1] + y[1] * abs(m)) / (abs(y[0]) - y[1]) + abs(m) * ROUND) * UP

@@ -9,21 +9,22 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.cells.backward import ROUND, TURN, TURN_ERROR, System
-from cap.cells.lines import Line, ends, moved, scaled, total
+from cap.cells.backward import PI_ERROR, ROUND, System
+from cap.cells.basins import Basins, anything, compiled_basins, fate_of_lines
+from cap.cells.lines import Line
 from cap.cells.next_event import HIT, NOTHING, next_event, place_at, speed_at
 from cap.cells.paths import LOST, RELEASED, Path, Step, hit, lost, released, seen, stop
-from cap.cells.target import inside
-from cap.checker.folded.strip import Strip
+from cap.checker.folded import basins
+from cap.checker.folded.table import NONE
 from cap.sets.circular import sin_cos_of_double
 from cap.sets.compiled import PROBE, compiled, kernel, require_ieee, rounds_to_nearest
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-HELD = 3  # besides `LOST` and `RELEASED`: all come to the strip before
+HELD = 3  # and the fate, besides `LOST` and `RELEASED`: all come to a basin before
 EVENTS = 64
-STROBES = 4  # of a flight
+STROBES = 8  # multiples of pi of a flight
 DEGREE = 6
 STEEP = 2e-6  # of speeds at stops: for less, times may not be found without a bracket
 _TIME, _SLOPE, _RATE, _COS, _SIN, ROWS = range(6)
@@ -78,28 +79,21 @@ def _next(y: System, f: Path, room: Floats) -> Step:
 
 
 @kernel
-def _holds(strip: Strip, p: Line, s: Line) -> bool:
-    """Return whether all states are in a strip: x = edge + p."""
-    x = moved(p, strip.edge[0], strip.edge[1])
-    w = moved(s, -0.5 * (strip.fast + strip.slow), strip.fast - strip.slow)
-    return inside(strip, ends(s), ends(x), ends(total(x, scaled(w, strip.k, 0.0))))
-
-
-@kernel
-def _held(y: System, strip: Strip, f: Path, until: float) -> bool:
-    """Return whether all orbits are in a strip at a multiple of 2 pi before a time."""
+def _held(y: System, known: Basins, f: Path, until: float) -> int:
+    """Return the fate of all orbits, if they are in a basin at a multiple of pi before a time."""
     for k in range(STROBES):
-        t, e = TURN * k, k * TURN_ERROR + TURN * k * ROUND
-        if f.begun[1] < t - e and t + e < until:
-            p, s = seen(y, f, (t, e), 1.0, 0.0)
-            if _holds(strip, p, s):
-                return True
-    return False
+        t, e = math.pi * k, k * PI_ERROR + math.pi * k * ROUND
+        if anything(known, k) and f.begun[1] < t - e and t + e < until:
+            p, s = seen(y, f, (t, e), -1.0 if k % 2 else 1.0, 0.0)
+            fate = fate_of_lines(known, k, p, s)
+            if fate != NONE:
+                return fate
+    return NONE
 
 
 @kernel
 def next_release(
-    y: System, strip: Strip, low: float, high: float, room: Floats
+    y: System, known: Basins, low: float, high: float, room: Floats
 ) -> tuple[int, Line]:
     """Return what becomes of the releases from an interval of places, and the next place."""
     f = released(y, low, high)
@@ -107,8 +101,9 @@ def next_release(
         step = _next(y, f, room)
         if step.kind == LOST:
             break
-        if _held(y, strip, f, step.until):
-            return HELD, f.A
+        fate = _held(y, known, f, step.until)
+        if fate != NONE:
+            return HELD + fate, f.A
         if step.kind == RELEASED:
             return RELEASED, step.next
         f = step.path
@@ -116,7 +111,7 @@ def next_release(
 
 
 class Found(NamedTuple):
-    """`LOST`, `RELEASED` or `HELD` (N,), and models of the next places (N, 8)."""
+    """`LOST`, `RELEASED`, or `HELD` and the fate (N,), and models of the next places (N, 8)."""
 
     kinds: Integers
     models: Floats
@@ -124,20 +119,20 @@ class Found(NamedTuple):
 
 @compiled
 def _releases(
-    y: System, strip: Strip, places: Floats, probe: Floats, room: Floats, found: Found
+    y: System, known: Basins, places: Floats, probe: Floats, room: Floats, found: Found
 ) -> bool:
     """Write what becomes of intervals; False if the processor does not round as it should."""
     if not rounds_to_nearest(probe):
         return False
     for n in range(len(places)):
-        kind, after = next_release(y, strip, places[n, 0], places[n, 1], room)
+        kind, after = next_release(y, known, places[n, 0], places[n, 1], room)
         found.kinds[n] = kind
         for i in range(DEGREE + 2):
             found.models[n, i] = after[i]
     return True
 
 
-def next_releases(y: System, strip: Strip, places: Floats) -> Found:
+def next_releases(y: System, known: basins.Basins, places: Floats) -> Found:
     """Return what becomes of the releases from intervals (N, 2), up to the next ones.
 
     A model of `cap.cells.lines` encloses the distance to the wall ahead at the next release, as a
@@ -145,5 +140,5 @@ def next_releases(y: System, strip: Strip, places: Floats) -> Found:
     """
     found = Found(np.zeros(len(places), np.int64), np.zeros((len(places), DEGREE + 2)))
     room = np.zeros((ROWS, DEGREE + 1))
-    require_ieee(_releases(y, strip, places, PROBE, room, found))
+    require_ieee(_releases(y, compiled_basins(known), places, PROBE, room, found))
     return found

@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cap.cells.basins import compiled_basins
 from cap.cells.choice import Mask
 from cap.cells.constants import system_of
 from cap.cells.cuts import PARTS, UNIT, Edges, Tree, grown, joined
@@ -25,8 +26,8 @@ from cap.cells.fates import Ahead
 from cap.cells.missing import Known
 from cap.cells.regions import Limits
 from cap.cells.trees import Arc, Floats, Nodes, Plan, Search
+from cap.checker.folded.basins import Basins
 from cap.checker.folded.stops import EARLY, LATE
-from cap.checker.folded.strip import Strip
 from cap.errors import BadInput
 from cap.parameters import Parameters
 from cap.runner import Runner
@@ -38,9 +39,9 @@ MORE = np.array([-(2.0**-36), 2.0**-36])  # more than the errors of edges, and o
 
 
 class Releases(NamedTuple):
-    """What is known of releases: states that go to the segment, and places with a fate."""
+    """What is known of releases: parts of basins, and places with a fate."""
 
-    strip: Strip
+    basins: Basins
     known: Known
 
 
@@ -128,7 +129,7 @@ def search(p: Parameters, V: Fraction, releases: Releases, plan: Plan, runner: R
     fast = float(V * p.omega / p.F)
     limits = Limits(fast - abs(fast) * 2.0**-52, FLIGHTS, SIZE)
     y, z = system_of(p), system_of(p, forwards=True)
-    ahead = Ahead(z._replace(a=-z.a), z, *releases)
+    ahead = Ahead(z._replace(a=-z.a), z, compiled_basins(releases.basins), releases.known)
     arcs = (Arc(side * math.pi / 2, y.theta - math.pi / 2) for side in (LATE, EARLY))
     sticks = [Search(y, ahead, arc, limits, plan.backwards()) for arc in arcs]
     turns = Search(y, ahead, Arc(0.0, z.theta), limits, plan)

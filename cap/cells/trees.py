@@ -22,6 +22,7 @@ from cap.cells.contraction import hoped
 from cap.cells.edges import Look, edge, mirrored, reversed_times
 from cap.cells.fates import Ahead
 from cap.cells.regions import EDGE, Edge, Limits, Region, followed, measure
+from cap.checker.folded.ahead import EVENTS
 from cap.sets.compiled import IEEE, kernel, rounds_to_nearest, sources
 from cap.sets.kept import kept
 
@@ -160,7 +161,7 @@ def _foresee(search: Search, row: Floats) -> None:
     """Follow the region of a row forwards, and write what is seen."""
     r = _region(search.arc, row)
     mu, most = measure(search.system, r)
-    found = foreseen(search.ahead, reversed_times(r), mu, search.limits.flights, search.limits.size)
+    found = foreseen(search.ahead, reversed_times(r), mu, EVENTS, search.limits.size)
     row[_MEASURE], row[_FATED + 3], row[_EXCESS] = mu, most, found.excess
     row[_FATED], row[_FATED + 1], row[_FATED + 2] = found.attractor, found.segment, found.either
     if row[_BELOW] > 0:

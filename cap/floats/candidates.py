@@ -13,7 +13,7 @@ from cap.floats import periodic
 from cap.floats.cycles import Cycle, near
 from cap.floats.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.periodic import Guess
-from cap.floats.request import Candidate, Found, Release, Request, Search
+from cap.floats.request import Candidate, Found, Release, Request, Search, Turning
 from cap.floats.search import from_hit_times, search
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
@@ -26,6 +26,7 @@ __all__ = [
     "Release",
     "Request",
     "Search",
+    "Turning",
     "attracting",
     "capturing",
     "closed_form",
@@ -39,6 +40,7 @@ __all__ = [
     "releasing",
     "releasing_again",
     "touching_nothing",
+    "turning",
 ]
 
 TYPES = ("sink focus", "sink node", "superstable", "elliptic", "saddle", "flip saddle")
@@ -229,6 +231,13 @@ def releasing_again(p: Parameters) -> list[list[Release]]:
     from cap.floats.release_cycles import release_cycles  # noqa: PLC0415 (the compiled flow)
 
     return release_cycles(p)
+
+
+def turning(p: Parameters) -> list[Turning]:
+    """Return the states of attracting cycles that turn and never stick."""
+    from cap.floats.turning_cycles import turning_cycles  # noqa: PLC0415 (the compiled flow)
+
+    return turning_cycles(p)
 
 
 def every_motion(request: Request) -> Found:

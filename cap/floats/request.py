@@ -58,4 +58,16 @@ class Release(NamedTuple):
     slope: float
 
 
+class Turning(NamedTuple):
+    """A state at t = 0 of a cycle of the period ``periods`` T, with the rows of its derivative.
+
+    Or one of its image by (x, v, t) -> (l + r - x, -v, t + T/2).
+    """
+
+    x: float
+    v: float
+    periods: int
+    monodromy: tuple[tuple[float, float], tuple[float, float]]
+
+
 Search = Callable[[Request], Found]

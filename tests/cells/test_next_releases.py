@@ -7,14 +7,16 @@ import numpy as np
 import pytest
 from support import seeded
 
+from cap.cells.basins import compiled_basins
 from cap.cells.constants import system_of
 from cap.cells.next_releases import HELD, next_release, next_releases
 from cap.cells.paths import LOST, RELEASED
 from cap.cells.rests import height
+from cap.checker.folded.basins import Basins, Ellipse, Row, Strip
 from cap.checker.folded.flights import System
 from cap.checker.folded.paths import next_release as followed
 from cap.checker.folded.rests import height as resting
-from cap.checker.folded.strip import NOWHERE, Strip
+from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters as Given
 from cap.floats import swarm
@@ -23,6 +25,7 @@ from cap.parameters import PAPER, Parameters
 OTHER = Parameters(
     **{k: Fraction(z) for k, z in {"F": 3, "omega": 2, "f": "4/3", "l": "-1/2", "r": "3/4"}.items()}
 )
+NOWHERE = Basins()
 AT = np.array([-0.99, -0.4, 0.5, 0.99])
 
 
@@ -92,19 +95,33 @@ def test_the_checker_follows_the_same(p):
         assert model[7] == pytest.approx(e, rel=0.05, abs=1e-10)
 
 
-def test_a_strip_holds_orbits():
-    """All that pass the time 0 in a strip as large as the plane; none in one that is as thin."""
+def test_a_basin_holds_orbits():
+    """All that pass the time 0 in one as large as the plane; none in one that is thin, or far."""
     y, (low, high) = system_of(PAPER, forwards=True), (0.731, 0.7311)
-    large = Strip(-99.0, 99.0, 0.0, 0.0, 99.0, 0.0, (1.0, 0.0))
+    all_p, all_s, both = Row(1.0, 0.0, -99.0, 99.0), Row(0.0, 1.0, -99.0, 99.0), Row(1, 1, -99, 99)
     room = np.zeros((5, 7))
-    assert next_release(y, large, low, high, room)[0] == HELD
-    for other in (
-        large._replace(d=1e-9),
-        large._replace(left=98.0),
-        large._replace(right=-98.0),
-        large._replace(slow=-9.0, fast=9.0, d=8.0),
+
+    def becomes(basins):
+        found = next_release(y, compiled_basins(basins), low, high, room)[0]
+        same = followed(System(given(PAPER)), basins, (low, high))
+        assert (found == HELD + same) if isinstance(same, int) else (found == RELEASED)
+        return found
+
+    assert becomes(Basins((Strip((all_p, all_s, both)),))) == HELD + SEGMENT
+    for rows in (
+        (all_p._replace(high=-98.0), all_s, both),
+        (all_p, all_s._replace(low=0.3, high=0.3 + 1e-9), both),
+        (all_p, all_s, both._replace(low=98.0)),
     ):
-        assert next_release(y, other, low, high, room)[0] == RELEASED
+        assert becomes(Basins((Strip(rows),))) == RELEASED
+    wide = Row(0.01, 0.0, -1.0, 1.0), Row(0.0, 0.01, -1.0, 1.0)
+    assert becomes(Basins(ellipses=(Ellipse(wide),))) == HELD + ATTRACTOR
+    for rows in (
+        (wide[0], Row(0.0, 1e9, -1.0, 1.0)),
+        (wide[0], Row(0.0, 0.01, 1.0, 3.0)),
+        (Row(0.01, 0.0, 0.0, 2.0), wide[1]),
+    ):
+        assert becomes(Basins(ellipses=(Ellipse(rows),))) == RELEASED
 
 
 def test_nothing_is_followed_across_a_border():

@@ -19,7 +19,7 @@ from cap.cells.next_event import next_event
 from cap.cells.regions import Limits, Region, followed, measure
 from cap.cells.stops import Releases, search
 from cap.cells.trees import Plan
-from cap.checker.folded.strip import NOWHERE
+from cap.checker.folded.basins import Basins
 from cap.errors import BadInput
 from cap.floats import swarm
 from cap.parameters import PAPER, Parameters
@@ -44,7 +44,7 @@ def known(have):
     return Known(ENDS, masses, np.cumsum(np.pad(masses, ((0, 0), (1, 0))), axis=1))
 
 
-RELEASES = Releases(NOWHERE, known(WITH))
+RELEASES = Releases(Basins(), known(WITH))
 
 
 @pytest.fixture(scope="module")
@@ -223,13 +223,13 @@ def released(q, t):
 
 def test_all_that_sticks_has_a_fate_if_all_places_have(trees):
     """Then nothing is missing of what is followed; if no place has one, nothing is left."""
-    everywhere = Releases(NOWHERE, known(np.ones((3, 4), bool)))
+    everywhere = Releases(Basins(), known(np.ones((3, 4), bool)))
     plan = Plan(worth=3e-2, onwards=3e-2)
     turns = search(PAPER, V, everywhere, plan, Runner()).turns
     seen = turns.fated[:, 0] > 0
     assert seen.sum() > 50
     assert turns.fated[seen, 0] == pytest.approx(turns.measures[seen, 0], rel=1e-6)
-    nowhere = Releases(NOWHERE, known(np.zeros((3, 4), bool)))
+    nowhere = Releases(Basins(), known(np.zeros((3, 4), bool)))
     assert not search(PAPER, V, nowhere, plan, Runner()).turns.fated.any()
 
 

@@ -163,6 +163,7 @@ def mixed(true):
         [f"{float(shares[name][0]) + 1e-4:.6f}", shares[name][1]]
         for name in ("attractor", "either")
     )
+    no_sink = {"x": "0", "v": "1", "matrix": [["100", "0"], ["0", "100"]], "halves": "2"}
     for name, *change in (
         ("mixed_share_enlarged", "claims", "shares", "attractor", larger),
         ("mixed_share_of_both_enlarged", "claims", "shares", "either", either),
@@ -171,6 +172,7 @@ def mixed(true):
         ("mixed_sticks_dropped", "hints", "stops", "late", mixed_small.written([0])),
         ("mixed_early_sticks_dropped", "hints", "stops", "early", mixed_small.written([0])),
         ("mixed_no_cycle", "claims", "cycles", [[["-0.9", "-0.899"]]]),
+        ("mixed_no_sink", "claims", "sinks", [no_sink]),
         ("mixed_turns_dropped", "hints", "stops", "turns", mixed_small.written([0])),
         ("mixed_box_past_the_wall", "claims", "box", "x", ["-1", "1.1"]),
         ("mixed_other_interval", "claims", "attractor", "interval", ["-0.7", "-0.5"]),

@@ -32,6 +32,7 @@ REASONS = {
     "mixed_box_past_the_wall": "from wall to wall",
     "mixed_early_sticks_dropped": "shares.attractor does not contain",
     "mixed_no_cycle": "leave their cycle",
+    "mixed_no_sink": "may stick",
     "mixed_sticks_dropped": "shares.attractor does not contain",
     "mixed_turns_dropped": "shares.attractor does not contain",
     "mixed_other_interval": "interval",

@@ -10,19 +10,28 @@ import pytest
 
 from cap.cells.next_event import HIT, NOTHING, next_event, place_at, speed_at
 from cap.checker.folded import ahead, flights, slopes
-from cap.checker.folded.ahead import FATES, PARTS, Outlook, at_wall, found, over, over_places
+from cap.checker.folded.ahead import (
+    FATES,
+    PARTS,
+    Outlook,
+    at_wall,
+    bounds_of,
+    found,
+    over,
+    over_places,
+)
+from cap.checker.folded.basins import Basins, Row, Strip
 from cap.checker.folded.events import after, event
 from cap.checker.folded.motion import System
 from cap.checker.folded.regions import UNIT, leaves
 from cap.checker.folded.stops import all_stops, along, turns
-from cap.checker.folded.strip import Strip
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
 from checker.mixed_small import even, parted
 from checker.test_checker_stops import SYSTEMS, value
 
-NOWHERE = Strip(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, (0.0, 0.0))
+NOWHERE = Basins()
 SLOW = 1e-3  # hits in floats that are taken to end in a rest
 
 
@@ -50,9 +59,9 @@ class Comb:
         return 0
 
 
-def outlook(p, fates, strip=NOWHERE):
+def outlook(p, fates, basins=NOWHERE):
     """Return what is ahead, with these fates of places."""
-    return Outlook(System(p, forwards=True), flights.System(p), fates, strip)
+    return Outlook(System(p, forwards=True), flights.System(p), fates, basins)
 
 
 def parts(p, halvings, cuts, step):
@@ -232,9 +241,10 @@ def test_a_delayed_stick():
 
 def test_models_in_a_strip():
     """All states are in it, or not: in each direction."""
-    strip = Strip(-0.5, 0.5, 0.3, 0.3, 0.1, 2.0, (1.0, 0.0))
+    rows = Row(1.0, 0.0, -1.5, -0.5), Row(0.0, 1.0, 0.2, 0.4), Row(1.0, 2.0, -0.9, 0.1)
+    strip = Strip(rows)
     p, s = q.model(one=-1.0, X=0.1), q.model(one=0.3, Y=0.05)
-    assert ahead.holds(strip, p, s)
+    assert strip.contains(bounds_of(p, s))
     for wrong in (
         (q.model(one=-1.0, X=0.6), s),
         (p, q.model(one=0.3, Y=0.2)),
@@ -242,7 +252,7 @@ def test_models_in_a_strip():
         (q.model(one=-0.55), q.model(one=0.35, Y=0.01)),
         (q.model(one=-1.45), q.model(one=0.25, Y=0.01)),
     ):
-        assert not ahead.holds(strip, *wrong)
+        assert not strip.contains(bounds_of(*wrong))
 
 
 def test_models_over_parts():

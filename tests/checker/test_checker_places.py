@@ -9,11 +9,11 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.folded import settled
+from cap.checker.folded.basins import Basins
 from cap.checker.folded.flights import System
 from cap.checker.folded.masses import Places
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece, portion
-from cap.checker.folded.strip import Strip
 from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
 from cap.checker.folded.tree import nodes
 from cap.checker.kernel import line
@@ -27,7 +27,7 @@ SYSTEMS = {
     "other": Parameters(*map(Fraction, (3, 2, "4/3", "-1/2", "3/4"))),
     "weak": Parameters(*map(Fraction, (1, 1, "1/5", -1, 1))),
 }
-NOWHERE = Strip(1.0, 0.0, 0.0, 0.0, 0.0, 0.0, (0.0, 0.0))
+NOWHERE = Basins()
 ZEROS = (0.0,) * (line.DEGREE - 1)
 
 
@@ -106,7 +106,7 @@ def test_measures_of_places():
 
 def test_measures_of_places_that_go_to_the_segment():
     """What has the other fate is missing; what has none is missing for both."""
-    pieces = [Piece(Node(0, 2), None), Piece(Node(1, 2), ((0.125, 0.125, *ZEROS), 0.0))]
+    pieces = [Piece(Node(0, 2), SEGMENT), Piece(Node(1, 2), ((0.125, 0.125, *ZEROS), 0.0))]
     found = Places([(0.75, 1.0)], 1.0, 6, pieces)
     assert found.fate((0.0, 0.5)) == SEGMENT
     assert found.missing((0.0, 1.0), SEGMENT) == pytest.approx(0.5)

@@ -13,7 +13,7 @@ from support import proving
 from cap.certificate import report
 from cap.certificate.writer import dumps
 from cap.checker.folded.ahead import Found
-from cap.checker.folded.strip import NOWHERE
+from cap.checker.folded.basins import Basins
 from cap.errors import BadInput, NotProved
 from cap.explore import mixed as picture
 from cap.floats.candidates import Request
@@ -59,6 +59,7 @@ def test_a_coarse_proof(coarse):
         ("3/10", "attractor", 0.4, "is attracted to a periodic orbit that sticks"),
         ("1/2", "segment", 0.6, "converges to an orbit of the segment"),
         ("3/5", "stops", 0.5, "stops at least once;"),
+        ("1/5", "attractor", 0.2, "is attracted to a periodic orbit through a state"),
     ],
 )
 def test_other_systems(drag, share, least, words, monkeypatch):
@@ -73,7 +74,8 @@ def test_other_systems(drag, share, least, words, monkeypatch):
     assert shares[share] > least
     assert ("attractor" in found["claims"], "cycles" in found["claims"]) == (False, drag == "3/10")
     assert ("segment" in found["claims"]) == (drag != "3/5")
-    assert ("attracted" in report.theorem(found)) == (drag == "3/10")
+    assert ("sinks" in found["claims"]) == (drag == "1/5")
+    assert ("attracted" in report.theorem(found)) == (share == "attractor")
     assert words in " ".join(report.theorem(found).split())
 
 
@@ -83,7 +85,7 @@ def test_many_gaps_are_not_halved(monkeypatch):
     pieces = []
     for most in (10, 2000):
         monkeypatch.setattr(places, "MOST", most)
-        search = places.Search(p, NOWHERE, [], 2.0)
+        search = places.Search(p, Basins(), [], 2.0)
         assert search.run((1e-2, 1e-3, 1e-4, 1e-9)).count("1") == len(search.pieces)
         pieces.append(len(search.pieces) + len(search.gaps))
     assert pieces[0] < pieces[1] < 20_000

@@ -28,8 +28,8 @@ passes, and |dT| = |dA|/(a - cos T) <= |dA|/(2 a), as cos T <= -a.
 *A slow hit* may end in a rest near the wall (`cap.checker.folded.rests`): then all of the turns
 have the fate, or nothing is known of them.
 
-*The segment.*  Between two stops a multiple of 2 pi is passed; if all states are in the strip there
-(`cap.checker.folded.strip`), all go to the segment.
+*Basins.*  If all states are in a part of a basin (`cap.checker.folded.basins`) at a multiple of pi
+that is passed, all have its fate.  What goes to the segment is looked for between two stops.
 """
 
 from __future__ import annotations
@@ -39,6 +39,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple, Protocol
 
 from cap.checker.folded import flights
+from cap.checker.folded.basins import Basins, Bounds
 from cap.checker.folded.events import Event, after, event
 from cap.checker.folded.motion import Flight, System
 from cap.checker.folded.numbers import TURN, UP, Pair
@@ -47,8 +48,7 @@ from cap.checker.folded.rests import height
 from cap.checker.folded.slopes import BEGIN, Slopes, of_place
 from cap.checker.folded.slopes import after as slopes_after
 from cap.checker.folded.stops import multiple, turns
-from cap.checker.folded.strip import Strip
-from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
+from cap.checker.folded.table import ATTRACTOR, EITHER, NONE, SEGMENT
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
 from cap.checker.kernel.rejection import Rejected, need
@@ -76,7 +76,7 @@ class Outlook(NamedTuple):
     y: System
     still: flights.System
     fates: Fates
-    strip: Strip
+    basins: Basins
 
 
 class Found(NamedTuple):
@@ -106,15 +106,15 @@ def losses(o: Outlook, f: Flight) -> Iterator[Sequence[float]]:
     y, g, rested = o.y, BEGIN, True
     for _ in range(EVENTS):
         e = event(y, f)
+        if known := seen(o, f, e, rested=rested):
+            yield [0.0 if known & wanted else math.inf for wanted in FATES]
+            return
         if e.p is None:
             low, rested = height(o.still, e.ends, e.speeds[1]), False
             if low is not None:
                 yield at_wall(o, low)
                 return
         else:
-            if rested and in_strip(o, f, e.ends[0]):
-                yield [math.inf if fate == ATTRACTOR else 0.0 for fate in FATES]
-                return
             cos, rested = q.widened(e.cos, e.e_all), True
             some, every = sticking(y, e, q.ends(cos))
             if some:
@@ -194,19 +194,27 @@ def delay(y: System, e: Event, M: float) -> float:
     return z
 
 
-def in_strip(o: Outlook, f: Flight, until: float) -> bool:
-    """Return whether all states are in the strip at a multiple of 2 pi, before a time."""
-    k = 2 * math.ceil(f.begun[1] / (2 * math.pi))
-    t, e = multiple(o.y, k)
-    if not (f.begun[1] < t - e and t + e < until):
-        return False
-    p, s = o.y.at(f, t, e)
-    return holds(o.strip, q.widened(p, o.y.influence(f, t, e)), q.widened(s, f.errors[0]))
+def seen(o: Outlook, f: Flight, e: Event, *, rested: bool) -> int:
+    """Return the fate of all states, if it is known at a multiple of pi before an event."""
+    between = rested and e.p is not None
+    basins = o.basins if between else o.basins._replace(strips=())
+    k = math.ceil(f.begun[1] / math.pi)
+    while any(basins) and k * math.pi < e.ends[0]:
+        t, error = multiple(o.y, k)
+        if basins.at(k) and f.begun[1] < t - error and t + error < e.ends[0]:
+            p, s = o.y.at(f, t, error)
+            s = q.widened(s, f.errors[0])
+            bounds = bounds_of(q.widened(p, o.y.influence(f, t, error)), s)
+            if known := basins.fate(k, bounds):
+                return known
+        k += 1
+    return NONE
 
 
-def holds(strip: Strip, p: Model, s: Model) -> bool:
-    """Return whether all states of models are in a strip."""
-    x = q.moved(p, *strip.edge)
-    w = q.moved(s, -(strip.fast + strip.slow) / 2, strip.fast - strip.slow)
-    both = q.total(x, q.scaled(w, strip.k))
-    return strip.contains(q.ends(s), q.ends(x), q.ends(both))
+def bounds_of(p: Model, s: Model) -> Bounds:
+    """Return what gives bounds of sums of p and s."""
+
+    def bounds(a: Pair, b: Pair) -> Pair:
+        return q.ends(q.total(q.scaled(p, *a), q.scaled(s, *b)))
+
+    return bounds

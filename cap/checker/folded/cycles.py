@@ -12,10 +12,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from cap.checker.folded.basins import Basins
 from cap.checker.folded.flights import System
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.folded.paths import next_release
-from cap.checker.folded.strip import Strip
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected, need
 
@@ -27,13 +27,13 @@ class Distances(NamedTuple):
     inner: Pair
 
 
-def contract(y: System, strip: Strip, cycle: Sequence[Distances]) -> None:
+def contract(y: System, basins: Basins, cycle: Sequence[Distances]) -> None:
     """Prove that intervals are taken each into the next, and contracted in the end."""
     factor = 1.0
     for here, after in zip(cycle, [*cycle[1:], cycle[0]], strict=True):
-        place = next_release(y, strip, here.outer)
-        if place is None:
-            raise Rejected("a cycle of releases goes to the segment")
+        place = next_release(y, basins, here.outer)
+        if isinstance(place, int):
+            raise Rejected("a cycle of releases goes to the segment, or to a sink")
         factor = factor * slope(place, here.outer) * UP
         low, high = line.ends(place)
         need(after.inner[0] < low and high < after.inner[1], "releases may leave their cycle")

@@ -94,6 +94,7 @@ class System:
         self.width, self.theta, self.pi, self.sine = known[1:]
         theta, half = angles(p)
         self.turns = {k: of(half * (2 * k)) for k in range(-2, ARCS + 3)}
+        self.strobes = {k: of(half * k) for k in range(2 * ARCS + 4)}
         self.slows = {k: of(half * (2 * k) - theta) for k in range(ARCS + 3)}
         self.first, self.last = of(half - theta), of(half + theta)  # turns are between them
 

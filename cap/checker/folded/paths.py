@@ -44,19 +44,20 @@ They are enclosed by balls of functions around numbers.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
+from cap.checker.folded.basins import Basins, Bounds
 from cap.checker.folded.flights import ARCS, Four, Path, System, carried
 from cap.checker.folded.guesses import hit_guess, stop_guess
 from cap.checker.folded.numbers import TURN, UP, Pair, minus, quotient, shifted, times
 from cap.checker.folded.rests import height
 from cap.checker.folded.scout import Middle, scout
-from cap.checker.folded.strip import Strip, Strobe
 from cap.checker.kernel import line
 from cap.checker.kernel.line import Coefficients, Line
 from cap.checker.kernel.rejection import Rejected, need
 
-_MOST = 64  # events
+_MOST, _STROBES = 64, 8  # events, and multiples of pi of a flight
 _NONE, _ONE = (0.0, 0.0), (1.0, 0.0)
 
 
@@ -77,18 +78,19 @@ class Happening(NamedTuple):
     ends: Pair = _NONE
 
 
-def next_release(y: System, strip: Strip, places: Pair) -> Line | None:
+def next_release(y: System, basins: Basins, places: Pair) -> Line | int:
     """Return the distance to the wall ahead at the next release, from places X in [-1, 1].
 
-    None if all orbits are in the strip before.  After a rest near the wall nothing is known of the
-    derivative: the polynomial is constant.
+    Or the fate, if all orbits are in a basin before.  After a rest near the wall nothing is known
+    of the derivative: the polynomial is constant.
     """
     f = released(y, line.scaled(line.across(places), -1.0))
     for _ in range(_MOST):
         kind, near, k = upcoming(y, f)
         until, found = hit(y, f, near) if kind == "hit" else stop(y, f, near, k)
-        if any(strip.holds(strobe) for strobe in strobes(y, f, until)):
-            return None
+        for k, strobe in strobes(y, f, basins, until):
+            if known := basins.fate(k, strobe):
+                return known
         if not isinstance(found, Path):
             return found
         f = found
@@ -296,8 +298,18 @@ def moving(y: System, f: Path, until: float) -> None:
     raise Rejected("a flight is too long")
 
 
-def strobes(y: System, f: Path, until: float) -> list[Strobe]:
-    """Return (p, s) at the multiples of 2 pi that the flight passes before a time."""
-    turns = [y.turns[k] for k in range(4)]
-    passes = [t for t in turns if f.begun[1] < t[0] - t[1] and t[0] + t[1] < until]
-    return [seen(y, f, t, 1.0, 0.0) for t in passes]
+def strobes(y: System, f: Path, basins: Basins, until: float) -> Iterator[tuple[int, Bounds]]:
+    """Give the multiples of pi that the flight passes before a time, and bounds, if of use."""
+    for k in range(_STROBES):
+        t, e = y.strobes[k]
+        if basins.at(k) and f.begun[1] < t - e and t + e < until:
+            yield k, bounds_of(*seen(y, f, (t, e), -1.0 if k % 2 else 1.0, 0.0))
+
+
+def bounds_of(p: Line, s: Line) -> Bounds:
+    """Return what gives bounds of sums of p and s."""
+
+    def bounds(a: Pair, b: Pair) -> Pair:
+        return line.ends(line.total(line.scaled(p, *a), line.scaled(s, *b)))
+
+    return bounds

@@ -1,7 +1,7 @@
 """Places of release in parts: nodes of a tree, pieces that are followed, and portions of them.
 
 A *node* (k, m) is the interval of places from k/2^m to (k + 1)/2^m of the width W.  A *piece* is a
-node with a model of the next place G, or none if its orbits go to the segment at once.  A *portion*
+node with a model of the next place G, or the fate that its orbits have before.  A *portion*
 is a part of a piece, by halvings, with bounds of G, and |G'| >= c.
 """
 
@@ -37,10 +37,10 @@ class Node(NamedTuple):
 
 
 class Piece(NamedTuple):
-    """A node, and the next place, or None if the orbits go to the segment before."""
+    """A node, and the next place, or the fate, if all orbits are in a basin before."""
 
     node: Node
-    next: Line | None
+    next: Line | int
 
 
 class Portion(NamedTuple):

@@ -1,7 +1,7 @@
 """Fates of places of release: portions are halved until they have one.
 
 A portion has a fate if all its next places have it, by what is known so far; at first some
-intervals are attracted, and some pieces go to the segment.  When few more have a fate so, portions
+intervals are attracted, and some pieces have one.  When few more have a fate so, portions
 are halved, if enough of their next places have a fate, or G' varies much.
 """
 
@@ -26,9 +26,12 @@ class Settled:
     ) -> None:
         """``kept`` are attracted; no two pieces overlap; portions are nodes up to a level."""
         self.kept, self.width, self.level = kept, width, level
-        to_segment = [piece.node.ends(width) for piece in pieces if piece.next is None]
-        self.table = table(width, [*self._attracted(), *self._outside(to_segment, SEGMENT)])
-        first = [portion(n, after, after[1], width) for n, after in pieces if after is not None]
+        known = self._attracted()
+        for fate in (ATTRACTOR, SEGMENT):
+            have = [piece.node.ends(width) for piece in pieces if piece.next == fate]
+            known += self._outside(have, fate)
+        self.table = table(width, known)
+        first = [portion(n, z, z[1], width) for n, z in pieces if not isinstance(z, int)]
         self.portions = [p for p in first if not self._inside(p)]
         while self._settle() or self._halve():
             pass

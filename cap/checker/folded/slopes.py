@@ -1,6 +1,6 @@
-"""The derivative of a flight by the place at which it begins at rest, for all orbits of a region.
+"""The derivative of a flight by a parameter of its start, for all orbits of a region.
 
-At a fixed time of the start, with dA and dB the derivatives of A and B by the place q (`events`):
+At a fixed time of the start, with dA and dB the derivatives of A and B by the parameter (`events`):
 
     w = d dA + dB,     dA' = dA - (2 cos T/s) w,               dB' = w - d' dA'      after a hit,
                        dA' = dA (a - cos T)/(cos T + a),       dB' = -w - d' dA'     after a turn,
@@ -20,7 +20,7 @@ from cap.checker.kernel.polynomials import Model
 
 
 class Slopes(NamedTuple):
-    """The derivatives of A and B by the place of the start."""
+    """The derivatives of A and B by a parameter of the start: `BEGIN` by its place."""
 
     A: Model
     B: Model

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from functools import cache
 
+from cap.checker.folded.basins import Basins
 from cap.checker.folded.flights import System
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece
-from cap.checker.folded.strip import Strip
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.theorem import Parameters
 
@@ -43,9 +43,9 @@ def nodes(tree: str) -> list[Node]:
     return found
 
 
-def followed(p: Parameters, strip: Strip, width: float, node: Node) -> list[Piece]:
+def followed(p: Parameters, basins: Basins, width: float, node: Node) -> list[Piece]:
     """Return the releases from a node, with the next ones; nothing, if these are not certain."""
     try:
-        return [Piece(node, next_release(system(p), strip, node.ends(width)))]
+        return [Piece(node, next_release(system(p), basins, node.ends(width)))]
     except Rejected:
         return []

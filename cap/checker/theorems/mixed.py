@@ -6,27 +6,28 @@ without losses but friction:
     attractor   the orbit, or its image by (x, v, t) -> (l + r - x, -v, t + T/2), comes to be
                 released in I (``attractor``): it tends to the orbits released in A, the
                 intersection of all G^k(I); or it comes to be released in a cycle of intervals that
-                attracts (`cap.checker.folded.cycles`): it tends to a periodic orbit
+                attracts (`cap.checker.folded.cycles`), or comes to the ellipse of a sink
+                (`cap.checker.folded.sinks`) at a multiple of T: it tends to a periodic orbit
     segment     it converges to a T-periodic orbit that touches no wall (``segment``)
     stops       its velocity vanishes at least once
 
-The first two exclude each other, since an orbit of the first kind sticks again and again, and one
-of the second does not in the end; both of them stop.  Not all of I, cycles and the segment need be
-claimed: what nothing is claimed of has no fate.
+The first two exclude each other, since an orbit of the first kind sticks or, as that of a sink hits
+a wall, hits again and again, and one of the second does neither in the end.  Not all of I, cycles,
+sinks and the segment need be claimed: what nothing is claimed of has no fate.
 
 *Places.*  After a stick the state is known but for the place of the release; folded by the symmetry
 (x, v, t) -> (l + r - x, -v, t + T/2), it is the distance to the wall ahead.  Places are divided by
 a tree of halvings; parts of them are followed to their next release, as functions of one variable
 with a derivative.  A part has a fate if all its next releases are in an interval of that fate, or
-all its orbits are in the basin of the segment before; of other parts the measure is bounded that
-has not the fate (`cap.checker.folded.masses`).
+all its orbits are in the basin of the segment or in a sink before; of other parts the measure is
+bounded that has not the fate (`cap.checker.folded.masses`).
 
 *Stops.*  A state that stops is what becomes of its first stop backwards in time, after so many half
 periods (`cap.checker.folded.stops`).  First stops, by place and time, are cut into regions, which
 are followed back, as long as nothing stops; so the areas at t = 0 are those of the stops, counted
 as often as half periods pass.  At some stops the mass sticks: they have the fate of the place.  At
-the others it turns: parts of the regions are followed forwards, until they stick, or are in a strip
-of states that go to the segment; it is bounded how much of them has not the fate
+the others it turns: parts of the regions are followed forwards, until they stick, or are in the
+basin of the segment or in a sink; it is bounded how much of them has not the fate
 (`cap.checker.folded.ahead`).  What is not counted is undecided.
 """
 
@@ -42,6 +43,7 @@ from typing import Any
 from cap.checker.folded import flights
 from cap.checker.folded.ahead import Outlook
 from cap.checker.folded.areas import Areas, of_sticks, of_turns
+from cap.checker.folded.basins import Basins, Row, Strip
 from cap.checker.folded.cycles import Distances, contract
 from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import System
@@ -49,13 +51,12 @@ from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import roof
 from cap.checker.folded.regions import Leaf, leaves
 from cap.checker.folded.regions import flights as cost
+from cap.checker.folded.sinks import Sink
 from cap.checker.folded.stops import EARLY, LATE, all_stops
-from cap.checker.folded.strip import NOWHERE, Strip
 from cap.checker.folded.tree import LETTERS, followed, nodes
-from cap.checker.kernel.angles import rounded
 from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.processes import each
-from cap.checker.kernel.reading import text
+from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Enclosure,
@@ -74,6 +75,7 @@ from cap.checker.theorems.segment import Segment
 
 _MOST_FLIGHTS = 1 << 25
 _MOST_CYCLES, _LONGEST = 16, 32
+MOST_SINKS, MOST_HALVES = 16, 64
 SIDES = {LATE: "late", EARLY: "early"}
 
 Work = Callable[..., Sequence[Any]]  # a map over tasks
@@ -121,9 +123,9 @@ class Mixed(Theorem):
         Field("shares", {"attractor": enclosure, "segment": enclosure, "either": enclosure,
                          "stops": enclosure, "undecided": enclosure}, "share", "s",
               "parts of the area of the box: of the states that tend to the orbits released in A, "
-              "to those of the cycles, or to images of these by (x, v, t) -> (l + r - x, -v, t + "
-              "T/2), that converge to an orbit of the segment, that do one of both, that stop at "
-              "least once, and of those of which nothing is shown"),
+              "to those of the cycles or of the sinks, or to images of these by (x, v, t) -> (l "
+              "+ r - x, -v, t + T/2), that converge to an orbit of the segment, that do one of "
+              "both, that stop at least once, and of those of which nothing is shown"),
         Field("never_stopping_area", enclosure, "area that never stops", "A_0",
               "of the states in the box whose velocity never vanishes"),
         Field("attractor", Maybe(shapes(Attractor.CLAIMS)), "", "", "as for the theorem attractor"),
@@ -131,6 +133,11 @@ class Mixed(Theorem):
               "intervals of places, each of which G, the next place of release, mirrored if that "
               "is to the left, takes into the next one of its cycle, the last one into the first; "
               "around the cycle it is a contraction"),
+        Field("sinks", Maybe(Many({"x": number, "v": number, "matrix": [[number] * 2] * 2,
+                                   "halves": Whole(1, MOST_HALVES)}, 1, MOST_SINKS)), "", "",
+              "ellipses of states z at t = 0, |matrix (z - (x, v))| <= 1 in the Euclidean norm, "
+              "that the flow over so many halves of T, mirrored if they are odd, takes into "
+              "themselves, and contracts in this norm"),
         Field("segment", Maybe(shapes(Segment.CLAIMS)), "", "", "as for the theorem segment"),
     )
     CITES = tuple(map(where_claimed, Attractor.CITES))
@@ -153,6 +160,7 @@ class Mixed(Theorem):
         for theorem in (Attractor, Segment):
             if named(theorem) in self.claims:
                 self.lemma(theorem)
+        self.sinks()
         self.cycles()
         work = partial(each, self.jobs)
         places = self.places(work)
@@ -200,26 +208,52 @@ class Mixed(Theorem):
         need((x.lower, x.upper) == (self.p.l, self.p.r), "the box is not from wall to wall")
         need(v.upper > 0 and v.lower == -v.upper, "the box is not from -V to V")
 
+    def basins(self) -> Basins:
+        """Return what is known of the basins of the segment and of the sinks."""
+        strips = (self.strip(),) if "segment" in self.claims else ()
+        sinks = [self.sink(claim) for claim in self.claims.get("sinks", [])]
+        even, odd = (tuple(z.ellipse() for z in sinks if z.odd is side) for side in (False, True))
+        return Basins(strips, even, odd)
+
     def strip(self) -> Strip:
-        """Return a part of the basin of the segment, or nothing: D(u) <= k u for 0 <= u <= d."""
-        if "segment" not in self.claims:
-            return NOWHERE
+        """Return a part of the basin of the segment.
+
+        That is x and x + k (v - u) in (left, right), |v - u| < d for the u in a pair, if D(w) <= k
+        w for 0 <= w <= d; p = x - r.
+        """
         claims = self.claims["segment"]
         d, (a, b) = claims["basin"]["speed"], claims["basin"]["drift"]
-        return Strip(
-            above(self.length(claims["left"].upper)),
-            below(self.length(claims["right"].lower)),
-            below(self.speed(claims["v"].lower)),
-            above(self.speed(claims["v"].upper)),
-            below(self.speed(d) * (1 - Fraction(1, 10**9))),
-            above((a + b * d) * self.omega),
-            rounded(self.length(self.p.r)),
+        slow, fast = (self.speed(u) for u in claims["v"][:2])
+        left, right = self.length(claims["left"].upper), self.length(claims["right"].lower)
+        edge, k = self.length(self.p.r), Fraction(above((a + b * d) * self.omega))
+        d = self.speed(d) * (1 - Fraction(1, 10**9))
+        rows = (
+            Row(1.0, 0.0, above(left - edge), below(right - edge)),
+            Row(0.0, 1.0, above(fast - d), below(slow + d)),
+            Row(1.0, float(k), above(left - edge + k * fast), below(right - edge + k * slow)),
         )
+        return Strip(rows)
+
+    def sink(self, claim: dict[str, Any]) -> Sink:
+        """Return a sink, of which nothing is proved yet: p = x - r, or l - x mirrored, at pi."""
+        x, v = self.length(Fraction(1)), self.speed(Fraction(1))
+        first, second = ((a / x, b / v) for a, b in claim["matrix"])
+        left = claim["v"] < 0
+        place = self.p.l - claim["x"] if left else claim["x"] - self.p.r
+        centre = self.length(place), self.speed(abs(claim["v"]))
+        return Sink(centre, (first, second), claim["halves"], left)
+
+    def sinks(self) -> None:
+        """Prove that the flow contracts the sinks."""
+        y = System(self.p, forwards=True)
+        for claim in self.claims.get("sinks", []):
+            self.sink(claim).contract(y)
+            self.step("the flow takes an ellipse of states into itself, and contracts it")
 
     def places(self, work: Work) -> Places:
         """Return what is known of all distances to the wall ahead."""
         hints, width = self.hints["places"], self.width()
-        step = partial(followed, self.p, self.strip(), width)
+        step = partial(followed, self.p, self.basins(), width)
         pieces = [piece for found in work(step, nodes(hints["tree"])) for piece in found]
         return Places(self.kept(), width, hints["level"], pieces)
 
@@ -239,9 +273,9 @@ class Mixed(Theorem):
 
     def cycles(self) -> None:
         """Prove that the release map contracts the cycles."""
-        y, strip = flights.System(self.p), self.strip()
+        y, basins = flights.System(self.p), self.basins()
         for cycle in self.claims.get("cycles", []):
-            contract(y, strip, [self.distances(interval) for interval in cycle])
+            contract(y, basins, [self.distances(interval) for interval in cycle])
             self.step("the release map takes a cycle of intervals into itself, and contracts it")
 
     def distances(self, places: Enclosure) -> Distances:
@@ -266,7 +300,7 @@ class Mixed(Theorem):
     def outlook(self, places: Places) -> Outlook:
         """Return what tells what becomes of turns."""
         forwards = System(self.p, forwards=True), flights.System(self.p)
-        return Outlook(*forwards, places, self.strip())
+        return Outlook(*forwards, places, self.basins())
 
     def sums(self, parts: Sequence[Fraction]) -> None:
         """Compare the claims with the parts of the area."""
@@ -310,6 +344,9 @@ class Mixed(Theorem):
             to.append(_CHAOTIC.format(claims["interval"], claims["entropy"]))
         for cycle in self.claims.get("cycles", []):
             to.append(_PERIODIC.format(" and then in ".join(map(str, cycle))))
+        for sink in self.claims.get("sinks", []):
+            rows = [", ".join(map(decimal, row)) for row in sink["matrix"]]
+            to.append(_SINK.format(decimal(sink["x"]), decimal(sink["v"]), *rows))
         if to and part.lower > 0:
             yield f"at least the part {part.text[0]} is attracted to {', or to '.join(to)}"
 
@@ -326,6 +363,12 @@ def above(x: Fraction) -> float:
     """Return a double that is not less."""
     a = float(x)
     return a if Fraction(a) >= x else math.nextafter(a, math.inf)
+
+
+def decimal(x: Fraction) -> str:
+    """Return a number, as a decimal if that is short."""
+    short = repr(float(x))
+    return short if "e" not in short and Fraction(short) == x else str(x)
 
 
 def below(x: Fraction) -> float:
@@ -349,6 +392,11 @@ _PERIODIC = (
     "a periodic orbit that sticks and is released again and again in {} (releases to the left "
     "mirrored), or to its image by S; up to S and shifts of the time by multiples of T no other "
     "periodic orbit is released so"
+)
+_SINK = (
+    "a periodic orbit through a state (x, v) at t = 0 with |W (x - {}, v - {})| < 1 in the "
+    "Euclidean norm, W = [[{}], [{}]], or to its image by S; up to S and shifts of the time by "
+    "multiples of T it is the only periodic orbit through such a state"
 )
 _TO_THE_SEGMENT = (
     "at least the part {} converges to an orbit of the segment of T-periodic orbits that touch no "

@@ -1,0 +1,88 @@
+"""Parts of basins: states all orbits of which have the same fate.
+
+They are states at the multiples of 2 pi of the folded time: of the unfolded one, those at 0 that
+move to the right, and those at pi that move to the left, mirrored; or at the odd multiples of pi:
+the other way round.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+from cap.checker.folded.numbers import TURN, UP, Pair
+from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT
+
+Bounds = Callable[[Pair, Pair], Pair]
+"""Bounds of a p + b s over some states, for numbers a, b that are known up to an error."""
+
+
+class Row(NamedTuple):
+    """The numbers low < a p + b s < high; a and b are rounded to nearest."""
+
+    a: float
+    b: float
+    low: float
+    high: float
+
+
+class Strip(NamedTuple):
+    """The states (p, s) in all rows, p minus the distance to the wall ahead: to the segment."""
+
+    rows: tuple[Row, Row, Row]
+
+    def contains(self, bounds: Bounds) -> bool:
+        """Return whether some states are in it."""
+        return all(
+            row.low < low and high < row.high
+            for row in self.rows
+            for low, high in [bounds(rounded(row.a), rounded(row.b))]
+        )
+
+
+class Ellipse(NamedTuple):
+    """The states with |u| < 1, u_k how far a p + b s is from the middle of a row: to a sink.
+
+    That is low + 1 = high - 1, low and high rounded to the safe side.
+    """
+
+    rows: tuple[Row, Row]
+
+    def contains(self, bounds: Bounds) -> bool:
+        """Return whether some states are in it."""
+        return self.radius(bounds) < 1
+
+    def radius(self, bounds: Bounds) -> float:
+        """Return a bound of |u| for some states."""
+        return math.hypot(*(distance(row, bounds) for row in self.rows)) * UP
+
+
+class Basins(NamedTuple):
+    """What is known of basins: at even multiples of pi strips and ellipses, ellipses at ``odd``."""
+
+    strips: tuple[Strip, ...] = ()
+    ellipses: tuple[Ellipse, ...] = ()
+    odd: tuple[Ellipse, ...] = ()
+
+    def fate(self, k: int, bounds: Bounds) -> int:
+        """Return the fate of states at a multiple k pi, if it is known, or 0."""
+        if k % 2 == 0 and any(each.contains(bounds) for each in self.strips):
+            return SEGMENT
+        ellipses = self.odd if k % 2 else self.ellipses
+        return ATTRACTOR if any(each.contains(bounds) for each in ellipses) else NONE
+
+    def at(self, k: int) -> bool:
+        """Return whether something is known at a multiple k pi."""
+        return bool(self.odd if k % 2 else self.strips or self.ellipses)
+
+
+def distance(row: Row, bounds: Bounds) -> float:
+    """Return a bound of the distance from the middle of a row that is 2 wide."""
+    low, high = bounds(rounded(row.a), rounded(row.b))
+    return (1 + max(row.low - low, high - row.high)) * UP + TURN
+
+
+def rounded(a: float) -> Pair:
+    """Return what a double was rounded from."""
+    return a, abs(a) * TURN
