@@ -69,9 +69,13 @@ def compiled(function: F) -> F:
 
 @cache
 def sources() -> str:
-    """Return a digest of all that may be compiled: the arithmetic, and the flow of cells."""
+    """Return a digest of all that may be compiled: the arithmetic, and the flow of cells.
+
+    With the constants of the checker: a change there must not leave what was compiled before.
+    """
     here = Path(__file__).parent
-    files = sorted([*here.glob("*.py"), *(here.parent / "cells").glob("*.py")])
+    folders = here, here.parent / "cells", here.parent / "checker" / "folded"
+    files = sorted(file for folder in folders for file in folder.glob("*.py"))
     return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
