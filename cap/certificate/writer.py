@@ -121,13 +121,14 @@ def write(certificate: Mapping[str, Any], path: Path) -> str:
     """Write a certificate to ``path``: after any failure the old file, or none, is there.
 
     A file that differs in its provenance only is left alone.  Returns what happened, in a word.
-    Raises `OSError` if the file cannot be written.
+    Its directory is made if it is missing, but none above that.  Raises `OSError` if the file
+    cannot be written.
     """
     old = stored(path)
     same = {"provenance": certificate["provenance"]}
     if old and {**json.loads(path.read_bytes()), **same} == certificate:
         return "unchanged"
-    path.parent.mkdir(parents=True, exist_ok=True)
+    path.parent.mkdir(exist_ok=True)
     with replacing(path) as file:
         file.write(dumps(certificate).encode())
     return "replaced" if old else "written"

@@ -1,11 +1,9 @@
 """The options of `cap.prove`: each is read, and tried, before anything is searched or proved."""
 
 import argparse
-import os
 from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from errno import ENOENT
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -13,11 +11,10 @@ from typing import Any
 
 from cap.certificate import naming
 from cap.checker.theorems import load
-from cap.command.console import quoted
 from cap.command.option import integer, masses
+from cap.command.output import writable, writable_into
 from cap.command.prover_parser import NAMES, OF_SOME, takers
 from cap.errors import BadInput
-from cap.files import tried
 from cap.floats.candidates import Candidate, Request
 from cap.parameters import PAPER, Parameters, exact
 from cap.proofs.fixed_point import Setting
@@ -66,14 +63,15 @@ class Asked:
         )
         asked._fits()
         if asked.journal:
-            _try(asked.journal)
-            if not asked.journal.parent.is_dir():
-                raise BadInput(f"cannot write {quoted(asked.journal)}: {os.strerror(ENOENT)}")
+            writable(asked.journal)
         return asked
 
     def writable(self) -> "Asked":
         """Return this; raise `BadInput` if no certificate can be written to ``out``."""
-        _try(self.out, directory=not self.into_a_file)
+        if self.into_a_file:
+            writable(self.out)
+        else:
+            writable_into(self.out, ".json")
         return self
 
     def runner(self, tell: Tell, executor: Executor | None = None) -> Runner:
@@ -112,7 +110,8 @@ class Asked:
         if request.orbit or request.every:
             about |= naming.of_state(state)
         path = self.out / naming.name(request.kind, request.parameters, about)
-        _try(path)
+        if self.out.is_dir():
+            writable(path)
         naming.free(path, request.kind, request.parameters, state, request.masses)
         return path
 
@@ -185,11 +184,3 @@ def _range(options: argparse.Namespace) -> Range:
     if any(a >= b for a, b in pairwise(ends)):
         raise BadInput("the range must be 0 < from < to")
     return low, high
-
-
-def _try(path: Path, *, directory: bool = False) -> None:
-    """Raise `BadInput` if a file, or one in a directory, certainly cannot be written."""
-    try:
-        tried(path / "certificate.json" if directory else path)
-    except OSError as error:
-        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None

@@ -149,9 +149,9 @@ def parser() -> Parser:
         type=Path,
         default=Path("certificates"),
         metavar="PATH",
-        help="a file ending in .json, which is replaced; or a directory (default: certificates): "
-        "there the name tells the theorem, the parameters that are not the paper's, and the orbit "
-        "if one is asked for, and no other file is replaced",
+        help="a file ending in .json, which is replaced; or a directory (default: certificates), "
+        "which is made if it is missing: there the name tells the theorem, the parameters that are "
+        "not the paper's, and the orbit if one is asked for, and no other file is replaced",
     )
     return p
 

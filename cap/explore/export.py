@@ -2,18 +2,17 @@
 
 import csv
 import io
-import os
 from collections.abc import Callable
-from errno import ENOENT
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
 import numpy as np
 
 from cap.command.console import quoted
+from cap.command.output import writable
 from cap.errors import BadInput
 from cap.explore.arrays import arrays
-from cap.files import replacing, tried
+from cap.files import replacing
 from cap.floats.findings import Findings
 
 if TYPE_CHECKING:
@@ -30,12 +29,7 @@ def kind(path: Path) -> str:
     if suffix not in IMAGES + DATA:
         known = ", ".join("." + name for name in IMAGES + DATA)
         raise BadInput(f"cannot tell what to write to {quoted(path)}: end it in one of {known}")
-    try:
-        if not path.parent.is_dir():
-            raise FileNotFoundError(ENOENT, f"{os.strerror(ENOENT)}: {quoted(path.parent)}")
-        tried(path)
-    except OSError as error:
-        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    writable(path)
     return suffix
 
 

@@ -12,8 +12,8 @@ import numpy as np
 from cap.certificate import naming
 from cap.certificate import writer as certificate
 from cap.command.console import quoted
+from cap.command.output import writable_into
 from cap.errors import BadInput, NotProved
-from cap.files import tried
 from cap.floats.candidates import TYPES
 from cap.floats.cycles import Cycle
 from cap.floats.family import Family
@@ -140,7 +140,7 @@ def inventory(  # noqa: PLR0913 (the options of the command)
     """
     runner = runner or Runner()
     if certificates:
-        _try(certificates)
+        writable_into(certificates, ".json")
     systems = [varied(p, parameter, value) for value in dict.fromkeys(values)] or [p]
     own = [value_of(system, parameter) for system in systems]
     tasks = [(*each, period) for each in zip(systems, own, strict=True)]
@@ -225,14 +225,6 @@ def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any
     except NotProved as failure:
         return replace(entry, verdict=FAILED, reason=str(failure)), None
     return replace(entry, verdict=PROVED), proved
-
-
-def _try(directory: Path) -> None:
-    """Raise `BadInput` if no file can be written to a directory."""
-    try:
-        tried(directory / "certificate.json")
-    except OSError as error:
-        raise BadInput(f"cannot write to {quoted(directory)}: {error.strerror}") from None
 
 
 def _path(directory: Path, p: Parameters, entry: Entry, start: Start) -> Path:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from cap.command.console import quoted, say
 from cap.command.entry import INTERRUPTED
+from cap.command.output import writable_into
 from cap.errors import BadInput, NotProved
 from cap.explore import export
 from cap.files import replacing
@@ -83,8 +84,9 @@ def _tell(progress: Tell, label: str, words: str, part: float | None) -> None:
 def _prepare(out: Path, many: bool) -> None:
     """Raise `BadInput` if ``out`` cannot be written; make the directory."""
     if many:
+        writable_into(out)
         try:
-            out.mkdir(parents=True, exist_ok=True)
+            out.mkdir(exist_ok=True)
         except OSError as error:
             raise BadInput(f"cannot make the directory {quoted(out)}: {error.strerror}") from None
     elif out.suffix != ".md":

@@ -34,6 +34,13 @@ def _no_search(monkeypatch):
         (("saddle", "--out", "/dev/null/a/b"), 'cannot write "/dev/null/a/b": Not a directory'),
         (("saddle", "--out", "/dev/null/a.json"), 'cannot write "/dev/null/a.json": Not a dir'),
         (("saddle", "--out", "x" * 300 + ".json"), "File name too long"),
+        (
+            ("saddle", "--out", "no/a.json"),
+            'cannot write "no/a.json": No such file or directory: "no"',
+        ),
+        (("saddle", "--out", "no/a"), 'cannot write "no/a": No such file or directory: "no"'),
+        (("saddle", "--out", "a.txt"), 'cannot write into "a.txt": there is no such directory'),
+        (("saddle", "--out", "a.JSON"), "directory; the name of a file ends in .json"),
         (("branch", "--journal", "/dev/null/j"), 'cannot write "/dev/null/j": Not a directory'),
         (("branch", "--journal", "no/j"), 'cannot write "no/j": No such file or directory'),
         (("branch", "--journal", "."), 'cannot write ".": Is a directory'),

@@ -33,14 +33,21 @@ def test_files_named_first(tmp_path):
         (["--paper", "fig:cover", "orbit"], "give --paper or orbit: not both"),
         (["--paper", "fig:cover", "--paper", "fig:sali"], "one figure at a time"),
         (["--paper", "all", "--out", "a", "--out", "b"], "one directory"),
+        (["--paper", "all", "--out", "a.png"], 'cannot write into "a.png"'),
+        (["--paper", "all", "--out", "a/b"], 'cannot write "a/b": No such file or directory: "a"'),
         (["--f", "3/10", "orbit"], "--f comes after it"),
         (["--size=4", "orbit"], "--size comes after it"),
         (["--out", "a.bmp", "orbit"], "cannot tell what to write"),
         (["orbit", "--out", "x" * 300 + ".csv"], "File name too long"),
         (
             ["inventory", "--certificates", "/dev/null/x"],
-            'cannot write to "/dev/null/x": Not a dir',
+            'cannot write "/dev/null/x": Not a dir',
         ),
+        (
+            ["inventory", "--certificates", "a/b"],
+            'cannot write "a/b": No such file or directory: "a"',
+        ),
+        (["inventory", "--certificates", "a.txt"], 'cannot write into "a.txt"'),
     ],
     ids=lambda words: " ".join(words)[:40] if isinstance(words, list) else "",
 )

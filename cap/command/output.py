@@ -1,0 +1,38 @@
+"""Where commands write: tried before anything is computed, and refused in one line."""
+
+from pathlib import Path
+
+from cap.command.console import quoted
+from cap.errors import BadInput
+from cap.files import tried
+
+
+def writable(path: Path) -> None:
+    """Raise `BadInput` if a file certainly cannot be written to ``path``, which is not touched.
+
+    Its directory must be there.
+    """
+    _try(path, path)
+
+
+def writable_into(directory: Path, kind: str = "") -> None:
+    """Raise `BadInput` if certainly no file can be written into a directory, which is not touched.
+
+    It may be missing, not so the one above it.  A missing one whose name has a suffix was meant for
+    a file, which would end in ``kind``.
+    """
+    if directory.suffix and not directory.exists():
+        advice = f"; the name of a file ends in {kind}" if kind else ""
+        raise BadInput(f"cannot write into {quoted(directory)}: there is no such directory{advice}")
+    _try(directory / "file" if directory.exists() else directory, directory)
+
+
+def _try(path: Path, named: Path) -> None:
+    """Try a path; the complaint is about the one that was named."""
+    try:
+        tried(path)
+    except FileNotFoundError as error:
+        above = f"{error.strerror}: {quoted(path.parent)}"
+        raise BadInput(f"cannot write {quoted(named)}: {above}") from None
+    except OSError as error:
+        raise BadInput(f"cannot write {quoted(named)}: {error.strerror}") from None
