@@ -145,12 +145,13 @@ class Curve:
         low, high = interval.outward(lower, places)[1], interval.outward(upper, places)[0]
         if not Fraction(low) < Fraction(high):
             raise TooFewDigits("range", "birth and end of the pair are too close", {"f": low})
+        found = f"{float(low):.10g} and {float(high):.10g}"
         if self.low and self.low > Fraction(low):
             low = _shown(self.low, places, up=True)
         if self.high and self.high < Fraction(high):
             high = _shown(self.high, places, up=False)
         if not Fraction(low) < Fraction(high):
-            raise BadInput(f"there is no pair between f = {low} and {high}")
+            raise BadInput(f"no pair is found but for f between {found}: give other --from, --to")
         return [low, high]
 
     def _force_over(self, ends: Bracket) -> Pair:

@@ -34,7 +34,7 @@ the mirror image, x -> l + r - x and t -> t + T/2, follows, and after that the m
 from fractions import Fraction
 from typing import Any
 
-from cap.errors import NotProved, TooFewDigits
+from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.proofs.fixed_point import Proof, Setting, assembled, bits
 from cap.sets import interval
@@ -64,13 +64,13 @@ def prove(setting: Setting) -> Proof:
 
 
 def lemma_1_margin(setting: Setting) -> Ball:
-    """*Statement.* δ = f - 2F/π is positive."""
+    """*Statement.* δ = f - 2F/π is positive; `BadInput` if it is negative."""
     p = setting.parameters
     alpha, bound = interval.ball(p.f / p.F), 2 / interval.pi()
-    sets = {"f/F": alpha, "2/pi": bound}
     if alpha < bound:
-        raise NotProved("Lemma 1", "f is below 2F/pi: the theorem is about f > 2F/pi", sets)
+        raise BadInput(f"the theorem impulse is about f/F > 2/pi = 0.636619..: f/F = {p.f / p.F}")
     if not alpha > bound:
+        sets = {"f/F": alpha, "2/pi": bound}
         raise TooFewDigits("Lemma 1", "f is too near to 2F/pi: claim more digits", sets)
     return (alpha - bound) * interval.ball(p.F)
 

@@ -143,7 +143,7 @@ def touching_nothing(setting: Setting) -> dict[str, Any] | None:
         return segment.prove(setting)(Fraction(1))
     except TooFewDigits:
         raise
-    except NotProved as problem:
+    except (BadInput, NotProved) as problem:
         setting.progress(f"no segment: {problem}")
         return None
 

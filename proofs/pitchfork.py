@@ -22,7 +22,7 @@ fold.
 
 from typing import Any
 
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
 from cap.proofs.fixed_point import Proof, Setting, assembled
@@ -61,17 +61,26 @@ def parameters(setting: Setting) -> dict[str, str]:
 def lemma_2_parabolic(scale: Scale) -> Orbit:
     """*Statement.* The symmetric orbit with k = 4 exists.
 
-    *Computed.* Its S < 1, and its least speed is positive.
+    *Computed.* Its S < 1, and its least speed is positive; `BadInput` if one of them is not.
     """
     S = birth(scale.rho)
+    if S > 1:
+        raise BadInput(
+            "there is no pitchfork: R omega^2/F < 2.9348 is needed, and here it is "
+            f"{float(scale.rho):.10g}"
+        )
     if not S < 1:
-        sets = {"rho": scale.rho}
-        raise NotProved("Lemma 2", "there is no pitchfork: R omega^2/F < 2.9348 is needed", sets)
+        raise NotProved("Lemma 2", "there may be no pitchfork", {"R omega^2/F": scale.rho})
     alpha = friction(S)
     orbit = symmetric(alpha, scale.rho, 1)
     least = orbit.least_speed()
+    if least < 0:
+        raise BadInput(
+            "there is no pitchfork: R omega^2/F > 0.70407 is needed, that the symmetric orbit does "
+            f"not stop there, and here it is {float(scale.rho):.10g}"
+        )
     if not least > 0:
-        words = "at the pitchfork the symmetric orbit would stop: it is no orbit"
+        words = "at the pitchfork the symmetric orbit may stop"
         raise NotProved("Lemma 2", words, {"least speed": least})
     return orbit
 

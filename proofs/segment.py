@@ -68,7 +68,10 @@ def prove(setting: Setting) -> Proof:
 
 
 def lemma_1_velocity(osc: Oscillator[Ball], p: Parameters) -> Velocity:
-    """*Statement.* v* turns twice in a period and never sticks.  *Computed.* c - f > 0."""
+    """*Statement.* v* turns twice in a period and never sticks.  *Computed.* c - f > 0.
+
+    Raises `BadInput` if it sticks.
+    """
     half = osc.T / 2
     decay, h = (osc.relax(osc.mu, half)[:2]) if osc.viscous else (Ball(1), half)
     size = (osc.omega * osc.omega + osc.mu * osc.mu).sqrt()
@@ -85,22 +88,32 @@ def lemma_1_velocity(osc: Oscillator[Ball], p: Parameters) -> Velocity:
     return Velocity(start, force, osc.velocity(flight, now), osc.position(flight, now), stroke)
 
 
-def _none(p: Parameters, *, certain: bool) -> NotProved:
+def _none(p: Parameters, *, certain: bool) -> BadInput | NotProved:
     """Return what is said where v* sticks, or may stick."""
-    reason = "no T-periodic orbit that touches no wall turns without sticking"
+    ratio = p.f / p.F
     if not certain:
         reason = "whether T-periodic orbits that touch no wall turn or stick is undecided"
-    elif not p.mu:
-        reason += ", because f/F > 2/sqrt(4 + pi^2)"
-    ratio, most = p.f / p.F, float(2 / (4 + interval.pi() ** 2).sqrt())
-    sets = {"f/F": ratio} if p.mu else {"f/F": ratio, "2/sqrt(4 + pi^2)": f"{most:.6f}.."}
-    return NotProved("Lemma 1", reason, sets)
+        return NotProved("Lemma 1", reason, {"f/F": ratio})
+    if p.mu:
+        return BadInput("at these parameters the T-periodic orbits that touch no wall stick")
+    return BadInput(
+        "T-periodic orbits that touch no wall stick unless f/F < 2/sqrt(4 + pi^2) = 0.537029..: "
+        f"f/F = {ratio}"
+    )
 
 
 def lemma_2_segment(osc: Oscillator[Ball], setting: Setting, found: Velocity) -> dict[str, Any]:
-    """*Statement.* The segment, the turns, the multipliers.  *Computed.* The stroke is below R."""
+    """*Statement.* The segment, the turns, the multipliers.  *Computed.* The stroke is below R.
+
+    Raises `BadInput` if it is above R.
+    """
     pair, units = setting.rounding.pair, setting.units
     left, right = osc.l + found.below, osc.r - (found.stroke - found.below)
+    if found.stroke > osc.r - osc.l:
+        raise BadInput(
+            "all T-periodic orbits touch a wall: without walls their stroke is "
+            f"{float(found.stroke):.10g}, and r - l = {setting.parameters.R}"
+        )
     if not left < right:
         sets = {"stroke": found.stroke, "R": osc.r - osc.l}
         raise NotProved("Lemma 2", "the stroke of an orbit without hits may not fit", sets)

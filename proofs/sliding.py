@@ -54,15 +54,24 @@ def prove(setting: Setting) -> Proof:
 def lemma_2_triangle(
     osc: Oscillator[Ball], setting: Setting, found: Velocity, shares: list[Fraction]
 ) -> tuple[Ball, dict[str, Any]]:
-    """*Statement.* The triangle, the turns, the multiplier.  *Computed.* Its side L is positive."""
+    """*Statement.* The triangle, the turns, the multiplier.  *Computed.* Its side L is positive.
+
+    Raises `BadInput` if it is negative.
+    """
     pair, units = setting.rounding.pair, setting.units
     above, q = found.stroke - found.below, shares[1] - shares[0]
     gap = interval.ball(abs(q)) * (found.below if q > 0 else above)
     first, second = map(interval.ball, shares)
     left, right = osc.l + first * found.below, osc.r - second * above
     side = right - left - gap
+    room = osc.r - osc.l - side
+    if side < 0:
+        raise BadInput(
+            "two masses that slide freely do not fit between the walls: their strokes and the gap "
+            f"take {float(room):.10g}, and r - l = {setting.parameters.R}"
+        )
     if not side > 0:
-        sets = {"least room for strokes and gap": osc.r - osc.l - side, "R": osc.r - osc.l}
+        sets = {"least room for strokes and gap": room, "R": osc.r - osc.l}
         raise NotProved("Lemma 2", "two masses that slide freely may not fit", sets)
     factor = (found.force - osc.f) / (found.force + osc.f)
     return side, {

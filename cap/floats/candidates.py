@@ -220,6 +220,7 @@ def closed_form(request: Request) -> Found:
 
 def fates(request: Request) -> Found:
     """Find nothing: the proof looks for what attracts."""
+    request.parameters.elastic_strings()
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     found = _nothing(request, "the fates of states")

@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -9,7 +10,7 @@ import mpmath
 import pytest
 from support import among, certified, proving, rounds, seeded
 
-from cap.errors import NotProved
+from cap.errors import BadInput, TooFewDigits
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER, Parameters
@@ -99,20 +100,20 @@ def test_the_gap_is_sharp():
 
 
 @pytest.mark.parametrize(
-    ("words", "reason"),
+    ("words", "status", "reason"),
     [
-        (("--f", "3/5"), "below 2F/pi"),
-        (("--f", "0.6366197723675813430755350534900574481378"), "below 2F/pi"),
-        (("--f", "0.6366197723675813430755350534900574481379"), "claim more"),
-        ((), "below 2F/pi"),
+        (("--f", "3/5"), 2, "error: the theorem impulse is about f/F > 2/pi"),
+        (("--f", "0.6366197723675813430755350534900574481378"), 2, "error: the theorem impulse is"),
+        (("--f", "0.6366197723675813430755350534900574481379"), 1, "NOT PROVED (impulse"),
+        ((), 2, "error: the theorem impulse is about f/F > 2/pi = 0.636619..: f/F = 2/5"),
     ],
 )
-def test_at_most_the_bound(capsys, tmp_path, words, reason):
-    """Below 2F/pi, and so near that the digits do not tell: not proved, in a line."""
-    status, _, err = proving(capsys, "impulse", *words, "--out", str(tmp_path))
-    assert status == 1
-    assert err.startswith("NOT PROVED (impulse")
-    assert reason in err
+def test_at_most_the_bound(capsys, tmp_path, words, status, reason):
+    """Below 2F/pi: a bad request; so near that the digits do not tell: not proved.  In a line."""
+    found, _, err = proving(capsys, "impulse", *words, "--out", str(tmp_path))
+    assert found == status
+    assert err.startswith(reason)
+    assert ("claim more" in err) == (status == 1)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -149,8 +150,13 @@ PAPER_AT = PAPER.F, PAPER.omega, Fraction(7, 10), PAPER.l, PAPER.r
 
 
 def test_lemma_1_names_both_numbers():
-    """What failed, and the sets."""
-    with pytest.raises(NotProved) as caught:
+    """The hypothesis fails, or is undecided: what is known is named."""
+    with pytest.raises(BadInput, match=r"f/F > 2/pi = 0.636619\.\.: f/F = 2/5$"):
         proved(PAPER)
+    with mpmath.workdps(120):
+        near = Fraction(mpmath.nstr(2 / mpmath.pi, 100))
+    with pytest.raises(TooFewDigits) as caught:
+        impulse.prove(Setting(replace(PAPER, f=near), Start(0.0, 0.0, ()), 6))
     assert caught.value.step == "Lemma 1"
     assert set(caught.value.sets) == {"f/F", "2/pi"}
+    assert len(str(caught.value)) < 150
