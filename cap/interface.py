@@ -14,18 +14,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from cap.certificate import report, writer
+from cap.certificate import report
 from cap.certificate.latex import macros
 from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.verdict import check, words
-from cap.command.console import quoted
-from cap.command.prover_options import Asked
-from cap.command.prover_parser import parser
-from cap.command.verifier import content, why
+from cap.command.verifier import content, unread, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
-from cap.proofs import theorems
 
 __all__ = [
     "BadInput",
@@ -166,19 +162,25 @@ def prove_theorem(
         prove_theorem("elliptic", f="9/20")
         prove_theorem("periodic", F=3, orbit=(0.4, -0.67), digits=60)
         prove_theorem("branch", lowest="2/5", executor=ProcessPoolExecutor(2))
+        prove_theorem("attractor", lowest="0.389", highest="0.391")  # `entropies`
 
     ``options`` are those of ``python -m cap.prove --help``, by their names.  Parameters (F, omega,
     f, l, r, e, mu; default: the paper's) are exact: strings as on the command line, integers or
     fractions; a float is refused, as 0.4 is not 2/5.  So are ``masses``, one string or a pair.
-    ``orbit`` (x, v), from which Newton's method starts, may be floats.  Others: ``period``,
-    ``digits``, ``order``, ``epsilon``; of `branch` ``lowest`` and ``highest`` (--from, --to),
-    ``jobs``, ``journal``.  ``executor``, any of `concurrent.futures`' kind, examines the cells of
-    `branch` in the place of ``jobs``.  ``progress`` is told, in a few words, how far a long proof
-    is.
+    ``orbit`` (x, v), from which Newton's method starts, may be floats.  Others: ``epsilon``,
+    ``digits``; and what some theorems take: ``lowest`` and ``highest``, the range of f (--from,
+    --to); ``period``, ``order``, ``speed``, ``undecided``, ``flights``, ``jobs``, ``journal``.
+    ``executor``, any of `concurrent.futures`' kind, does what ``jobs`` would divide: what the
+    theorems that take them examine piece by piece; the checker has ``jobs`` of its own, 1 without
+    them.  ``progress`` is told, in a few words, how far a long proof is.
 
     Raises `BadInput` if the request makes no sense or no orbit is found, and `NotProved`, which
     carries the sets, if a step of the proof does not succeed: the theorem may still be true.
     """
+    from cap.certificate import writer  # noqa: PLC0415 (the prover: only who proves loads it)
+    from cap.command.prover_options import Asked  # noqa: PLC0415
+    from cap.proofs import theorems  # noqa: PLC0415
+
     asked = Asked.of(_namespace(theorem, options), progress)
     stated = theorems.THEOREMS[theorem]
     first = stated.search(asked.request).candidates[0]
@@ -194,13 +196,14 @@ def prove_theorem(
 def verify_certificate(path: str | Path) -> Verified:
     """Let the checker verify the certificate in a file.
 
-    Raises `BadInput` if the file cannot be read, and `NotProved`, with the checker's reason, if it
-    rejects the certificate: what that states may still be true.
+    Nothing of the prover is loaded, nor any library.  Raises `BadInput` if the file cannot be
+    read, and `NotProved`, with the checker's reason, if it rejects the certificate: what that
+    states may still be true.
     """
     try:
         data = content(Path(path))
-    except OSError as error:
-        raise BadInput(f"cannot read {quoted(path)}: {error.strerror}") from None
+    except (OSError, ValueError) as error:
+        raise BadInput(unread(path, error)) from None
     return _verified(data)
 
 
@@ -215,6 +218,8 @@ def _verified(data: bytes) -> Verified:
 
 def _namespace(theorem: str, options: dict[str, Any]) -> Any:
     """Return the options as the command line would have them."""
+    from cap.command.prover_parser import parser  # noqa: PLC0415 (the prover)
+
     namespace = parser().parse_args([])
     known = [name for name in vars(namespace) if name not in _NOT_OPTIONS]
     for name, value in options.items():

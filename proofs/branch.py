@@ -44,7 +44,7 @@ from math import ceil
 from typing import NamedTuple
 
 from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
-from cap.certificate.writer import NONE
+from cap.certificate import NONE
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.maps.twist import regular_twist

@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.cells.subdivision import Cell
-from cap.certificate.writer import NONE, Pair
+from cap.certificate import NONE
+from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.one_one.closed_form import Orbit, asymmetric
 from cap.proofs.one_one import Scale, asymmetry

@@ -25,7 +25,8 @@ from math import ceil, floor, log
 from typing import Any
 
 from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
-from cap.certificate.writer import NONE, window
+from cap.certificate import NONE
+from cap.certificate.writer import window
 from cap.checker.flow.strip import MOST_ENTROPY
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates

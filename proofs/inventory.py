@@ -24,7 +24,7 @@ if α < 2/sqrt(4 + π²), and the stroke 2 sqrt(1 - (πα/2)²) F/ω² is less t
 from fractions import Fraction
 from typing import Any, cast
 
-from cap.certificate.writer import NONE
+from cap.certificate import NONE
 from cap.checker.theorems.inventory import MAX_BOXES
 from cap.errors import NotProved
 from cap.floats import candidates

@@ -47,7 +47,7 @@ Number of roots: Ψ(θ) = Fπ sin θ - 2F - Rω² + fπ²/2 - fθ(π - θ) has �
 from fractions import Fraction
 from typing import Any
 
-from cap.certificate.writer import NONE
+from cap.certificate import NONE
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.one_one.closed_form import Orbit, birth, friction, symmetric

@@ -5,6 +5,7 @@ from importlib import import_module
 
 from cap.audit import labels, tables
 from cap.audit.claim import Claim, declared_in
+from cap.command.console import meant
 from cap.errors import BadInput
 
 MODULES = (
@@ -77,8 +78,4 @@ def _section(text: str) -> str:
 
 def _near(text: str) -> str:
     """Return a guess of what was meant."""
-    from difflib import get_close_matches  # noqa: PLC0415 (only after a mistake)
-
-    names = [*claims(), *(place.label for place in labels.stored().places)]
-    near = get_close_matches(text, names, 3)
-    return f" (near: {', '.join(near)})" if near else ""
+    return meant(text, [*claims(), *(place.label for place in labels.stored().places)])

@@ -15,25 +15,25 @@ from cap.checker.kernel.certificate import read
 from cap.checker.theorems import load
 from cap.checker.verdict import words
 
-_WIDTH = 110  # of a line of prose
+WIDTH = 110  # of a line of prose
 
 
-def theorem(certificate: dict[str, Any]) -> str:
+def theorem(certificate: dict[str, Any], width: int = WIDTH) -> str:
     """Return the theorem that a certificate of this package states, with its numbers."""
     kind = certificate["theorem"]
     statement = words(read(json.dumps(certificate).encode()))
-    lines = [f"Theorem ({kind}).", *_clauses(statement), ""]
+    lines = [f"Theorem ({kind}).", *_clauses(statement, width), ""]
     lines += aligned(rows(load(kind).CLAIMS, certificate["claims"]))
     lines += ["", *_citations(certificate)]
     return "\n".join(lines).rstrip()
 
 
-def _clauses(sentence: str) -> Iterator[str]:
+def _clauses(sentence: str, width: int) -> Iterator[str]:
     """Give the clauses of a sentence, each from the beginning of a line."""
     clauses = sentence.split("; ")
     for n, clause in enumerate(clauses, start=1):
         end = ";" if n < len(clauses) else "."
-        yield textwrap.fill(clause + end, _WIDTH, subsequent_indent="  ", break_long_words=False)
+        yield textwrap.fill(clause + end, width, subsequent_indent="  ", break_long_words=False)
 
 
 def _citations(certificate: dict[str, Any]) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from cap.certificate.writer import NONE
+from cap.certificate import NONE
 from cap.checker.kernel.shapes import Table
 
 Row = tuple[str, list[str]]

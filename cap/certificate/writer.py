@@ -22,7 +22,6 @@ from cap.sets.interval import Ball
 from cap.sets.matrix import Matrix
 
 FORMAT = "cap-certificate/1"
-NONE = "none"  # for what does not exist
 
 Pair = list[str]
 

@@ -1,8 +1,8 @@
 """The command ``python -m cap.verify --formal FILE...``: theorems proved by Coq's kernel.
 
 For each certificate ``PROVED BY COQ: <the theorem> ("FILE")`` and the axioms that Coq prints, or
-``NOT PROVED BY COQ: "FILE": <where it fails>``.  Exit status 0 if every theorem is proved, 1 if one
-is not, 2 without Coq.
+``NOT PROVED BY COQ: "FILE": <where it fails>`` or ``CANNOT READ: "FILE": <the reason>``.  Exit
+status 0 if every theorem is proved, 1 if one is not, 2 without Coq or if a file cannot be read.
 """
 
 import re
@@ -14,6 +14,7 @@ from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.kernel.rejection import Rejected
 from cap.command.console import Parser, printable, quoted, say
 from cap.command.progress import Progress
+from cap.command.verifier import content, unread
 from cap.errors import NotProved
 from cap.formal import coq, theorem
 
@@ -56,7 +57,11 @@ def _prove(name: str, library: Path, progress: Progress) -> int:
         certificate = _read(name)
         progress.tell(f"Coq computes, half a minute or so: {quoted(name)}")
         printed = _axioms(certificate, library)
-    except (NotProved, Rejected, OSError) as reason:
+    except (OSError, ValueError) as error:
+        progress.clear()
+        say(unread(name, error), sys.stdout)
+        return 2
+    except (NotProved, Rejected) as reason:
         progress.clear()
         say(f"NOT PROVED BY COQ: {quoted(name)}: {_why(reason)}", sys.stdout)
         return 1
@@ -80,7 +85,7 @@ def _axioms(certificate: Certificate, library: Path) -> str:
 
 def _read(name: str) -> Certificate:
     """Return the certificate in a file."""
-    return read(Path(name).read_bytes())
+    return read(content(Path(name)))
 
 
 def _why(reason: Exception) -> str:

@@ -1,11 +1,10 @@
 """How far a long computation is: one line on a terminal, and in a log a line now and then."""
 
-import os
 import sys
 import time
 from collections.abc import Callable
 
-from cap.command.console import printable, say
+from cap.command.console import columns, printable, say
 from cap.errors import BadInput
 
 PATIENCE = 1.0  # seconds without a bar
@@ -67,16 +66,8 @@ class Progress:
 
     def _write(self, line: str) -> None:
         """Write over the line on the terminal, and no further than to its end."""
-        width = _columns() - 1
+        width = (columns(sys.stderr) or 80) - 1
         print(f"\r{line[:width]:<{width}}\r", end="", file=sys.stderr, flush=True)
-
-
-def _columns() -> int:
-    """Return the width of the terminal."""
-    try:
-        return os.get_terminal_size(sys.stderr.fileno()).columns or 80
-    except (OSError, ValueError):
-        return 80
 
 
 def _duration(seconds: float) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from cap.certificate import report
 from cap.certificate import writer as certificate
-from cap.command.console import protected, quoted, say
+from cap.command.console import columns, protected, quoted, say
 from cap.command.progress import Progress, answered
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import parser, without_options
@@ -71,12 +71,13 @@ def _proved(asked: Asked, runner: Runner, candidate: Candidate) -> int:
         say(f"NOT PROVED ({theorem}, {candidate.shown}).  {failure}", sys.stderr)
         return 1
     setting.progress("")
+    told = report.theorem(proved, columns(sys.stdout) or report.WIDTH)
     try:
         written = certificate.write(proved, path)
     except OSError as error:
-        print(report.theorem(proved))
+        print(told)
         raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
-    print(report.theorem(proved))
+    print(told)
     print(
         f"\nCertificate: {quoted(path)} ({written}; the independent checker accepts it)\n",
         flush=True,

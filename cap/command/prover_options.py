@@ -11,6 +11,7 @@ from typing import Any
 
 from cap.certificate import naming
 from cap.checker.theorems import load
+from cap.command.console import meant, quoted
 from cap.command.option import integer, masses
 from cap.command.output import writable, writable_into
 from cap.command.prover_parser import NAMES, OF_SOME, takers
@@ -46,7 +47,7 @@ class Asked:
                 f"`python -m cap.prove {options.theorem}`"
             )
         if options.theorem not in THEOREMS:
-            raise BadInput(f"say what to prove: one of {', '.join(NAMES)}")
+            raise BadInput(_unknown(options.theorem))
         f_range = _range(options)
         if any(f_range):
             theorem = THEOREMS[options.theorem].over_f or options.theorem
@@ -124,6 +125,14 @@ class Asked:
             raise BadInput("--from and --to are for theorems on a range of f")
         if self.request.masses and "masses" not in load(theorem).PARAMETERS:
             raise BadInput(f"the theorem {theorem} is about one mass: leave out --masses")
+
+
+def _unknown(theorem: str | None) -> str:
+    """Return what is said of a theorem that there is not."""
+    if theorem is None:
+        return f"say what to prove: one of {', '.join(NAMES)}"
+    guess = meant(theorem, NAMES)
+    return f"there is no theorem {quoted(theorem)}{guess or ': one of ' + ', '.join(NAMES)}"
 
 
 def _of_some(options: argparse.Namespace) -> dict[str, Any]:

@@ -2,11 +2,12 @@
 
 ``python -m cap.verify --reading THEOREM`` lists the files that prove a theorem.
 
-For each file one line, ``VERIFIED: <the theorem> ("FILE")`` or ``REJECTED: "FILE": <the reason>``,
-with the name in quotation marks and what is not printable in it escaped.
-Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line.  A
-certificate that is rejected may state a true theorem; one that is verified is a proof, as far as
-``cap.checker``, Python and the machine are right.
+For each file one line, ``VERIFIED: <the theorem> ("FILE")``, ``REJECTED: "FILE": <the reason>`` or
+``CANNOT READ: "FILE": <the reason>``, with the name in quotation marks and what is not printable in
+it escaped; on a terminal it is wrapped, and what follows its beginning is indented.
+Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line or if one
+cannot be read, whatever the others are.  A certificate that is rejected may state a true theorem;
+one that is verified is a proof, as far as ``cap.checker``, Python and the machine are right.
 """
 
 from __future__ import annotations
@@ -16,17 +17,19 @@ import os
 import stat
 import sys
 from collections.abc import Sequence
+from errno import EINVAL
 from pathlib import Path
+from typing import TextIO
 
 from cap.checker.kernel.certificate import MAX_BYTES
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems import NAMES
 from cap.checker.verdict import check, words
-from cap.command.console import Parser, printable, program, quoted, say
+from cap.command.console import Parser, printable, program, quoted, say, wrapped
 
 
 def main(words: Sequence[str]) -> int:
-    """Verify the files named one after the other; return 1 if any is rejected, else 0."""
+    """Verify the files named one after the other; return the exit status."""
     parser = _parser()
     options = parser.parse_args(words)
     if options.reading:
@@ -39,8 +42,7 @@ def main(words: Sequence[str]) -> int:
         from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
 
         return formal.prove(options.files)
-    verdicts = [_verify(name, options) for name in options.files]
-    return 0 if all(verdicts) else 1
+    return max([_verify(name, options) for name in options.files])
 
 
 def _parser() -> Parser:
@@ -111,38 +113,55 @@ def _digits(text: str) -> int:
     return int(text)
 
 
-def _verify(name: str, options: argparse.Namespace) -> bool:
-    """Verify one file, print the verdict, and return whether it is verified."""
+def _verify(name: str, options: argparse.Namespace) -> int:
+    """Read and verify one file, print the verdict, and return its exit status."""
+    out = sys.stderr if options.latex else sys.stdout
+    try:
+        data = content(Path(name))
+    except (OSError, ValueError) as error:
+        say(wrapped(unread(name, error), out), out)
+        return 2
+    return _verdict(name, data, options, out)
+
+
+def _verdict(name: str, data: bytes, options: argparse.Namespace, out: TextIO | None) -> int:
+    """Verify the content of a file, print the verdict, and return its exit status."""
     steps, definitions = list[str](), list[str]()
     try:
-        certificate = check(content(Path(name)), steps.append, options.jobs)
+        certificate = check(data, steps.append, options.jobs)
         if options.latex:
             from cap.certificate.latex import macros  # noqa: PLC0415 (for people, if they ask)
 
             definitions += macros(certificate, Path(name).stem, options.latex_digits)
-        verdict, verified = f"VERIFIED: {words(certificate)} ({quoted(name)})", True
+        verdict, status = f"VERIFIED: {words(certificate)} ({quoted(name)})", 0
     except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)
-        verdict, verified = f"REJECTED: {quoted(name)}: {why(reason)}", False
-    out = sys.stderr if options.latex else sys.stdout
+        verdict, status = f"REJECTED: {quoted(name)}: {why(reason)}", 1
     for step in steps if options.explain else ():
         say(f"  {step}", out)
-    say(verdict, out)
+    say(wrapped(verdict, out), out)
     for line in definitions:
         say(line, sys.stdout)
-    return verified
+    return status
 
 
 def content(path: Path) -> bytes:
-    """Return the content of a regular file, at most one byte more than a certificate may have."""
+    """Return the content of a regular file, at most one byte more than a certificate may have.
+
+    Raises `OSError` if it cannot be read, and `ValueError` if its name is none.
+    """
     with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
-        need(stat.S_ISREG(os.fstat(file.fileno()).st_mode), "not a regular file")
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+            raise OSError(EINVAL, "Not a regular file")
         return file.read(MAX_BYTES + 1)
+
+
+def unread(name: object, error: Exception) -> str:
+    """Return what is said of a file that cannot be read: it is no verdict."""
+    return f"CANNOT READ: {quoted(name)}: {printable(getattr(error, 'strerror', '') or str(error))}"
 
 
 def why(reason: Exception) -> str:
     """Return a reason in one short line."""
     if isinstance(reason, Rejected):
         return printable(str(reason))[:300]
-    if isinstance(reason, OSError):
-        return f"cannot be read ({reason.strerror})"
     return f"{type(reason).__name__} while checking"

@@ -3,6 +3,7 @@
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from cap.command.console import meant
 from cap.errors import BadInput
 
 if TYPE_CHECKING:
@@ -34,7 +35,8 @@ def figure(label: str) -> "Figure":
     """Return a figure, by its label with or without "fig:"; `BadInput` if there is none."""
     full = label if label in _MODULES else f"fig:{label}"
     if full not in _MODULES:
-        raise BadInput(f"the paper has no figure {label!r}: all, or one of {', '.join(LABELS)}")
+        guess = meant(full, LABELS) or f": all, or one of {', '.join(LABELS)}"
+        raise BadInput(f"the paper has no figure {label!r}{guess}")
     found: Figure = getattr(import_module(module(full)), _MODULES[full].partition(":")[2])
     return found
 

@@ -84,7 +84,7 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
 @pytest.mark.parametrize(
     ("words", "complaint"),
     [
-        (("--only", "roots.value-of-f"), "no claim 'roots.value-of-f' (near: "),
+        (("--only", "roots.value-of-f"), "no claim 'roots.value-of-f': did you mean "),
         (("--section", "0.5"), "no section '0.5'"),
         (("--verdict", "wrong"), "no verdict 'wrong': one of confirmed, "),
         (("--jobs", "0"), "--jobs must be an integer"),

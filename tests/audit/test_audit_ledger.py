@@ -110,7 +110,7 @@ def test_claims_are_chosen():
 @pytest.mark.parametrize(
     ("only", "section", "words"),
     [
-        ("stops.tangency-time", None, "near: stops.tangency-times"),
+        ("stops.tangency-time", None, "did you mean stops.tangency-times"),
         (None, "42", "no section"),
         (None, "sec:nothing", "no section"),
     ],

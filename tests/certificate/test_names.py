@@ -42,10 +42,10 @@ def test_a_verdict_cannot_be_forged_by_a_name(name, tmp_path, capsys):
     theorem = words(check(stored, lambda _step: None))
     assert capsys.readouterr().out == f"VERIFIED: {theorem} ({quoted(path)})\n"
     path.write_bytes(b"{}")
-    assert verify.main(["--explain", str(path), str(tmp_path / f"no{name}")]) == 1
+    assert verify.main(["--explain", str(path), str(tmp_path / f"no{name}")]) == 2
     refused, missing = capsys.readouterr().out.splitlines()
     assert refused.startswith(f"REJECTED: {quoted(path)}: certificate has missing")
-    assert missing.startswith(f"REJECTED: {quoted(tmp_path / f'no{name}')}: cannot be read")
+    assert missing == f"CANNOT READ: {quoted(tmp_path / f'no{name}')}: No such file or directory"
 
 
 def test_the_name_of_the_certificate_is_quoted(tmp_path, capsys):

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
+import pty
+import struct
 import subprocess
 import sys
+import termios
 import time
 from fractions import Fraction
 
@@ -15,6 +19,8 @@ from cap import verify
 from cap.command import verifier
 from checker.altered import encode
 from checker.forge import forge
+
+NO_FILES = ("fifo.json", ".", "none", "no\0name")  # nothing to be read
 
 
 @pytest.fixture(scope="module")
@@ -49,24 +55,29 @@ def files(tmp_path, good):
         "fifo.json",
         ".",
         "none",
+        "no\0name",
     ],
 )
-def test_bad_files_are_rejected_in_one_line_and_soon(files, capsys, name):
-    """Huge, deep, empty, hostile, no file: one printable line, exit status 1, bounded time."""
+def test_bad_files_are_refused_in_one_line_and_soon(files, capsys, name):
+    """Huge, deep, empty, hostile, no file: one printable line, no status 0, bounded time."""
+    status, verdict = (2, "CANNOT READ: ") if name in NO_FILES else (1, "REJECTED: ")
     start = time.process_time()
-    assert verify.main([str(files / name)]) == 1
+    assert verify.main([str(files / name)]) == status
     assert time.process_time() - start < 20
     out, err = capsys.readouterr()
     assert err == ""
-    assert out.startswith("REJECTED: ")
+    assert out.startswith(verdict)
     assert out.count("\n") == 1
     assert out[:-1].isprintable()
     assert len(out) < 800
 
 
 def test_the_exit_status(files, capsys):
-    """0 if all files are verified, 1 if any is rejected, 2 for no file."""
-    good, bad = str(files / "good.json"), str(files / "empty.json")
+    """0 if all files are verified, 1 if any is rejected, 2 if any cannot be read, or for none."""
+    good, bad, none = (str(files / name) for name in ("good.json", "empty.json", "none"))
+    for names in ([none], [none, bad], [good, none], [bad, none, good]):
+        assert verify.main(names) == 2
+    assert capsys.readouterr().out.count("CANNOT READ") == 4
     assert verify.main([good]) == 0
     assert verify.main([good, bad]) == 1
     assert verify.main([bad, good]) == 1
@@ -148,3 +159,39 @@ def test_latex(files, capsys, good):
     assert all(name.isalpha() for name in macros)
     assert verify.main(["--latex", str(files / "empty.json")]) == 1
     assert capsys.readouterr().out == ""
+
+
+def on_a_terminal(columns, *words):
+    """Return what a command prints on a terminal of this width."""
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 50, columns, 0, 0))
+    try:
+        command = [sys.executable, "-m", *words]
+        subprocess.run(command, stdout=theirs, stderr=subprocess.DEVNULL, check=False)
+        os.set_blocking(ours, False)
+        return os.read(ours, 100_000).decode().replace("\r\n", "\n")
+    finally:
+        os.close(theirs)
+        os.close(ours)
+
+
+def test_a_verdict_is_wrapped_on_a_terminal(files, capsys):
+    """At its width, and nothing else begins a line; elsewhere it is one line."""
+    assert verify.main([str(files / "good.json")]) == 0
+    whole = capsys.readouterr().out
+    assert whole.count("\n") == 1
+    shown = on_a_terminal(70, "cap.verify", str(files / "good.json"))
+    first, *others = shown.splitlines()
+    assert len(others) > 8
+    assert first.startswith("VERIFIED: ")
+    assert all(line.startswith("  ") for line in others)
+    assert max(len(line) for line in others[:-1]) <= 70
+    assert " ".join(shown.split()) == " ".join(whole.split())
+
+
+def test_a_theorem_is_wrapped_at_the_width_of_the_terminal(tmp_path):
+    """Its sentence is; a table is left as it is."""
+    words = ("cap.prove", "segment", "--digits", "6", "--out", str(tmp_path / "x.json"))
+    for width in (60, 90):
+        sentence = on_a_terminal(width, *words).split("Theorem (segment).")[1].split("\n\n")[0]
+        assert width - 20 < max(len(line) for line in sentence.splitlines()) <= width

@@ -173,7 +173,8 @@ def unread(name, words, folder):
 def test_closed_streams(closed, tmp_path):
     """``>&-``, ``2>&-``: the verdict's status stands, and nothing else is printed."""
     redirect = {"stdout": ">&-", "stderr": "2>&-", "both": ">&- 2>&-"}[closed]
-    for file, status in ((SADDLE, 0), (str(tmp_path / "none"), 1)):
+    (tmp_path / "empty").touch()
+    for file, status in ((SADDLE, 0), (tmp_path / "empty", 1), (tmp_path / "none", 2)):
         line = f"{sys.executable} -m cap.verify {file} {redirect}"
         done = subprocess.run(line, shell=True, check=False, capture_output=True, cwd=ROOT)  # noqa: S602
         assert done.returncode == status
@@ -195,7 +196,7 @@ def test_a_full_disk(monkeypatch, words, buffered):
 def test_without_a_home(monkeypatch):
     """Libraries are told a home where nothing can be kept, as `~` would be a directory's name."""
     monkeypatch.setenv("HOME", "~")
-    assert entry.run("cap.command.verifier:main", ["nothing.json"]) == 1
+    assert entry.run("cap.command.verifier:main", ["nothing.json"]) == 2
     assert os.environ["HOME"] == os.devnull
     monkeypatch.setenv("HOME", "/somewhere")
     entry.run("cap.command.verifier:main", ["nothing.json"])

@@ -54,7 +54,7 @@ def screen(monkeypatch, *, terminal, columns=80):
     found = Screen(terminal=terminal, columns=columns)
     monkeypatch.setattr(sys, "stderr", found)
     size = os.terminal_size((columns, 24))
-    monkeypatch.setattr(progress.os, "get_terminal_size", lambda _number: size)
+    monkeypatch.setattr("os.get_terminal_size", lambda _number: size)
     return found
 
 

@@ -96,12 +96,17 @@ def test_the_end_of_coqs_words_is_printed_if_no_test_fails(installed, capsys):
 
 
 def test_other_certificates_and_bad_files_are_not_proved(installed, capsys, tmp_path):
-    """A periodic orbit with losses, no certificate, no file: one line each, exit status 1."""
+    """A periodic orbit with losses, no certificate, no file: one line each, the larger status."""
     installed(ACCEPTS)
     (tmp_path / "bad.json").write_text("{}")
-    status, out, _ = formally(capsys, PERIODIC, str(tmp_path / "bad.json"), str(tmp_path / "none"))
+    status, out, _ = formally(capsys, PERIODIC, str(tmp_path / "bad.json"))
     assert status == 1
-    assert [line.split(":")[0] for line in out.splitlines()] == ["NOT PROVED BY COQ"] * 3
+    assert [line.split(":")[0] for line in out.splitlines()] == ["NOT PROVED BY COQ"] * 2
+    status, out, _ = formally(capsys, str(tmp_path / "none"), PERIODIC)
+    assert status == 2
+    read, proved = out.splitlines()
+    assert read.startswith("CANNOT READ: ")
+    assert proved.startswith("NOT PROVED BY COQ: ")
 
 
 @pytest.mark.parametrize("other", ["--explain", "--latex"])
