@@ -19,7 +19,8 @@ from cap.certificate.latex import macros
 from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.verdict import check, words
-from cap.command.verifier import content, unread, why
+from cap.command.console import unread
+from cap.command.verifier import content, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
 
@@ -170,9 +171,10 @@ def prove_theorem(
     ``orbit`` (x, v), from which Newton's method starts, may be floats.  Others: ``epsilon``,
     ``digits``; and what some theorems take: ``lowest`` and ``highest``, the range of f (--from,
     --to); ``period``, ``order``, ``speed``, ``undecided``, ``flights``, ``jobs``, ``journal``.
-    ``executor``, any of `concurrent.futures`' kind, does what ``jobs`` would divide: what the
-    theorems that take them examine piece by piece; the checker has ``jobs`` of its own, 1 without
-    them.  ``progress`` is told, in a few words, how far a long proof is.
+    ``executor``, any of `concurrent.futures`' kind, does what ``jobs`` processes would do: the
+    cells of `branch` and `entropies`, the area of `conservative`; compiled code runs in ``jobs``
+    threads all the same, and the checker in processes of its own.  ``progress`` is told, in a few
+    words, how far a long proof is.
 
     Raises `BadInput` if the request makes no sense or no orbit is found, and `NotProved`, which
     carries the sets, if a step of the proof does not succeed: the theorem may still be true.

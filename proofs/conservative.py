@@ -22,7 +22,7 @@ Proof (all of it in `cap.checker.theorems.conservative` and the modules that it 
 The cells are found in doubles, by compiled code, and nothing rests on that; it tries cells as the
 checker does, and a little more strictly.  Columns of times in which much is lost are halved, in
 rounds whose steps a journal keeps; at last those cells are left out that take away little.  It is
-the checker's verdict on all of them that proves the theorem.
+the checker's verdict on all of them that proves the theorem: no other proof of it is made here.
 """
 
 import math

@@ -23,9 +23,10 @@ lie over places without the fate.
 What attracts is looked for: where neither an interval as in `attractor`, nor a cycle, nor a sink,
 nor orbits as in `segment` are found and proved, nothing is said of them.
 
-The theorems `attractor` and `segment` are proved here in balls, cycles and sinks as the checker
-does; places, and the regions of stops, are followed in outward-rounded doubles (`cap.cells`).  How
-much of the places has a fate is counted by the checker (`cap.checker.folded.masses`).
+The theorems `attractor` and `segment` are proved here in balls; places, and the regions of stops,
+are followed in outward-rounded doubles (`cap.cells`).  There is one proof alone, the checker's, of
+cycles, of sinks, and of how much of the places has a fate (`cap.checker.folded.cycles`, `sinks` and
+`masses`): its functions are called here.
 """
 
 from dataclasses import replace

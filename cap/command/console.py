@@ -61,6 +61,11 @@ def quoted(name: object) -> str:
     return f'"{printable(escaped)}"'
 
 
+def unread(name: object, error: Exception) -> str:
+    """Return what is said of a file that cannot be read: it is no verdict."""
+    return f"CANNOT READ: {quoted(name)}: {printable(getattr(error, 'strerror', '') or str(error))}"
+
+
 def meant(word: str, names: Iterable[str]) -> str:
     """Return a guess, in words, of which of some names was meant; without one, nothing."""
     from difflib import get_close_matches  # noqa: PLC0415 (only after a mistake)

@@ -12,9 +12,8 @@ from pathlib import Path
 
 from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.kernel.rejection import Rejected
-from cap.command.console import Parser, printable, quoted, say
+from cap.command.console import Parser, printable, quoted, say, unread
 from cap.command.progress import Progress
-from cap.command.verifier import content, unread
 from cap.errors import NotProved
 from cap.formal import coq, theorem
 
@@ -85,7 +84,7 @@ def _axioms(certificate: Certificate, library: Path) -> str:
 
 def _read(name: str) -> Certificate:
     """Return the certificate in a file."""
-    return read(content(Path(name)))
+    return read(Path(name).read_bytes())
 
 
 def _why(reason: Exception) -> str:

@@ -25,7 +25,7 @@ from cap.checker.kernel.certificate import MAX_BYTES
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems import NAMES
 from cap.checker.verdict import check, words
-from cap.command.console import Parser, printable, program, quoted, say, wrapped
+from cap.command.console import Parser, printable, program, quoted, say, unread, wrapped
 
 
 def main(words: Sequence[str]) -> int:
@@ -50,7 +50,8 @@ def _parser() -> Parser:
     parser = Parser(
         prog=program("cap.verify"),
         description="Verify certificates: each theorem is proved again, in other arithmetic and by "
-        "other code than those that made the certificate.",
+        "other code than those that made the certificate; but conservative, and sinks, cycles and "
+        "places in mixed, are proved by this code alone.",
         epilog="Example: python -m cap.verify --explain certificates/elliptic.json",
     )
     parser.add_argument("files", nargs="*", metavar="FILE", help="a certificate")
@@ -153,11 +154,6 @@ def content(path: Path) -> bytes:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(EINVAL, "Not a regular file")
         return file.read(MAX_BYTES + 1)
-
-
-def unread(name: object, error: Exception) -> str:
-    """Return what is said of a file that cannot be read: it is no verdict."""
-    return f"CANNOT READ: {quoted(name)}: {printable(getattr(error, 'strerror', '') or str(error))}"
 
 
 def why(reason: Exception) -> str:

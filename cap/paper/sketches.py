@@ -256,7 +256,7 @@ def collision(first: float, second: float) -> Floats:
 
 
 def particles(run: Run) -> Result:
-    """Check the algebra of collisions; N particles are not followed by this package."""
+    """Check the algebra of collisions: no orbit of several masses is followed for this figure."""
     del run
     C, equal = collision(*MASSES), collision(1.0, 1.0)
     m = np.diag(MASSES)
