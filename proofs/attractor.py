@@ -48,7 +48,8 @@ from cap.release.unimodal import Critical, cover, critical, kneading_sequence, n
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-SUMMARY = "after sticks an interval is mapped into itself: a unimodal map and its entropy"
+SUMMARY = "an interval that the map of releases takes into itself: its entropy from both sides"
+GROUP = "releases"
 SEARCH = candidates.releasing
 OVER_F = "entropies"
 COARSE = 80  # bits, for the cells and the basin

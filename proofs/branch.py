@@ -59,7 +59,8 @@ from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
 
-SUMMARY = "these orbits for all f of a range: trace, resonances, twist, end, invariant curves"
+SUMMARY = "the pair born at the pitchfork, for all f of a range: trace, resonances, twist, end"
+GROUP = "family"
 SEARCH = candidates.closed_form
 OVER_F = "branch"
 OPTIONS = ("jobs", "journal")

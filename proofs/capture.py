@@ -37,7 +37,8 @@ from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 from cap.sets.taylor_model import Domain, TaylorModel
 
-SUMMARY = "infinitely many impacts with a wall accumulate, for all orbits from a box"
+SUMMARY = "infinitely many hits of a wall in finite time, then rest, from a box of states"
+GROUP = "orbit"
 SEARCH = candidates.capturing
 
 BITS = 128  # the box is of no extreme size

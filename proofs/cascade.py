@@ -36,7 +36,8 @@ from cap.release.trap import critical_points, value
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-SUMMARY = "where cycles of the release map double their period as f varies, and the ratios"
+SUMMARY = "where cycles double their period as f varies over a range, and the ratios"
+GROUP = "releases"
 SEARCH = candidates.range_of_f
 OVER_F = "cascade"
 OPTIONS = ("jobs", "journal")

@@ -50,6 +50,7 @@ from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.runner import Runner
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
+GROUP = "states"
 SEARCH = candidates.every_motion
 OPTIONS = ("flights", "jobs", "journal")
 

@@ -41,7 +41,8 @@ from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
 
-SUMMARY = "an elliptic non-sticking T-periodic orbit exists, with twist, inside invariant curves"
+SUMMARY = "an elliptic T-periodic orbit that never stops: its twist, invariant curves around it"
+GROUP = "orbit"
 SEARCH = candidates.non_sticking
 OPTIONS = ("order",)
 

@@ -42,7 +42,10 @@ from cap.release.strip import Core, core, cover, proved
 from cap.release.trap import critical_points
 from cap.sets import interval
 
-SUMMARY = "entropy of the release map for all f of a range, piece by piece; cycles that attract"
+SUMMARY = (
+    "the entropy for all f of a range (attractor --from --to), in pieces; where cycles attract"
+)
+GROUP = "releases"
 SEARCH = candidates.range_of_f
 OVER_F = "entropies"
 OPTIONS = ("jobs", "journal")

@@ -41,6 +41,7 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 
 SUMMARY = "for f > 2F/pi every motion comes to rest, within an explicit time; 2F/pi is sharp"
+GROUP = "states"
 SEARCH = candidates.every_motion
 
 

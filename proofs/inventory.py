@@ -38,6 +38,7 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 
 SUMMARY = "all T-periodic orbits whose velocity never vanishes: none is left out"
+GROUP = "family"
 SEARCH = candidates.closed_form
 
 LONGEST = Fraction(62832, 10000)  # more than 2π

@@ -56,7 +56,8 @@ from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.release.trap import critical_points
 from cap.sets import interval
 
-SUMMARY = "shares of the states: attracted, to the segment, stopping, undecided"
+SUMMARY = "lower bounds of the shares of the states that are attracted, or stop"
+GROUP = "states"
 SEARCH = candidates.fates
 OPTIONS = ("jobs", "speed", "undecided")
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters

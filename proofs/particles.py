@@ -43,7 +43,8 @@ from cap.proofs.particle_orbit import Orbit, proof_of
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-SUMMARY = "two masses: an elliptic orbit, det B != 0, invariant tori on which no mass stops"
+SUMMARY = "an elliptic orbit, its twist matrix, and invariant tori on which no mass stops"
+GROUP = "masses"
 SEARCH = candidates.particles
 
 ORDER = 4

@@ -51,9 +51,8 @@ from cap.proofs.particle_orbit import (
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-SUMMARY = (
-    "two masses, one made lighter: where their orbit stops to be elliptic, and where a mass stops"
-)
+SUMMARY = "one mass made lighter: where the orbit is no more elliptic, and where a mass stops"
+GROUP = "masses"
 SEARCH = candidates.lighter
 
 REACH = Fraction(1, 10**8)  # half-width of the box for an interval of masses, in its units

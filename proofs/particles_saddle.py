@@ -28,7 +28,8 @@ from cap.proofs.fixed_point import Proof, Setting
 from cap.proofs.particle_orbit import Orbit, proof_of
 from cap.sets.interval import Ball
 
-SUMMARY = "two masses: an orbit with one pair of multipliers on the unit circle and a real pair"
+SUMMARY = "an orbit with one pair of multipliers on the unit circle and one real pair"
+GROUP = "masses"
 SEARCH = candidates.particles
 
 

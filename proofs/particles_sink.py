@@ -30,7 +30,8 @@ from cap.proofs.fixed_point import Proof, Setting, assembled, inside
 from cap.proofs.particle_orbit import LARGEST, ROUNDS, inverse_of, radius_of, system
 from cap.sets import bisection, interval
 
-SUMMARY = "two masses: an attracting periodic orbit, on which masses turn, stick, and are hit"
+SUMMARY = "an attracting periodic orbit, on which masses turn, stick, and are hit"
+GROUP = "masses"
 SEARCH = candidates.attracting
 POWERS = (1, 2, 4, 8, 16, 32, 64)
 

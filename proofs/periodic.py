@@ -35,7 +35,8 @@ from cap.proofs.orbit import EVENTS, turning_factors
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
 
-SUMMARY = "an nT-periodic orbit exists, with any events; its type; the basin of a sink"
+SUMMARY = "a periodic orbit with any events, turns and sticks too; its type, the basin of a sink"
+GROUP = "orbit"
 SEARCH = candidates.cyclic
 OPTIONS = ("period",)
 

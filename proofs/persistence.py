@@ -41,7 +41,8 @@ from cap.proofs.orbit import EVENTS, need_hits
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball
 
-SUMMARY = "an elliptic orbit survives as a sink with inelastic walls and viscous friction"
+SUMMARY = "the elliptic orbit with inelastic walls and viscous friction: it becomes a sink"
+GROUP = "orbit"
 SEARCH = candidates.continued
 
 BITS = 64  # enough for boxes of a thousandth

@@ -32,7 +32,8 @@ from cap.sets.elementary import sqrt
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 
-SUMMARY = "the asymmetric orbits that never turn, one hit of each wall per period, are born"
+SUMMARY = "where the asymmetric pair of orbits with one hit of each wall is born, which never stop"
+GROUP = "family"
 SEARCH = candidates.closed_form
 
 

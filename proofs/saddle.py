@@ -26,7 +26,8 @@ from cap.proofs.orbit import HITS, need_hits
 from cap.sets import matrix
 from cap.sets.interval import Ball
 
-SUMMARY = "a hyperbolic non-sticking T-periodic orbit exists"
+SUMMARY = "a hyperbolic T-periodic orbit that never stops"
+GROUP = "orbit"
 SEARCH = candidates.non_sticking
 
 

@@ -37,7 +37,8 @@ from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-SUMMARY = "T-periodic orbits that touch no wall: a segment, with an open set that it attracts"
+SUMMARY = "T-periodic orbits that touch no wall: a segment of them, and an open set it attracts"
+GROUP = "family"
 SEARCH = candidates.closed_form
 PLACES = 8  # of the numbers that describe the basin
 

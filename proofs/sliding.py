@@ -30,7 +30,8 @@ from cap.proofs.segment import Drift, Velocity, drift_of, lemma_1_velocity
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-SUMMARY = "two masses that touch nothing: a triangle of T-periodic orbits, and an open set to it"
+SUMMARY = "they touch nothing: a triangle of T-periodic orbits, an open set it attracts"
+GROUP = "masses"
 SEARCH = candidates.touching_nothing
 
 

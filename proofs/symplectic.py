@@ -26,6 +26,7 @@ from cap.proofs.symplectic_signs import emptiness, resonances
 from cap.proofs.symplectic_tiling import angles, tiling
 
 SUMMARY = "which collisions of masses with friction preserve volume and sum m_i dv_i^dx_i"
+GROUP = "identities"
 LEMMAS = (
     flights,
     hits,

@@ -21,6 +21,16 @@ from cap.proofs.fixed_point import Proof, Setting
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed
 
+GROUPS = {
+    "orbit": "one periodic orbit, or one box of states",
+    "family": "all orbits of a kind",
+    "states": "what becomes of all states",
+    "releases": "orbits that stick: the map from the place of one release to that of the next",
+    "masses": "two masses",
+    "identities": "identities, for all parameters, without a certificate",
+}
+"""What one may want to prove, in the order of ``--list``."""
+
 
 @dataclass(frozen=True)
 class Theorem:
@@ -36,6 +46,11 @@ class Theorem:
     def summary(self) -> str:
         """What it says, in a line."""
         return str(self._module.SUMMARY)
+
+    @property
+    def group(self) -> str:
+        """To which of the `GROUPS` it belongs."""
+        return str(self._module.GROUP)
 
     @property
     def over_f(self) -> str | None:

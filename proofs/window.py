@@ -29,7 +29,8 @@ from cap.release.unimodal import critical, nearby
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 
-SUMMARY = "an attracting cycle after sticks: the entropy where it attracts the critical point"
+SUMMARY = "a cycle that attracts the critical point of the map of releases: its entropy"
+GROUP = "releases"
 SEARCH = candidates.releasing
 LATEST = 2000  # iterates of the critical point until it lies in J
 

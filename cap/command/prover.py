@@ -4,7 +4,7 @@ What can be proved: see `cap.proofs.theorems`.
 """
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from cap.certificate import report
 from cap.certificate import writer as certificate
@@ -15,7 +15,7 @@ from cap.command.prover_parser import parser, without_options
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
 from cap.proofs import symbolic, theorems
-from cap.proofs.theorems import THEOREMS
+from cap.proofs.theorems import GROUPS, THEOREMS
 from cap.runner import Runner
 
 
@@ -23,10 +23,7 @@ def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     options = parser().parse_args([protected(word) for word in words])
     if options.list:
-        for name, theorem in THEOREMS.items():
-            print(f"{name:<12} {theorem.summary}")
-        for name in symbolic.NAMES:
-            print(f"{name:<12} {symbolic.proof(name).SUMMARY}")
+        print("\n".join(_listed()))
         return 0
     progress = Progress()
 
@@ -36,6 +33,20 @@ def main(words: Sequence[str]) -> int:
         return _run(Asked.of(options, progress.tell).writable(), progress)
 
     return answered(run, progress)
+
+
+def _listed() -> Iterator[str]:
+    """Give the lines that say what can be proved, by what one wants."""
+    summaries = {name: (each.group, each.summary) for name, each in THEOREMS.items()}
+    for name in symbolic.NAMES:
+        proof = symbolic.proof(name)
+        summaries[name] = proof.GROUP, proof.SUMMARY
+    width = max(map(len, summaries))
+    for key, wanted in GROUPS.items():
+        yield f"{wanted}:"
+        for name, (group, summary) in summaries.items():
+            if group == key:
+                yield f"  {name:<{width}}  {summary}"
 
 
 def _symbolic(name: str) -> int:

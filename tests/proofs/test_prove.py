@@ -269,10 +269,15 @@ def test_a_second_argument_for_all(capsys, tmp_path):
 
 
 def test_list_names_every_theorem(capsys):
-    """`--list` says what can be proved."""
+    """`--list` says what can be proved, each theorem once, in groups, in columns that fit."""
     status, out, _ = proving(capsys, "--list")
     assert status == 0
-    assert [line.split()[0] for line in out.splitlines()] == [
-        *theorems.THEOREMS,
-        *symbolic.NAMES,
+    lines = out.splitlines()
+    own = [line for line in lines if line.startswith("  ")]
+    assert sorted(line.split()[0] for line in own) == sorted([*theorems.THEOREMS, *symbolic.NAMES])
+    assert [line for line in lines if line not in own] == [
+        f"{g}:" for g in theorems.GROUPS.values()
     ]
+    (column,) = {re.match(r"  \w+ +", line).end() for line in own}
+    assert all(line[column - 1] == " " != line[column] for line in own)
+    assert max(map(len, lines)) <= 110
