@@ -32,7 +32,7 @@ from cap.sets.elementary import sqrt
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 
-SUMMARY = "where the asymmetric pair of orbits with one hit of each wall is born, which never stop"
+SUMMARY = "where the pair of asymmetric orbits that never turn, one hit of each wall, is born"
 GROUP = "family"
 SEARCH = candidates.closed_form
 

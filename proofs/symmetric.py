@@ -56,7 +56,7 @@ from cap.proofs.one_one import Scale, lemma_1_closed_form
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 
-SUMMARY = "symmetric orbits that never stop, one hit of each wall per period; where they bifurcate"
+SUMMARY = "symmetric orbits that never turn, one hit of each wall per period; where they bifurcate"
 GROUP = "family"
 SEARCH = candidates.closed_form
 
