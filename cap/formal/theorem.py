@@ -47,8 +47,8 @@ _ORBIT = (
     "{l} and {r}: there is a motion of period T = 2 pi/omega that hits each wall once per period, "
     "and never stops, with a least speed in {least_speed}; from each state (x, v) in {box} at t = "
     "0 a motion that never stops goes to T, and all motions from it end in one state; this map Phi "
-    "has one and only one fixed point in that box, with x in {x}, v in {v}; around it Phi is "
-    "infinitely often differentiable and preserves area; "
+    "has one and only one fixed point in that box, with x in {x}, v in {v}; in a neighbourhood of "
+    "it Phi is infinitely often differentiable and preserves area; "
 )
 _WORDS = {
     "elliptic": "its Taylor coefficients there are those of the certificate, up to degree 3; the "
