@@ -178,6 +178,6 @@ def test_ctrl_c_ends_coq_too(installed, tmp_path):
 def test_the_coq_file_is_written_to_standard_output(capsys):
     """``python -m cap.formal`` prints the file; of another theorem one line says why not."""
     assert formal.write([ELLIPTIC]) == 0
-    assert "Theorem proved : elliptic_orbit 1 1 (2 / 5) (-1) 1" in capsys.readouterr().out
+    assert "theorem : Prop := elliptic_orbit 1 1 (2 / 5) (-1) 1" in capsys.readouterr().out
     assert formal.write([PERIODIC]) == 2
     assert capsys.readouterr().err.count("\n") == 1
