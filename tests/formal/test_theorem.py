@@ -71,6 +71,22 @@ def test_the_theorem_has_the_numbers_of_the_certificate_in_the_order_of_the_stat
     assert computed == [e for claim in claimed(orbit.claims) for e in (claim.lower, claim.upper)]
 
 
+def test_the_theorem_is_stated_in_the_words_of_the_statement_alone(orbit):
+    """Before it nothing but Statement.v is loaded: no other file can define its words anew."""
+    text = theorem(orbit)
+    stated, proved = text.split("(** The proof *)")
+    assert re.findall(r"^.*\b(?:Require|Import)\b.*$", stated, re.MULTILINE) == [
+        "From Coq Require Import Reals.",
+        "From Cap Require Import Statement.",
+    ]
+    assert re.findall(r"^(?:Definition|Theorem) (\w+)", stated, re.MULTILINE) == ["theorem"]
+    assert "From Cap Require Data Check Checked.\n\nModule Computed.\nImport Data" in proved
+    assert proved.split("End Computed.")[1] == (
+        "\n\nTheorem proved : theorem.\nProof. exact Computed.proof. Qed.\n\n"
+        "Set Printing Width 200.\nPrint Assumptions proved.\n"
+    )
+
+
 def test_the_fields_are_those_of_the_library(orbit):
     """The theorem has the fields that Statement.v declares, and the data the same, in its order."""
     source = (STORED.parent / "proofs/formal/Statement.v").read_text()
