@@ -1,11 +1,13 @@
-"""Lies that Coq must refuse: numbers of the certificate, of the theorem, the law of motion.
+"""Lies that must be refused: in the numbers, in the theorem, in the law of motion, in a proof.
 
     python benchmarks/formal_mutants.py [CERTIFICATE]
 
 One line for each mutant: where Coq refuses it, or ACCEPTED, and then the exit status is 1.  A
 number is changed by one unit of its last digit or so; a false number in the data, where it is
 computed, and a false number in the theorem alone, where it must be the one that was computed.  A
-false definition in Statement.v must stop the library from compiling.  Takes ten to twenty minutes.
+false definition in Statement.v must stop the library from compiling.  A file of the library that
+compiles, but does not prove what it says, must be refused with the theorem.  Takes ten to twenty
+minutes.
 """
 
 import re
@@ -17,6 +19,7 @@ from pathlib import Path
 from cap import proofs
 from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.kernel.shapes import Enclosure
+from cap.errors import NotProved
 from cap.formal import coq
 from cap.formal.theorem import theorem
 
@@ -58,6 +61,18 @@ LAWS = {  # in Statement.v
     "no resonance of order five": ("1 <= k <= 4", "1 <= k <= 5"),
     "partly elastic": ("image F w f l r 1 in", "image F w f l r (1 / 2) in"),
     "positive eigenvalues": ("1 < Rabs m", "1 < m"),
+}
+
+HOLES = {  # before the last theorem in Checked.v, and in the place of its proof
+    "a recursion without end": (
+        "Unset Guard Checking.\nFixpoint hole (n : nat) : False := hole n.\nSet Guard Checking.\n",
+        "destruct (hole 0).",
+    ),
+    "an axiom": ("Axiom hole : False.\n", "destruct hole."),
+    "another meaning of the words": (
+        "Definition {kind}_orbit (F w f l r : R) (c : {kind}_claims) : Prop := F = F.\n",
+        "intros. reflexivity.",
+    ),
 }
 
 
@@ -140,6 +155,22 @@ def law_refused(old: str, new: str, place: Path) -> str:
     return (re.findall(r'File "\./(\w+\.v)"', answer.text) or [""])[-1] if answer.status else ""
 
 
+def hole_refused(kind: str, before: str, proof: str, text: str, place: Path) -> str:
+    """Return why a theorem is refused that a hole in Checked.v would prove, or nothing."""
+    file = place / "Checked.v"
+    stated = re.compile(rf"(Theorem {kind}_checked .*?Proof\.).*?(Qed\.)", re.DOTALL)
+    file.write_text(
+        stated.sub(rf"{before.format(kind=kind)}\1 {proof} \2", file.read_text(), count=1)
+    )
+    made = coq.run(["make", "library"], place)
+    assert not made.status, made
+    try:
+        coq.axioms(coq.prove(text, place))
+    except NotProved as reason:
+        return str(reason)
+    return ""
+
+
 def main() -> int:
     """Print what becomes of each mutant."""
     certificate = read(Path(sys.argv[1] if sys.argv[1:] else CERTIFICATE).read_bytes())
@@ -148,6 +179,11 @@ def main() -> int:
         assert not coq.prove(text, library).status, "the theorem itself is refused"
         for name, lie in mutants(certificate, text).items():
             accepted += not _told(name, refused(lie, library))
+        for name, (before, proof) in HOLES.items():
+            with tempfile.TemporaryDirectory() as place:
+                copy = shutil.copytree(library, place, dirs_exist_ok=True)
+                why = hole_refused(certificate.theorem, before, proof, text, Path(copy))
+                accepted += not _told(f"Checked.v: {name}", why)
     for name, (old, new) in LAWS.items():
         with tempfile.TemporaryDirectory() as place:
             accepted += not _told(f"Statement.v: {name}", law_refused(old, new, Path(place)))

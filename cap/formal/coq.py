@@ -16,6 +16,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from hashlib import sha256
 from pathlib import Path
 from typing import NamedTuple
 
@@ -25,16 +26,19 @@ from cap.errors import NotProved
 MEMORY = 4 << 30  # bytes of a process; the prototype took a quarter of it
 SECONDS = 1800  # of computing, of a process
 FROM_DEBIAN = "apt-get install --no-install-recommends coq libcoq-interval libcoq-coquelicot make"
-CLASSICAL_REALS = {
-    "ClassicalDedekindReals.sig_not_dec",
-    "ClassicalDedekindReals.sig_forall_dec",
-    "FunctionalExtensionality.functional_extensionality_dep",
-    "Classical_Prop.classic",
-}
+CLASSICAL_REALS = (  # as Coq 8.16 prints them, without breaks of lines
+    "ClassicalDedekindReals.sig_not_dec : forall P : Prop, {~ ~ P} + {~ P}",
+    "ClassicalDedekindReals.sig_forall_dec : forall P : nat -> Prop, "
+    "(forall n : nat, {P n} + {~ P n}) -> {n : nat | ~ P n} + {forall n : nat, P n}",
+    "FunctionalExtensionality.functional_extensionality_dep : forall (A : Type) (B : A -> Type) "
+    "(f g : forall x : A, B x), (forall x : A, f x = g x) -> f = g",
+    "Classical_Prop.classic : forall P : Prop, P \\/ ~ P",
+)
 
-_COMMAND = ("coqc", "-q", "-w", "-ambiguous-paths")
+COMMAND = ("coqc", "-q", "-w", "-ambiguous-paths")
 _PROBE = "From Interval.Interval Require Import Float_full.\nFrom Coquelicot Require Coquelicot.\n"
-_AXIOM = re.compile(r"^([\w.']+)(?: :|$)", re.MULTILINE)
+_RECORD = ".compiled"  # by this module, and from what
+_NEXT = re.compile(r"\n(?=\S)")  # a line that begins with a space belongs to the line before
 
 
 class Answer(NamedTuple):
@@ -73,12 +77,17 @@ def prove(text: str, compiled: Path) -> Answer:
 
 
 def axioms(answer: Answer) -> str:
-    """Return the axioms that Coq printed last; raise `NotProved` unless they are the usual ones."""
-    _, heading, printed = answer.text.rpartition("Axioms:\n")
-    found = set(_AXIOM.findall(printed))
-    if answer.status or not heading or not found <= CLASSICAL_REALS:
-        raise NotProved("Coq", "it printed no axioms, or others than those of the classical reals")
-    return printed.rstrip()
+    """Return the axioms that Coq printed; raise `NotProved` unless they are all that it printed.
+
+    Each of them is known, with its type.  `Print Assumptions` says the rest in sentences ("hole is
+    assumed to be guarded."), under other headings ("Section Variables:", "Theory:"), or as axioms.
+    """
+    heading, *found = (" ".join(said.split()) for said in _NEXT.split(answer.text.strip("\n")))
+    others = [axiom for axiom in found if axiom not in CLASSICAL_REALS]
+    if answer.status or heading != "Axioms:" or not found or others:
+        said = others[0] if heading == "Axioms:" and others else heading
+        raise NotProved("Coq", f'it prints other things than the axioms of its reals: "{said}"')
+    return answer.text.strip("\n").partition("\n")[2]
 
 
 def _finds_libraries() -> bool:
@@ -89,6 +98,7 @@ def _finds_libraries() -> bool:
 
 def _compiled(home: Path, tell: Callable[[str, float | None], None]) -> Path:
     """Compile what is not compiled yet, or has changed."""
+    _forget(home)
     planned = run(["make", "-n", "library"], home).text
     waiting, done = sum(map(_compiles, planned.splitlines())), 0
 
@@ -100,7 +110,27 @@ def _compiled(home: Path, tell: Callable[[str, float | None], None]) -> Path:
     answer = run(["make", "-j2", "library"], home, heard)
     if answer.status:
         raise NotProved("library", "it does not compile", {"Coq": last_words(answer)})
+    (home / _RECORD).write_text("\n".join(_digests(home).values()))
     return home
+
+
+def _forget(home: Path) -> None:
+    """Remove what was not compiled here from these sources: make goes by times, which may lie."""
+    record = home / _RECORD
+    compiled = set(record.read_text().splitlines()) if record.exists() else set[str]()
+    for product, digest in _digests(home).items():
+        if digest not in compiled:
+            product.unlink(missing_ok=True)
+
+
+def _digests(home: Path) -> dict[Path, str]:
+    """Return a line for each compiled file: its name, and digests of its source and of itself."""
+    lines = {}
+    for source in sorted(home.glob("*.v")):
+        product = source.with_suffix(".vo")
+        both = (file.read_bytes() if file.exists() else b"" for file in (source, product))
+        lines[product] = " ".join([source.stem, *(sha256(each).hexdigest() for each in both)])
+    return lines
 
 
 def _compiles(line: str) -> bool:
@@ -125,7 +155,7 @@ def _scratch() -> Iterator[Path]:
 def _file(text: str, place: Path, *options: str) -> Answer:
     """Run Coq on a text."""
     (place / "Certified.v").write_text(text)
-    return run([*_COMMAND, *options, "Certified.v"], place)
+    return run([*COMMAND, *options, "Certified.v"], place)
 
 
 def run(words: Sequence[str], place: Path, heard: Callable[[str], None] = lambda _: None) -> Answer:

@@ -10,45 +10,60 @@ from cap.formal.hints import BOX_BITS, DEPTH, PIECES, Hints, hints
 from cap.formal.syntax import JET, interval, jet, number, pair_of_numbers, real, record
 
 PARAMETERS = {"F": "F", "w": "omega", "f": "f", "l": "l", "r": "r"}
-TYPES = {"elliptic": "elliptic_data", "saddle": "saddle_data"}  # in Data.v
+KINDS = ("elliptic", "saddle")  # in Statement.v and Data.v
 
 Term = Callable[[Sequence[str]], str]
 Fields = list[tuple[str, str]]
 
-_HEADER = r"""(** * An orbit: the numbers of a certificate, decided in Coq's kernel
+_STATED = r"""(** * An orbit: the numbers of a certificate, decided in Coq's kernel
 
-    Written by cap.formal.  To be read: Statement.v, and the theorem below. *)
+    Written by cap.formal.  To be read: Statement.v, and the theorem here.  No other file of this
+    library is loaded before it, so that all words in it are those of Statement.v. *)
 
 From Coq Require Import Reals.
-From Cap Require Import Statement Data Check Checked.
+From Cap Require Import Statement.
 Open Scope R_scope.
 
-Definition numbers : {type} := {data}.
+Definition theorem : Prop := {kind}_orbit {parameters} {claims}.
+
+(** The proof *)
+
+From Cap Require Data Check Checked.
+
+Module Computed.
+Import Data Check Checked.
+
+Definition numbers : {kind}_data := {data}.
 
 (** Where to look: hints, which do not occur in the theorem. *)
 
 Definition where_to_look : hints := {hints}.
 """
-_THEOREM = r"""
+_PROOF = r"""
 Lemma computed : passed ({kind}_tests numbers where_to_look) = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
-Theorem proved : {kind}_orbit {parameters} {claims}.
-Proof. exact ({kind}_checked numbers where_to_look computed). Qed.
+Definition proof := {kind}_checked numbers where_to_look computed.
+
+End Computed.
+
+Theorem proved : theorem.
+Proof. exact Computed.proof. Qed.
 
 Set Printing Width 200.
 Print Assumptions proved.
 """
 _FAILURES = r"""
 Eval vm_compute in failures ({kind}_tests numbers where_to_look).
+End Computed.
 """
 _ORBIT = (
     "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, f = {f} and elastic walls at "
     "{l} and {r}: there is a motion of period T = 2 pi/omega that hits each wall once per period, "
     "and never stops, with a least speed in {least_speed}; from each state (x, v) in {box} at t = "
     "0 a motion that never stops goes to T, and all motions from it end in one state; this map Phi "
-    "has one and only one fixed point in that box, with x in {x}, v in {v}; around it Phi is "
-    "infinitely often differentiable and preserves area; "
+    "has one and only one fixed point in that box, with x in {x}, v in {v}; in a neighbourhood of "
+    "it Phi is infinitely often differentiable and preserves area; "
 )
 _WORDS = {
     "elliptic": "its Taylor coefficients there are those of the certificate, up to degree 3; the "
@@ -64,16 +79,12 @@ _WORDS = {
 
 def theorem(certificate: Certificate) -> str:
     """Return the Coq file that proves the theorem; raise `NotProved` if it is not of this kind."""
-    return _numbers(certificate) + _THEOREM.format(
-        kind=certificate.theorem,
-        parameters=" ".join(real(text) for _, text in _parameters(certificate)),
-        claims=record(_claims(certificate, "", [], interval)),
-    )
+    return _stated(certificate) + _PROOF.format(kind=certificate.theorem)
 
 
 def failures(certificate: Certificate) -> str:
     """Return the Coq file that prints which tests of Check.v fail."""
-    return _numbers(certificate) + _FAILURES.format(kind=certificate.theorem)
+    return _stated(certificate) + _FAILURES.format(kind=certificate.theorem)
 
 
 def words(certificate: Certificate) -> str:
@@ -87,16 +98,19 @@ def words(certificate: Certificate) -> str:
     return said.format_map(shown | certificate.parameters._asdict())
 
 
-def _numbers(certificate: Certificate) -> str:
-    """Return the numbers and the hints."""
-    if certificate.theorem not in TYPES:
+def _stated(certificate: Certificate) -> str:
+    """Return the theorem, and the numbers and the hints of its proof."""
+    if certificate.theorem not in KINDS:
         raise NotProved("theorem", "this library of Coq is about elliptic orbits and saddles alone")
     if len(certificate.claims["hit_times"]) != 2:
         raise NotProved("theorem", "this library of Coq is about one hit of each wall per period")
-    parameters = [(f"{name}_", number(text)) for name, text in _parameters(certificate)]
-    return _HEADER.format(
-        type=TYPES[certificate.theorem],
-        data=record(_claims(certificate, "_", parameters, pair_of_numbers)),
+    parameters = _parameters(certificate)
+    numbers = [(f"{name}_", number(text)) for name, text in parameters]
+    return _STATED.format(
+        kind=certificate.theorem,
+        parameters=" ".join(real(text) for _, text in parameters),
+        claims=record(_claims(certificate, "", [], interval)),
+        data=record(_claims(certificate, "_", numbers, pair_of_numbers)),
         hints=record(_hints(hints(certificate))),
     )
 

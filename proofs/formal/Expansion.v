@@ -46,7 +46,7 @@ Qed.
 Lemma order_1_of_smooth : forall h, smooth h x v ->
   order 1 (fun a b => h (x + a) (v + b) - h x v).
 Proof.
-  intros h S. destruct (S 1%nat) as (p & q & D & _).
+  intros h S. destruct (smooth_here _ _ _ S 1) as (p & q & D & _).
   exact (order_1_of_D2 _ _ _ _ _ (locally_2d_singleton _ _ _ D)).
 Qed.
 

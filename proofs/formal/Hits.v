@@ -8,7 +8,8 @@
 
       dT = ((b - (cos a + f) (T - a)) da - (T - a) db) / u.
 
-    The derivatives are functions of T again: so T is smooth, by induction. *)
+    The derivatives are functions of T again, wherever these formulas hold: so T is smooth there, by
+    induction. *)
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -95,13 +96,14 @@ Proof.
       eq_refl). 2: exact D.
     apply (locally_2d_map _ _ _ _ L). intros u w [Q _]. exact Q. }
   exists H. split. exact E. split; [ | exact Near].
-  intros n. induction n as [ | n IH].
-  - simpl. apply (locally_2d_map _ _ _ _ N). intros a b [_ [_ Q]]. exact Q.
+  apply (locally_2d_map _ _ _ _ (locally_2d_twice _ _ _ Near)). intros y z Here n.
+  induction n as [ | n IH].
+  - simpl. apply (locally_2d_map _ _ _ _ Here). intros a b [_ [_ D]]. exact (D2_continuous _ _ _ _ _ D).
   - exists (fun a b => - 1 * / vel 1 0 b (H a b)), (fun a b => (-1) * H a b * / vel 1 0 b (H a b)).
-    split. { apply (locally_2d_map _ _ _ _ Near). intros a b [_ [_ D]].
+    split. { apply (locally_2d_map _ _ _ _ Here). intros a b [_ [_ D]].
       apply D2_ext with (1 := D). reflexivity. unfold Rdiv. ring. unfold Rdiv. ring. }
-    assert (I : cont_diff n (fun a b => / vel 1 0 b (H a b)) x v).
-    { apply cont_diff_inv. rewrite E. lra.
+    assert (I : cont_diff n (fun a b => / vel 1 0 b (H a b)) y z).
+    { destruct (locally_2d_singleton _ _ _ Here) as [_ [Moving _]]. apply cont_diff_inv. lra.
       apply cont_diff_ext with (fun a b => b + (sin (H a b) + (- f) * H a b)).
       apply locally_2d_forall. intros. unfold Flight.vel. rewrite sin_0. ring.
       apply cont_diff_plus. apply cont_diff_snd. apply cont_diff_plus.
@@ -181,19 +183,20 @@ Proof.
     apply (locally_2d_map _ _ _ _ L). intros u w [Q _]. exact Q.
     reflexivity. unfold Rdiv. ring. reflexivity. }
   exists H. split. exact E. split; [ | exact Near].
-  intros n. induction n as [ | n IH].
-  - simpl. apply (locally_2d_map _ _ _ _ N). intros a b [_ [_ Q]]. exact Q.
+  apply (locally_2d_map _ _ _ _ (locally_2d_twice _ _ _ Near)). intros y z Here n.
+  induction n as [ | n IH].
+  - simpl. apply (locally_2d_map _ _ _ _ Here). intros a b [_ [_ D]]. exact (D2_continuous _ _ _ _ _ D).
   - exists (fun a b => (b + (-1) * ((cos a + f) * (H a b + (-1) * a))) * / - vel (-1) a (- b) (H a b)),
            (fun a b => (-1) * (H a b + (-1) * a) * / - vel (-1) a (- b) (H a b)).
-    split. { apply (locally_2d_map _ _ _ _ Near). intros a b [_ [_ D]].
+    split. { apply (locally_2d_map _ _ _ _ Here). intros a b [_ [_ D]].
       apply D2_ext with (1 := D). reflexivity. unfold Rdiv. f_equal. ring. unfold Rdiv. f_equal. ring. }
-    assert (Fst := cont_diff_fst n t1 u1). assert (Snd := cont_diff_snd n t1 u1).
+    assert (Fst := cont_diff_fst n y z). assert (Snd := cont_diff_snd n y z).
     destruct (cont_diff_sin_cos n _ _ _ Fst) as [Sin Cos].
     destruct (cont_diff_sin_cos n _ _ _ IH) as [Sin' _].
-    assert (D : cont_diff n (fun a b => H a b + (-1) * a) t1 u1).
+    assert (D : cont_diff n (fun a b => H a b + (-1) * a) y z).
     { apply cont_diff_plus. exact IH. apply cont_diff_scal, Fst. }
-    assert (I : cont_diff n (fun a b => / - vel (-1) a (- b) (H a b)) t1 u1).
-    { apply cont_diff_inv. rewrite E. lra.
+    assert (I : cont_diff n (fun a b => / - vel (-1) a (- b) (H a b)) y z).
+    { destruct (locally_2d_singleton _ _ _ Here) as [_ [Moving _]]. apply cont_diff_inv. lra.
       apply cont_diff_ext with
         (fun a b => b + (((-1) * sin (H a b) + sin a) + (- f) * (H a b + (-1) * a))).
       apply locally_2d_forall. intros. unfold Flight.vel. ring.

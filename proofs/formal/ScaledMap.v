@@ -40,9 +40,9 @@ Qed.
 
 Lemma smooth_scaled : forall c X x v, smooth X x v -> smooth (mapped c X) (lambda * x) (U * v).
 Proof.
-  intros c X x v S n. apply cont_diff_scal.
-  apply (cont_diff_comp n X (fun a _ => a / lambda) (fun _ b => b / U)).
-  - destruct (unscale x v) as [-> ->]. apply S.
+  intros c X x v S. apply (locally_2d_map _ _ _ _ (near_scaled _ _ _ S)). intros y z C n.
+  apply cont_diff_scal, (cont_diff_comp n X (fun a _ => a / lambda) (fun _ b => b / U)).
+  - apply C.
   - apply cont_diff_ext with (fun a _ => / lambda * a).
     apply locally_2d_forall. intros. unfold Rdiv. ring. apply cont_diff_scal, cont_diff_fst.
   - apply cont_diff_ext with (fun _ b => / U * b).

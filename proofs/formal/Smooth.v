@@ -34,6 +34,11 @@ Lemma D2_ext_loc : forall f g x v p q, locally_2d (fun a b => f a b = g a b) x v
   D2 f x v p q -> D2 g x v p q.
 Proof. intros f g x v p q E. apply differentiable_pt_lim_ext. exact E. Qed.
 
+(** ** At the point itself *)
+
+Lemma smooth_here : forall f x v, smooth f x v -> forall n, cont_diff n f x v.
+Proof. intros f x v S. exact (locally_2d_singleton _ _ _ S). Qed.
+
 (** ** Closure *)
 
 Lemma cont_diff_ext : forall n f g x v, locally_2d (fun a b => f a b = g a b) x v ->
@@ -175,4 +180,14 @@ Proof.
     assert (F := locally_2d_comp _ g h x v D Cg Ch). simpl in F.
     apply (locally_2d_both _ _ _ _ _ F (locally_2d_and _ _ _ _ D1 D2)). intros a b Df [Dg Dh].
     apply differentiable_pt_lim_comp; assumption.
+Qed.
+
+Lemma smooth_comp : forall f g h x v, smooth f (g x v) (h x v) -> smooth g x v -> smooth h x v ->
+  smooth (fun a b => f (g a b) (h a b)) x v.
+Proof.
+  intros f g h x v Sf Sg Sh.
+  assert (Cg := locally_2d_singleton _ _ _ (smooth_here _ _ _ Sg 0%nat)).
+  assert (Ch := locally_2d_singleton _ _ _ (smooth_here _ _ _ Sh 0%nat)).
+  apply (locally_2d_both _ _ _ _ _ (locally_2d_comp _ g h x v Sf Cg Ch) (locally_2d_and _ _ _ _ Sg Sh)).
+  intros a b F [G H] n. apply cont_diff_comp; auto.
 Qed.

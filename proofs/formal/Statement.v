@@ -74,7 +74,10 @@ Fixpoint cont_diff (n : nat) (f : R -> R -> R) (x v : R) : Prop :=
       cont_diff n p x v /\ cont_diff n q x v
   end.
 
-Definition smooth (f : R -> R -> R) (x v : R) : Prop := forall n, cont_diff n f x v.
+(** [f] is infinitely often differentiable on a neighbourhood of (x, v), the same for all orders. *)
+
+Definition smooth (f : R -> R -> R) (x v : R) : Prop :=
+  locally_2d (fun a b => forall n, cont_diff n f a b) x v.
 
 Definition preserves_area (X V : R -> R -> R) (x v : R) : Prop :=
   locally_2d (fun a b => exists A B C D, differentiable_pt_lim X a b A B /\

@@ -150,7 +150,7 @@ Record hits (H G : R -> R -> R) : Prop := {
 }.
 
 Lemma smooth_D2 : forall h, smooth h x v -> continuity_2d_pt h x v.
-Proof. intros h S. exact (locally_2d_singleton _ _ _ (S 0%nat)). Qed.
+Proof. intros h S. exact (locally_2d_singleton _ _ _ (smooth_here _ _ _ S 0%nat)). Qed.
 
 Theorem hits_exist : exists H G, hits H G.
 Proof.
@@ -161,24 +161,26 @@ Proof.
   set (U := fun a b => after1 b (H a b)).
   assert (EU : U x v = after1 v t1) by (unfold U; rewrite E1; reflexivity).
   assert (SU : smooth U x v).
-  { intros n. apply cont_diff_ext with (fun a b => b + (sin (H a b) + (- f) * H a b)).
+  { apply (locally_2d_map _ _ _ _ SH). intros y z CH n.
+    apply cont_diff_ext with (fun a b => b + (sin (H a b) + (- f) * H a b)).
     apply locally_2d_forall. intros. unfold U, Image.after1, Flight.vel. rewrite sin_0. ring.
     apply cont_diff_plus. apply cont_diff_snd. apply cont_diff_plus.
-    apply cont_diff_sin_cos, SH. apply cont_diff_scal, SH. }
+    apply cont_diff_sin_cos, CH. apply cont_diff_scal, CH. }
   set (G := fun a b => H2 (H a b) (U a b)).
   assert (EG : G x v = t2) by (unfold G; rewrite E1, EU; exact E2).
   assert (SG : smooth G x v).
-  { intros n. apply (cont_diff_comp n H2 H U). rewrite E1, EU. apply SH2. apply SH. apply SU. }
+  { apply (smooth_comp H2 H U). rewrite E1, EU. exact SH2. exact SH. exact SU. }
   set (W := fun a b => after2 b (H a b) (G a b)).
   assert (SW : smooth W x v).
-  { intros n. destruct (cont_diff_sin_cos n _ _ _ (SH n)) as [Sin _].
-    destruct (cont_diff_sin_cos n _ _ _ (SG n)) as [Sin' _].
+  { apply (locally_2d_both _ _ _ _ _ (locally_2d_and _ _ _ _ SH SU) SG). intros y z [CH CU] CG n.
+    destruct (cont_diff_sin_cos n _ _ _ (CH n)) as [Sin _].
+    destruct (cont_diff_sin_cos n _ _ _ (CG n)) as [Sin' _].
     apply cont_diff_ext with (fun a b => U a b + ((sin (H a b) + f * H a b) +
       ((-1) * sin (G a b) + (- f) * G a b))).
     apply locally_2d_forall. intros. unfold W, Image.after2, U, Flight.vel. ring.
-    apply cont_diff_plus. apply SU. apply cont_diff_plus. apply cont_diff_plus. exact Sin.
-    apply cont_diff_scal, SH. apply cont_diff_plus. apply cont_diff_scal, Sin'.
-    apply cont_diff_scal, SG. }
+    apply cont_diff_plus. apply CU. apply cont_diff_plus. apply cont_diff_plus. exact Sin.
+    apply cont_diff_scal, CH. apply cont_diff_plus. apply cont_diff_scal, Sin'.
+    apply cont_diff_scal, CG. }
   assert (N2' : locally_2d (fun a b => pos (-1) (H a b) r (- U a b) (G a b) = l /\
       0 < - vel (-1) (H a b) (- U a b) (G a b) /\
       D2 H2 (H a b) (U a b)
@@ -189,7 +191,7 @@ Proof.
       D2 H2 a b ((b - (cos a + f) * (H2 a b - a)) / - vel (-1) a (- b) (H2 a b))
              (- (H2 a b - a) / - vel (-1) a (- b) (H2 a b))) H U x v).
     rewrite E1, EU. exact N2. apply smooth_D2, SH. apply smooth_D2, SU. }
-  assert (CX := final_smooth 0 G W x v (SG 0%nat) (SW 0%nat)).
+  assert (CX := final_smooth 0 G W x v (smooth_here _ _ _ SG _) (smooth_here _ _ _ SW _)).
   exists H, G. split; auto.
   - apply passes_open.
     + rewrite E1, EG. exact orbit.
@@ -243,8 +245,8 @@ Qed.
 
 Theorem map_smooth : smooth X x v /\ smooth V x v.
 Proof.
-  split; intros n; apply (final_smooth n G (fun a b => after2 b (H a b) (G a b)));
-    apply HG.
+  split; apply (locally_2d_both _ _ _ _ _ (h_smooth_G _ _ HG) (h_smooth_W _ _ HG));
+    intros y z SG SW n; apply (final_smooth n G (fun a b => after2 b (H a b) (G a b))); auto.
 Qed.
 
 Theorem map_area : preserves_area X V x v.

@@ -147,7 +147,8 @@ Theorem area_symplectic : forall X V x v jx jv, smooth X x v -> smooth V x v ->
   preserves_area X V x v -> expands X x v jx -> expands V x v jv -> symplectic jx jv.
 Proof.
   intros X V x v jx jv SX SV Area EX EV.
-  destruct (SX 4%nat) as (p & q & DX & P & Q). destruct (SV 4%nat) as (p' & q' & DV & P' & Q').
+  destruct (smooth_here _ _ _ SX 4) as (p & q & DX & P & Q).
+  destruct (smooth_here _ _ _ SV 4) as (p' & q' & DV & P' & Q').
   destruct (Taylor x v 3 p ltac:(lia) P) as [jp Hp]. destruct (Taylor x v 3 q ltac:(lia) Q) as [jq Hq].
   destruct (Taylor x v 3 p' ltac:(lia) P') as [jp' Hp'].
   destruct (Taylor x v 3 q' ltac:(lia) Q') as [jq' Hq'].

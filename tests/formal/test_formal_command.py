@@ -19,8 +19,14 @@ SADDLE = str(ROOT / "certificates/saddle.json")
 PERIODIC = str(ROOT / "certificates/periodic-1.json")
 AXIOMS = """Axioms:
 ClassicalDedekindReals.sig_not_dec : forall P : Prop, {~ ~ P} + {~ P}
-Classical_Prop.classic
-  : forall P : Prop, P \\/ ~ P
+ClassicalDedekindReals.sig_forall_dec
+  : forall P : nat -> Prop,
+    (forall n : nat, {P n} + {~ P n}) ->
+    {n : nat | ~ P n} + {forall n : nat, P n}
+FunctionalExtensionality.functional_extensionality_dep
+  : forall (A : Type) (B : A -> Type) (f g : forall x : A, B x),
+    (forall x : A, f x = g x) -> f = g
+Classical_Prop.classic : forall P : Prop, P \\/ ~ P
 """
 PROBE = 'grep -q "Theorem\\|Eval" Certified.v || exit 0'  # whether Coq finds its libraries
 ACCEPTS = f"{PROBE}\ncat <<'END'\n{AXIOMS}END"
@@ -30,8 +36,30 @@ echo '     = trace_claim :: twist_claim :: nil'; echo '     : list test'
 """
 
 
+FORMALLY = """import runpy, sys
+from cap import proofs
+proofs.__file__ = sys.argv.pop(1)
+sys.argv.insert(1, "--formal")
+runpy.run_module("cap.verify", run_name="__main__")
+"""  # cap.verify --formal, with another library
+COMPILES = """for source in *.v; do  # which are not compiled yet, and then tells which
+    [ "$1" = -n ] || [ -e "${source}o" ] || { cp "$source" "${source}o"; echo "$source" >> told; }
+done"""
+
+
 @pytest.fixture
-def installed(tmp_path, monkeypatch):
+def home(tmp_path, monkeypatch):
+    """Return the directory of a library that is small, so that no test changes ours."""
+    place = tmp_path / "proofs/formal"
+    place.mkdir(parents=True)
+    for name in ("Statement.v", "Checked.v"):
+        (place / name).write_text(f"{name}, the first\n")
+    monkeypatch.setattr(coq.proofs, "__file__", str(place.with_name("__init__.py")))
+    return place
+
+
+@pytest.fixture
+def installed(home, tmp_path, monkeypatch):
     """Return a function that puts scripts in the place of coqc and make."""
 
     def put(coqc, make="exit 0"):
@@ -141,14 +169,34 @@ def test_a_library_that_does_not_compile_is_an_error(installed, capsys):
     assert "Error: in Motion.v" in err
 
 
-def test_a_library_that_cannot_be_written_is_copied(installed, monkeypatch):
+def test_a_library_that_cannot_be_written_is_copied(home, installed, monkeypatch):
     """Where files cannot be written, the library is compiled elsewhere, and gone afterwards."""
     installed(ACCEPTS)
     monkeypatch.setattr(os, "access", lambda *_: False)
     with coq.library(lambda *_: None) as place:
-        assert place != ROOT / "proofs/formal"
+        assert place != home
         assert (place / "Statement.v").exists()
     assert not place.exists()
+
+
+def test_what_was_compiled_of_other_sources_is_compiled_again(home, installed):
+    """Make goes by the times of files; a source may be older than what another one became."""
+    installed(ACCEPTS, make=COMPILES)
+
+    def compiled():
+        (home / "told").write_text("")
+        with coq.library(lambda *_: None):
+            return (home / "told").read_text().split()
+
+    assert compiled() == ["Checked.v", "Statement.v"]
+    assert compiled() == []
+    (home / "Statement.v").write_text("Statement.v, the second\n")
+    os.utime(home / "Statement.v", (0, 0))
+    assert compiled() == ["Statement.v"]
+    (home / "Checked.vo").write_text("of unknown origin")
+    assert compiled() == ["Checked.v"]
+    (home / ".compiled").unlink()
+    assert compiled() == ["Checked.v", "Statement.v"]
 
 
 def test_memory_and_time_are_limited(tmp_path, monkeypatch):
@@ -163,10 +211,10 @@ def test_memory_and_time_are_limited(tmp_path, monkeypatch):
     assert coq.last_words(endless) == "over 1 s"
 
 
-def test_ctrl_c_ends_coq_too(installed, tmp_path):
+def test_ctrl_c_ends_coq_too(installed, home, tmp_path):
     """At an interrupt the status is 130, there is one line, and Coq is no longer running."""
     installed(f"{PROBE}\necho $$ > {tmp_path}/pid\nexec sleep 60")
-    command = [sys.executable, "-m", "cap.verify", "--formal", ELLIPTIC]
+    command = [sys.executable, "-c", FORMALLY, str(home.with_name("__init__.py")), ELLIPTIC]
     with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
         deadline = time.monotonic() + 30
         while not (tmp_path / "pid").exists() or not (tmp_path / "pid").read_text().strip():
@@ -183,6 +231,6 @@ def test_ctrl_c_ends_coq_too(installed, tmp_path):
 def test_the_coq_file_is_written_to_standard_output(capsys):
     """``python -m cap.formal`` prints the file; of another theorem one line says why not."""
     assert formal.write([ELLIPTIC]) == 0
-    assert "Theorem proved : elliptic_orbit 1 1 (2 / 5) (-1) 1" in capsys.readouterr().out
+    assert "theorem : Prop := elliptic_orbit 1 1 (2 / 5) (-1) 1" in capsys.readouterr().out
     assert formal.write([PERIODIC]) == 2
     assert capsys.readouterr().err.count("\n") == 1

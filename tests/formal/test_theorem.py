@@ -63,12 +63,28 @@ def test_the_file_is_the_same_at_every_precision(orbit):
 def test_the_theorem_has_the_numbers_of_the_certificate_in_the_order_of_the_statement(orbit):
     """Every interval in the theorem is that of the data, and of the certificate."""
     text = theorem(orbit)
+    proved = text[text.index("Definition theorem") : text.index("From Cap Require Data")]
     data = text[text.index("Definition numbers") : text.index("Definition where_to_look")]
-    proved = text[text.index("Theorem proved") :]
     computed = [value(*found) for found in re.findall(NUMBER, data)][5:]
     ends = [end for pair in re.findall(r"lo := (\S+); hi := (\S+) ", proved) for end in pair]
     assert [Fraction(end.strip("()")) for end in ends] == computed
     assert computed == [e for claim in claimed(orbit.claims) for e in (claim.lower, claim.upper)]
+
+
+def test_the_theorem_is_stated_in_the_words_of_the_statement_alone(orbit):
+    """Before it nothing but Statement.v is loaded: no other file can define its words anew."""
+    text = theorem(orbit)
+    stated, proved = text.split("(** The proof *)")
+    assert re.findall(r"^.*\b(?:Require|Import)\b.*$", stated, re.MULTILINE) == [
+        "From Coq Require Import Reals.",
+        "From Cap Require Import Statement.",
+    ]
+    assert re.findall(r"^(?:Definition|Theorem) (\w+)", stated, re.MULTILINE) == ["theorem"]
+    assert "From Cap Require Data Check Checked.\n\nModule Computed.\nImport Data" in proved
+    assert proved.split("End Computed.")[1] == (
+        "\n\nTheorem proved : theorem.\nProof. exact Computed.proof. Qed.\n\n"
+        "Set Printing Width 200.\nPrint Assumptions proved.\n"
+    )
 
 
 def test_the_fields_are_those_of_the_library(orbit):
@@ -82,7 +98,7 @@ def test_the_fields_are_those_of_the_library(orbit):
         for kind in ("orbit", orbit.theorem)
     )
     declared = [own[0], *shared, *own[1:]]
-    data, proved = theorem(orbit).split("Theorem proved")
+    proved, data = theorem(orbit).split("Definition numbers")
     numbers = data[: data.index("Definition where_to_look")]
     assert re.findall(r"^ +(\w+) :=", proved, re.MULTILINE) == declared
     fields = [f"{name}_" for name in [own[0], "F", "w", "f", "l", "r", *shared, *own[1:]]]
