@@ -17,7 +17,7 @@ masses m_2, a box for each, and one itinerary, such that
        rest for an instant;
  (iii) for all m_2 between the two intervals there is exactly one such orbit, and no mass stops on
        it, in a box that depends on m_2; these orbits and those of (i) and (ii) are one analytic
-       family.
+       family.  Nothing is said of their multipliers, nor of m_2 between `flip` and m.
 
 Proof.  Krawczyk's inclusion for all m_2 of an interval at once, and for both its ends, in smaller
 boxes inside; the reduced traces and the least speeds depend continuously on m_2.  For (iii) the

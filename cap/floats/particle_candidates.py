@@ -1,5 +1,6 @@
 """Orbits of two masses from which proofs start, continued from equal masses."""
 
+from collections import Counter
 from dataclasses import replace
 from fractions import Fraction
 
@@ -47,9 +48,13 @@ def attracting(request: Request) -> Found:
     if not request.parameters.f:
         raise BadInput(f"the theorem {request.kind} needs friction: f > 0")
     system = Particles(request.parameters, request.masses)
-    for seed in drawn(system, SEEDS, 3):
+    ends = Counter[str]()
+    for k, seed in enumerate(drawn(system, SEEDS, 3)):
+        request.progress(f"searching: {k} of {SEEDS} random states followed")
         found = _settled(system, tuple(seed.tolist()))
-        if found:
+        if isinstance(found, str):
+            ends[found] += 1
+        else:
             periods, state, path = found
             events = tuple((e.word, e.time, e.positions, e.before) for e in path.events)
             guess = Guess(request.masses, events, periods=periods)
@@ -57,17 +62,25 @@ def attracting(request: Request) -> Found:
             shown = f"period {periods} T: {', '.join(path.words)}"
             lines = [f"Of random states, some end on an orbit of {shown}"]
             return Found(lines, [Candidate(start, shown, particles=guess)])
-    raise BadInput(f"none of {SEEDS} random states ends on a periodic orbit with contacts")
+    masses, f = ", ".join(map(str, request.masses)), request.parameters.f
+    told = "; ".join(f"{count} {end}" for end, count in ends.most_common())
+    raise BadInput(
+        f"no periodic orbit with contacts was found for m = {masses}, f = {f}: of {SEEDS} random "
+        f"states {told}; try other --masses, --f, --l or --r"
+    )
 
 
 SEEDS, SETTLING, LONGEST = 40, 150, 8  # states, periods before, and of the period
 RETURNED = 1e-9
+NOT_PERIODIC = f"did not repeat in {LONGEST} T after {SETTLING} T"
+NO_CONTACT = "came to an orbit without contacts"
+NOT_FOLLOWED = "came to contacts that accumulate or last, which are not followed"
 
 
 def _settled(
     system: Particles, state: tuple[float, ...]
-) -> tuple[int, tuple[float, ...], Path] | None:
-    """Return the period, a state and the path of the orbit on which a state ends, if it repeats."""
+) -> tuple[int, tuple[float, ...], Path] | str:
+    """Return the period, a state and the path of the orbit on which a state ends, or why not."""
     T = period(system)
     try:
         for _ in range(SETTLING):
@@ -78,10 +91,10 @@ def _settled(
             end = (*path.x, *path.v)
             contacts = any(word.startswith(("hit", "meet")) for word in path.words)
             if max(abs(a - b) for a, b in zip(state, end, strict=True)) < RETURNED:
-                return (n, state, path) if contacts else None
+                return (n, state, path) if contacts else NO_CONTACT
     except (BadInput, Unresolved):
-        pass
-    return None
+        return NOT_FOLLOWED
+    return NOT_PERIODIC
 
 
 def _two_masses(request: Request) -> None:

@@ -61,7 +61,7 @@ def no_other_contacts(model: Model, events: Sequence[Event]) -> None:
 
 
 class Critical(NamedTuple):
-    """A moment with cos ωt = s f/F, certainly inside of the ``leg`` of this number; the mass i."""
+    """A moment with cos ωt = s f/F in the ``leg`` of this number, or continued; the mass i."""
 
     leg: Leg
     number: int
@@ -75,20 +75,29 @@ class Critical(NamedTuple):
         return Ball(s * o.velocity(self.leg.flights[self.i], self.at))
 
 
+def possible_moments(model: Model, events: Sequence[Event]) -> list[Critical]:
+    """Return the critical moments that may be inside of flights: s v is monotone between them.
+
+    One that an event passes, as the mass changes, is among those of the flights before and after.
+    """
+    return [
+        Critical(leg, number, i, at)
+        for number, leg in enumerate(legs_of(model, events))
+        for i, s in enumerate(leg.signs)
+        for at in list(_inflections(leg, s))[1:-1]
+    ]
+
+
 def critical_moments(model: Model, events: Sequence[Event]) -> list[Critical]:
-    """Return the critical moments inside of flights: s v is monotone between them.
+    """Return the critical moments inside of flights.
 
     Raises `NotProved` if one may be at an event.
     """
-    found = []
-    for number, leg in enumerate(legs_of(model, events)):
-        for i, s in enumerate(leg.signs):
-            start, *inside, end = _inflections(leg, s)
-            for at in inside:
-                if not start.t < at.t < end.t:
-                    sets = {"critical": at.t, "flight from": start.t, "to": end.t}
-                    raise NotProved("flight", "a speed may be critical at an event", sets)
-                found.append(Critical(leg, number, i, at))
+    found = possible_moments(model, events)
+    for leg, _, _, at in found:
+        if not leg.start.at.t < at.t < leg.arrival.t:
+            sets = {"critical": at.t, "flight from": leg.start.at.t, "to": leg.arrival.t}
+            raise NotProved("flight", "a speed may be critical at an event", sets)
     return found
 
 
@@ -166,7 +175,8 @@ def _stay_apart(leg: Leg, i: int, number: int) -> None:
     knots = [_gap(leg, i, at) for at in _inflections(leg, s)]
     for p, q in pairwise(knots):
         if not p.t < q.t:
-            raise NotProved("gap", "an event may be at an inflection", {"t": p.t, "then": q.t})
+            why = "an event may be at an inflection of a gap: such orbits are not followed"
+            raise NotProved("gap", why, {"t": p.t, "then": q.t})
         _positive(leg, i, (p, q), number)
 
 

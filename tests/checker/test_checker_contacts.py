@@ -283,6 +283,41 @@ def test_a_gap_that_nearly_closes():
                 orbit.apart(M, start, end)
 
 
+def test_equal_masses_that_stay_together():
+    """Between two meetings in one direction their gap is linear, and so 0 all the time."""
+    M = Mechanics(EQUAL, BITS)
+    v = thin(-3), thin(-4)
+    start = Contact("meet 1 2", M.instant(thin(3)), thin(HALF), v)
+    end = Contact("meet 1 2", M.instant(thin(Fraction(31, 10))), thin(0), (thin(-3), thin(-3)))
+    with pytest.raises(Rejected, match="may meet"):
+        orbit.apart(M, start, end)
+    orbit.apart(M, start, end._replace(word="hit l"))
+
+
+def test_a_bend_that_is_not_certain():
+    """At a critical time the second derivative of a gap has no sign; beside it, both."""
+    M = Mechanics(EQUAL._replace(masses=(Fraction(1), Fraction(1, 2))), BITS)
+    with pytest.raises(Rejected, match="bend of a gap is not certain"):
+        orbit.bent(M, 1, M.instant(M.theta[1]))
+    before, after = (orbit.bent(M, 1, M.instant(M.theta[1] + thin(d))) for d in ("-1/10", "1/10"))
+    assert (before, after) == (1, -1)
+
+
+def test_a_gap_is_halved_so_often():
+    """What tangents do not show without halving is refused when no halving is left."""
+    masses, t = (Fraction(1), Fraction(1, 5)), Fraction(1, 10)
+    M, start, end = leftwards(masses, Fraction(1, 2), (Fraction(3), Fraction(4)), t)
+    flight = M.flight(start)
+    least = min(gap_at(M, flight, t + HALF * n / 5000) for n in range(5001))
+    nearly = Fraction(1, 2) - Fraction(least) + Fraction(1, 10**5)
+    M, start, end = leftwards(masses, nearly, (Fraction(3), Fraction(4)), t)
+    flight = M.flight(start)
+    piece = orbit.knot(M, flight, start.at), orbit.knot(M, flight, end.at)
+    orbit.convex(M, flight, piece, 16)
+    with pytest.raises(Rejected, match="may meet"):
+        orbit.convex(M, flight, piece, 0)
+
+
 def gap_at(M, flight, t):
     """Return the gap at a time."""
     at = M.instant(thin(t))
@@ -326,3 +361,17 @@ def test_what_must_be_real(tori):
         bad = [*jets[:3], jets[3] + normal_form.Jet(3, {power: thin("1/1000")})]
         with pytest.raises(Rejected, match=r"not real|disjoint"):
             normal_form.twist_matrix(normal_form.in_complex_coordinates(M, bad, planes))
+
+
+def test_an_entry_that_is_not_real(tori):
+    """Of the diagonal, too, where no other entry says so."""
+    M, found = tori.M, tori.orbit
+    D = linear.monodromy(M, found)
+    z, other = linear.reduced_traces(D)
+    planes = [linear.rotation(M, D, z, other), linear.rotation(M, D, other, z)]
+    f = normal_form.in_complex_coordinates(M, normal_form.third_order(M, found), planes)
+    normal_form.twist_matrix(f)
+    off = planes[0].multiplier * normal_form.Complex(thin("1/1000"), thin(0))
+    bad = f[0] + normal_form.Jet(3, {(2, 0, 1, 0): off})
+    with pytest.raises(Rejected, match="entry of the twist matrix is not real"):
+        normal_form.twist_matrix([bad, f[1]])

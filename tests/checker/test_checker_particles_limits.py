@@ -11,11 +11,13 @@ import pytest
 
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.particles.existence import defects, dot
 from cap.checker.particles.family import Family, moved, with_second
 from cap.checker.particles.mechanics import Mechanics, contacts
+from cap.checker.particles.orbit import Moment, moments, speeds
 from cap.checker.theorems import particles_limits
-from cap.checker.theorems.particles_limits import ParticlesLimits, inner_speeds
+from cap.checker.theorems.particles_limits import MOST_WORK, ParticlesLimits, work
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.remembered import content
@@ -74,7 +76,8 @@ def test_it_is_verified(limits):
     fits_the_schema(limits)
     assert "one multiplier is -1" in line
     assert "the least speed of the orbit is 0" in line
-    assert line.endswith("to one family that is analytic in m_2")
+    assert "to one family that is analytic in m_2; nothing is claimed of m_2 from the first" in line
+    assert line.endswith("nor of the multipliers of the orbits for m_2 below that interval")
 
 
 @pytest.mark.usefixtures("at_the_ends")
@@ -151,8 +154,19 @@ def test_the_reduced_traces(limits, monkeypatch, z, why):
 def test_a_speed_that_keeps_its_sign(limits, monkeypatch):
     """At the lower end of stop some velocity inside a flight must be certainly reversed."""
     for v in (Interval.enclosing(1, 1, 100), Interval.enclosing(-1, 1, 100)):
-        monkeypatch.setattr(particles_limits, "inner_speeds", lambda _M, _orbit, v=v: [v])
+        monkeypatch.setattr(particles_limits, "speeds", lambda *_, v=v: [v])
         rejected(limits, "no velocity has certainly changed sign")
+
+
+@pytest.mark.usefixtures("at_the_ends")
+def test_other_contacts_near_the_stop(limits, monkeypatch):
+    """For all masses of stop it is proved that there are none."""
+
+    def refuse(M, _orbit):
+        need(not isinstance(M, Family), "there may be other contacts")
+
+    monkeypatch.setattr(particles_limits, "no_other_contacts", refuse)
+    rejected(limits, "there may be other contacts")
 
 
 @pytest.mark.usefixtures("in_between")
@@ -174,6 +188,8 @@ def test_nodes(limits):
     rejected(changed(limits, "hints", "cell_reach", "50"), r"interior|not certain|may stop")
     rejected(changed(limits, "hints", "node_radius", "1/100"), r"interior|may not be in the box")
     rejected(changed(limits, "hints", "node_radius", "-1"), "not positive")
+    loose = limits["hints"] | {"node_radius": "1/1000", "cell_reach": "1"}
+    rejected(limits | {"hints": loose}, "may not be in the box of a cell")
     rejected(changed(limits, "hints", "middle", limits["hints"]["middle"][::-1]), "interior")
 
 
@@ -194,19 +210,51 @@ def test_speeds_between(limits, monkeypatch, speed, rate, why):
     def one(value):
         return lambda *_: [Interval.enclosing(value, value, int(limits["hints"]["bits"]))]
 
-    monkeypatch.setattr(particles_limits, "inner_speeds", one(speed))
-    monkeypatch.setattr(particles_limits.Family, "inner_rates", one(rate))
+    monkeypatch.setattr(particles_limits, "speeds", one(speed))
+    monkeypatch.setattr(particles_limits.Family, "speed_rates", one(rate))
     if why:
         rejected(limits, why)
     else:
         verify(limits)
 
 
-@pytest.mark.usefixtures("in_between")
-def test_velocities_are_compared_one_by_one(limits, monkeypatch):
-    """As many speeds at a node as rates in its cell."""
-    monkeypatch.setattr(particles_limits, "inner_speeds", lambda _M, _orbit: [])
-    rejected(limits, "critical at a contact")
+@pytest.fixture(scope="module")
+def node(limits):
+    """Return the system of the last node, the contacts of its hint, and the rows of stop."""
+    certificate = read(encode(limits))
+    hints, itinerary = certificate.hints, certificate.claims["itinerary"]
+    last = hints["nodes"][-1]
+    family = Family(certificate.parameters, (last["mass"], last["mass"]), 200)
+    centre = [family.number(c) for contact in last["centre"] for c in contact]
+    return family, contacts(family, itinerary, centre), hints["stop"]["preconditioner"]
+
+
+def test_a_critical_time_that_a_contact_passes(node):
+    """It is in the flight of mass 2 before a hit of mass 1, or after it: if uncertain, in both."""
+    M, orbit, _ = node
+    critical = M.two_pi - M.theta[1]
+
+    def found(low, high, times):
+        at = M.instant(critical + Interval.enclosing(low * TINY, high * TINY, M.bits))
+        passed = [*orbit[:6], orbit[6]._replace(at=at), orbit[7]]
+        return [k for k, i, _ in moments(M, passed, times) if i == 1 and k in (5, 6)]
+
+    assert orbit[6].word == "hit l"
+    assert found(-2, -1, M.critical) == found(-2, -1, M.may_be_critical) == [6]
+    assert found(1, 2, M.critical) == found(1, 2, M.may_be_critical) == [5]
+    assert found(-1, 1, M.may_be_critical) == [5, 6]
+    with pytest.raises(Rejected, match="critical at a contact"):
+        found(-1, 1, M.critical)
+
+
+def test_a_speed_on_a_flight_continued(node):
+    """Past its end a flight is followed as if nothing happened there."""
+    M, orbit, _ = node
+    late = M.instant(orbit[7].at.t + M.number(TINY))
+    flight = M.flight(orbit[6])
+    [found] = speeds(M, orbit, [Moment(6, 0, late)])
+    here = M.velocity(0, flight, orbit[7].at) * flight.signs[0]
+    assert 0 < abs(middle(found - here)) < 2 * TINY
 
 
 def test_rates(limits):
@@ -231,9 +279,33 @@ def test_rates(limits):
     moving = family.rates(orbit, rows)
     for below, above, rate in zip(found[0][1], found[2][1], moving, strict=True):
         assert near(middle(above - below) / (2 * h), rate)
-    speeds = [inner_speeds(M, contacts(M, itinerary, z)) for M, z in (found[0], found[2])]
-    for low, high, rate in zip(*speeds, family.inner_rates(orbit, moving), strict=True):
+    slow = moments(family, orbit, family.critical)
+    assert len(slow) == 6
+    values = [speeds(M, contacts(M, itinerary, z), slow) for M, z in (found[0], found[2])]
+    for low, high, rate in zip(*values, family.speed_rates(orbit, moving, slow), strict=True):
         assert near(middle(high - low) / (2 * h), rate)
+
+
+def test_rates_without_an_inverse(node):
+    """A matrix that is no inverse of G' bounds no rates."""
+    family, orbit, rows = node
+    assert all(width(rate) < Fraction(1, 10) for rate in family.rates(orbit, rows))
+    for factor in (-1, 0):
+        bad = [[factor * c for c in row] for row in rows]
+        with pytest.raises(Rejected, match="may not move smoothly"):
+            family.rates(orbit, bad)
+
+
+def test_a_velocity_that_turns_in_its_flight(node):
+    """Of each contact both velocities have, just before it, the signs of the flight before."""
+    M, orbit, _ = node
+    particles_limits.no_other_contacts(M, orbit)
+    for k, contact in enumerate(orbit):
+        for i in (0, 1):
+            v = [-u if i == j else u for j, u in enumerate(contact.v)]
+            turned = contact._replace(v=(v[0], v[1]))
+            with pytest.raises(Rejected, match=r"another sign at the end of a flight|approached"):
+                particles_limits.no_other_contacts(M, [*orbit[:k], turned, *orbit[k + 1 :]])
 
 
 def near(difference, rate):
@@ -280,5 +352,11 @@ def width(interval):
 
 def test_too_much_work(limits):
     """Bits, contacts and nodes are bounded before anything is computed."""
-    hints = limits["hints"] | {"bits": "4096", "nodes": limits["hints"]["nodes"][:1] * 64}
+    one = work(282, 8, 1) - work(282, 8, 0)
+    most = (MOST_WORK - work(282, 8, 0)) // one
+    assert 64 < most < 512
+    for more, why in ((0, "do not fall"), (1, "too much")):
+        hints = limits["hints"] | {"nodes": limits["hints"]["nodes"][:1] * (most + more)}
+        rejected(limits | {"hints": hints}, why)
+    hints = limits["hints"] | {"bits": "4096"}
     rejected(limits | {"hints": hints}, "too much")

@@ -14,7 +14,7 @@ from cap.floats.candidates import Request, lighter
 from cap.floats.particle_orbits import continued, reduced_traces
 from cap.floats.particles import Particles
 from cap.parameters import PAPER
-from cap.proofs import particle_cells, particles_limits
+from cap.proofs import particle_cells, particles_limits, theorems
 from cap.proofs.fixed_point import Setting
 from cap.sets.interval import Ball
 
@@ -90,9 +90,43 @@ def test_cells_that_are_too_wide(monkeypatch):
 
 def test_too_many_cells(monkeypatch):
     """A list of nodes that the checker would refuse is not begun."""
-    monkeypatch.setattr(particle_cells, "MOST", 3)
-    with pytest.raises(NotProved, match="more than 3 cells"):
+    monkeypatch.setattr(particle_cells, "MOST_NODES", 3)
+    with pytest.raises(NotProved, match="more than 3 nodes of masses are needed"):
         particles_limits.prove(setting())
+
+
+def test_as_many_nodes_as_the_checker_reads(monkeypatch):
+    """One more would be too much work for it."""
+    bits, most = setting().checker_bits, particle_cells._most_nodes(setting(), 8)
+    assert 64 < most < particle_cells.MOST_NODES
+    limit = particle_cells.MOST_WORK
+    assert particle_cells.work(bits, 8, most) <= limit < particle_cells.work(bits, 8, most + 1)
+    monkeypatch.setattr(particle_cells, "MOST_WORK", 1)
+    assert particle_cells._most_nodes(setting(), 8) == 0
+
+
+def test_the_checker_may_follow_with_wider_rates():
+    """A velocity that would only just stay positive is refused, and so the cell is halved."""
+    rate = particle_cells._wider(Ball(1, 2))
+    assert abs(float(rate.lower()) + 2) < 1e-6
+    assert abs(float(rate.upper()) - 4) < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("change", "flip", "stop"),
+    [
+        ({"f": Fraction(21, 50)}, 0.887187, 0.844932),  # the last cell is halved
+        ({"l": Fraction(-11, 10), "r": Fraction(11, 10)}, 0.834669, 0.786455),  # see `orbit`
+    ],
+)
+def test_other_parameters(change, flip, stop):
+    """A velocity that is slow in the last cell; a contact that passes a critical moment."""
+    p = replace(PAPER, **change)
+    found = lighter(Request("particles_limits", p, masses=EQUAL)).candidates[0]
+    asked = Setting(p, found.start, 10, particles=found.particles)
+    claimed = theorems.accepted(theorems.THEOREMS["particles_limits"], asked)["claims"]
+    for name, mass in (("flip", flip), ("stop", stop)):
+        assert abs(float(claimed[name][0]) - mass) < 2e-6
 
 
 def test_a_speed_that_falls_in_a_cell(monkeypatch):

@@ -8,7 +8,9 @@ import pytest
 from support import proving
 
 from cap.errors import BadInput, NotProved
+from cap.floats import particle_candidates
 from cap.floats.candidates import Request, attracting
+from cap.floats.particles import Particles
 from cap.particles import stays
 from cap.particles.model import Model
 from cap.particles.stopping import System, unknowns, words_of
@@ -96,3 +98,30 @@ def test_bad_input(capsys):
     frictionless = replace(particle_orbits.A, f=Fraction(0))
     with pytest.raises(BadInput, match="needs friction"):
         attracting(Request("particles_sink", frictionless, masses=(Fraction(1), Fraction(9, 10))))
+
+
+def test_nothing_found(monkeypatch):
+    """The search tells how far it is, and ends with one line: what was asked, searched, and met."""
+    ends = iter([particle_candidates.NO_CONTACT, *[particle_candidates.NOT_PERIODIC] * 3])
+    monkeypatch.setattr(particle_candidates, "_settled", lambda *_: next(ends))
+    monkeypatch.setattr(particle_candidates, "SEEDS", 4)
+    told = []
+    request = Request(
+        "particles_sink", particle_orbits.A, masses=particle_orbits.MASSES, progress=told.append
+    )
+    with pytest.raises(BadInput) as failure:
+        attracting(request)
+    assert told[0] == "searching: 0 of 4 random states followed"
+    assert len(told) == 4
+    line = str(failure.value)
+    assert "m = 1, 9/10, f = 91/200: of 4 random states 3 did not repeat in 8 T after 150" in line
+    assert "1 came to an orbit without contacts; try other" in line
+
+
+def test_why_a_state_does_not_settle():
+    """It comes to rest between the walls, it does not repeat so soon, or it cannot be followed."""
+    nearly = Particles(replace(particle_orbits.A, f=Fraction(19, 20)), particle_orbits.MASSES)
+    rest = particle_candidates._settled(nearly, (-0.5, 0.5, 0.0, 0.0))
+    assert rest == particle_candidates.NO_CONTACT
+    outside = particle_candidates._settled(nearly, (0.5, -0.5, 0.0, 0.0))
+    assert outside == particle_candidates.NOT_FOLLOWED

@@ -36,6 +36,7 @@ from cap.checker.particles.existence import (
     times,
 )
 from cap.checker.particles.mechanics import Contact, Mechanics, contacts
+from cap.checker.particles.orbit import Moment
 
 
 def with_second(p: Parameters, mass: Fraction) -> Parameters:
@@ -102,17 +103,17 @@ class Family(Mechanics):
             result = [f - dot(residual, result) for f, residual in pairs_of]
         return result
 
-    def inner_rates(self, orbit: Sequence[Contact], z: Row) -> Row:
-        """Return the rates of s_i v_i at all critical times inside of the flights, from z'."""
+    def speed_rates(self, orbit: Sequence[Contact], z: Row, moments: Sequence[Moment]) -> Row:
+        """Return the rates of s_i v_i at some moments of the flights, from z'."""
         result = Row()
-        for k, (contact, end) in enumerate(zip(orbit, arrivals(orbit, self), strict=True)):
-            flight, (t, _, *v) = self.flight(contact), z[SIZE * k : SIZE * k + SIZE]
-            for i, s in enumerate(flight.signs):
-                start = dot(self.rule(contact.word)[i], v) + self.push(contact)
-                start = start - self.acceleration(i, s, contact.at) * t
-                for at in self.critical(s, contact.at.t, end.at.t):
-                    gain = (self.velocity(i, flight, at) - flight.v[i]) / self.m[1]
-                    result.append((start - gain if i == 1 else start) * s)
+        for k, i, at in moments:
+            contact, (t, _, *v) = orbit[k], z[SIZE * k : SIZE * k + SIZE]
+            flight = self.flight(contact)
+            rate = dot(self.rule(contact.word)[i], v) + self.push(contact)
+            rate = rate - self.acceleration(i, flight.signs[i], contact.at) * t
+            if i == 1:
+                rate = rate - (self.velocity(i, flight, at) - flight.v[i]) / self.m[1]
+            result.append(rate * flight.signs[i])
         return result
 
 

@@ -105,20 +105,21 @@ class Mechanics:
         way = (flight.v[i] - p * start.sin) * d - p / self.omega * (at.cos - start.cos)
         return flight.x[i] + way - self.drag[i] * s * d.square() / 2
 
-    def critical(self, s: int, start: Interval, end: Interval) -> Iterator[Instant]:
-        """Give the critical times between two times of [0, 2T], in their order.
-
-        One that is not certainly on one side of an end rejects.
-        """
+    def may_be_critical(self, s: int, start: Interval, end: Interval) -> Iterator[Instant]:
+        """Give the critical times that may be between two times of [0, 2T], in their order."""
         theta = self.theta[s]
         for k in (0, 1):
             for angle in (theta, -theta + self.two_pi):
                 t = (angle + self.two_pi * k) / self.omega
-                after, before = start.is_before(t), t.is_before(end)
-                outside = t.is_before(start) or end.is_before(t)
-                need((after and before) or outside, "a velocity may be critical at a contact")
-                if not outside:
+                if not (t.is_before(start) or end.is_before(t)):
                     yield self.instant(t)
+
+    def critical(self, s: int, start: Interval, end: Interval) -> Iterator[Instant]:
+        """Give the critical times between two times; one that may be at an end rejects."""
+        for at in self.may_be_critical(s, start, end):
+            inside = start.is_before(at.t) and at.t.is_before(end)
+            need(inside, "a velocity may be critical at a contact")
+            yield at
 
     # contacts
 

@@ -1,7 +1,9 @@
 """What an orbit given by its contacts must satisfy: nobody stops, and nothing else happens.
 
 *Nobody stops.*  On a flight v_i is monotone between critical times: |v_i| is least at an end, or at
-one of these times.
+one of these times.  Among the orbits of a family a contact may pass a critical time t of mass i,
+which then lies in one flight before, in the next one after.  If the velocity is not 0 at t on both,
+continued, nor at their ends, the mass stops on none of these orbits: what counts is among these.
 
 *Walls.*  Where v_i does not change its sign, x_i lies between its values at the ends of the flight.
 So if at each contact the mass that is not at a wall, or both that meet, lie strictly between the
@@ -28,7 +30,7 @@ the same before and after (`monodromy`).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -37,8 +39,33 @@ from cap.checker.kernel.rejection import need
 from cap.checker.particles.existence import arrivals
 from cap.checker.particles.mechanics import Contact, Flight, Instant, Mechanics, sign
 
+Critical = Callable[[int, Interval, Interval], Iterable[Instant]]
 _HALVINGS = 16
 _MEET = "the masses may meet inside a flight"
+
+
+class Moment(NamedTuple):
+    """A time in the flight after the contact k, critical for the mass i."""
+
+    k: int
+    i: int
+    at: Instant
+
+
+def moments(M: Mechanics, orbit: Sequence[Contact], critical: Critical) -> list[Moment]:
+    """Return the critical times of all flights that M.critical, or M.may_be_critical, gives."""
+    return [
+        Moment(k, i, at)
+        for k, (contact, end) in enumerate(zip(orbit, arrivals(orbit, M), strict=True))
+        for i, s in enumerate(M.flight(contact).signs)
+        for at in critical(s, contact.at.t, end.at.t)
+    ]
+
+
+def speeds(M: Mechanics, orbit: Sequence[Contact], moments: Sequence[Moment]) -> list[Interval]:
+    """Return s_i v_i at some moments of the flights, or of the flights continued."""
+    flights = [M.flight(contact) for contact in orbit]
+    return [M.velocity(i, flights[k], at) * flights[k].signs[i] for k, i, at in moments]
 
 
 def least_speeds(M: Mechanics, orbit: Sequence[Contact]) -> list[Interval]:
