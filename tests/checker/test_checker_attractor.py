@@ -258,6 +258,13 @@ def test_the_itinerary():
     rejected(changed(STORED, "hints", "cells", 0, "events", windows[::-1]), ".")
 
 
+def test_windows_and_images(at):
+    """As many windows as events; and no events for a place that is not in I."""
+    short = STORED["hints"]["basin_events"][:-1]
+    rejected(changed(STORED, "hints", "basin_events", short), "windows are not lists of 6")
+    refuses(at().windows, "is not in I", Interval.enclosing(0, 0, 64))
+
+
 def test_one_release_only():
     """What follows a release on the way is not said of the release map, but of an iterate."""
     twice = lie("itinerary", STORED["claims"]["itinerary"] * 2)
