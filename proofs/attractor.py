@@ -11,18 +11,22 @@ right sticks next where it is released at G(x), a release to the left being mirr
  (ii)  G is unimodal on I: it has one critical point c, inside; G' has one sign to the left of c,
        the other one to the right.
  (iii) The first symbols of the kneading sequence, the branches of G(c), G²(c), ..., are as claimed.
- (iv)  The topological entropy h of G on I lies in `entropy`, that of the flow per period T on the
-       orbits released in A = ∩ Gᵏ(I), which is 2h/n, in `entropy_per_period`.
- (v)   All orbits from an explicit box of states at t = 0 come to be released in I.  So an open set
-       of states of positive area tends to the orbits released in A.
+ (iv)  The topological entropy h of G on I lies in `entropy`; that of the time-T map from one time
+       of releases to the right to the next, on the states at these times of the orbits released in
+       A = ∩ Gᵏ(I) and of their mirror images, which is 2h/n, in `entropy_per_period`.  Here (wall,
+       v) before a hit and (wall, -e v) after it are one state.
+ (v)   All orbits from an explicit box of states at t = 0 come to be released in I, or to the left
+       in its mirror image.  So an open set of states of positive area tends to the orbits released
+       in A and their images.
 
 If h > 0: some iterate of G has a horseshoe (Misiurewicz), G has periodic points of infinitely many
 periods, and an uncountable scrambled set (Li and Yorke).  Not claimed: that no periodic orbit of G
 attracts, an invariant density, or a Lyapunov exponent.
 
-Proof of (iv).  Entropy is a monotone function of the kneading sequence (Milnor and Thurston), and
-log s for the tent map of slope s: `cap.release.kneading` compares.  G on I takes n half-periods, so
-it is the n-th power of the map over half a period with the mirror image.
+Proof of (iv).  Entropy is a monotone function of the kneading sequence (Milnor and Thurston; proved
+in `cap.checker.flow.kneading`), and log s for the tent map of slope s: `cap.release.kneading`
+compares.  G on I takes n half-periods, so it is the n-th power of the map S over half a period with
+the mirror image, which is continuous on these states (proved in `cap.checker.flow.releases`).
 """
 
 from collections.abc import Iterator

@@ -94,7 +94,10 @@ def seen(setting: Setting) -> Guess:
                 guess = Guess(float(f), nearest(cycle, c), len(cycle))
                 cycles.append((len(cycle), multiplier(p, cycle), guess))
     if not cycles:
-        raise NotProved("search", "no cycle that attracts is seen in the range of f")
+        where = f"at {LOOKS} values of f between {float(low):.6g} and {float(high):.6g}"
+        raise NotProved(
+            "search", f"no cycle of a period up to {LONGEST} is seen to attract {where}"
+        )
     return min(cycles)[2]
 
 

@@ -2,8 +2,8 @@
 `cap.proofs.attractor` for each f.  If the lemmas succeed, then, but for an explicit share of the
 range,
 
- (i)   G maps an interval I, given for each strip of values of f, into its interior, and is unimodal
-       there;
+ (i)   G maps an interval I into its interior, and is unimodal there; I is given for each strip of
+       values of f, for the middle of it, and moves with f at a given speed by θ;
  (ii)  on each piece of a strip the first symbols of the kneading sequence are those claimed; where
        one may depend on f it is ?;
  (iii) the topological entropy of G on I lies between the bounds claimed for the piece;
@@ -157,10 +157,10 @@ def lemma_1_strip(p: Parameters, near: float, cell: Cell) -> dict[str, Any]:
         "turn": "minimum" if turn > 0 else "maximum",
         "claim": {
             "interval": [exact(found.lower), exact(found.upper)],
+            "shear": str(found.family.shear),
             "pieces": [claim for claim, _ in pieces],
         },
         "hint": {
-            "shear": str(found.family.shear),
             "cells": [_hint(c.upper, slack(c.times)) for c in cells],
             "pieces": [hint for _, hint in pieces],
         },
@@ -206,11 +206,9 @@ def lemma_2_piece(
     images = list(piece.images(found, part, value))
     sequence = piece.symbols([y.places(part) for y in images], c, turn)
     hint = {name: interval.exact_decimal(q) for name, q in asdict(near).items()}
-    cycle = piece.attracting(found, part, images)
-    length = checker.length(part, sequence, near)
-    if cycle and not (cycle.image <= length and checker.contracts(part, cycle)):
-        cycle = None
-    return claim_of(part, sequence[:length], cycle), hint
+    known = checker.images(part, sequence, near)
+    cycle = piece.attracting(found, part, images, partial(checker.contracts, part, known))
+    return claim_of(part, sequence[: len(known)], cycle), hint
 
 
 def claim_of(part: Family, sequence: str, cycle: piece.Attracting | None) -> dict[str, Any]:

@@ -11,10 +11,8 @@ from functools import partial
 from typing import Any
 
 from cap.certificate.writer import window
-from cap.checker.flow.driven import phases
 from cap.checker.flow.sheared import Line, Near, Passage
 from cap.checker.flow.strip import Strip
-from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Parameters as Checked
@@ -35,16 +33,18 @@ class Referee:
     def __init__(self, found: Core) -> None:
         self.found, family = found, found.family
         p = Checked(*astuple(family.p))._replace(f=Fraction(0))
-        theta = phases(p, (family.low, family.high), CHECKED)
-        self.claim = {"interval": _enclosure((found.lower, found.upper))}
-        self.make: Callable[..., Strip] = partial(Strip, p, theta)
+        claim = {
+            "interval": _enclosure(found.lower, found.upper),
+            "shear": family.shear,
+            "pieces": [{"f": _enclosure(family.low, family.high)}],
+        }
+        self.make: Callable[..., Strip] = partial(Strip, p, CHECKED, claim=claim, hint={})
         self.strip = self.made(1)
         self.known = dict[tuple[Fraction, Fraction], Any]()
 
     def made(self, turn: int) -> Strip:
         """Return a strip of the checker."""
-        hint = {"shear": self.found.family.shear}
-        return self.make(turn, self.halves(), self.claim, hint)
+        return self.make(turn, self.halves())
 
     def halves(self) -> int:
         """Return how many half-periods the map takes at the critical point."""
@@ -74,24 +74,23 @@ class Referee:
         except Rejected as reason:
             raise NotProved("checker", str(reason)) from None
 
-    def length(self, part: Family, sequence: str, near: piece.Line) -> int:
-        """Return how many symbols are followed on a piece; raise `NotProved` if none is."""
-        H, length = self.strip.on((part.low, part.high)), 0
+    def images(self, part: Family, sequence: str, near: piece.Line) -> list[Near]:
+        """Return the first images of c, which are followed; raise `NotProved` if none is."""
+        H, known = self.strip.on((part.low, part.high)), list[Near]()
         try:
             c, value = self.strip.critical(H, Line(near.at, near.rate), near.reach)
-            for _ in self.strip.images(H, sequence, c, value):
-                length += 1
+            for image in self.strip.images(H, sequence, c, value):
+                known.append(image)
         except Rejected as reason:
-            if not length:
+            if not known:
                 raise NotProved("checker", str(reason)) from None
-        return length
+        return known
 
-    def contracts(self, part: Family, cycle: piece.Attracting) -> bool:
+    def contracts(self, part: Family, images: list[Near], cycle: piece.Attracting) -> bool:
         """Return whether J is contracted, and an image of c lies there, on a piece."""
         strip = self.strip
-        here = Near(Line(cycle.at, cycle.rate), Interval(0, 0, CHECKED))
         try:
-            strip.cycle(strip.on((part.low, part.high)), asdict(cycle) | {"image": 1}, [here])
+            strip.cycle(strip.on((part.low, part.high)), asdict(cycle), images)
         except Rejected:
             return False
         return True
@@ -103,5 +102,5 @@ def passage_of(events: Itinerary) -> Passage:
     return Passage(list(words(events)), [(Fraction(a), Fraction(b)) for a, b in pairs])
 
 
-def _enclosure(ends: tuple[Fraction, Fraction]) -> Enclosure:
-    return Enclosure(*ends, ("", ""))
+def _enclosure(low: Fraction, high: Fraction) -> Enclosure:
+    return Enclosure(low, high, ("", ""))

@@ -55,6 +55,7 @@ def subdivide(
 
     verdicts: dict[Cell, str] = {}
     left = len(cells)
+    runner.tell(f"0 cells decided; {left} to be examined", None)
     plan = Plan[Cell, str](key=key, name=_name, more=halves)
     for cell, verdict in runner.run(partial(_alone, examine), cells, plan):
         parts = halves(cell, verdict)

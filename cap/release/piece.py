@@ -5,7 +5,7 @@ then |ĉ - c| <= s/k and |H(ĉ) - H(c)| <= s²/k, as H' is monotone there: so H(
 model in θ, and its images are.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -148,8 +148,13 @@ class Attracting:
     image: int
 
 
-def attracting(found: Core, part: Family, images: list[Near]) -> Attracting | None:
-    """Return a cycle that is proved to attract c for all f of the piece, if one is found."""
+def attracting(
+    found: Core, part: Family, images: list[Near], agrees: Callable[[Attracting], bool]
+) -> Attracting | None:
+    """Return a cycle that is proved to attract c for all f of the piece, if one is found.
+
+    Of the intervals J it has the longest with which the caller ``agrees``.
+    """
     seen = [foreseen_cycle(part.p, found, f) for f in (part.low, part.high)]
     if len({period for period, _ in seen}) > 1 or not seen[0][0]:
         return None
@@ -162,8 +167,9 @@ def attracting(found: Core, part: Family, images: list[Near]) -> Attracting | No
         reach = Fraction(1, 2**exponent) * part.p.R
         inside = (n for n, x in enumerate(images, 1) if within(part, x, (at, rate, reach)))
         number = next(inside, 0)
-        if number and contracts(found, part, (at, rate, reach), period):
-            return Attracting(period, at, rate, reach, number)
+        cycle = Attracting(period, at, rate, reach, number)
+        if number and agrees(cycle) and contracts(found, part, (at, rate, reach), period):
+            return cycle
     return None
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
 
 from cap.errors import NotProved
@@ -21,6 +22,7 @@ PIECES, FINEST = 12, 2**9  # of an interval: cells at least, at most
 SAMPLES = 24
 MARGINS = (0.01, 0.02, 0.005, 0.05, 0.002, 0.1)  # of the length of the core
 DECIMALS = 10**6
+SPREAD = Ball(0, 0.2)  # of the window of an event, how much wider it is than floats tell
 SHORT = 0.4  # between a turn and a stick, as a phase
 Ends = tuple[Fraction, Fraction]
 
@@ -45,10 +47,16 @@ class Core:
         p = self.family.p
         middle = sum(y) / 2 + self.shift((f[0] + f[1]) / 2)
         events = nearby(replace(p, f=(f[0] + f[1]) / 2), middle)
-        corners = {words(nearby(replace(p, f=q), z + self.shift(q))) for q in f for z in y}
-        if corners == {words(events)}:
-            return events
+        corners = [nearby(replace(p, f=q), z + self.shift(q)) for q in f for z in y]
+        if all(words(corner) == words(events) for corner in corners):
+            return tuple(map(_spread, *corners))
         return halting(events)
+
+
+def _spread(*events: Expected) -> Expected:
+    """Return an event with a window a little wider than from its first time to its last."""
+    window = reduce(interval.hull, (event.window for event in events))
+    return events[0]._replace(window=window + (window - interval.point(window)) * SPREAD)
 
 
 def halting(events: Itinerary) -> Itinerary:

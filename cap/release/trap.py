@@ -110,7 +110,8 @@ def trap(p: Parameters, near: float) -> Trap:
             return Trap(lower, upper, near, foreseen(p, near)[0])
     raise BadInput(
         f"around the critical point x = {near:.6g} of the release map no interval was found that is"
-        " mapped into itself with one itinerary and one turning point"
+        " mapped into itself with one itinerary and one turning point; over a range of f several"
+        " itineraries are allowed: theorem attractor, --from Q --to Q"
     )
 
 

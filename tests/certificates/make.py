@@ -137,7 +137,7 @@ def released(window, entropies, cascade):
         ("attracting_cycle_without_entropy", window, "entropy", ["0", "0"]),
         ("attracting_cycle_with_shifted_symbols", window, "repeated", "RLL"),
         ("entropies_that_are_too_large", entropies, *piece, "entropy", ["0.482", "0.483"]),
-        ("entropies_with_a_larger_share_of_cycles", entropies, "periodic", "1"),
+        ("entropies_with_a_larger_share_of_cycles", entropies, "periodic", "9/8"),
         ("entropies_with_a_cycle_followed_twice", entropies, *piece, "cycle", "period", "6"),
         ("cascade_with_a_later_doubling", two, "parameters", 1, later),
         ("cascade_to_the_other_side", two, "direction", "up"),

@@ -6,6 +6,7 @@ The whole check takes seconds: most lies are told to the one step that must noti
 from __future__ import annotations
 
 import json
+import math
 from fractions import Fraction
 from itertools import islice, pairwise
 from pathlib import Path
@@ -73,9 +74,33 @@ def test_it_is_verified():
     line = words(certificate)
     for part in ("takes I = [", "topological entropy of G on I", "it is not claimed that no"):
         assert part in line
+    assert "a box of the area 0.000043441281, comes to be released in I, or to the left" in line
     shown = "\n".join(macros(certificate, "a", 6))
     assert "capAEntropy}{[0.44252, 0.44253]}" in shown
     assert "capAInterval}{" + str(certificate.claims["interval"]) in shown
+
+
+def test_orbits_at_a_wall_when_masses_are_released(cells):
+    """Some are: so the entropy per period is said of states of which those at a hit are one."""
+    half, bits = math.pi, int(STORED["hints"]["cell_bits"])
+    proof = Attractor(read(encode(STORED)), lambda _: None)
+    release = 2 * math.pi - math.acos(0.4)
+
+    def delay(x, windows):
+        M = proof.phi(windows).mechanics([x], [x], 2)
+        first, *later = M.minima[1]
+        start = M.flight(1, first, M.x, M.constant(x.integer(0)), later, at_rest=True)
+        return float(proof.phi(windows).follow(M, start)[0][0].moment.t.value.lower) - release
+
+    delays = [
+        delay(Interval.enclosing(x, x, bits), cell.windows)
+        for cell in cells
+        for x in [(cell.lower + cell.upper) / 2]
+    ]
+    assert STORED["claims"]["itinerary"][0] == "hit r"
+    assert min(delays) < half - 0.005 < half + 0.005 < max(delays)
+    line = words(read(encode(STORED)))
+    assert "(wall, v) before a hit and (wall, -e v) after it count as one state" in line
 
 
 def test_the_order_of_sequences():
@@ -231,6 +256,13 @@ def test_the_itinerary():
         rejected(lie("half_periods", n), "takes another time")
     windows = STORED["hints"]["cells"][0]["events"]
     rejected(changed(STORED, "hints", "cells", 0, "events", windows[::-1]), ".")
+
+
+def test_windows_and_images(at):
+    """As many windows as events; and no events for a place that is not in I."""
+    short = STORED["hints"]["basin_events"][:-1]
+    rejected(changed(STORED, "hints", "basin_events", short), "windows are not lists of 6")
+    refuses(at().windows, "is not in I", Interval.enclosing(0, 0, 64))
 
 
 def test_one_release_only():

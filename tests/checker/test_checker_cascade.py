@@ -47,6 +47,15 @@ def test_two_doublings():
         assert part in line
 
 
+def test_ratios_are_told_where_there_are_some():
+    """Of two doublings there is none; of three there is one."""
+    assert "ratio" not in words(read(encode(TWO)))
+    three = words(read(encode(shortened(3))))
+    ratio = "[" + ", ".join(STORED["claims"]["ratios"][0]) + "]"
+    assert f"are in {ratio}; it is not claimed" in three
+    assert "nor that the ratios converge" in three
+
+
 def test_the_ratios_stored():
     """They are those of the six parameters; that all is verified, as `TWO` is, says CI."""
     f = [Fraction(a) for a, _ in STORED["claims"]["parameters"]]

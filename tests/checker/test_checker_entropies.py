@@ -25,6 +25,7 @@ from cap.parameters import PAPER
 from checker.altered import changed, encode, fits_the_schema, rejected
 
 STORED = json.loads((Path(__file__).parents[2] / "certificates/entropies-1.json").read_text())
+WITH_CYCLE = 1  # a piece
 
 
 @pytest.fixture(scope="module")
@@ -49,12 +50,6 @@ def at(cells):
         return strip
 
     return prepared
-
-
-def number_of(kind):
-    """Return the number of a piece of the first strip with a cycle, or without."""
-    pieces = STORED["claims"]["strips"][0]["pieces"]
-    return next(n for n, q in enumerate(pieces) if (q["cycle"] == "none") == (kind == "none"))
 
 
 def lie(n, *path_and_value):
@@ -105,7 +100,7 @@ def test_the_extreme_sequences():
 
 def test_the_symbols(at):
     """None can be another one, where it is certain."""
-    n = number_of("cycle")
+    n = WITH_CYCLE
     symbols = STORED["claims"]["strips"][0]["pieces"][n]["kneading"]
     examined(at, n)
     for k in (0, 1, 4):
@@ -116,7 +111,7 @@ def test_the_symbols(at):
 
 def test_the_entropies(at):
     """No bound can be moved inwards, nor be negative; without symbols nothing is decided."""
-    n = number_of("cycle")
+    n = WITH_CYCLE
     strip = at()
     piece = STORED["claims"]["strips"][0]["pieces"][n]
     low, high = map(Fraction, piece["entropy"])
@@ -137,7 +132,7 @@ def test_the_entropies(at):
 
 def test_the_cycle(at):
     """J too large, too small, elsewhere; another period."""
-    n = number_of("cycle")
+    n = WITH_CYCLE
     path = n, "cycle"
     cycle = STORED["claims"]["strips"][0]["pieces"][n]["cycle"]
     refused(at, "no interior", n, lie(*path, "reach", "0"))
@@ -202,6 +197,65 @@ def test_the_order():
             other.shares()
 
 
+def test_the_shares_count_what_they_name():
+    """A piece that may have no entropy, a piece without a cycle, a range that goes on."""
+    pieces = STORED["claims"]["strips"][0]["pieces"]
+    zero = lie(0, "entropy", ["0", pieces[0]["entropy"][1]])
+    without = lie(0, "cycle", "none")
+    wider = changed(STORED, "claims", "range", [STORED["claims"]["range"][0], "0.392"])
+    for certificate, why in (
+        (zero, "entropy is 3/4"),
+        (without, "with cycles"),
+        (wider, "positiv"),
+    ):
+        with pytest.raises(Rejected, match=f"the share .*{why}"):
+            Entropies(read(encode(certificate)), lambda _: None).shares()
+
+
+@pytest.mark.parametrize("range_", [["0", "0.391"], ["-1", "0.391"], ["0.389", "1"]])
+def test_the_range(range_):
+    """It lies between 0 and F, without its ends."""
+    rejected(changed(STORED, "claims", "range", range_), r"the range is not in \(0, F\)")
+
+
+def told(*bounds):
+    """Return the sentence with these bounds of entropies, on all the pieces in turn."""
+    certificate = copy.deepcopy(STORED)
+    for n, piece in enumerate(certificate["claims"]["strips"][0]["pieces"]):
+        piece["entropy"] = list(bounds[n % len(bounds)])
+    return words(read(encode(certificate)))
+
+
+def test_the_sentence_says_how_large_entropies_are():
+    """Positive on some pieces, on none, zero on all."""
+    some = told(("0", "0.1"), ("0.3", "0.4"), ("0.2", "0.5"))
+    assert "it is positive, at least 0.2, on the share" in some
+    assert "nowhere in these pieces above 0.5;" in some
+    none = told(("0", "0.1"), ("0", "0"))
+    assert "it is shown to be positive in none of them, and nowhere there above 0.1;" in none
+    assert "it is zero in all of them;" in told(("0", "0"))
+    assert "it is positive" not in none + told(("0", "0"))
+
+
+def test_the_interval_moves_with_f(at):
+    """I is [a, b] in the middle of the strip, and moves with the shear that is claimed."""
+    assert "for the middle of each strip of values of f and moving with f" in words(
+        read(encode(STORED))
+    )
+    strip = at()
+    f = (strip.claim["pieces"][0]["f"].lower + strip.claim["pieces"][-1]["f"].upper) / 2
+    middle = strip.on((f, f))
+    assert middle.theta.lo == middle.origin.lo
+    assert middle.theta.hi == middle.origin.hi
+    for shear in ("0", "28/5"):
+        other = changed(STORED, "claims", "strips", 0, "shear", shear)
+        with pytest.raises(Rejected, match=r"interior|when a window ends"):
+            at(other).boundary()
+    hint = copy.deepcopy(STORED)
+    hint["hints"]["strips"][0]["shear"] = hint["claims"]["strips"][0].pop("shear")
+    rejected(hint, "missing or unknown fields")
+
+
 def test_one_release_only(at):
     """What follows a release on the way is not said of the release map, but of an iterate."""
     twice = copy.deepcopy(STORED)
@@ -210,6 +264,90 @@ def test_one_release_only(at):
         cell[name] *= 2
     with pytest.raises(Rejected, match="only release"):
         list(at(twice).covered())
+
+
+def test_cells_that_end_early(at):
+    """The last one ends at b."""
+    path = "hints", "strips", 0, "cells"
+    short = changed(STORED, *path, STORED["hints"]["strips"][0]["cells"][:1])
+    with pytest.raises(Rejected, match="do not cover"):
+        list(at(short).covered())
+    events = STORED["hints"]["strips"][0]["cells"][3]["events"]
+    rejected(changed(STORED, *path, 3, "events", events[1:]), "not as many as its words")
+
+
+def test_work():
+    """What would take hours is not begun."""
+    certificate = read(encode(STORED))
+    hints, claims = (
+        part | {"strips": part["strips"] * 200} for part in (certificate.hints, certificate.claims)
+    )
+    with pytest.raises(Rejected, match="are too much"):
+        Entropies.limit(hints, claims)
+
+
+def test_a_map_that_may_be_monotone(at, cells):
+    """Without cells on one side of those where H' may vanish."""
+    flat = [n for n, cell in enumerate(cells) if not cell.slope]
+    for part in (cells[flat[0] :], cells[: flat[-1] + 1]):
+        strip = at()
+        strip.cells = part
+        with pytest.raises(Rejected, match="may be monotone"):
+            strip.unimodal()
+
+
+def test_the_critical_point(at):
+    """It lies in I, where H'' has the sign of the turn claimed."""
+    other = changed(STORED, "claims", "turn", "maximum")
+    refused(at, "second derivative may vanish", 0, other)
+    strip = at()
+    with pytest.raises(Rejected, match="an image of the critical point is not in I"):
+        strip.passage(Interval.enclosing(0, 0, 96))
+    strip.a, claim, hint = strip.b - Fraction(1, 1000), *piece_of(strip)
+    with pytest.raises(Rejected, match="the critical point is not in I"):
+        strip.piece(claim, hint)
+
+
+def piece_of(strip):
+    """Return what is claimed of a piece, and the hint."""
+    return strip.claim["pieces"][0], strip.hint["pieces"][0]
+
+
+def test_the_image_that_is_named(at):
+    """It is among those that are followed."""
+    many = len(STORED["claims"]["strips"][0]["pieces"][WITH_CYCLE]["kneading"])
+    beyond = lie(WITH_CYCLE, "cycle", "image", str(many + 1))
+    refused(at, "beyond the kneading sequence", WITH_CYCLE, beyond)
+
+
+def test_an_iterate_that_does_not_contract(at, monkeypatch):
+    """It takes J into its interior, but the derivative may be 1: then it may have more cycles."""
+    strip = at()
+    claim = strip.claim["pieces"][WITH_CYCLE]["cycle"]
+    H = strip.on((Fraction("0.39"), Fraction("0.39")))
+    line = Line(claim["at"], claim["rate"])
+    inside = Near(line, H.theta.integer(0))
+    images = [inside] * claim["image"]
+    away = Near(line._replace(at=line.at + 1), H.theta.integer(0))
+
+    def steps(slope):
+        results = iter([away, away, inside])
+        monkeypatch.setattr(Sheared, "straightened", lambda *_: next(results))
+        monkeypatch.setattr(strip, "image", lambda *_: {(1, 0): slope})
+        strip.cycle(H, claim, images)
+
+    steps(Interval.enclosing(Fraction(-99, 100), Fraction(99, 100), 96))
+    for slope in (1, -1):
+        with pytest.raises(Rejected, match="may not contract J"):
+            steps(Interval.enclosing(slope, slope, 96))
+
+
+def test_a_release_at_a_wall(at):
+    """Nothing is said of it."""
+    strip = at()
+    near = Interval.enclosing(Fraction(99, 100), Fraction(101, 100), 96)
+    with pytest.raises(Rejected, match="a release is not between the walls"):
+        strip.H.over(near, strip.cells[0].passage)
 
 
 def test_words_of_cells():

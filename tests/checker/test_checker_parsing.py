@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.reading import MAX_BYTES, number, parsed
+from cap.checker.kernel.reading import MAX_BYTES, decimal, number, parsed
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Whole, enclosure
 from checker.altered import encode, rejected, verify
@@ -240,3 +240,10 @@ def test_each_rule_of_the_format(good, name):
     bad = copy.deepcopy(good)
     at(bad, path[:-1])[path[-1]] = value
     rejected(bad, why)
+
+
+def test_decimals_for_people():
+    """Exact: a decimal if that is short, else the fraction."""
+    for text in ("0.25", "-0.000043441281", "12", "-3", "1/3", "-22/7", "4.81839722", "0"):
+        assert decimal(Fraction(text)) == text
+    assert decimal(Fraction(1, 2**200)) == f"1/{2**200}"

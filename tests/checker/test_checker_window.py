@@ -121,6 +121,18 @@ def test_the_cycle(at):
     rejected(lie("cycle", points[1:]), "cycle is not a list")
 
 
+def test_an_iterate_that_does_not_contract(at, monkeypatch):
+    """It takes J into its interior, but its derivative may be 1: then it may have more cycles."""
+    proof, c = at()
+    bits = int(STORED["hints"]["bits"])
+    found = proof.round(Interval.enclosing(*map(Fraction, STORED["claims"]["around"]), bits))
+    for slope in (1, -1):
+        steep = found._replace(slope=Interval.enclosing(slope, slope, bits))
+        monkeypatch.setattr(proof, "round", lambda _, steep=steep: steep)
+        with pytest.raises(Rejected, match="may not contract J"):
+            proof.attracts(c)
+
+
 def test_the_entropies(at):
     """That of period three is the logarithm of the golden ratio; that of period four is zero."""
     at()[0].entropy()

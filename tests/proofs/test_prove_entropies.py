@@ -15,7 +15,7 @@ from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from cap.proofs import entropies
 from cap.proofs.fixed_point import Setting
-from cap.release import kneading, strip
+from cap.release import kneading, piece, strip
 from cap.release.passage import words
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -56,6 +56,40 @@ def test_cells():
         assert halts
 
 
+def test_an_interval_with_which_the_checker_agrees():
+    """Of the intervals around a cycle the longest is taken that the caller, too, can follow."""
+    with interval.workprec(80):
+        found = in_the_middle("0.3900", "0.3905", -0.6603)
+        part = found.family.part(found.family.low, found.family.high)
+        near = piece.line(found, part)
+        images = list(piece.images(found, part, piece.critical_point(found, part, near, 1)[1]))
+        asked = []
+
+        def agrees(cycle):
+            asked.append(cycle.reach)
+            return len(asked) > 2
+
+        cycle = piece.attracting(found, part, images, agrees)
+        assert cycle.period == 3
+        assert cycle.reach == min(asked)
+        assert len(asked) >= 3
+        assert piece.attracting(found, part, images, lambda _: False) is None
+
+
+def test_windows_foreseen_over_a_set():
+    """They hold the times at its corners, and a little more."""
+    with interval.workprec(80):
+        found = in_the_middle("0.3900", "0.3905", -0.6603)
+        f = found.family.low, found.family.high
+        events = found.expected((-0.70, -0.69), f)
+        for q, y in product(f, (-0.70, -0.69)):
+            corner = found.expected((y, y), (q, q))
+            assert words(corner) == words(events)
+            assert all(
+                wide.window.contains(here.window) for wide, here in zip(events, corner, strict=True)
+            )
+
+
 def test_halting():
     """A turn and a stick, or a stick, become a halt; other events do not."""
     here = Ball(1)
@@ -82,13 +116,13 @@ def test_bounds_of_the_entropy():
 def test_the_stored_pieces_in_floats():
     """The first symbols of the critical orbit for f at the ends and in the middle of each piece."""
     near = -0.6663
-    for piece in CLAIMS["strips"][0]["pieces"]:
-        low, high = map(Fraction, piece["f"])
+    for claim in CLAIMS["strips"][0]["pieces"]:
+        low, high = map(Fraction, claim["f"])
         for f in (low, (low + high) / 2, high):
             p = replace(PAPER, f=f)
             turning = strip.turning_point(p, near)
             near, x = turning.x, turning.value
-            for symbol in piece["kneading"][:9]:
+            for symbol in claim["kneading"][:9]:
                 side = "R" if x < near else "L"
                 assert symbol in (side, "?") or abs(x - near) < 1e-6
                 x = float(images(p, [x]).value[0])

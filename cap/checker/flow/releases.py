@@ -1,4 +1,24 @@
-"""From one release to the next: where it is, mirrored if it is to the left, and how much later."""
+"""From one release to the next: where it is, mirrored if it is to the left, and how much later.
+
+*Entropy per period.*  Let all releases from an interval I have the same events: hits and turns, a
+stick, and a release n half-periods later, the place of which, mirrored if it is to the left, is
+G(x) in I.  Let (wall, v) before a hit and (wall, -e v) after it be one state: they have the same
+future.  This is a closed relation, so a compact set of the plane of (x, v) becomes a compact metric
+space.  Let phi_j(x) be the state j half-periods after the release at x, mirrored if j is odd.  The
+times of the events depend continuously on x, and so does the state, at all times: it is continuous
+in time at turns and sticks, and, with these states identified, at hits (without, phi_j jumps where
+a hit takes place j half-periods after the release).  Let S be the map that takes a state to that
+half a period later, mirrored: S phi_j = phi_(j+1), phi_n(x) = phi_0(G(x)), and S^2 is the map over
+a period T.
+
+Let A be the intersection of all G^k(I): it is compact, G(A) = A.  Let K_j = phi_j(A), K = K_0 + ..
++ K_(n-1), the union.  S is continuous on each K_j: the preimage there of a closed set B, phi_j of
+phi_(j+1)^-1(B), is compact.  So it is on K, and S(K) = K.  S^n takes each K_j onto itself, and S^n
+phi_j = phi_j G: so its entropy there is at most that of G on A; and on K_0, the set of all (x, 0)
+with x in A, the same.  So the entropy of S^n on K is that of G on A; that of S^2 is 2/n times this.
+The entropy of G on A is that on I: an invariant measure of the whole space 1 has m(G^k(I)) = m(I) =
+1, so m(A) = 1, and entropy is the supremum of those of invariant measures [variational principle].
+"""
 
 from __future__ import annotations
 

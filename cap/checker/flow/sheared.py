@@ -1,9 +1,10 @@
 """The release map for an interval of f, in a coordinate that moves with f.
 
-With f = F cos theta, theta near theta_0, and a number s, let y = x - s (theta - theta_0).  For each
-f let H(y) be G(x), less s (theta - theta_0): a translate of G, with the same kneading sequence and
-the same entropy.  With s near the velocity, by theta, of the orbits in view, H depends on theta
-much less than G does, so enclosures of it over wide intervals of f are narrow.
+With f = F cos theta, a number theta_0 (of which an enclosure is known, the origin), and a number s,
+let y = x - s (theta - theta_0).  For each f let H(y) be G(x), less s (theta - theta_0): a translate
+of G, with the same kneading sequence and the same entropy.  With s near the velocity, by theta, of
+the orbits in view, H depends on theta much less than G does, so enclosures of it over wide
+intervals of f are narrow.
 """
 
 from __future__ import annotations

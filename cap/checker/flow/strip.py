@@ -36,16 +36,18 @@ class Strip:
     def __init__(
         self,
         p: Parameters,
-        theta: Interval,
+        bits: int,
         turn: int,
         half_periods: int,
         claim: dict[str, Any],
         hint: dict[str, Any],
     ) -> None:
-        self.p, self.turn, self.claim, self.hint = p, turn, claim, hint
-        self.H = Sheared(p, theta, hint["shear"], theta.midpoint(), half_periods)
+        self.p, self.turn, self.claim, self.hint, self.bits = p, turn, claim, hint, bits
+        low, high = pieces_ends(claim)
+        middle = (low + high) / 2
+        theta, origin = phases(p, (low, high), bits), phases(p, (middle, middle), bits)
+        self.H = Sheared(p, theta, claim["shear"], origin, half_periods)
         self.a, self.b = ends(claim["interval"])
-        self.bits = theta.bits
 
     def prove(self) -> None:
         """Prove all that is claimed of the strip."""
@@ -191,6 +193,11 @@ class Strip:
         inside = H.distance(here, line).lies_inside(-reach, reach)
         need(inside, "an iterate may not take J into its interior")
         need(slope.magnitude().is_before(slope.integer(1)), "an iterate may not contract J")
+
+
+def pieces_ends(claim: dict[str, Any]) -> Ends:
+    """Return the ends of a strip: all f of its pieces."""
+    return claim["pieces"][0]["f"].lower, claim["pieces"][-1]["f"].upper
 
 
 def fitted(passage: Passage, words: Any) -> list[Ends]:

@@ -7,28 +7,33 @@ release, mirrored if that is to the left; G takes a whole number n of half-perio
 
 *Cells.*  An interval I = [a, b] is cut into cells.  On each, ``itinerary.follow`` proves the events
 of all its releases up to the next one, which is the last and only one among them, the same on all
-cells; G is the place of the last stick, an
-analytic function of x; jets in x alone, in mean value form, enclose G' and G''.  From left to
-right, first G' has one sign, then, on cells that follow each other, G'' has the other, then G' has
-that.  So G' is strictly monotone on the middle cells, changes sign there, and G has one critical
-point c in I: a minimum if G'' > 0, a maximum if G'' < 0.  G' has opposite signs at the ends of
-``critical``, so c lies there.  G is monotone on both sides of c: if G(a), G(b) and G(c) lie inside
-I, so does G(I).
+cells; G is the place of the last stick, an analytic function of x; jets in x alone, in mean value
+form, enclose G' and G''.  From left to right these are known, for a minimum:
+
+    cells     first    some after them    the last
+    known     G' < 0       G'' > 0         G' > 0
+
+and for a maximum with the other signs.  G' has opposite signs at the ends of ``critical``, and on
+the middle cells it is strictly monotone: so G has one critical point c in I, between these ends.  G
+is monotone on both sides of c: if G(a), G(b) and G(c) lie inside I, so does G(I).
 
 *Kneading.*  Let R be the branch of G on which it decreases, L that on which it increases (so it is
 as for a map with a maximum, which G or x -> -G(-x) is).  The kneading sequence of G is the sequence
 of the branches on which G(c), G^2(c), ... lie; they are enclosed in mean value form, and each is
 certainly on one side of c.
 
-*Entropy.*  With the order of ``kneading``, the sequence of G lies between those of the tent maps
-with the slopes exp of the ends of ``entropy``, for all slopes in their enclosures.
+*Entropy.*  In the order of ``kneading``, the sequence of G lies between those of the tent maps with
+the slopes exp of the ends of ``entropy``, for all slopes in their enclosures (Lemmas 5, 6).
 
-*The flow.*  Let S be the map over half a period with the mirror image, from one time of releases to
-the right to the next: S^2 is Phi from that time on, S^n on the releases from I is G.  Let A be the
-intersection of all G^k(I), K the union of S^j(A), j < n: the states through which the orbits pass
-that are released in A.  S^n maps each S^j(A) into itself, and S takes one onto the next, so the
-entropies of S^n on them do not increase from one to the next, and come back to h: all are h.  So
-that of S^2 on K is 2h/n.
+*The flow.*  G' is not zero but at c, so no event is a capture, after which the state is constant:
+the itinerary is as in ``releases``, and the entropy per period is 2h/n.
+
+*Positive entropy.*  Then some G^N has a horseshoe: two intervals each of which it maps over both
+[Misiurewicz], disjoint for some N [Block, Coppel].  So there is an x = G^3N(x) with x and G^N(x) in
+the one and G^2N(x) in the other, of period 3 under G^N.  Hence G^N has periodic points of all least
+periods q, and an uncountable scrambled set: any two of its points come close to each other again
+and again, but do not stay so [Li, Yorke, Theorem 1].  Under G such a point has a least period of q
+or more, so there are infinitely many; and the set is scrambled, too.
 
 *The basin.*  All orbits from a box at t = 0 have the events claimed, up to a release in I.
 """
@@ -48,7 +53,7 @@ from cap.checker.flow.releases import next_release
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
-from cap.checker.kernel.reading import number
+from cap.checker.kernel.reading import decimal, number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Field,
@@ -116,7 +121,9 @@ class Attractor(Theorem):
               "the branches of G(c), G^2(c), ..: R where G decreases, L where it increases"),
         Field("entropy", Quantity(), "topological entropy of G on I", "h", "at least 0"),
         Field("entropy_per_period", Quantity(), "the same per period T", "h_T", "2 h/n"),
-        Field("basin", STATE, "", "", "every orbit from it at t = 0 comes to be released in I"),
+        Field("basin", STATE, "", "",
+              "every orbit from it at t = 0 comes to be released in I, or to the left in its "
+              "mirror image"),
     )
     CITES = (
         cite(
@@ -319,7 +326,7 @@ class Attractor(Theorem):
         """Return the theorem in one line."""
         lower, upper = ends(self.claims["entropy"])
         x, v = self.claims["basin"]["x"], self.claims["basin"]["v"]
-        area = (x.upper - x.lower) * (v.upper - v.lower)
+        area = decimal((x.upper - x.lower) * (v.upper - v.lower))
         chaos = _CHAOS if lower > 0 else _NO_CHAOS if upper == 0 else ""
         more = {"events": ", ".join(self.claims["itinerary"]), "x": x, "v": v, "area": area}
         return self.told(SYSTEM + _MAP + self.about(chaos) + _BASIN, **more, kneading=self.known())
@@ -346,22 +353,24 @@ _MAP = (
     "the next release, {half_periods} half-periods later: {events}; on I G has one critical "
     "point, a {turn}, in {critical_point}, with the value in {critical_value}; the branches "
     "on which its first images lie, R where G decreases, L where it increases, are {kneading}; "
-    "hence (Milnor-Thurston) the topological entropy of G on I is in {entropy}, and on the set "
-    "of states through which the orbits pass that are released in A, the intersection of all "
-    "G^k(I), that of the map over one period, begun at a time of releases, is in "
-    "{entropy_per_period}"
+    "hence (Milnor-Thurston) the topological entropy of G on I is in {entropy}; and where (wall, "
+    "v) before a hit and (wall, -e v) after it count as one state, that of the map over one "
+    "period, from one time of releases to the right to the next, is in {entropy_per_period} on the "
+    "set of the states at these times of the orbits released in A, the intersection of all G^k(I), "
+    "and of their images by (x, v, t) -> (l + r - x, -v, t + T/2)"
 )
 _CHAOS = (
-    "; as it is positive, an iterate of G has a horseshoe (Misiurewicz), and G has periodic points "
-    "of infinitely many periods and an uncountable scrambled set (Li-Yorke)"
+    "; as it is positive, an iterate of G has a horseshoe (Misiurewicz), so a point of period 3; "
+    "so (Li-Yorke) G has periodic points of infinitely many periods and an uncountable scrambled "
+    "set"
 )
 _NOT_CLAIMED = (
     "; it is not claimed that no periodic orbit attracts, nor that there is an invariant density"
 )
 _NO_CHAOS = "; so G has no horseshoe, nor has an iterate of it"
 _BASIN = (
-    "; every orbit from {x} x {v} at t = 0, a box of the area {area}, comes to be released in I: "
-    "it tends to the orbits released in A"
+    "; every orbit from {x} x {v} at t = 0, a box of the area {area}, comes to be released in I, "
+    "or to the left in the mirror image of I: it tends to the orbits released in A and their images"
 )
 
 THEOREM = Attractor

@@ -241,10 +241,12 @@ class Cascade(Theorem):
             f"f_{k + 1} in {f}, period {claims['period'] << k}"
             for k, f in enumerate(claims["parameters"])
         )
-        ratios = ", ".join(map(str, claims["ratios"]))
         side = "larger" if claims["direction"] == "up" else "smaller"
         events = ", ".join(claims["itinerary"])
-        return self.told(_TEXT, listed=listed, quotients=ratios, side=side, events=events)
+        quotients = ", ".join(map(str, claims["ratios"]))
+        parts = (_TEXT, _RATIOS, _NOT_CLAIMED, _NOR) if quotients else (_TEXT, _NOT_CLAIMED)
+        text = "".join(parts)
+        return self.told(text, listed=listed, quotients=quotients, side=side, events=events)
 
 
 _TEXT = (
@@ -255,10 +257,10 @@ _TEXT = (
     "following f, G has a cycle of the least period named, with exactly these events from each "
     "release to the next, {half_periods} half-periods later: {events}; its multiplier is -1, and "
     "falls below -1 with a derivative that is not zero for {side} f; so (period doubling) near it, "
-    "on that side of f, there is a cycle of twice the period, and it attracts: {listed}; the "
-    "ratios (f_(k+1) - f_k)/(f_(k+2) - f_(k+1)) are in {quotients}; it is not claimed that the "
-    "cycle of f_(k+1) is the one that branches off at f_k, nor that the ratios converge, be it to "
-    "4.6692.. (Feigenbaum)"
+    "on that side of f, there is a cycle of twice the period, and it attracts: {listed}"
 )
+_RATIOS = "; the ratios (f_(k+1) - f_k)/(f_(k+2) - f_(k+1)) are in {quotients}"
+_NOT_CLAIMED = "; it is not claimed that the cycle of f_(k+1) is the one that branches off at f_k"
+_NOR = ", nor that the ratios converge, be it to 4.6692.. (Feigenbaum)"
 
 THEOREM = Cascade

@@ -1,8 +1,9 @@
 """The theorem about the entropy of the release map for a whole range of f.
 
 For f of the range let G be the release map (``attractor``).  The range is cut into strips, between
-which there may be gaps.  On a strip, in the coordinate y = x - s (theta - theta_0), theta =
-arccos(f/F), theta_0 in the middle of the strip (``sheared``), G becomes H, a translate of G.
+which there may be gaps.  On a strip let theta = arccos(f/F), theta_0 that of the middle of the
+strip, and y = x - s (theta - theta_0), s the ``shear`` claimed (``sheared``): so G becomes H, a
+translate of G, and I = [a, b] + s (theta - theta_0) the fixed interval [a, b] of y.
 
 *Unimodal.*  On the cells of [a, b], for all f of the strip, the releases have events that end with
 the next release, n half-periods later; these may differ from cell to cell, and by a turn from f to
@@ -36,16 +37,25 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from cap.checker.flow.driven import phases
 from cap.checker.flow.events import WORDS
 from cap.checker.flow.fixed_point import ends
 from cap.checker.flow.halts import HALTS
-from cap.checker.flow.strip import Strip
+from cap.checker.flow.strip import Strip, pieces_ends
 from cap.checker.kernel.choices import OrNone
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Letters, Many, Table, Whole, Word, enclosure, region
+from cap.checker.kernel.shapes import (
+    Enclosure,
+    Field,
+    Letters,
+    Many,
+    Table,
+    Whole,
+    Word,
+    enclosure,
+    region,
+)
 from cap.checker.kernel.theorem import BITS, MAX_BITS, WITH_LOSSES, Theorem
 
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
@@ -79,21 +89,23 @@ class Entropies(Theorem):
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS._replace(shape=Whole(64, MAX_BITS // 4)),
-        Field("strips", Many({"shear": number, "cells": Many(CELL, 1, _MAX_CELLS),
+        Field("strips", Many({"cells": Many(CELL, 1, _MAX_CELLS),
                               "pieces": Many({"at": number, "rate": number, "reach": number},
                                              1, _MAX_PIECES)}, 1, _MAX_STRIPS), "", "",
-              "for each strip s; its cells, which follow each other from a to b; and for each "
-              "piece: the critical point is near at + rate (theta - theta_0), within the reach"),
+              "for each strip its cells, which follow each other from a to b; and for each piece: "
+              "the critical point y is near at + rate (theta - theta_0), within the reach"),
     )
     CLAIMS: ClassVar[Table] = (
         Field("range", region, "", "", "of f"),
         Field("half_periods", Whole(1, 32), "", "", "n: the time that G takes, in T/2"),
         Field("turn", Word(("minimum", "maximum")), "", "", "what G has at its critical point"),
-        Field("strips", Many({"interval": region, "pieces": Many(PIECE, 1, _MAX_PIECES)}, 1,
-                             _MAX_STRIPS), "", "",
-              "ascending: [a, b], the interval I in the middle of the strip; its pieces, from one "
-              'end to the other: f; the branches of G(c), G^2(c), .., "?" where it depends on f; '
-              'bounds of the entropy of G on I; a cycle that attracts c, or "none"'),
+        Field("strips", Many({"interval": region, "shear": number,
+                              "pieces": Many(PIECE, 1, _MAX_PIECES)}, 1, _MAX_STRIPS), "", "",
+              "ascending: [a, b] and the shear s, I = [a, b] + s (theta - theta_0), theta = "
+              "arccos(f/F), theta_0 that of the middle of the strip; its pieces, from one end to "
+              'the other: f; the branches of G(c), G^2(c), .., "?" where it depends on f; bounds '
+              "of the entropy of G on I; a cycle that attracts all within the reach of at + (rate "
+              '+ s) (theta - theta_0), where the image of c with this number lies, or "none"'),
         Field("positive", number, "", "", "the share of the range with a positive lower bound"),
         Field("periodic", number, "", "", "the share of the range with a cycle that attracts c"),
         Field("undecided", number, "", "", "the share of the range that is in no strip"),
@@ -157,10 +169,8 @@ class Entropies(Theorem):
 
     def strip(self, claim: dict[str, Any], hint: dict[str, Any]) -> Strip:
         """Return a strip, of which nothing is proved yet."""
-        bits = self.hints["bits"]
-        theta = phases(self.p, pieces_ends(claim), bits)
-        turn = 1 if self.claims["turn"] == "minimum" else -1
-        return Strip(self.p, theta, turn, self.claims["half_periods"], claim, hint)
+        turn, halves = 1 if self.claims["turn"] == "minimum" else -1, self.claims["half_periods"]
+        return Strip(self.p, self.hints["bits"], turn, halves, claim, hint)
 
     def pieces(self) -> Iterator[dict[str, Any]]:
         """Yield all pieces."""
@@ -185,22 +195,24 @@ class Entropies(Theorem):
     def words(self) -> str:
         """Return the theorem in one line."""
         found = list(self.pieces())
-        bounds = [q["entropy"] for q in found]
-        positive = [q for q in bounds if q.lower > 0] or bounds
-        least = min(positive, key=lambda q: q.lower).text[0]
-        most = max(bounds, key=lambda q: q.upper).text[1]
         periods = sorted({q["cycle"]["period"] for q in found if q["cycle"]})
         shares = {name: percent(self.claims[name]) for name in _SHARES}
         listed = ", ".join(map(str, periods))
-        text = _SYSTEM + _ENTROPIES + (_CYCLES if periods else "") + _PIECES
-        text += "; ".join(map(piece, found))
-        more = {"count": len(found), "least": least, "most": most, "periods": listed}
-        return self.told(text, **more, **shares)
+        text = _SYSTEM + _ENTROPIES + bounded([q["entropy"] for q in found])
+        text += _NOT_CLAIMED + (_CYCLES if periods else "") + _PIECES + "; ".join(map(piece, found))
+        return self.told(text, count=len(found), periods=listed, **shares)
 
 
-def pieces_ends(strip: dict[str, Any]) -> tuple[Fraction, Fraction]:
-    """Return the ends of a strip."""
-    return strip["pieces"][0]["f"].lower, strip["pieces"][-1]["f"].upper
+def bounded(entropies: list[Enclosure]) -> str:
+    """Return how large the entropies of all pieces are, in words."""
+    positive = [q for q in entropies if q.lower > 0]
+    least, most = min(positive, default=None), max(entropies, key=lambda q: q.upper)
+    if least is not None:
+        more_than_0 = f"it is positive, at least {least.text[0]}, on the share {{positive}} of the "
+        return f"{more_than_0}range, and nowhere in these pieces above {most.text[1]}"
+    if most.upper > 0:
+        return f"it is shown to be positive in none of them, and nowhere there above {most.text[1]}"
+    return "it is zero in all of them"
 
 
 def piece(claim: dict[str, Any]) -> str:
@@ -222,12 +234,12 @@ _ENTROPIES = (
     "with T = 2 pi/omega, let G take the place x at which a mass that has stuck is released to the "
     "right to the place of its next release, a release to the left mirrored by x -> l + r - x with "
     "half a period; but for f in the share {undecided} of the range, G takes an interval I, given "
-    "in the certificate, into its interior, where it is unimodal, with a {turn}, and takes "
-    "{half_periods} half-periods; on {count} pieces of the range the kneading sequence of its "
-    "critical point is known as far as claimed, hence (Milnor-Thurston) bounds of the topological "
-    "entropy of G on I; it is positive, at least {least}, on the share {positive} of the range, "
-    "and nowhere in these pieces above {most}; it is not claimed that it is monotone in f"
+    "in the certificate for the middle of each strip of values of f and moving with f, into its "
+    "interior, where it is unimodal, with a {turn}, and takes {half_periods} half-periods; on "
+    "{count} pieces of the range the kneading sequence of its critical point is known as far as "
+    "claimed, hence (Milnor-Thurston) bounds of the topological entropy of G on I; "
 )
+_NOT_CLAIMED = "; it is not claimed that it is monotone in f"
 _CYCLES = (
     "; on the share {periodic} of the range a cycle of G, for which the certificate gives an "
     "interval and its period ({periods}), attracts the critical point"

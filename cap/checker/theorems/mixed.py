@@ -56,7 +56,7 @@ from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.processes import each
-from cap.checker.kernel.reading import number, text
+from cap.checker.kernel.reading import decimal, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Enclosure,
@@ -363,12 +363,6 @@ def above(x: Fraction) -> float:
     """Return a double that is not less."""
     a = float(x)
     return a if Fraction(a) >= x else math.nextafter(a, math.inf)
-
-
-def decimal(x: Fraction) -> str:
-    """Return a number, as a decimal if that is short."""
-    short = repr(float(x))
-    return short if "e" not in short and Fraction(short) == x else str(x)
 
 
 def below(x: Fraction) -> float:

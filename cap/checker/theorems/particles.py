@@ -11,8 +11,13 @@ integer is positive; k and -k have the same.
 phi -> phi + 2 pi theta + B I + ..., I -> I + ... (``normal_form``), det B not 0.
 
 *KAM.*  Let I = delta^2 J, J in a compact set away from the axes.  Then phi -> phi + 2 pi theta +
-delta^2 B J + O(delta^3), J -> J + O(delta^3): an exact symplectic map, analytic, of which the
-twist is delta^2 and the perturbation delta^3; so for small delta there are invariant tori.
+delta^2 B J + O(delta^3), J -> J + O(delta^3): an exact symplectic map, analytic, with a twist of
+size delta^2.  Of its frequencies, which fill a set of size delta^2, all but a part O(gamma/delta^2)
+are Diophantine with the constant gamma; their tori persist if the perturbation is less than a small
+constant times gamma^2/delta^2.  Let gamma = C delta^(5/2): if C is large that is C^2 delta^3, more
+than the perturbation, and the part lost is O(delta^(1/2)) [Poeschel: O(delta^((l-3)/2)) without
+resonances of order up to l; here l = 4, and less is not enough].  So for small delta there are
+invariant tori.
 
 *What it does not give.*  2-tori do not separate a space of dimension 4: no neighbourhood of P* is
 enclosed, and neither stability nor an island is claimed.

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from cap.checker.flow.free import Free, Velocity
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.reading import number
+from cap.checker.kernel.reading import decimal, number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS, SYSTEM, WITH_LOSSES
@@ -92,7 +92,7 @@ class Segment(Free):
 
     def words(self) -> str:
         """Return the theorem in one line."""
-        d, (a, b) = self.claims["basin"]["speed"], self.claims["basin"]["drift"]
+        d, a, b = map(decimal, (self.claims["basin"]["speed"], *self.claims["basin"]["drift"]))
         return self.told(SYSTEM + _ORBITS + _BASIN, d=d, a=a, b=b)
 
 
