@@ -15,7 +15,8 @@ import argparse
 import os
 import stat
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from cap.checker.kernel.certificate import MAX_BYTES
@@ -115,7 +116,8 @@ def _verify(name: str, options: argparse.Namespace) -> bool:
     """Verify one file, print the verdict, and return whether it is verified."""
     steps, definitions = list[str](), list[str]()
     try:
-        certificate = check(content(Path(name)), steps.append, options.jobs)
+        with _telling() as tell:
+            certificate = check(content(Path(name)), steps.append, options.jobs, tell)
         if options.latex:
             from cap.certificate.latex import macros  # noqa: PLC0415 (for people, if they ask)
 
@@ -130,6 +132,21 @@ def _verify(name: str, options: argparse.Namespace) -> bool:
     for line in definitions:
         say(line, sys.stdout)
     return verified
+
+
+@contextmanager
+def _telling() -> Iterator[Callable[[str, float], None]]:
+    """Give what hears how far a check is: on a terminal a line, cleared at the end; else nobody."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield lambda _words, _part: None
+        return
+    from cap.command.progress import Progress  # noqa: PLC0415 (for people, where they look)
+
+    progress = Progress()
+    try:
+        yield progress.tell
+    finally:
+        progress.clear()
 
 
 def content(path: Path) -> bytes:

@@ -25,7 +25,7 @@ from cap.checker.flow.stopping import stops_by
 from cap.checker.flow.strips import Ceiling, World, along
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.parabolas import BYTES, integers
-from cap.checker.kernel.processes import each
+from cap.checker.kernel.processes import Work
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary
@@ -381,10 +381,17 @@ def test_areas_in_processes():
     """Of the columns of the second family the last one is the mirror image of the first."""
     gap = ((1 << 20, 1 << 15, 0), (1 << 21, 1 << 15, 1 << 10))
     forward, backward = [[gap], []], [[], mirrored([gap])]
+
+    def work(jobs, told=lambda *_: None):
+        return partial(Work(jobs, told, {"before": 6, "gaps": 2}), words="gaps")
+
     for jobs in (1, 2):
-        assert left(partial(each, jobs), forward, backward) == [shared([gap], [gap]), 0.0]
+        told = []
+        areas = left(work(jobs, lambda *each: told.append(each)), forward, backward)  # noqa: B023
+        assert areas == [shared([gap], [gap]), 0.0]
+        assert told == [("gaps", part) for part in (0.75, 0.875, 1.0)]
     with pytest.raises(ValueError, match="shorter"):
-        left(partial(each, 1), forward, backward[1:])
+        left(work(1), forward, backward[1:])
 
 
 def test_curved_gaps_are_not_lost():

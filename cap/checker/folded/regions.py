@@ -73,6 +73,10 @@ class Leaf(NamedTuple):
     flights: int
     parts: tuple[Region, ...] = ()
 
+    def work(self) -> int:
+        """Return what `flights` of the text counts it as."""
+        return _BEGIN + self.flights + _AHEAD * len(self.parts)
+
 
 def restricted(edge: Edge, side: int) -> Edge:
     """Return an edge over the half Y <= 0 or Y >= 0, for the side -1 or 1."""
