@@ -49,7 +49,7 @@ from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import roof
-from cap.checker.folded.regions import Leaf, leaves
+from cap.checker.folded.regions import USUAL, Leaf, leaves
 from cap.checker.folded.regions import flights as cost
 from cap.checker.folded.sinks import Sink
 from cap.checker.folded.stops import EARLY, LATE, all_stops
@@ -73,11 +73,11 @@ from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
-_MOST_FLIGHTS = 1 << 25
+MOST_FLIGHTS = 1 << 25
 _MOST_CYCLES, _LONGEST = 16, 32
 MOST_SINKS, MOST_HALVES = 16, 64
 SIDES = {LATE: "late", EARLY: "early"}
-_PLACE = 36  # flights take as long as a place that is followed
+_PLACE = 15  # flights take as long as a place that is followed
 
 Map = Callable[..., Sequence[Any]]
 """Does tasks, by function, tasks, the words for it, and the weight of a task."""
@@ -153,7 +153,7 @@ class Mixed(Theorem):
             Attractor.limit(hints["attractor"], claims["attractor"])
         trees = hints["stops"]
         total = sum(cost(trees[name], parted=name == "turns") for name in trees)
-        need(total <= _MOST_FLIGHTS, "there are too many flights")
+        need(total <= MOST_FLIGHTS, "there are too many flights")
         nodes(hints["places"]["tree"])
 
     def prove(self) -> None:
@@ -175,7 +175,7 @@ class Mixed(Theorem):
         """Return what takes long, in words, and how long it may take."""
         tree, stops = self.hints["places"]["tree"], self.hints["stops"]
         followed = {BACK.format(name): float(cost(stops[name])) for name in SIDES.values()}
-        turns = {TURNS: float(cost(stops["turns"], parted=True))}
+        turns = {TURNS: float(cost(stops["turns"], parted=True, ahead=USUAL))}
         return {PLACES: float(_PLACE * len(nodes(tree)))} | followed | turns
 
     def counted(self, work: Map, places: Places) -> Iterator[Areas]:
