@@ -214,7 +214,7 @@ def main(words: list[str]) -> None:
         out = subprocess.run(command, check=True, capture_output=True, text=True).stdout  # noqa: S603
         each = json.loads(out.splitlines()[-1])
         seconds, memory = each["seconds"], each["memory"]
-        row = f"| `{theorem}` | {each['what']} | {seconds:.2g} | {memory:.0f} |"
+        row = f"| `{theorem}` | {each['what']} | {float(f'{seconds:.2g}'):g} | {memory:.0f} |"
         print(row, flush=True)
 
 
