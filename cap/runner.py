@@ -29,6 +29,18 @@ Tell = Callable[[str, float | None], None]
 """Hears of the progress: what is done, and which part of it, if that is known."""
 
 
+def within(tell: Tell, begin: float, end: float, before: str = "") -> Tell:
+    """Return what hears of one phase, the part from ``begin`` to ``end`` of what ``tell`` hears of.
+
+    ``before`` goes before the words.
+    """
+
+    def told(words: str, part: float | None) -> None:
+        tell(before + words, None if part is None else begin + (end - begin) * part)
+
+    return told
+
+
 @dataclass(frozen=True)
 class Plan(Generic[A, B]):
     """What a run is about.

@@ -47,12 +47,13 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
-from cap.runner import Runner
+from cap.runner import Runner, within
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 GROUP = "states"
 SEARCH = candidates.every_motion
 OPTIONS = ("flights", "jobs", "journal")
+CHECKING, SEARCHING = 0.5, 0.9  # parts of the time: of all, and of that before the checker's
 
 FLIGHTS = 25  # that launches are followed, forward and backward, if nothing else is asked for
 WIDE = Fraction(1, 64)  # of columns, at first
@@ -83,10 +84,14 @@ def prove(setting: Setting) -> Proof:
     world = World(float(p.f / p.F), float(R), a, b, c, lines)
     flights = setting.flights or FLIGHTS
     begin = partial(_begun, p, ceiling)
-    world, family = _rounds(flights).found(world, begin, setting.runner)
+    tell = setting.runner.tell
+    search = replace(setting.runner, tell=within(tell, 0, SEARCHING))
+    world, family = _rounds(flights).found(world, begin, search)
     family = strips.worthy(family, LEAST if flights > FLIGHTS else WORTH)
-    work = replace(setting.runner, journal=None, whole=True)
-    texts, found = zip(*work.map(_read, family, "families written", processes=True), strict=True)
+    half = (1 + SEARCHING) / 2
+    work = replace(search, journal=None, whole=True, tell=within(tell, SEARCHING, half))
+    texts, found = zip(*work.map(_read, family, "families are listed", processes=True), strict=True)
+    work = replace(work, tell=within(tell, half, 1))
     hints = {
         "ceiling": dict(zip(("height", "phase", "level"), map(str, ceiling), strict=True)),
         "lines": _lines(world.lines),
@@ -178,7 +183,8 @@ def _lines(lines: tuple[float, ...]) -> str:
 
 def _area(world: World, runner: Runner, *found: list[list[Gap]]) -> float:
     """Return the area that is left, in units F = ω = 1."""
-    areas = left(lambda f, tasks: runner.map(f, [*tasks], "area", processes=True), *found)
+    words = "the area that is left is bounded"
+    areas = left(lambda f, tasks: runner.map(f, [*tasks], words, processes=True), *found)
     widths = [b - a for a, b in pairwise(world.lines)]
     return math.fsum(w * area for w, area in zip(widths, areas, strict=True))
 

@@ -54,12 +54,14 @@ from cap.maps.fixed_point import Start
 from cap.proofs import attractor, cycles, places, segment, sinks
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.release.trap import critical_points
+from cap.runner import Tell, within
 from cap.sets import interval
 
 SUMMARY = "lower bounds of the shares of the states that are attracted, or stop"
 GROUP = "states"
 SEARCH = candidates.fates
 OPTIONS = ("jobs", "speed", "undecided")
+CHECKING, PLACES = 0.5, 0.5  # parts of the time: of all, and of that before the checker's
 SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
 SLACK = Fraction(1, 2000)  # of a share, at first: the checker cannot follow all that the prover can
 STROBES = 40  # that may count for an orbit from a stop
@@ -160,15 +162,20 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     *Computed.* Stops are followed backwards and forwards, in ever smaller regions until no more is
     undecided than asked for.  The trees are added to the hints.
     """
-    known, hints["places"]["tree"] = by_places(setting, theorem)
+    tell = setting.runner.tell
+    known, hints["places"]["tree"] = by_places(setting, theorem, within(tell, 0, PLACES))
     releases = releases_of(theorem, known)
     whole = 2 * theorem.region()[0] * theorem.region()[1]
     wanted = setting.undecided
     enough = None if wanted is None else (1 - wanted + SLACK) * whole
-    for effort in (USUAL,) if wanted is None else EFFORTS:
+    efforts = (USUAL,) if wanted is None else EFFORTS
+    for k, effort in enumerate(efforts, 1):
+        tries = f"try {k} of at most {len(efforts)}: " if len(efforts) > 1 else ""
+        runner = replace(setting.runner, tell=within(tell, PLACES, 1, tries))
         plan = Plan(effort.worth, STROBES, points=POINTS, onwards=effort.onwards)
         p, V = setting.parameters, speed_of(setting)
-        trees = stops.search(p, V, releases, plan, setting.runner)
+        trees = stops.search(p, V, releases, plan, runner)
+        runner.tell("regions are chosen", 1.0)
         areas, hints["stops"] = counted(trees, releases, effort, enough)
         shares = tuple(area / whole for area in areas)
         if wanted is None or 1 - shares[2] + SLACK <= wanted:
@@ -231,10 +238,10 @@ def areas_of(tree: Sticks, known: Known) -> tuple[Floats, ...]:
     return (*fated, tree.areas)
 
 
-def by_places(setting: Setting, theorem: Mixed) -> tuple[Places, str]:
+def by_places(setting: Setting, theorem: Mixed, tell: Tell) -> tuple[Places, str]:
     """Return what is known of places of release, and the tree of those that are followed."""
     parts = theorem.basins(), theorem.kept(), theorem.width()
-    search = places.Search(setting.parameters, *parts)
+    search = places.Search(setting.parameters, *parts, tell)
     tree = search.run(places.WORTHS)
     return search.places(places.LEVEL), tree
 

@@ -5,7 +5,7 @@ A node is worth its length times a weight: how much measure it leaves undecided,
 there later.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -49,6 +49,7 @@ class Search:
     basins: Basins
     kept: Sequence[Pair]
     width: float
+    tell: Callable[[str, float], None] = lambda _words, _part: None
     pieces: dict[Node, Piece] = field(default_factory=dict)
     gaps: set[Node] = field(default_factory=set)
 
@@ -60,7 +61,8 @@ class Search:
     def run(self, worths: Sequence[float]) -> str:
         """Return the tree, in letters; worths are tried as long as there are few gaps."""
         self.grow({Node(k, FIRST): 1.0 for k in range(1 << FIRST)}, worths[0])
-        for worth in worths:
+        for k, worth in enumerate(worths):
+            self.tell("places are followed to their release", k / len(worths))
             gaps = sorted(node for node in self.gaps if node.m < DEEPEST)
             weights = self.weights(self.places(COARSE), self.ends(gaps).mean(axis=1)).tolist()
             chosen = {

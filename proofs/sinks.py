@@ -37,7 +37,7 @@ def largest(p: Parameters, theorem: Mixed, cycle: Turning) -> dict[str, Any] | N
     y = System(theorem.p, forwards=True)
     for claim in around(p, cycle):
         try:
-            theorem.sink({**read(claim), "halves": int(claim["halves"])}).contract(y)
+            theorem.sink(read(claim)).contract(y)
         except Rejected:
             continue
         return claim
@@ -76,6 +76,7 @@ def written(x: float) -> str:
 
 
 def read(claim: dict[str, Any]) -> dict[str, Any]:
-    """Return what the checker reads of the centre and the matrix."""
+    """Return what the checker reads."""
     matrix = [[Fraction(a) for a in row] for row in claim["matrix"]]
-    return {"x": Fraction(claim["x"]), "v": Fraction(claim["v"]), "matrix": matrix}
+    x, v = Fraction(claim["x"]), Fraction(claim["v"])
+    return {"x": x, "v": v, "matrix": matrix, "halves": int(claim["halves"])}

@@ -17,6 +17,7 @@ from cap.checker.verdict import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats.candidates import Search
 from cap.proofs.fixed_point import Proof, Setting
+from cap.runner import Runner, within
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed
@@ -65,6 +66,12 @@ class Theorem:
         return options
 
     @property
+    def checking(self) -> float:
+        """The part of the time of a proof that the checker may take at its end."""
+        part: float = getattr(self._module, "CHECKING", 0.0)
+        return part
+
+    @property
     def search(self) -> Search:
         """The search for the orbits that it may be about."""
         found: Search = self._module.SEARCH
@@ -84,10 +91,14 @@ def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
 
     More guard digits are computed until all digits claimed are certain.
     """
+    ours = 1 - theorem.checking
+    tell = setting.runner.tell
+    runner = replace(setting.runner, tell=within(tell, 0, ours))
+    checks = replace(setting.runner, tell=within(tell, ours, 1, "check: "))
     for guard in GUARDS:
-        sharper = replace(setting, guard=guard)
+        sharper = replace(setting, guard=guard, runner=runner)
         try:
-            proved = _followed(theorem.prove(sharper), setting.runner.jobs)
+            proved = _followed(theorem.prove(sharper), checks)
             break
         except TooFewDigits:
             if guard == GUARDS[-1]:
@@ -95,7 +106,7 @@ def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:
     return {**proved, "provenance": certificate.provenance(sharper.bits)}
 
 
-def _followed(proof: Proof, jobs: int) -> dict[str, Any]:
+def _followed(proof: Proof, runner: Runner) -> dict[str, Any]:
     """Return the certificate for the largest of the `PARTS` to which the checker can follow."""
     rejection, before = "", None
     for part in PARTS:
@@ -104,7 +115,8 @@ def _followed(proof: Proof, jobs: int) -> dict[str, Any]:
             break  # nothing in it depends on the part
         before = proved
         try:
-            check(certificate.dumps(proved).encode(), lambda _step: None, jobs)
+            data = certificate.dumps(proved).encode()
+            check(data, lambda _step: None, runner.jobs, runner.tell)
         except Rejected as reason:
             rejection = str(reason)
         else:

@@ -10,7 +10,7 @@ from threading import get_ident
 import pytest
 
 from cap.errors import BadInput, NotProved
-from cap.runner import AHEAD, Plan, Runner
+from cap.runner import AHEAD, Plan, Runner, within
 
 
 def square(n):
@@ -164,6 +164,15 @@ def test_progress():
     weighed = Plan(words="squares", weight=float, total=6)
     list(runner.run(square, range(4), weighed))
     assert [part for _, part in told] == [0, 1 / 6, 3 / 6, 1]
+
+
+def test_a_phase_of_a_longer_computation():
+    """Its parts are between two of the whole; words without a part stay without."""
+    told = []
+    inner = within(within(lambda *each: told.append(each), 0.5, 1, "check: "), 0, 0.5)
+    for part in (0, 0.5, 1, None):
+        inner("cells", part)
+    assert told == [("check: cells", part) for part in (0.5, 0.625, 0.75, None)]
 
 
 def test_a_process_that_dies():

@@ -99,8 +99,16 @@ class _Search:
         if not step.backward:
             return [step._replace(backward=True)]
         words = f"round {step.round + 1} of {len(self.rounds.each)}, flights followed"
-        self.runner.tell(words, step.level / flights)
+        self.runner.tell(words, self.part(step))
         return [Step(step.round, step.level + 1, False)] if step.level < flights or loss else []
+
+    def part(self, step: Step) -> float:
+        """Return which part of the time of all rounds is over, if each takes twice the one before,
+        as columns are cut.
+        """
+        rounds = self.rounds.each
+        now = (1 << step.round) * (1 + step.level / rounds[step.round].flights)
+        return (now - 1) / ((1 << len(rounds)) - 1)
 
     def _pair(self, step: Step) -> Family:
         """Return the columns to which a step adds cells, and the other ones."""

@@ -134,7 +134,7 @@ def search(p: Parameters, V: Fraction, releases: Releases, plan: Plan, runner: R
     sticks = [Search(y, ahead, arc, limits, plan.backwards()) for arc in arcs]
     turns = Search(y, ahead, Arc(0.0, z.theta), limits, plan)
     tasks = [(each, k) for each in (*sticks, turns) for k in range(PARTS)]
-    parts = runner.map(partial(_grown, root(width)), tasks, "stops")
+    parts = runner.map(partial(_grown, root(width)), tasks, "stops are followed")
     late, early, turned = (joined(parts[k * PARTS : (k + 1) * PARTS]) for k in range(3))
     return Trees(_sticks(width, late, LATE), _sticks(width, early, EARLY), _turns(width, turned))
 

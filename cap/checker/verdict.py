@@ -8,16 +8,22 @@ from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.theorems import load
 
 
-def check(data: bytes, step: Callable[[str], None], jobs: int = 1) -> Certificate:
+def check(
+    data: bytes,
+    step: Callable[[str], None],
+    jobs: int = 1,
+    tell: Callable[[str, float], None] = lambda _words, _part: None,
+) -> Certificate:
     """Return the certificate if its theorem is proved; otherwise raise an exception.
 
     Each step is reported in one line when it is done.  With ``jobs`` > 1 a long proof may use as
-    many processes.
+    many processes.  ``tell`` hears again and again what a long proof does, and which part of all of
+    it is done.
     """
     certificate = read(data)
     step(f"the certificate has the form of the theorem '{certificate.theorem}'")
     theorem = load(certificate.theorem)(certificate, step)
-    theorem.jobs = jobs
+    theorem.jobs, theorem.tell = jobs, tell
     theorem.prove()
     return certificate
 

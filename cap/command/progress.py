@@ -10,15 +10,20 @@ from cap.errors import BadInput
 PATIENCE = 1.0  # seconds without a bar
 REFRESH = 0.1  # seconds between two states of the line on a terminal
 SELDOM = 30.0  # seconds between two lines in a log, and before the first
-BAR = 30  # characters
+WORDS, BAR = 40, 16  # characters
 
 
 class Progress:
-    """The line of one command, on standard error."""
+    """The line of one command, on standard error.
+
+    One computation may have phases, with words of their own: as long as the part that is done
+    grows, all of it counts for the time that the rest may take.
+    """
 
     def __init__(self) -> None:
         now = time.monotonic()
-        self._words, self._began, self._shown, self._logged = "", now, 0.0, now
+        self._began, self._shown, self._logged = now, 0.0, now
+        self._first = self._part = 1.0  # what was done when it began, and what is done now
         self._on_the_line = False
 
     def tell(self, words: str, part: float | None = None) -> None:
@@ -32,8 +37,9 @@ class Progress:
             self.clear()
             return
         now = time.monotonic()
-        if part is not None and words != self._words:
-            self._words, self._began = words, now
+        if part is not None and (part < self._part or self._part == 1):
+            self._first, self._began = part, now
+        self._part = self._part if part is None else part
         if not sys.stderr.isatty():
             self._log(words, part, now)
         elif now - self._shown >= REFRESH and (part is None or now - self._began >= PATIENCE):
@@ -56,13 +62,14 @@ class Progress:
         if part is None:
             return words
         bar = "#" * round(BAR * part)
-        return f"{words:<20.20} [{bar:<{BAR}}] {part:4.0%}{self._left(part, now)}"
+        return f"{words:<{WORDS}.{WORDS}} [{bar:<{BAR}}] {part:4.0%}{self._left(part, now)}"
 
     def _left(self, part: float, now: float) -> str:
         """Return how long the rest may take, if that is known."""
-        if not 0 < part < 1:
+        if not self._first < part < 1:
             return ""
-        return f"  {_duration((now - self._began) * (1 - part) / part)} left"
+        left = (now - self._began) * (1 - part) / (part - self._first)
+        return f"  {_duration(left)} left"
 
     def _write(self, line: str) -> None:
         """Write over the line on the terminal, and no further than to its end."""

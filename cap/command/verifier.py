@@ -16,7 +16,8 @@ import argparse
 import os
 import stat
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from errno import EINVAL
 from pathlib import Path
 from typing import TextIO
@@ -129,7 +130,8 @@ def _verdict(name: str, data: bytes, options: argparse.Namespace, out: TextIO | 
     """Verify the content of a file, print the verdict, and return its exit status."""
     steps, definitions = list[str](), list[str]()
     try:
-        certificate = check(data, steps.append, options.jobs)
+        with _telling() as tell:
+            certificate = check(data, steps.append, options.jobs, tell)
         if options.latex:
             from cap.certificate.latex import macros  # noqa: PLC0415 (for people, if they ask)
 
@@ -143,6 +145,21 @@ def _verdict(name: str, data: bytes, options: argparse.Namespace, out: TextIO | 
     for line in definitions:
         say(line, sys.stdout)
     return status
+
+
+@contextmanager
+def _telling() -> Iterator[Callable[[str, float], None]]:
+    """Give what hears how far a check is: on a terminal a line, cleared at the end; else nobody."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield lambda _words, _part: None
+        return
+    from cap.command.progress import Progress  # noqa: PLC0415 (for people, where they look)
+
+    progress = Progress()
+    try:
+        yield progress.tell
+    finally:
+        progress.clear()
 
 
 def content(path: Path) -> bytes:

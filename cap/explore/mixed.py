@@ -6,14 +6,11 @@ it, what floats say.
 """
 
 import sys
-from collections.abc import Callable, Sequence
-from functools import partial
-from itertools import chain
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.processes import each
+from cap.checker.kernel.processes import Work
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
 from cap.command import entry
@@ -24,9 +21,6 @@ from cap.command.verifier import content
 from cap.errors import BadInput
 from cap.explore.export import IMAGES, kind
 from cap.files import replacing
-from cap.runner import Runner
-
-_AT_A_TIME = 64  # leaves
 
 
 def main(words: Sequence[str]) -> int:
@@ -66,15 +60,7 @@ def _draw(file: Path, out: Path, jobs: int, progress: Progress) -> None:
     if suffix not in IMAGES:
         raise BadInput(f"no picture: {quoted(out)}")
     theorem = _theorem(file)
-    runner = Runner(jobs, progress.tell, whole=True)
-
-    def work(function: Callable[[Any], Any], tasks: Any) -> list[Any]:
-        """Do many tasks at a time: what the function knows, of all places, goes with them."""
-        waiting = list(tasks)
-        many = [waiting[k : k + _AT_A_TIME] for k in range(0, len(waiting), _AT_A_TIME)]
-        found = runner.map(partial(each, 1, function), many, "leaves", processes=True)
-        return list(chain.from_iterable(found))
-
+    work = Work(jobs, progress.tell, theorem.phases())
     from cap.pictures.proved import draw  # noqa: PLC0415 (matplotlib is slow to load)
 
     figure = draw(theorem, work)

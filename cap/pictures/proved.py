@@ -8,9 +8,8 @@ a fate.  What is grey is not proved.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -28,7 +27,7 @@ from cap.checker.folded.regions import Leaf
 from cap.checker.folded.stops import Start, Strobe, at_hit, flown, multiple, sticks, turns
 from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems.mixed import SIDES, Mixed
+from cap.checker.theorems.mixed import BACK, SIDES, TURNS, Map, Mixed
 from cap.floats import swarm
 from cap.parameters import Parameters
 from cap.pictures.style import BLUE, GREY, ORANGE, PALE, blank, style
@@ -49,10 +48,9 @@ NAMES = (
 Image = NDArray[np.int8]
 Points = NDArray[np.float64]
 Outline = tuple[int, Points]
-Work = Callable[[Callable[[Any], Any], Any], Sequence[Any]]
 
 
-def draw(theorem: Mixed, work: Work) -> Figure:
+def draw(theorem: Mixed, work: Map) -> Figure:
     """Return the picture: proved on the left, floats on the right."""
     outlines = proved(theorem, work)
     with style():
@@ -84,14 +82,15 @@ def draw(theorem: Mixed, work: Work) -> Figure:
     return figure
 
 
-def proved(theorem: Mixed, work: Work) -> list[Outline]:
+def proved(theorem: Mixed, work: Map) -> list[Outline]:
     """Return the outlines of what is proved, in x and v, those on top of others later."""
     p, y, V = theorem.p, System(theorem.p), float(theorem.region()[1])
     outlook = theorem.outlook(theorem.places(work))
     outlines = list[list[Outline]]()
-    for side in SIDES:
-        outlines += work(partial(of_sticks, outlook, y, V, side), theorem.sticks(y, side))
-    outlines += work(partial(of_turns, outlook, y, V), theorem.turns(y))
+    for side, name in SIDES.items():
+        drawn = partial(of_sticks, outlook, y, V, side)
+        outlines += work(drawn, theorem.sticks(y, side), BACK.format(name), Leaf.work)
+    outlines += work(partial(of_turns, outlook, y, V), theorem.turns(y), TURNS, Leaf.work)
     unit = np.array([float(p.F / p.omega**2), float(p.F / p.omega)])
     return [
         (fate, np.array([float(p.l), 0.0]) + points * unit)

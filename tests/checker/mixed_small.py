@@ -42,7 +42,7 @@ def pruned(letters, depth):
     return "2" + "".join(halves) if depth > 0 else "0"
 
 
-def here(f, tasks):
+def here(f, tasks, *_):
     """Do tasks in this process."""
     return [f(task) for task in tasks]
 

@@ -16,7 +16,8 @@ from fractions import Fraction
 import pytest
 
 from cap import verify
-from cap.command import verifier
+from cap.checker.kernel.rejection import Rejected
+from cap.command import progress, verifier
 from checker.altered import encode
 from checker.forge import forge
 
@@ -42,6 +43,26 @@ def files(tmp_path, good):
     (tmp_path / "hostile.json").write_bytes(encode(hostile))
     os.mkfifo(tmp_path / "fifo.json")
     return tmp_path
+
+
+def test_how_far_a_long_check_is(files, monkeypatch, capsys):
+    """On a terminal a line says it, and is cleared before the verdict; in a log nothing does."""
+
+    def told(_data, _step, _jobs, tell):
+        tell("turns are followed", 0.0)
+        tell("turns are followed", 0.5)
+        raise Rejected("no")
+
+    monkeypatch.setattr(verifier, "check", told)
+    monkeypatch.setattr(progress, "PATIENCE", 0)
+    assert verify.main([str(files / "good.json")]) == 1
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    assert verify.main([str(files / "good.json")]) == 1
+    out, err = capsys.readouterr()
+    assert out.startswith("REJECTED: ")
+    assert "turns are followed" in err
+    assert err.rpartition("turns are followed")[2].endswith(f"\r{'':<79}\r")
 
 
 @pytest.mark.parametrize(

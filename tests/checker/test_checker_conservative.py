@@ -15,6 +15,7 @@ from support import rounds, seeded
 
 from cap.cells.listing import Run as Listed
 from cap.cells.listing import listed, written
+from cap.checker.flow import overlap, strips
 from cap.checker.flow.arc import Arc, Launches, least
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Run, columns, lines
@@ -22,10 +23,10 @@ from cap.checker.flow.images import image
 from cap.checker.flow.landing import Place, positive
 from cap.checker.flow.overlap import gaps, left, mirrored, shared
 from cap.checker.flow.stopping import stops_by
-from cap.checker.flow.strips import Ceiling, World, along
+from cap.checker.flow.strips import Ceiling, TooLong, World, along
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.parabolas import BYTES, integers
-from cap.checker.kernel.processes import each
+from cap.checker.kernel.processes import Work
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary
@@ -312,6 +313,33 @@ def test_a_column_that_is_too_long():
         columns(written(many))
 
 
+def test_pairs_of_gaps_are_bounded(monkeypatch):
+    """Four gaps that meet four others are sixteen pairs, in each part."""
+    four = [((1 << 20, 0, 0), (1 << 21, 0, 0))] * 4
+    monkeypatch.setattr(overlap, "MOST", 16)
+    assert shared(four, four) == pytest.approx(16 / 16, rel=1e-6)
+    monkeypatch.setattr(overlap, "MOST", 15)
+    with pytest.raises(Rejected, match="too many gaps"):
+        shared(four, four)
+
+
+@pytest.mark.parametrize("free", ["ARC", "columns"])
+def test_arcs_and_columns_are_bounded(monkeypatch, free):
+    """Either is too much alone: arcs, and the columns that they meet."""
+    if free == "ARC":
+        monkeypatch.setattr(strips, "ARC", 0)
+    else:
+        monkeypatch.setattr(World, "crossed", lambda *_: range(0))
+    whole = world()
+    j = next(j for j, runs in enumerate(whole.columns) if any(run.levels for run in runs))
+    whole.prove(j)
+    monkeypatch.setattr(strips, "MOST", whole.work - 1)
+    assert whole.work > 0
+    again = world()
+    with pytest.raises(TooLong, match="too many columns"):
+        again.prove(j)
+
+
 def test_an_arccosine_that_is_wrong(monkeypatch):
     """The times of the minima are not believed of the library."""
     arc = Arc(Double(4.0), Double(0.01), Double(0.7), Double(0.0), Double(0.0))
@@ -381,10 +409,17 @@ def test_areas_in_processes():
     """Of the columns of the second family the last one is the mirror image of the first."""
     gap = ((1 << 20, 1 << 15, 0), (1 << 21, 1 << 15, 1 << 10))
     forward, backward = [[gap], []], [[], mirrored([gap])]
+
+    def work(jobs, told=lambda *_: None):
+        return partial(Work(jobs, told, {"before": 6, "gaps": 2}), words="gaps")
+
     for jobs in (1, 2):
-        assert left(partial(each, jobs), forward, backward) == [shared([gap], [gap]), 0.0]
+        told = []
+        areas = left(work(jobs, lambda *each: told.append(each)), forward, backward)  # noqa: B023
+        assert areas == [shared([gap], [gap]), 0.0]
+        assert told == [("gaps", part) for part in (0.75, 0.875, 1.0)]
     with pytest.raises(ValueError, match="shorter"):
-        left(partial(each, 1), forward, backward[1:])
+        left(work(1), forward, backward[1:])
 
 
 def test_curved_gaps_are_not_lost():

@@ -86,7 +86,7 @@ def test_a_bar(monkeypatch, clock):
     assert err.text == ""
     clock.now += 300
     bar.tell("sali", 0.5)
-    assert f"sali{' ' * 17}[{'#' * 15}{' ' * 15}]  50%  5 min left" in err.text
+    assert f"sali{' ' * 37}[{'#' * 8}{' ' * 8}]  50%  5 min left" in err.text
     before = err.text
     clock.now += 0.01
     bar.tell("sali", 0.51)
@@ -128,6 +128,26 @@ def test_a_log_says_how_long(monkeypatch, clock):
     clock.now += 40
     line.tell("basin", 0.01)
     assert err.text == "basin: 1%  66 min left\n"
+
+
+def test_phases_have_one_estimate(monkeypatch, clock):
+    """Of all of them, from the time since the first; what begins anew is estimated anew."""
+    err, line = screen(monkeypatch, terminal=True), Progress()
+    line.tell("a search", 0.25)
+    clock.now += 100
+    line.tell("a search", 0.5)
+    assert "50%  3 min left" in err.text
+    clock.now += 20
+    line.tell("what is looked at between", None)
+    clock.now += 80
+    line.tell("its check", 0.75)
+    assert "its check" in err.text
+    assert "75%  100 s left" in err.text
+    clock.now += 1000
+    line.tell("again", 0.5)
+    clock.now += 10
+    line.tell("its check", 0.75)
+    assert err.text.rstrip().endswith("75%  10 s left")
 
 
 def test_no_standard_error(monkeypatch):

@@ -67,6 +67,19 @@ def test_the_verdict(capsys, monkeypatch):
     assert " ".join(block("docs/certificates.md", "VERIFIED:")) == capsys.readouterr().out.strip()
 
 
+def test_shares_in_floats(capsys):
+    """`docs/theorems.md` says what its command prints of where the states end, in floats."""
+    shares = r"In floats the first two are ([.\d]+) and ([.\d]+), and ([.\d]+) never stops"
+    text = (ROOT / "docs/theorems.md").read_text(encoding="utf-8")
+    found = re.search(shares + r" \(`python -m cap\.explore (.*?)`", text)
+    *stated, words = found.groups()
+    assert explorer.main(shlex.split(words)) == 0
+    printed = re.findall(r"^  \d +([.\d]+)%  (.*?)  ", capsys.readouterr().out, re.MULTILINE)
+    assert [kind for _, kind in printed] == ["chaotic", "never hits a wall", "never turns"]
+    for said, (share, _) in zip(stated, printed, strict=True):
+        assert float(said) == pytest.approx(float(share) / 100, abs=6e-4)
+
+
 def test_the_proof(capsys, tmp_path):
     """`docs/theorems.md` shows the first lines of `cap.prove elliptic`."""
     assert prove.main(["elliptic", "--out", str(tmp_path)]) == 0

@@ -40,6 +40,25 @@ def test_two_flights():
     assert areas[1] < areas[0] < 3
 
 
+def test_how_far_it_is():
+    """The part that is done grows, from the search to the end of the check."""
+    told = []
+    runner = Runner(tell=lambda *each: told.append(each))
+    accepted(THEOREMS["conservative"], replace(SETTING, flights=1, runner=runner))
+    parts = [part for _, part in told if part is not None]
+    assert parts == sorted(parts)
+    assert parts[-1] == pytest.approx(1)
+    assert list(dict.fromkeys(words for words, _ in told)) == [
+        "round 1 of 2, flights followed",
+        "round 2 of 2, flights followed",
+        "families are listed",
+        "the area that is left is bounded",
+        "check: forward cells are followed",
+        "check: backward cells are followed",
+        "check: the area that is left is bounded",
+    ]
+
+
 def test_an_interrupted_proof_goes_on(tmp_path, monkeypatch):
     """With a journal; ctrl-C leaves one that has all that was done."""
 

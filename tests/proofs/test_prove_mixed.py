@@ -22,10 +22,17 @@ from cap.pictures import proved as painting
 from cap.proofs import mixed, places
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
+from cap.runner import Runner
 
 
 @pytest.fixture(scope="module")
-def coarse():
+def told():
+    """Return what is told of a proof."""
+    return []
+
+
+@pytest.fixture(scope="module")
+def coarse(told):
     """Return a certificate for |v| < 2 with few regions."""
     patch = pytest.MonkeyPatch()
     patch.setattr(mixed, "USUAL", mixed.Effort(1e-2, 3e-3, 300, 1500))
@@ -33,7 +40,8 @@ def coarse():
         patch.setattr(places, name, value)
     theorem = THEOREMS["mixed"]
     start = theorem.search(Request("mixed", PAPER)).candidates[0].start
-    found = accepted(theorem, replace(Setting(PAPER, start, 8), speed=Fraction(2)))
+    runner = Runner(tell=lambda *each: told.append(each))
+    found = accepted(theorem, replace(Setting(PAPER, start, 8, runner=runner), speed=Fraction(2)))
     patch.undo()
     return found
 
@@ -51,6 +59,24 @@ def test_a_coarse_proof(coarse):
     assert "of the states (x, v) between the walls with |v| < 2" in " ".join(
         report.theorem(coarse).split()
     )
+
+
+def test_how_far_it_is(coarse, told):
+    """The part that is done grows, from the places to the last turn that is checked."""
+    parts = [part for _, part in told if part is not None]
+    assert parts == sorted(parts)
+    assert parts[0] == 0
+    assert 0.98 < parts[-1] <= 1  # the checker's tasks are counted by their text, a little roughly
+    assert list(dict.fromkeys(words for words, part in told if part is not None)) == [
+        "places are followed to their release",
+        "stops are followed",
+        "regions are chosen",
+        "check: what attracts",
+        "check: places are followed to their release",
+        "check: late sticks are followed back",
+        "check: early sticks are followed back",
+        "check: turns are followed back and forwards",
+    ]
 
 
 @pytest.mark.parametrize(

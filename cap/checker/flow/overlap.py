@@ -29,6 +29,7 @@ from cap.checker.kernel.rejection import need
 PARTS = 4
 SLACK = 2.0**-36
 HIGH = 2.0**12
+MOST = 1 << 13  # pairs of gaps of a part of a column that may meet
 
 Gap = tuple[Edge, Edge]
 Line = tuple[float, float]
@@ -76,6 +77,7 @@ def _part(one: list[Gap], two: list[Gap], part: int) -> float:
         for n in range(begin, len(second)):
             if others[n] >= max(b):
                 break
+            need(len(areas) < MOST, "too many gaps may meet")
             areas.append(_meeting(a, b, *second[n]))
     return math.fsum(areas)
 

@@ -49,7 +49,8 @@ from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.parabolas import Edge
 from cap.checker.kernel.rejection import Rejected, need
 
-MOST = 8_000_000  # arcs: a quarter of an hour
+MOST = 1 << 27  # units of work for a family: columns that are met
+ARC, LONG = 16, 128  # an arc takes as long as so many, and so many cells of a run as one
 HALVINGS = 12  # of an arc, until what is to be shown of it is certain
 TALL = 1 / 256  # of cells that are higher only the boundary is followed
 ROUND = 6.28  # less than 2 pi
@@ -85,7 +86,7 @@ class World:
         self.f, self.R, self.ceiling = f, R, ceiling
         self.lines, self.columns = lines, columns
         self.stacks = dict[int, tuple[list[Edge], list[float]]]()
-        self.arcs = 0
+        self.work = 0
 
     def prove(self, j: int) -> None:
         """Prove what is shown of all cells of a column."""
@@ -102,8 +103,13 @@ class World:
                 need(stop, "a launch may not stop")
             if run.top:
                 top = self.arc(j, run.edges[-1])
-                above = along(top, lambda arc: least(self.ceiling.excess(arc)) >= 0)
+                above = along(top, self.above)
                 need(above, "the top is not above the ceiling")
+
+    def above(self, arc: Arc) -> bool:
+        """Return whether an arc is not below the ceiling."""
+        self.count(ARC)
+        return least(self.ceiling.excess(arc)) >= 0
 
     def falls(self, j: int, level: int, *edges: Edge) -> None:
         """Prove it of one cell: of all of it at once or, if that fails, of its boundary."""
@@ -139,14 +145,14 @@ class World:
 
     def launches(self, arc: Arc) -> Launches:
         """Return the launches of an arc; too many arcs are refused."""
-        self.count(1)
+        self.count(ARC)
         return Launches(arc, self.f, self.R)
 
-    def count(self, arcs: int) -> None:
-        """Count arcs that are followed."""
-        self.arcs += arcs
-        if self.arcs > MOST:
-            raise TooLong(f"more than {MOST} arcs would have to be followed")
+    def count(self, work: int) -> None:
+        """Count work; too much is refused."""
+        self.work += work
+        if self.work > MOST:
+            raise TooLong("too many arcs would have to be followed, or meet too many columns")
 
     def lands(
         self, image: Image, level: int, targets: dict[int, Target], ends: Ends = NEITHER
@@ -159,6 +165,7 @@ class World:
         columns, met = self.crossed(image.times), dict(targets)
 
         def holds(j: int) -> bool:
+            self.count(1)
             place = Place(image, self.between(j))
             if place.part is None:
                 return True
@@ -180,13 +187,13 @@ class World:
         """Return whether certainly all of a patch flies to cells of lower levels."""
         if patch.height > TALL:
             return False
-        self.count(2)
+        self.count(2 * ARC)
         try:
             spread = Spread(patch, self.f, self.R)
             shift = self.shift(spread.bends.T)
             if self.spread(spread.roughly(shift), level):
                 return True
-            self.count(2)
+            self.count(2 * ARC)
             return self.spread(spread.sharply(shift), level)
         except Rejected:
             return False
@@ -197,6 +204,7 @@ class World:
         columns = self.crossed(spread.times)
 
         def holds(j: int) -> bool:
+            self.count(1)
             low, high = spread.places(self.between(j))
             if low.part is None or high.part is None:
                 return True
@@ -239,6 +247,7 @@ class World:
             low -= 1
         while high < len(edges) and levels[high + 1] < level:
             high += 1
+        self.count((high - low) // LONG)
         return Target(
             edges[low - 1] if low > 0 else None, edges[high] if high < len(edges) else None
         )

@@ -31,7 +31,7 @@ UNIT, CUT = 2.0**-80, 1 << 40  # edges by cuts are multiples of CUT units
 MOST_HALVINGS, MOST_CUTS, MOST_FLIGHTS = 20, 60, 64
 _LARGEST = 1 << 84
 _BEGIN = 4  # flights take as long as all else for a leaf
-_AHEAD = 36  # flights take as long as a part that is followed forwards, at most
+_AHEAD, USUAL = 36, 5  # flights take as long as a part that goes forwards, at most and mostly
 FORWARDS = 3
 
 
@@ -73,6 +73,10 @@ class Leaf(NamedTuple):
     flights: int
     parts: tuple[Region, ...] = ()
 
+    def work(self) -> int:
+        """Return what it usually takes, as `flights` counts it."""
+        return _BEGIN + self.flights + USUAL * len(self.parts)
+
 
 def restricted(edge: Edge, side: int) -> Edge:
     """Return an edge over the half Y <= 0 or Y >= 0, for the side -1 or 1."""
@@ -107,10 +111,10 @@ def ends(found: Iterator[int], root: Region, most: int) -> Iterator[tuple[Region
             yield region, code
 
 
-def flights(text: str, *, parted: bool = False) -> int:
+def flights(text: str, *, parted: bool = False, ahead: int = _AHEAD) -> int:
     """Return how many flights the leaves of a tree are followed over, at most.
 
-    What a leaf takes besides counts as `_BEGIN` more; a part forwards as `_AHEAD` in all.
+    What a leaf takes besides counts as `_BEGIN` more; a part forwards as ``ahead`` in all.
     """
     found, total = integers(text), 0
     for code in found:
@@ -118,7 +122,7 @@ def flights(text: str, *, parted: bool = False) -> int:
             for _ in range(3):
                 next(found, None)
         elif code == FORWARDS and parted:
-            total += _AHEAD
+            total += ahead
         elif code > 2:
             total += _BEGIN + min(code - 2, MOST_FLIGHTS)
     return total

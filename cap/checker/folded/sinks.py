@@ -128,8 +128,9 @@ class Sink(NamedTuple):
 
     def image(self, y: System, part: Part, size: Fraction) -> Image:
         """Return what is so far from the middle of a part after so many half periods."""
-        f = launched(y, self.odd, *self.states(part.middle(), size))
-        slopes = tuple(Slopes(known(ds), known(dp)) for dp, ds in self.sides())
+        sides = self.sides()
+        f = launched(y, self.odd, *self.states(part.middle(), size, sides))
+        slopes = tuple(Slopes(known(ds), known(dp)) for dp, ds in sides)
         for _ in range(_EVENTS):
             k, e = self.odd + self.halves - f.passed, event(y, f)
             t, error = multiple(y, k)
@@ -143,9 +144,9 @@ class Sink(NamedTuple):
             f = after(y, f, e)
         raise Rejected("there are too many events")
 
-    def states(self, at: Vector, size: Fraction) -> Iterator[Model]:
+    def states(self, at: Vector, size: Fraction, sides: Sequence[Vector]) -> Iterator[Model]:
         """Give p and s within a distance of a place in [-1, 1]^2, in each direction."""
-        for c, x, y in zip(self.centre, *self.sides(), strict=True):
+        for c, x, y in zip(self.centre, *sides, strict=True):
             one, X, Y = map(float, (c + at[0] * x + at[1] * y, size * x, size * y))
             yield q.model((abs(one) + abs(X) + abs(Y)) * TURN, one=one, X=X, Y=Y)
 

@@ -1,26 +1,71 @@
-"""Tasks of a long proof in several processes."""
+"""Tasks of a long proof in several processes, phase by phase, and how far all of it is."""
 
 from __future__ import annotations
 
 import multiprocessing
-from collections.abc import Callable, Iterable
+import signal
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
+from itertools import takewhile
 from typing import Any
+
+Tell = Callable[[str, float], None]
+"""Hears what is done now, and which part of the whole proof is done."""
 
 _done = list[Callable[[Any], Any]]()  # in a process that helps: what it does
 
 
-def each(jobs: int, f: Callable[[Any], Any], tasks: Iterable[Any]) -> list[Any]:
-    """Do tasks in so many processes; f, with all that it knows, goes to each of them once."""
+class Work:
+    """The tasks of a proof, in so many processes.
+
+    ``phases``: what is done, in words, in this order, each with the sum of the weights of its
+    tasks, which tell how long they may take.
+    """
+
+    def __init__(self, jobs: int, tell: Tell, phases: Mapping[str, float]) -> None:
+        self.jobs, self.tell, self.phases = jobs, tell, phases
+
+    def __call__(
+        self,
+        f: Callable[[Any], Any],
+        tasks: Iterable[Any],
+        words: str,
+        weight: Callable[[Any], float] = lambda _task: 1,
+    ) -> list[Any]:
+        """Do the tasks of a phase."""
+        weights, found, done = list[float](), list[Any](), 0.0
+        before = sum(self.phases[name] for name in takewhile(words.__ne__, self.phases))
+        whole = sum(self.phases.values()) or 1.0
+        self.tell(words, before / whole)
+        for result in each(self.jobs, f, _weighed(tasks, weight, weights)):
+            found.append(result)
+            done = min(done + weights[len(found) - 1], self.phases[words])
+            self.tell(words, (before + done) / whole)
+        return found
+
+
+def _weighed(
+    tasks: Iterable[Any], weight: Callable[[Any], float], weights: list[float]
+) -> Iterator[Any]:
+    """Give tasks, and note their weights."""
+    for task in tasks:
+        weights.append(weight(task))
+        yield task
+
+
+def each(jobs: int, f: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[Any]:
+    """Do tasks in so many processes, in order; f, with all that it knows, goes to each once."""
     if jobs < 2:
-        return [f(task) for task in tasks]
+        yield from map(f, tasks)
+        return
     waiting, context = list(tasks), multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(jobs, context, _begin, (f,)) as pool:
-        return list(pool.map(_do, waiting, chunksize=1 + len(waiting) // (64 * jobs)))
+        yield from pool.map(_do, waiting, chunksize=1 + len(waiting) // (64 * jobs))
 
 
 def _begin(f: Callable[[Any], Any]) -> None:
-    """Prepare a process."""
+    """Prepare a process; ctrl-C is for the one that asks."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     _done[:] = [f]
 
 

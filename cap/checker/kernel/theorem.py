@@ -75,6 +75,7 @@ class Theorem(ABC):
 
     def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
         self.certificate, self.step = certificate, step
+        self.tell: Callable[[str, float], None] = lambda _words, _part: None  # how far a proof is
         self.p, self.claims = certificate.parameters, certificate.claims
         self.hints = certificate.hints
         self.R, self.omega = self.p.r - self.p.l, self.p.omega

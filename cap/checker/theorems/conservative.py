@@ -46,7 +46,7 @@ from cap.checker.flow.columns import Column, columns, lines
 from cap.checker.flow.overlap import gaps, left
 from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
-from cap.checker.kernel.processes import each
+from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, bound
@@ -81,6 +81,7 @@ class Conservative(Theorem):
         at = self.hints["ceiling"]
         a, b, c = (enclosing(at[name]) for name in _CEILING)
         lines_at = lines(self.hints["lines"])
+        self.work = Work(self.jobs, self.tell, self.phases())
         flights, ceiling = Flights(f, R), Ceiling(a, b, c)
         boxes = descends(flights, ceiling)
         self.step(f"almost all launches that never stop are below the ceiling ({boxes} boxes)")
@@ -94,20 +95,30 @@ class Conservative(Theorem):
         self.compare_area(lines_at, forward, backward)
         self.compare_speed(at["height"] + at["level"])
 
+    def phases(self) -> dict[str, float]:
+        """Return what takes long, in words, and how long it may take: most, by length of text."""
+        texts = {name: len(self.hints[name]) for name in ("forward", "backward")}
+        followed = {_FOLLOWED.format(name): float(size) for name, size in texts.items()}
+        return followed | {_LEFT: _SHORT * sum(followed.values())}
+
     def family(self, name: str, world: World) -> list[Column]:
         """Prove that almost no launch of S is in a cell of a family."""
         world.columns = columns(self.hints[name])
         C = len(world.columns)
         need(len(world.lines) == C + 1, f"{name} has not one entry for each column")
-        each(self.jobs, world.prove, range(C))
-        cells = sum(len(run.levels) for runs in world.columns for run in runs)
+        sizes = [sum(len(run.levels) for run in runs) for runs in world.columns]
+        cells, size = sum(sizes), len(self.hints[name])
+        weight = lambda j: size * sizes[j] / (cells or 1)  # noqa: E731
+        self.work(world.prove, range(C), _FOLLOWED.format(name), weight)
         self.step(f"{name}: from {cells} cells orbits stop, or leave by the ceiling")
         return world.columns
 
     def compare_area(self, at: list[float], forward: list[Column], backward: list[Column]) -> None:
         """Compare the area that is left with the one claimed."""
         total = Double(0.0)
-        areas = left(partial(each, self.jobs), map(gaps, forward), [*map(gaps, backward)])
+        work, column = partial(self.work, words=_LEFT), self.phases()[_LEFT] / len(forward)
+        work = partial(work, weight=lambda _columns: column)
+        areas = left(work, map(gaps, forward), [*map(gaps, backward)])
         for (low, high), area in zip(pairwise(at), areas, strict=True):
             total = total + Double(area) * (high - low)
         whole = Fraction(total.upper) * self.p.F**2 / self.p.omega**3
@@ -124,6 +135,11 @@ class Conservative(Theorem):
         """Return the theorem in one line."""
         return self.told(SYSTEM + _AREA)
 
+
+# what is done
+_FOLLOWED = "{} cells are followed"
+_LEFT = "the area that is left is bounded"
+_SHORT = 0.05  # of the time before
 
 _AREA = (
     "the states (x, v) at t = 0 whose velocity never vanishes afterwards, of whatever speed, are a "

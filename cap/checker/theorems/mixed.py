@@ -49,13 +49,13 @@ from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import roof
-from cap.checker.folded.regions import Leaf, leaves
+from cap.checker.folded.regions import USUAL, Leaf, leaves
 from cap.checker.folded.regions import flights as cost
 from cap.checker.folded.sinks import Sink
 from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.citation import Citation
-from cap.checker.kernel.processes import each
+from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import decimal, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
@@ -73,12 +73,14 @@ from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
-_MOST_FLIGHTS = 1 << 25
+MOST_FLIGHTS = 1 << 25
 _MOST_CYCLES, _LONGEST = 16, 32
 MOST_SINKS, MOST_HALVES = 16, 64
 SIDES = {LATE: "late", EARLY: "early"}
+_PLACE = 15  # flights take as long as a place that is followed
 
-Work = Callable[..., Sequence[Any]]  # a map over tasks
+Map = Callable[..., Sequence[Any]]
+"""Does tasks, by function, tasks, the words for it, and the weight of a task."""
 
 
 def shapes(table: Fields) -> dict[str, Any]:
@@ -151,30 +153,40 @@ class Mixed(Theorem):
             Attractor.limit(hints["attractor"], claims["attractor"])
         trees = hints["stops"]
         total = sum(cost(trees[name], parted=name == "turns") for name in trees)
-        need(total <= _MOST_FLIGHTS, "there are too many flights")
+        need(total <= MOST_FLIGHTS, "there are too many flights")
         nodes(hints["places"]["tree"])
 
     def prove(self) -> None:
         """Prove the theorem."""
         self.box()
+        self.tell("what attracts", 0.0)
         for theorem in (Attractor, Segment):
             if named(theorem) in self.claims:
                 self.lemma(theorem)
         self.sinks()
         self.cycles()
-        work = partial(each, self.jobs)
+        work = Work(self.jobs, self.tell, self.phases())
         places = self.places(work)
         self.step("the fates of releases are known, by intervals of places")
         self.sums(self.parts(self.counted(work, places)))
         self.step("the shares follow from the areas")
 
-    def counted(self, work: Work, places: Places) -> Iterator[Areas]:
+    def phases(self) -> dict[str, float]:
+        """Return what takes long, in words, and how long it may take."""
+        tree, stops = self.hints["places"]["tree"], self.hints["stops"]
+        followed = {BACK.format(name): float(cost(stops[name])) for name in SIDES.values()}
+        turns = {TURNS: float(cost(stops["turns"], parted=True, ahead=USUAL))}
+        return {PLACES: float(_PLACE * len(nodes(tree)))} | followed | turns
+
+    def counted(self, work: Map, places: Places) -> Iterator[Areas]:
         """Give the areas of the states, by regions of their first stops."""
         y, V = System(self.p), below(self.region()[1])
-        for side in SIDES:
-            yield from work(partial(of_sticks, y, places, V, side), self.sticks(y, side))
+        for side, name in SIDES.items():
+            areas = partial(of_sticks, y, places, V, side)
+            yield from work(areas, self.sticks(y, side), BACK.format(name), Leaf.work)
         self.step("the states are counted that stick at their first stop")
-        yield from work(partial(of_turns, y, self.outlook(places), V), self.turns(y))
+        areas = partial(of_turns, y, self.outlook(places), V)
+        yield from work(areas, self.turns(y), TURNS, Leaf.work)
         self.step("the states are counted that turn at their first stop")
 
     def parts(self, counted: Iterable[Areas]) -> tuple[Fraction, ...]:
@@ -250,11 +262,12 @@ class Mixed(Theorem):
             self.sink(claim).contract(y)
             self.step("the flow takes an ellipse of states into itself, and contracts it")
 
-    def places(self, work: Work) -> Places:
+    def places(self, work: Map) -> Places:
         """Return what is known of all distances to the wall ahead."""
         hints, width = self.hints["places"], self.width()
         step = partial(followed, self.p, self.basins(), width)
-        pieces = [piece for found in work(step, nodes(hints["tree"])) for piece in found]
+        parts = work(step, nodes(hints["tree"]), PLACES, lambda _node: _PLACE)
+        pieces = [piece for found in parts for piece in found]
         return Places(self.kept(), width, hints["level"], pieces)
 
     def width(self) -> float:
@@ -369,6 +382,11 @@ def below(x: Fraction) -> float:
     """Return a double that is not more."""
     return -above(-x)
 
+
+# what is done
+PLACES = "places are followed to their release"
+BACK = "{} sticks are followed back"
+TURNS = "turns are followed back and forwards"
 
 _WORDS = (
     "with T = 2 pi/omega and S the symmetry (x, v, t) -> (l + r - x, -v, t + T/2), of the states "
