@@ -34,6 +34,10 @@ class Gallery(Findings):
     trace: Floats
     determinant: Floats
 
+    def varying(self) -> dict[str, Floats]:
+        """Return the values of the parameter."""
+        return {self.parameter: self.values}
+
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return one row for each value."""
         found = self.attractors
@@ -51,7 +55,7 @@ class Gallery(Findings):
 
     def lines(self) -> list[str]:
         """Return the attractors."""
-        head = f"regimes at {described(self.parameters)}, but for {self.parameter}"
+        head = f"regimes at {described(self.parameters, self.varying())}"
         rows = zip(self.values, self.attractors, self.trace, self.determinant, strict=True)
         return [
             head,

@@ -49,6 +49,10 @@ class Plane(Findings):
     code: NDArray[np.int64]
     number: Floats
 
+    def varying(self) -> dict[str, Floats]:
+        """Return the values of both parameters."""
+        return {self.parameter_1: self.first, self.parameter_2: self.second}
+
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return both parameters and what is found."""
         return {
@@ -61,7 +65,8 @@ class Plane(Findings):
     def lines(self) -> list[str]:
         """Return how often each was found."""
         names = f"({self.parameter_1}, {self.parameter_2})"
-        head = f"{self.what} over {names} at {described(self.parameters)}: {self.code.size} points"
+        system = described(self.parameters, self.varying())
+        head = f"{self.what} over {names} at {system}: {self.code.size} points"
         counts = [(name, int((self.code == k).sum())) for k, name in enumerate(self.names)]
         return [head, *(f"  {name:<24} {count}" for name, count in counts if count)]
 
