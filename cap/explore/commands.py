@@ -295,7 +295,12 @@ COMMANDS = {
         (
             PARAMETER,
             VALUES,
-            Option("periods", option.positive_to(1000), "forcing periods shown (4)", "Q"),
+            Option(
+                "periods",
+                option.positive_to(1000),
+                "forcing periods shown (the longest found)",
+                "Q",
+            ),
         ),
         (7.4, 9.0),
     ),

@@ -18,7 +18,8 @@ from cap.runner import Runner
 
 ORBITS = ("none", "elliptic only", "saddle only", "elliptic and saddle")
 ATTRACTORS = ("period 1", "period 2", "period 3", "period 4", "longer period", "chaotic",
-              "never hits a wall", "never turns", "no attractor found")  # fmt: skip
+              "no period found", "never hits a wall", "never turns",
+              "no attractor found")  # fmt: skip
 OUTSIDE, UNDONE = -1, -2  # no oscillator: f >= F, ...; not computed
 SEEDS = 6  # per side, of the states that are followed to their attractor
 DEFAULTS = {"f": (0.01, 0.7), "F": (1.05, 4.0), "R": (0.1, 2.25), "omega": (0.5, 2.0),
@@ -168,4 +169,6 @@ def _attractor(p: Parameters) -> Cell:
 def _name(found: Attractor) -> str:
     if found.kind in ATTRACTORS:
         return found.kind
-    return "chaotic" if found.kind == "chaotic" else "longer period"
+    if found.kind == "chaotic":
+        return "chaotic"
+    return "longer period" if found.period else "no period found"

@@ -111,7 +111,8 @@ def plane(findings: Plane, figure: FigureBase) -> None:
         "none": "white", "elliptic only": BLUE, "saddle only": ORANGE,
         "elliptic and saddle": SKY,
         "period 1": BLUE, "period 2": SKY, "period 3": GREEN, "period 4": PURPLE,
-        "longer period": ORANGE, "chaotic": RED, "never hits a wall": PALE,
+        "longer period": ORANGE, "chaotic": RED, "no period found": GREY,
+        "never hits a wall": PALE,
         "never turns": YELLOW, "no attractor found": "white",
     }  # fmt: skip
     colours = ListedColormap([DARK, *(shades[name] for name in findings.names)])
