@@ -31,7 +31,8 @@ class Images:
     columns (x, v), at every state of the cell; NaN unless smooth.
     ``surely``, ``possibly`` (N,): bits for the `WORDS` of the events that all states have, and of
     those that some may have; one bit more says turn, stick or capture.  A capture stands for all
-    hits and turns at that wall, also if it is not over at the end.
+    hits and turns at that wall, also if it is not over at the end; so does a mass that is at rest
+    at a wall, and pressed to it, at the start: it counts as one that turned and was captured.
     ``itinerary`` (N,): the events of the last period of a smooth cell, as a number (`words_of`); -1
     if there are more than 15.
     ``label`` (N,): all labels of targets that states of the cell reach.  ``alive`` (N,): how many

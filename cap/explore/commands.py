@@ -295,7 +295,12 @@ COMMANDS = {
         (
             PARAMETER,
             VALUES,
-            Option("periods", option.positive_to(1000), "forcing periods shown (4)", "Q"),
+            Option(
+                "periods",
+                option.positive_to(1000),
+                "forcing periods shown (the longest found)",
+                "Q",
+            ),
         ),
         (7.4, 9.0),
     ),
@@ -360,7 +365,8 @@ COMMANDS = {
         "--parameter f --range 0.36 0.44 --points 300 --out release.png",
         "The map G takes the place of a release to the right to that of the next release,\n"
         "mirrored if that is to the left.  Without --parameter its graph, with one orbit.\n"
-        "With it, windows in which all orbits settle on cycles of one period are listed.",
+        "With it, windows are listed in which the four orbits that are followed, or those\n"
+        "of them that go on, settle on attracting cycles of one period (by Newton's method).",
         (
             Option("points", option.count(2, 200_000), "places (4000), or values (400)", "N"),
             Option("start", option.numbers, "the orbit of this place", ("X",), 1),

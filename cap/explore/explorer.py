@@ -32,7 +32,10 @@ def parser() -> Parser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes "
         "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",
-        epilog="Examples:\n" + "\n".join(f"  {c.line(name)}" for name, c in COMMANDS.items()),
+        epilog="Examples:\n"
+        + "\n".join(f"  {c.line(name)}" for name, c in COMMANDS.items())
+        + "\n\nThe basins that a certificate proves, which is verified first, have a command of "
+        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
     )
     p.add_argument(
         "--paper",

@@ -87,6 +87,10 @@ class Inventory(Findings):
             dtype=np.int64,
         )
 
+    def varying(self) -> dict[str, Floats]:
+        """Return the values of the parameter, if there are several."""
+        return {self.parameter: self.values} if len(self.values) > 1 else {}
+
     def columns(self) -> dict[str, "np.ndarray[tuple[int], np.dtype[np.generic]]"]:
         """Return one row for each isolated orbit."""
         names = [name for name in Entry.__dataclass_fields__ if name != "value"]
@@ -96,9 +100,8 @@ class Inventory(Findings):
     def lines(self) -> list[str]:
         """Return the counts by type, the isolated orbits, and the families."""
         over = f" over {self.parameter}" if len(self.values) > 1 else ""
-        head = (
-            f"isolated orbits of period {self.periods} found{over} at {described(self.parameters)}"
-        )
+        system = described(self.parameters, self.varying())
+        head = f"isolated orbits of period {self.periods} found{over} at {system}"
         rows = []
         for value in self.values:
             own = [each for each in self.orbits if each.value == value]

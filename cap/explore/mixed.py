@@ -1,49 +1,68 @@
 """The picture of a certificate of `mixed`: ``python -m cap.explore.mixed FILE --out PICTURE``.
 
-What is drawn is proved, by the checker's arithmetic, as far as what the certificate says to attract
-does so: of coloured regions all but at most 5 % has the fate, all of the pale ones stops.  Beside
-it, what floats say.
+The theorem is proved again, as by `cap.verify`; if the checker rejects the certificate there is no
+picture, and the exit status is 1.  So what is drawn is proved: of coloured regions all but at most
+5 % has the fate, all of the white ones stops.  Beside it, what floats say.
 """
 
 import sys
 from collections.abc import Sequence
+from concurrent.futures import BrokenExecutor
 from pathlib import Path
 
+from cap.checker.folded.masses import Places
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems.mixed import Mixed
+from cap.checker.kernel.theorem import Certificate, Theorem
+from cap.checker.theorems.mixed import PLACES, Map, Mixed
 from cap.command import entry
 from cap.command.console import Parser, program, protected, quoted, say
 from cap.command.option import integer
 from cap.command.progress import Progress, answered
-from cap.command.verifier import content
+from cap.command.verifier import content, why
 from cap.errors import BadInput
 from cap.explore.export import IMAGES, kind
 from cap.files import replacing
+from cap.runner import within
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
-    options = _parser().parse_args([protected(word) for word in words])
+    options = parser().parse_args([protected(word) for word in words])
     progress = Progress()
 
     def run() -> int:
-        _draw(options.file, options.out, integer(options.jobs, "jobs", (1, 1024), 4), progress)
+        _image(options.out)
+        jobs = integer(options.jobs, "jobs", (1, 1024), 4)
+        theorem = Proof(_certificate(options.file), lambda _step: None)
+        drawn = {words: cost for words, cost in theorem.phases().items() if words != PLACES}
+        proof = sum(theorem.phases().values())
+        part = proof / (proof + sum(drawn.values()))
+        theorem.jobs, theorem.tell = jobs, within(progress.tell, 0, part)
+        rejected = _rejected(theorem)
+        if rejected:
+            progress.clear()
+            say(f"REJECTED: {quoted(options.file)}: {rejected}; no picture is drawn", sys.stdout)
+            return 1
+        work = Work(jobs, within(progress.tell, part, 1, "picture: "), drawn)
+        _draw(theorem, work, options.out)
         progress.clear()
-        say(quoted(options.out), sys.stdout)
+        say(f"VERIFIED: {quoted(options.file)}; {quoted(options.out)}: written", sys.stdout)
         return 0
 
     return answered(run, progress)
 
 
-def _parser() -> Parser:
+def parser() -> Parser:
+    """Return the command line."""
     parser = Parser(
         prog=program("cap.explore.mixed"),
-        description="Draw the basins that a certificate of the theorem mixed proves: what is "
-        "shown of every coloured region is proved for all of it but at most 5 %, all of the pale "
-        "ones stops at least once, of grey ones nothing is shown; beside it, what floats say.  It "
-        "takes as long as the certificate takes to verify.",
+        description="Draw the basins that a certificate of the theorem mixed proves.  It is "
+        "verified first, as by cap.verify: one that is rejected is not drawn (exit status 1).  "
+        "What is shown of every coloured region is proved for all of it but at most 5 %, all of "
+        "the white ones stops at least once, of black ones nothing is shown; beside it, what "
+        "floats say, from which nothing is proved.  It takes some minutes for the stored one.",
         epilog="Example: python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
     )
     parser.add_argument("file", type=Path, metavar="FILE", help="a certificate of mixed")
@@ -54,22 +73,45 @@ def _parser() -> Parser:
     return parser
 
 
-def _draw(file: Path, out: Path, jobs: int, progress: Progress) -> None:
-    """Write the picture of a certificate."""
-    suffix = kind(out)
-    if suffix not in IMAGES:
-        raise BadInput(f"no picture: {quoted(out)}")
-    theorem = _theorem(file)
-    work = Work(jobs, progress.tell, theorem.phases())
+class Proof(Mixed):
+    """The proof of the checker, as it is; what it finds of places is kept for the picture."""
+
+    known: Places
+
+    def places(self, work: Map) -> Places:
+        """Return what is known of all distances to the wall ahead."""
+        self.known = super().places(work)
+        return self.known
+
+
+def _rejected(theorem: Theorem) -> str:
+    """Return why the checker rejects a certificate; nothing if it proves the theorem."""
+    try:
+        theorem.prove()
+    except BrokenExecutor:
+        raise BadInput("a process was killed: that is no verdict") from None
+    except Exception as reason:  # noqa: BLE001 (whatever goes wrong, nothing is proved)
+        return why(reason)
+    return ""
+
+
+def _draw(theorem: Proof, work: Work, out: Path) -> None:
+    """Write the picture of a theorem that is proved."""
     from cap.pictures.proved import draw  # noqa: PLC0415 (matplotlib is slow to load)
 
-    figure = draw(theorem, work)
+    figure = draw(theorem, theorem.known, work)
     with replacing(out) as target:
-        figure.savefig(target, format=suffix)
+        figure.savefig(target, format=kind(out))
 
 
-def _theorem(file: Path) -> Mixed:
-    """Return the theorem of a certificate."""
+def _image(out: Path) -> None:
+    """Refuse a file that is no picture, or that cannot be written."""
+    if kind(out) not in IMAGES:
+        raise BadInput(f"no picture: {quoted(out)}")
+
+
+def _certificate(file: Path) -> Certificate:
+    """Return a certificate of the theorem."""
     try:
         certificate = read(content(file))
     except OSError as error:
@@ -78,7 +120,7 @@ def _theorem(file: Path) -> Mixed:
         raise BadInput(f"{quoted(file)} is no certificate: {reason}") from None
     if certificate.theorem != "mixed":
         raise BadInput(f"{quoted(file)} is about the theorem {certificate.theorem}, not mixed")
-    return Mixed(certificate, lambda _step: None)
+    return certificate
 
 
 if __name__ == "__main__":

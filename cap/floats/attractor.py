@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats import swarm
+from cap.floats.attracting import attracting, first_alike, growth
 from cap.floats.findings import Findings, Floats
-from cap.floats.fixed_point import polished
 from cap.floats.grid import Box, grid, require_followed, whole
 from cap.floats.pieces import cut
 from cap.floats.words import described, with_error
@@ -35,7 +35,9 @@ MOST = 20_000_000  # states kept
 
 @dataclass(frozen=True)
 class Attractor:
-    """One attractor: ``period`` in units of T, 0 if it has none, and a sample of states (K, 2).
+    """One attractor: ``period`` in units of T, and a sample of states (K, 2).
+
+    The period is 0 if there is none, or `cap.floats.attracting` does not find the cycle.
 
     ``share`` of the seeds; ``hits`` right and left, ``turns`` and ``sticks`` per period T;
     ``exponent`` the larger one, per time, and its standard ``error``, nan for a cycle.
@@ -158,7 +160,7 @@ def _exponents(growth: Floats) -> Floats:
 
 
 def _least_period(states: Floats) -> NDArray[np.int64]:
-    """Return the least n for which states (N, K, 2) return after n periods, at the end; else 0."""
+    """Return the least n after which states (N, K, 2) seem to come back, at the end; else 0."""
     period = np.zeros(len(states), dtype=np.int64)
     tail = states[:, -LONGEST:]
     backs = [states[:, -LONGEST - n : -n] for n in range(1, LONGEST + 1)]
@@ -174,10 +176,16 @@ def sort(p: Parameters, ends: list[Ends]) -> tuple[NDArray[np.int64], tuple[Attr
         return np.empty(0, dtype=np.int64), ()
     joined = Ends(*(np.concatenate([getattr(e, name) for e in ends]) for name in _NAMES))
     label, marks, chosen = _labelled(p, joined)
-    shares = np.array([(label == k).mean() for k in range(len(marks))])
-    order = np.argsort(-shares, kind="stable")
-    found = tuple(_attractor(p, joined, chosen[k], marks[k].name, label == k) for k in order)
-    place = np.append(np.argsort(order, kind="stable"), NONE)  # the last is that of the label -1
+    cycles = [_cycle(p, joined, *each) for each in zip(marks, chosen, strict=True)]
+    first = first_alike(p, cycles)  # two marks may be of one cycle
+    label = np.append(first, NONE)[label]  # the last is that of the label -1
+    shares = {k: float((label == k).mean()) for k in first}
+    order = sorted(shares, key=lambda k: (-shares[k], k))
+    found = tuple(
+        _attractor(p, joined, chosen[k], marks[k].name, cycles[k], label == k) for k in order
+    )
+    place = np.full(len(marks) + 1, NONE)
+    place[order] = range(len(order))
     return place[label], found
 
 
@@ -237,19 +245,27 @@ def _mark(ends: Ends, i: int, unit: Floats, spread: Floats, *, conserves: bool) 
     return _Mark("other", cells=frozenset((a, b) for a, b in cells.tolist()))
 
 
-def _attractor(p: Parameters, ends: Ends, i: int, name: str, own: NDArray[np.bool_]) -> Attractor:
+def _cycle(p: Parameters, ends: Ends, mark: _Mark, i: int) -> Floats | None:
+    """Return the attracting cycle that an orbit seems to be on, if Newton's method finds it."""
+    if mark.name != "cycle":
+        return None
+    return attracting(p, ends.states[i, -mark.period], mark.period)
+
+
+def _attractor(
+    p: Parameters, ends: Ends, i: int, name: str, cycle: Floats | None, own: NDArray[np.bool_]
+) -> Attractor:
     """Return the attractor of the orbit i and of those that are its ``own``."""
     period, counts = int(ends.period[i]), ends.counts[i].tolist()
-    cycle = name == "cycle"
-    if cycle:
-        states = _cycle(p, ends.states[i, -period:])
-        exponent, error = _of_multipliers(p, states), math.nan
+    if cycle is not None:
+        period, states = len(cycle), cycle
+        exponent, error = growth(p, cycle), math.nan
     else:
         states = ends.states[own][:400].reshape(-1, 2)
         exponent, error = _mean(ends.exponent[own])
     return Attractor(
-        kind=_kind(name, period, exponent, error),
-        period=period if cycle else 0,
+        kind=_kind(name, period, exponent, error, confirmed=cycle is not None),
+        period=0 if cycle is None else period,
         share=float(own.mean()),
         hits=(counts[0], counts[1]),
         turns=counts[2] + counts[3],
@@ -260,22 +276,6 @@ def _attractor(p: Parameters, ends: Ends, i: int, name: str, own: NDArray[np.boo
     )
 
 
-def _cycle(p: Parameters, states: Floats) -> Floats:
-    """Return the states (n, 2) of a cycle, from the one to which Newton's method leads."""
-    first = polished(p, (float(states[0, 0]), float(states[0, 1])), len(states))
-    return swarm.follow(p, [first], len(states), every=True).states[0, :-1]
-
-
-def _of_multipliers(p: Parameters, states: Floats) -> float:
-    """Return the larger exponent of a cycle: -inf where both multipliers are 0."""
-    monodromy = swarm.follow(p, states[:1], len(states), derivative=True).monodromy
-    if monodromy is None:  # it was asked for
-        raise TypeError
-    largest = float(np.abs(np.linalg.eigvals(monodromy[0])).max())
-    time = len(states) * 2 * math.pi / float(p.omega)
-    return math.log(largest) / time if largest else -math.inf
-
-
 def _mean(exponents: Floats) -> tuple[float, float]:
     """Return the mean of exponents (M, `BLOCKS`) and its standard error: nan if it is infinite."""
     if not np.isfinite(exponents).all():
@@ -283,10 +283,10 @@ def _mean(exponents: Floats) -> tuple[float, float]:
     return float(exponents.mean()), float(exponents.std(ddof=1) / math.sqrt(exponents.size))
 
 
-def _kind(name: str, period: int, exponent: float, error: float) -> str:
+def _kind(name: str, period: int, exponent: float, error: float, *, confirmed: bool) -> str:
     """Return the kind of an end in words."""
     if name == "cycle":
-        return f"period {period}"
+        return f"period {period}" if confirmed else f"comes back after {period} T"
     chaotic = exponent > max(CHAOTIC, CERTAIN * error)
     names = {"conservative": "never turns", "free": "never hits a wall"}
     return names.get(name, "chaotic" if chaotic else "no short period")

@@ -75,6 +75,10 @@ class Continuation(Findings):
     branches: tuple[Branch, ...]
     special: tuple[Special, ...]
 
+    def varying(self) -> dict[str, Floats]:
+        """Return the values at which there is an orbit."""
+        return {self.parameter: np.concatenate([branch.value for branch in self.branches])}
+
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return one row for each point of each branch."""
         joined = {
@@ -92,7 +96,7 @@ class Continuation(Findings):
         periods = ", ".join(str(branch.period) for branch in self.branches)
         head = (
             f"{len(self.branches)} branches, of period {periods}, over {self.parameter} at "
-            f"{described(self.parameters)}"
+            f"{described(self.parameters, self.varying())}"
         )
         rows = [
             f"  branch {each.branch + 1}  {self.parameter} = {each.value:<14.10g} {each.label:<22} "

@@ -20,9 +20,17 @@ class Findings(ABC):
     parameters: Parameters
     complete: bool = True
 
+    def varying(self) -> Mapping[str, Floats]:
+        """Return the values of the parameters that vary; only the others are `parameters`."""
+        return {}
+
     def given(self) -> dict[str, str]:
-        """Return what is given exactly, for the head of a table."""
-        return self.parameters.strings()
+        """Return what is given exactly, and does not vary, for the head of a table."""
+        p, varying = self.parameters, self.varying()
+        if "R" not in varying:
+            return {name: q for name, q in p.strings().items() if name not in varying}
+        fixed = {name: q for name, q in p.strings().items() if name not in {*varying, "l", "r"}}
+        return fixed | {"(l + r)/2": str((p.l + p.r) / 2)}
 
     @abstractmethod
     def columns(self) -> Mapping[str, ArrayLike]:

@@ -17,6 +17,7 @@ from cap.parameters import Parameters
 from cap.runner import Runner
 
 FORCINGS = (1.5, 3.0, 4.5, 6.0, 12.0, 50.0)
+LEAST = 4  # forcing periods shown
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,6 +34,10 @@ class Gallery(Findings):
     orbits: tuple[Trajectory, ...]
     trace: Floats
     determinant: Floats
+
+    def varying(self) -> dict[str, Floats]:
+        """Return the values of the parameter."""
+        return {self.parameter: self.values}
 
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return one row for each value."""
@@ -51,7 +56,7 @@ class Gallery(Findings):
 
     def lines(self) -> list[str]:
         """Return the attractors."""
-        head = f"regimes at {described(self.parameters)}, but for {self.parameter}"
+        head = f"regimes at {described(self.parameters, self.varying())}"
         rows = zip(self.values, self.attractors, self.trace, self.determinant, strict=True)
         return [
             head,
@@ -68,16 +73,22 @@ def gallery(
     *,
     parameter: str = "F",
     values: tuple[float | Fraction, ...] = FORCINGS,
-    periods: float = 4,
+    periods: float | None = None,
     runner: Runner | None = None,
 ) -> Gallery:
-    """Return the orbit of the attractor of most seeds, over some periods, at each value."""
+    """Return the orbit of the attractor of most seeds, over some periods, at each value.
+
+    By default these are so many that the longest period found is seen, and at least four.
+    """
     runner = runner or Runner()
     systems = [varied(p, parameter, value) for value in values]
-    found = runner.map(
-        _regime, [(system, periods) for system in systems], "gallery", processes=True
-    )
-    kept = [(float(value), *each) for value, each in zip(values, found, strict=False) if each]
+    found = runner.map(strongest, systems, "gallery", processes=True)
+    shown = periods or max([LEAST, *(each.period for each in found if each)])
+    kept = [
+        (float(value), *_regime(system, each, shown))
+        for value, system, each in zip(values, systems, found, strict=False)
+        if each
+    ]
     if not kept and not runner.interrupted:
         raise BadInput("no orbit could be followed at any of the values: the mass is too fast")
     return Gallery(
@@ -93,12 +104,9 @@ def gallery(
 
 
 def _regime(
-    task: tuple[Parameters, float],
-) -> tuple[Attractor, Trajectory, float, float] | None:
-    p, periods = task
-    found = strongest(p)
-    if found is None:
-        return None
+    p: Parameters, found: Attractor, periods: float
+) -> tuple[Attractor, Trajectory, float, float]:
+    """Return an attractor, its orbit, and trace and determinant of a cycle."""
     state = float(found.states[0, 0]), float(found.states[0, 1])
     orbit = trajectory(p, orbit=state, exactly=True, periods=periods)
     if not found.period:

@@ -130,7 +130,7 @@ def _key(system: Particles, ends: Ends, k: int) -> Key:
     for q in range(1, LONGEST + 1):
         if (np.abs(states[q:] - states[:-q])[-LONGEST:] < CLOSE * units).all():
             counts = ends.counts[k, -q:].sum(axis=0)
-            kind = f"period {q} T" if counts[:2].any() else SLIDING
+            kind = f"period {q} T seen" if counts[:2].any() else SLIDING
             return kind, q, tuple(counts.tolist())
     return APERIODIC, 0, ()
 

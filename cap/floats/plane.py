@@ -18,7 +18,8 @@ from cap.runner import Runner
 
 ORBITS = ("none", "elliptic only", "saddle only", "elliptic and saddle")
 ATTRACTORS = ("period 1", "period 2", "period 3", "period 4", "longer period", "chaotic",
-              "never hits a wall", "never turns", "no attractor found")  # fmt: skip
+              "no period found", "never hits a wall", "never turns",
+              "no attractor found")  # fmt: skip
 OUTSIDE, UNDONE = -1, -2  # no oscillator: f >= F, ...; not computed
 SEEDS = 6  # per side, of the states that are followed to their attractor
 DEFAULTS = {"f": (0.01, 0.7), "F": (1.05, 4.0), "R": (0.1, 2.25), "omega": (0.5, 2.0),
@@ -49,6 +50,10 @@ class Plane(Findings):
     code: NDArray[np.int64]
     number: Floats
 
+    def varying(self) -> dict[str, Floats]:
+        """Return the values of both parameters."""
+        return {self.parameter_1: self.first, self.parameter_2: self.second}
+
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return both parameters and what is found."""
         return {
@@ -61,7 +66,8 @@ class Plane(Findings):
     def lines(self) -> list[str]:
         """Return how often each was found."""
         names = f"({self.parameter_1}, {self.parameter_2})"
-        head = f"{self.what} over {names} at {described(self.parameters)}: {self.code.size} points"
+        system = described(self.parameters, self.varying())
+        head = f"{self.what} over {names} at {system}: {self.code.size} points"
         counts = [(name, int((self.code == k).sum())) for k, name in enumerate(self.names)]
         return [head, *(f"  {name:<24} {count}" for name, count in counts if count)]
 
@@ -163,4 +169,6 @@ def _attractor(p: Parameters) -> Cell:
 def _name(found: Attractor) -> str:
     if found.kind in ATTRACTORS:
         return found.kind
-    return "chaotic" if found.kind == "chaotic" else "longer period"
+    if found.kind == "chaotic":
+        return "chaotic"
+    return "longer period" if found.period else "no period found"

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats.events import HIT, TURN
 from cap.floats.findings import Findings, Floats
-from cap.floats.releases import Images, images, period_of
+from cap.floats.release_cycles import settled
+from cap.floats.releases import Images, images
 from cap.floats.variation import value_of, varied
 from cap.floats.words import described
 from cap.parameters import Parameters
@@ -18,7 +19,7 @@ from cap.runner import Runner
 
 TRANSIENT = 60  # iterates
 STARTS = 4  # orbits for each value of a parameter
-SAME = 1e-4  # of R: iterates so close are taken for the same
+SAME = 1e-4  # of R: iterates so close may be the same
 COBWEB = 60  # steps
 PIECES = 8
 NO_TRAP = np.full(3, np.nan)
@@ -88,8 +89,8 @@ class ReleaseOrbits(Findings):
     """Late iterates ``late`` (K, M) of the release map over a parameter with ``values`` (K,).
 
     ``exponent`` (K,): the mean of log|G'| along them; negative in windows of attracting cycles.
-    ``period`` (K,): the least period that all of them have to within `SAME` of R, 0 if they have
-    none of at most half the number of iterates.
+    ``period`` (K,): that of the attracting cycles near which all of them are, at most half the
+    number of iterates (see `cap.floats.release_cycles.settled`), 0 if none was found.
     """
 
     parameter: str
@@ -107,6 +108,10 @@ class ReleaseOrbits(Findings):
             (float(self.values[a]), float(self.values[b]), int(self.period[a])) for a, b in ends
         ]
 
+    def varying(self) -> dict[str, Floats]:
+        """Return the values of the parameter."""
+        return {self.parameter: self.values}
+
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return the iterates."""
         return {
@@ -120,10 +125,10 @@ class ReleaseOrbits(Findings):
         """Return how often the exponent is positive."""
         positive = int((self.exponent > 0).sum())
         return [
-            f"orbits of the release map over {self.parameter} at {described(self.parameters)}: "
-            f"{len(self.values)} values",
+            f"orbits of the release map over {self.parameter} at "
+            f"{described(self.parameters, self.varying())}: {len(self.values)} values",
             f"  mean of log |G'| positive at {positive} of them",
-            *(f"  window of period {p}: {a:.6g} .. {b:.6g}" for a, b, p in self.windows()),
+            *(f"  window of period {p} seen: {a:.6g} .. {b:.6g}" for a, b, p in self.windows()),
         ]
 
 
@@ -233,6 +238,12 @@ def late(p: Parameters, iterates: int) -> tuple[Floats, float]:
     return np.concatenate(seen), float(known.mean()) if len(known) else np.nan
 
 
+def _late(p: Parameters, iterates: int) -> tuple[Floats, float, int]:
+    """Return late iterates, the mean of log|G'|, and the period of the cycles that they are on."""
+    found, growth = late(p, iterates)
+    return found, growth, settled(p, found.reshape(iterates, STARTS), SAME)
+
+
 def _trap(p: Parameters) -> Floats:
     """Return the ends of an interval and its critical point, nan if none is found."""
     for c in critical_points(p):
@@ -257,12 +268,11 @@ def _limits(p: Parameters, name: str, given: tuple[float, ...] | None) -> tuple[
 def over(p: Parameters, name: str, values: Floats, iterates: int, runner: Runner) -> ReleaseOrbits:
     """Return late iterates over a parameter."""
     tasks = values.tolist()
-    found = runner.map(lambda value: late(varied(p, name, value), iterates), tasks, "releases")
+    found = runner.map(lambda value: _late(varied(p, name, value), iterates), tasks, "releases")
     places = np.full((len(values), STARTS * iterates), np.nan)
     exponent, period = np.full(len(values), np.nan), np.zeros(len(values), dtype=np.int64)
-    for k, (each, growth) in enumerate(found):
-        places[k], exponent[k] = each, growth
-        period[k] = period_of(each.reshape(iterates, STARTS), SAME * float(p.R))
+    for k, each in enumerate(found):
+        places[k], exponent[k], period[k] = each
     return ReleaseOrbits(
         parameters=p,
         complete=not runner.interrupted,

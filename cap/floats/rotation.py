@@ -64,7 +64,8 @@ class Rotation(Findings):
         return [
             f"rotation numbers around ({self.centre[0]:.10g}, {self.centre[1]:.10g}) at "
             + described(self.parameters),
-            f"  {on} of {len(self.distance)} orbits are on an invariant curve, as far as one sees",
+            f"  {on} of {len(self.distance)} orbits are on invariant curves (of islands, too), as "
+            "far as one sees",
             f"  at the fixed point: rotation number {self.limit:.12g} (of its multipliers), from x "
             "to v, mod 1",
             f"  twist tau1 = {self.twist[0]:.6g} +- {self.error[0]:.2g}, tau2 = "

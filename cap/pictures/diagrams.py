@@ -27,8 +27,8 @@ from cap.pictures.style import (
     SYMBOLS,
     UNITS,
     YELLOW,
-    parameters,
     stroboscopic,
+    title,
     undone,
 )
 
@@ -71,7 +71,7 @@ def continuation(findings: Continuation, figure: FigureBase) -> None:
     figure.legend(handles, labels, loc="outside lower center", ncols=4)
     known = sorted({branch.period for branch in findings.branches})
     periods = ", ".join("$T$" if n == 1 else f"${n}T$" for n in known)
-    _title(figure, findings, f"Periodic orbits of period {periods}", (findings.parameter,))
+    title(figure, findings, f"Periodic orbits of period {periods}")
 
 
 def _mark(label: str) -> str:
@@ -111,7 +111,8 @@ def plane(findings: Plane, figure: FigureBase) -> None:
         "none": "white", "elliptic only": BLUE, "saddle only": ORANGE,
         "elliptic and saddle": SKY,
         "period 1": BLUE, "period 2": SKY, "period 3": GREEN, "period 4": PURPLE,
-        "longer period": ORANGE, "chaotic": RED, "never hits a wall": PALE,
+        "longer period": ORANGE, "chaotic": RED, "no period found": GREY,
+        "never hits a wall": PALE,
         "never turns": YELLOW, "no attractor found": "white",
     }  # fmt: skip
     colours = ListedColormap([DARK, *(shades[name] for name in findings.names)])
@@ -137,7 +138,7 @@ def plane(findings: Plane, figure: FigureBase) -> None:
     axes.set_ylabel(f"${SYMBOLS[findings.parameter_2]}$")
     orbits = "Orbits that hit each wall once and never turn or stick"
     what = orbits if findings.what == "orbits" else "Attractors"
-    _title(figure, findings, what, (findings.parameter_1, findings.parameter_2))
+    title(figure, findings, what)
 
 
 def _border(axes: Axes, findings: Plane) -> None:
@@ -164,7 +165,6 @@ def inventory(findings: Inventory, figure: FigureBase) -> None:
     if len(findings.values) <= 1:
         last = figure.subplots()
         _orbits(last, findings, "x", "v")
-        but: tuple[str, ...] = ()
     else:
         axes = figure.subplots(2, 1, sharex=True)
         _counts(axes[0], findings)
@@ -173,12 +173,11 @@ def inventory(findings: Inventory, figure: FigureBase) -> None:
         axes[1].set_xlabel(f"${SYMBOLS[findings.parameter]}$")
         axes[1].set_ylabel("$x$ at $t = 0$  [length]")
         last = axes[1]
-        but = (findings.parameter,)
     handles, labels = last.get_legend_handles_labels()
     if handles:
         figure.legend(handles, labels, loc="outside lower center", ncols=4)
     period = "T" if findings.periods == 1 else f"{findings.periods}T"
-    _title(figure, findings, f"{len(findings.orbits)} orbits of period ${period}$ found", but)
+    title(figure, findings, f"{len(findings.orbits)} orbits of period ${period}$ found")
 
 
 def _orbits(axes: Axes, findings: Inventory, first: str, second: str) -> None:
@@ -218,11 +217,3 @@ def _counts(axes: Axes, findings: Inventory) -> None:
     axes.set_ylim(0, 1.15 * max(1.0, float(below.max())))
     axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylabel("number of orbits")
-
-
-def _title(
-    figure: FigureBase, findings: Continuation | Plane | Inventory, words: str, but: tuple[str, ...]
-) -> None:
-    """Write what is shown, and the parameters that do not vary."""
-    rest = "" if findings.complete else "  (interrupted)"
-    figure.suptitle(f"{words}{rest}\n{parameters(findings.parameters, but=but)}", fontsize=10)

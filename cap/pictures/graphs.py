@@ -65,9 +65,9 @@ def rotation(findings: Rotation, figure: FigureBase) -> None:
     axes = figure.subplots(1, 2)
     good = findings.quality < SHAKY
     axes[0].plot(findings.distance[~good], findings.rotation[~good], ".", ms=3, color=ORANGE,
-                 label="in a resonance, or chaotic")  # fmt: skip
+                 label="not settled: in a resonance, or chaotic")  # fmt: skip
     axes[0].plot(findings.distance[good], findings.rotation[good], ".", ms=3.5, color=BLUE,
-                 label="on an invariant curve")  # fmt: skip
+                 label="on invariant curves, as far as one sees")  # fmt: skip
     _resonances(axes[0], findings.rotation[good])
     axes[0].set_xlabel("distance from $P_*$ along $x$  [length]")
     axes[0].set_ylabel(r"rotation number $\Theta/2\pi$ mod 1")

@@ -1,13 +1,12 @@
 """The basins as they are proved, region by region, beside what floats say.
 
-Each coloured region is what a region of first stops is backwards at t = 0, by the arithmetic of the
-checker; its boundary is drawn to within a pixel.  Of all regions all states stop.  Those of sticks,
-and the parts of those of turns that are followed forwards, have the colour of a fate if the checker
-shows it for all of the region but at most `LOST` of its area; it may be that more of a pale one has
-a fate.  What is grey is not proved.
+The certificate is verified before (`cap.explore.mixed`).  Each coloured region is what a region of
+first stops is backwards at t = 0, by the arithmetic of the checker; its boundary is drawn to within
+a pixel.  Of all regions all states stop.  Those of sticks, and the parts of those of turns that are
+followed forwards, have the colour of a fate if the checker shows it for all of the region but at
+most `LOST` of its area; it may be that more of a white one has a fate.  Of black nothing is shown.
 """
 
-import math
 from collections.abc import Sequence
 from functools import partial
 
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 from cap.checker.folded.ahead import Found, Outlook, found
 from cap.checker.folded.areas import stuck
 from cap.checker.folded.events import after, event
+from cap.checker.folded.masses import Places
 from cap.checker.folded.motion import Flight, System
 from cap.checker.folded.regions import Leaf
 from cap.checker.folded.stops import Start, Strobe, at_hit, flown, multiple, sticks, turns
@@ -29,20 +29,22 @@ from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import BACK, SIDES, TURNS, Map, Mixed
 from cap.floats import swarm
+from cap.floats.events import HIT
 from cap.parameters import Parameters
-from cap.pictures.style import BLUE, GREY, ORANGE, PALE, blank, style
+from cap.pictures.style import BLACK, BLUE, ORANGE, blank, parameters, stroboscopic, style
 
 PIXELS = 256, 768  # of what floats say
 SIDE = 9  # points on a side of a region
 LOST = 0.05  # of the area of a region with a fate, at most
 PERIODS = 40  # that orbits in floats are followed
 OPEN, ATTRACTED, SEGMENT, STOPS = 0, 1, 2, 3
-COLOURS = (GREY, BLUE, ORANGE, PALE)
+LATE = 3  # more, in which those that go to the segment hit no wall
+COLOURS = (BLACK, BLUE, ORANGE, "white")
 NAMES = (
-    "nothing is shown",
-    f"attracted, but for at most {LOST:.0%} of each region",
-    "to the segment, likewise",
-    "stops at least once",
+    "proved: nothing; floats: does not stop",
+    f"attracted (proved but for at most {LOST:.0%} of each region)",
+    "to the segment (likewise)",
+    "proved: stops at least once",
 )
 
 Image = NDArray[np.int8]
@@ -50,15 +52,15 @@ Points = NDArray[np.float64]
 Outline = tuple[int, Points]
 
 
-def draw(theorem: Mixed, work: Map) -> Figure:
-    """Return the picture: proved on the left, floats on the right."""
-    outlines = proved(theorem, work)
+def draw(theorem: Mixed, places: Places, work: Map) -> Figure:
+    """Return the picture of a theorem that is proved, on the left; floats are on the right."""
+    outlines = proved(theorem, places, work)
     with style():
-        figure = blank((7, 9))
+        figure = blank((7.4, 9))
         left, right = figure.subplots(1, 2, sharex=True, sharey=True)
         box = theorem.claims["box"]
         ends = [float(q) for side in (box["x"], box["v"]) for q in side[:2]]
-        left.set_facecolor(GREY)
+        left.set_facecolor(COLOURS[OPEN])
         left.add_collection(
             PolyCollection(
                 [points for _, points in outlines],
@@ -69,23 +71,39 @@ def draw(theorem: Mixed, work: Map) -> Figure:
             )
         )
         panel(right, in_floats(theorem, PIXELS[::-1]), ends)
-        for axes, words in ((left, "proved"), (right, "floats")):
-            axes.set_title(words)
-            axes.set_xlabel("$x$")
-            axes.set_ylabel("$v$ at $t = 0$")
+        left.set_title("proved: the certificate is VERIFIED")
+        right.set_title(f"floats, {PERIODS} periods: nothing is proved")
+        for axes in (left, right):
+            stroboscopic(axes)
         figure.legend(
-            handles=[Patch(color=c, label=n) for c, n in zip(COLOURS, NAMES, strict=True)],
+            handles=[
+                Patch(fc=c, ec=BLACK, lw=0.4, label=n) for c, n in zip(COLOURS, NAMES, strict=True)
+            ],
             loc="outside lower center",
-            ncols=4,
-            columnspacing=1,
+            ncols=2,
         )
+        figure.suptitle(f"{verdict(theorem)}\n{parameters(system(theorem))}", fontsize=10)
     return figure
 
 
-def proved(theorem: Mixed, work: Map) -> list[Outline]:
+def verdict(theorem: Mixed) -> str:
+    """Return the shares that are proved."""
+    shares = theorem.claims["shares"]
+    words = {"attractor": "attracted", "segment": "to the segment", "stops": "stops"}
+    parts = [f"{word} {shares[name].text[0]}" for name, word in words.items()]
+    return "Basins; proved, of the area shown, at least: " + ", ".join(parts)
+
+
+def system(theorem: Mixed) -> Parameters:
+    """Return the parameters."""
+    p = theorem.p
+    return Parameters(p.F, p.omega, p.f, p.l, p.r)
+
+
+def proved(theorem: Mixed, places: Places, work: Map) -> list[Outline]:
     """Return the outlines of what is proved, in x and v, those on top of others later."""
     p, y, V = theorem.p, System(theorem.p), float(theorem.region()[1])
-    outlook = theorem.outlook(theorem.places(work))
+    outlook = theorem.outlook(places)
     outlines = list[list[Outline]]()
     for side, name in SIDES.items():
         drawn = partial(of_sticks, outlook, y, V, side)
@@ -186,18 +204,14 @@ def panel(axes: Axes, pixels: Image, ends: Sequence[float]) -> None:
 
 def in_floats(theorem: Mixed, shape: tuple[int, int]) -> Image:
     """Return the fates of the middles of all pixels, in floats."""
-    q, box = theorem.p, theorem.claims["box"]
-    p = Parameters(q.F, q.omega, q.f, q.l, q.r)
+    p, box = system(theorem), theorem.claims["box"]
     sides = []
     for (low, high), n in zip((box["x"][:2], box["v"][:2]), shape[::-1], strict=True):
         sides.append(float(low) + float(high - low) * (np.arange(n) + 0.5) / n)
     x, v = np.meshgrid(*sides)
-    states = np.column_stack([x.ravel(), v.ravel()])
-    before = PERIODS + (2 * math.pi - math.acos(p.f / p.F)) / 2 / math.pi - 1e-9
-    resting = np.zeros(len(states), dtype=bool)
-    for n in range(3):  # a release in I comes every three half-periods
-        found = swarm.follow(p, states, before + n / 2)
-        resting |= found.states[:, 1] == 0
-    stopped = found.turned | found.stuck | found.captured
-    fates = np.where(resting, ATTRACTED, np.where(stopped, SEGMENT, OPEN))
+    found = swarm.follow(p, np.column_stack([x.ravel(), v.ravel()]), PERIODS)
+    late = swarm.follow(p, found.states, LATE)
+    hits = late.counts[:, HIT : HIT + 2].any(axis=1)
+    stopped = (found.turned | found.stuck | found.captured) & ~(found.lost | late.lost)
+    fates = np.where(stopped, np.where(hits, ATTRACTED, SEGMENT), OPEN)
     return fates.astype(np.int8).reshape(shape)

@@ -9,7 +9,7 @@ from matplotlib.patches import Rectangle
 
 from cap.floats.findings import Floats
 from cap.floats.return_map import ReleaseMap, ReleaseOrbits
-from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, SYMBOLS, parameters, title
+from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, SYMBOLS, title
 
 STYLES = ("-", "--", ":")  # one for each round of the colours
 RARE = 0.01  # of the places
@@ -106,7 +106,7 @@ def _windows(findings: ReleaseOrbits, above: Axes, below: Axes) -> None:
             )  # fmt: skip
     if findings.windows():
         above.set_title(
-            "shaded: all orbits settle on cycles of one period, which is given where there is room",
+            "shaded: the orbits seen settle on cycles of one period, given where there is room",
             fontsize=9,
         )
 
@@ -126,6 +126,4 @@ def orbits(findings: ReleaseOrbits, figure: FigureBase) -> None:
         max(-2.0, float(finite.min(initial=0.0)) * 1.1), float(finite.max(initial=0.1)) * 1.2
     )
     below.set_xlabel(f"${SYMBOLS[findings.parameter]}$")
-    rest = "" if findings.complete else "  (interrupted)"
-    shown = parameters(findings.parameters, but=(findings.parameter,))
-    figure.suptitle(f"Orbits of the release map{rest}\n{shown}", fontsize=10)
+    title(figure, findings, "Orbits of the release map")

@@ -1,6 +1,6 @@
 """One look for all pictures: colours that the colour-blind can tell apart, axes with units."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
@@ -12,9 +12,10 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure, FigureBase
 from matplotlib.patches import Patch
+from numpy.typing import ArrayLike
 
 from cap.floats.findings import Findings
-from cap.floats.words import short
+from cap.floats.words import ends, short
 from cap.parameters import PAPER, Parameters
 
 # Okabe and Ito's palette
@@ -68,16 +69,27 @@ def blank(size: tuple[float, float], dpi: float = 200) -> Figure:
 def title(figure: FigureBase, findings: Findings, words: str) -> None:
     """Write what is shown, at which parameters."""
     rest = "" if findings.complete else "  (interrupted)"
-    figure.suptitle(f"{words}{rest}\n{parameters(findings.parameters)}", fontsize=10)
+    shown = parameters(findings.parameters, varying=findings.varying())
+    figure.suptitle(f"{words}{rest}\n{shown}", fontsize=10)
 
 
-def parameters(p: Parameters, *, but: tuple[str, ...] = ()) -> str:
-    """Return the parameters as a formula; those of losses only if there are any."""
-    paper = PAPER.strings()
+def parameters(
+    p: Parameters,
+    *,
+    but: tuple[str, ...] = (),
+    varying: Mapping[str, ArrayLike] | None = None,
+) -> str:
+    """Return the parameters as a formula; those that vary with the least and largest value.
+
+    Those of losses only if there are any; some may be left out.
+    """
+    paper, varying = PAPER.strings(), varying or {}
     values = {**p.strings(), "R": str(p.R)}
     names = [n for n in ("F", "omega", "f", "R") if n not in but]
-    names += [n for n in ("e", "mu") if values[n] != paper[n] and n not in but]
-    return "$" + r",\ ".join(f"{SYMBOLS[n]} = {_formula(values[n])}" for n in names) + "$"
+    names += [n for n in ("e", "mu") if (n in varying or values[n] != paper[n]) and n not in but]
+    known = {n: r"\ldots ".join(ends(varying[n])) for n in names if n in varying}
+    known |= {n: _formula(values[n]) for n in names if n not in varying}
+    return "$" + r",\ ".join(f"{SYMBOLS[n]} = {known[n]}" for n in names) + "$"
 
 
 def _formula(number: str) -> str:

@@ -20,7 +20,6 @@ from cap.pictures.style import (
     RED,
     SYMBOLS,
     UNITS,
-    parameters,
     star,
     title,
 )
@@ -142,9 +141,7 @@ def gallery(findings: Gallery, figure: FigureBase) -> None:
         found_handles, labels = row[1].get_legend_handles_labels()
         handles |= dict(zip(labels, found_handles, strict=True))
     figure.legend([*handles.values()], [*handles], loc="outside lower center", ncols=8)
-    rest = "" if findings.complete else "  (interrupted)"
-    given = parameters(findings.parameters, but=(findings.parameter,))
-    figure.suptitle(f"Regimes over ${SYMBOLS[findings.parameter]}${rest}\n{given}", fontsize=10)
+    title(figure, findings, f"Regimes over ${SYMBOLS[findings.parameter]}$")
 
 
 def _regime(findings: Gallery, k: int, value: float, kind: str) -> str:

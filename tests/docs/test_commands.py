@@ -12,7 +12,7 @@ from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import parser, without_options
 from cap.command.verifier import main as verifier
-from cap.explore import explorer
+from cap.explore import explorer, mixed
 from cap.explore.commands import COMMANDS
 from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
@@ -20,7 +20,7 @@ from cap.proofs.theorems import THEOREMS
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 PAGES = [page for page in PAGES if page.name not in ("tutorial.md", "audit.md")]
-COMMAND = re.compile(r"^    python -m (cap\.\w+) (.*?)(?:  .*)?$", re.MULTILINE)
+COMMAND = re.compile(r"^    python -m (cap[.\w]+) (.*?)(?:  .*)?$", re.MULTILINE)
 ALL = [found for page in PAGES for found in COMMAND.findall(page.read_text(encoding="utf-8"))]
 
 
@@ -48,6 +48,8 @@ def test_a_command(module, words, monkeypatch):
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.parser().parse_args(given)
         assert options.paper or options.command in COMMANDS
+    elif module == "cap.explore.mixed":
+        assert mixed.parser().parse_args(given).file.is_file()
     elif module == "cap.audit":
         audit.parser().parse_args(given)
     elif module == "cap.verify":
@@ -56,7 +58,8 @@ def test_a_command(module, words, monkeypatch):
 
 def test_there_are_commands():
     """They are found: of each kind some."""
-    assert {module for module, _ in ALL} == {"cap.prove", "cap.verify", "cap.explore", "cap.audit"}
+    known = {"cap.prove", "cap.verify", "cap.explore", "cap.explore.mixed", "cap.audit"}
+    assert {module for module, _ in ALL} == known
     assert len(ALL) > 25
 
 

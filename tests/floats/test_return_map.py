@@ -1,16 +1,21 @@
 """The release map as a findings: its branches, its interval, its orbits over a parameter."""
 
+import json
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS
+from cap.floats.release_cycles import attracting, settled
 from cap.floats.releases import period_of
-from cap.floats.return_map import ReleaseMap, ReleaseOrbits, release
+from cap.floats.return_map import SAME, ReleaseMap, ReleaseOrbits, late, release
 from cap.parameters import PAPER
+
+ROOT = Path(__file__).parents[2]
 
 
 def test_the_graph():
@@ -42,7 +47,7 @@ def test_windows():
     """A cycle of period 3 attracts at three values next to each other; the least period counts."""
     findings = release(PAPER, parameter="f", range=(0.3895, 0.3905), points=3, iterates=30)
     assert findings.windows() == [(0.3895, 0.3905, 3)]
-    assert findings.lines()[-1] == "  window of period 3: 0.3895 .. 0.3905"
+    assert findings.lines()[-1] == "  window of period 3 seen: 0.3895 .. 0.3905"
     assert COMMANDS["release"].picture(findings, dpi=40).axes
     cycle = np.tile([[0.1], [0.2], [0.1], [0.3]], (3, 2))
     assert period_of(cycle, 1e-3) == 4
@@ -51,6 +56,25 @@ def test_windows():
     assert period_of(cycle, 1e-3) == 4
     cycle[5, 0] += 0.01
     assert period_of(cycle, 1e-3) == 0
+
+
+def test_the_least_period_counts():
+    """On both sides of where period 3 doubles to 6, which the stored cascade proves."""
+    stored = json.loads((ROOT / "certificates/cascade-1.json").read_text())
+    doubling = float(stored["claims"]["parameters"][0][0])
+    for f, period in (("0.3866", 6), ("0.3874", 6), ("0.38745", 3), ("0.3876", 3)):
+        assert (float(f) < doubling) == (period == 6)
+        p = replace(PAPER, f=Fraction(f))
+        assert settled(p, late(p, 40)[0].reshape(40, -1), SAME) == period
+    found = release(PAPER, parameter="f", range=(0.38775, 0.38805), points=4)
+    assert found.lines()[0].endswith("omega = 1, f = 0.38775 .. 0.38805, R = 2: 4 values")
+    assert found.lines()[-1] == "  window of period 3 seen: 0.38775 .. 0.38805"
+
+
+def test_what_stands_still_is_no_cycle():
+    """Places that are the same are no attracting cycle, if Newton's method finds none there."""
+    assert settled(PAPER, np.full((4, 2), 0.1), 1e-4) == 0
+    assert attracting(PAPER, 0.1, 6) == []
 
 
 def test_without_an_interval():

@@ -14,6 +14,8 @@ from cap.certificate import report
 from cap.certificate.writer import dumps
 from cap.checker.folded.ahead import Found
 from cap.checker.folded.basins import Basins
+from cap.checker.kernel.certificate import read
+from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput, NotProved
 from cap.explore import mixed as picture
 from cap.floats.candidates import Request
@@ -145,7 +147,7 @@ def test_what_is_drawn(drawn):
     """As much is drawn as is claimed, of fates less; and floats tell the same."""
     path, out, outlines = drawn
     assert out.stat().st_size > 10_000
-    theorem = picture._theorem(path)
+    theorem = Mixed(read(path.read_bytes()), lambda _step: None)
     floats = painting.in_floats(theorem, PIXELS[::-1]).ravel()
     sides = []
     for axis, n in zip("xv", PIXELS, strict=True):
