@@ -1,0 +1,158 @@
+"""The guards of ``conservative``: flights that are not certain, edges, minima before a launch."""
+
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from cap.checker.flow import arc, images
+from cap.checker.flow.arc import Arc, Launches
+from cap.checker.flow.ceiling import Flight, Flights
+from cap.checker.flow.images import image
+from cap.checker.flow.landing import Place
+from cap.checker.flow.patches import Patch, Spread
+from cap.checker.flow.strips import World
+from cap.checker.kernel.doubles import Double, enclosing
+from cap.checker.kernel.rejection import Rejected
+from checker.altered import changed, rejected
+
+NONE = Double(0.0)
+F, R = enclosing(Fraction(2, 5)), Double(2.0)
+WEAK = enclosing(Fraction(1, 10))  # here a mass that stops may come back by the formula, and arrive
+FILE = Path(__file__).parents[1] / "certificates/accept/conservative_by_three_flights.json"
+UNIT = 2**24
+
+
+def launched(t, u, f=F, dt=0.0):
+    """Return launches at one speed, nearly."""
+    return Launches(Arc(Double(t), Double(dt), Double(u * u / 2), NONE, NONE), f, R)
+
+
+def flight(t, u, f=0.4):
+    """Return the speed and the place of a launch as functions of time, by the formula."""
+    sin, cos = math.sin(t), math.cos(t)
+
+    def v(T):
+        return u + math.sin(T) - sin - f * (T - t)
+
+    def x(T):
+        return (u - sin) * (T - t) + cos - math.cos(T) - f * (T - t) ** 2 / 2
+
+    return v, x
+
+
+def guessing(monkeypatch, T):
+    """Let Newton's method find this time."""
+    monkeypatch.setattr(arc, "_guess", lambda *_: T)
+
+
+def test_a_guess_of_a_hit_needs_no_trust(monkeypatch):
+    """Next to the hit it is accepted, and the hit enclosed; else it is refused."""
+    T = launched(3.9, 1.2).hit.T.mid
+    v, x = flight(3.9, 1.2)
+    assert abs(x(T) - 2) < 1e-12
+    assert 0.1 < v(T) < 1.5
+    for off in (1e-6, -1e-6, 1e-3):
+        guessing(monkeypatch, T + off)
+        found = launched(3.9, 1.2).hit.T
+        assert found.lower < T < found.upper
+    for off in (0.3, -0.3):
+        guessing(monkeypatch, T + off)
+        with pytest.raises(Rejected, match="the time of a hit is not certain"):
+            assert launched(3.9, 1.2).hit
+
+
+def test_a_hit_has_speed(monkeypatch):
+    """A time at which the mass has turned, by the formula, is refused."""
+    v, x = flight(2.6, 1.3, 0.1)
+    guessing(monkeypatch, 4.6)
+    assert v(4.6) < -0.1
+    assert x(4.6) < 1.9
+    with pytest.raises(Rejected, match="a wall may be reached without speed"):
+        assert launched(2.6, 1.3, WEAK).hit
+
+
+def test_no_hit_of_an_arc_is_without_speed(monkeypatch):
+    """What is known of the speeds of all hits is positive."""
+    found = launched(3.9, 1.2)
+    T, T1 = found.hit.T, found.hit.T1
+    images._window(found, T, T1)
+    for V in (Double(0.1, 0.2), Double(-1.0, 0.1)):
+        monkeypatch.setattr(found, "speed", lambda *_, V=V: V)
+        with pytest.raises(Rejected, match="a wall may be reached without speed"):
+            images._window(found, T, T1)
+
+
+def test_what_stops_does_not_hit_later(monkeypatch):
+    """By the formula it arrives in the end; no arc and no patch of these reaches the wall."""
+    v, x = flight(2.6, 1.3, 0.1)
+    low, high = 2 * math.pi - math.acos(0.1), 9.0
+    assert v(low) < 0 < v(high)
+    assert x(low) < 2 < x(high)
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if x(middle) < 2 else (low, middle)
+    guessing(monkeypatch, low)
+    one = launched(2.6, 1.3, WEAK)
+    assert one.hit.T.lower <= low <= one.hit.T.upper
+    with pytest.raises(Rejected, match="a flight may stop"):
+        image(one)
+    with pytest.raises(Rejected, match="a flight may stop"):
+        Spread(Patch(one.arc, one.arc._replace(e=one.arc.e + 1e-12)), WEAK, R)
+
+
+def test_a_flight_does_not_halt_before_its_launch():
+    """At a slow time before it the speed would be negative: that is none of the flight."""
+    flights, slow = Flights(WEAK, R), 2 * math.pi - math.acos(0.1)
+    for t, halts in ((slow + 0.2, False), (slow - 0.2, True)):
+        v, _ = flight(t, 0.01, 0.1)
+        assert v(slow) < 0
+        known = Flight(Double(t), Double(slow + 0.5), Double(0.01), NONE, NONE, NONE)
+        assert flights.halts(known) is halts
+    known = Flight(Double(slow - 0.2), Double(slow - 0.1), Double(0.01), NONE, NONE, NONE)
+    assert not flights.halts(known)
+
+
+def spread():
+    """Return a patch, mapped."""
+    low = Arc(Double(3.9), Double(1e-5), Double(0.7), Double(1e-5), NONE)
+    return Spread(Patch(low, low._replace(e=Double(0.70001))), F, R).roughly(NONE)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_bent_edge_along_a_patch_decides_nothing(side):
+    """Its slope counts everywhere in the column, and as far beyond as orbits may be apart."""
+    found = spread()
+    found.wait = width = 1 / 64
+    place = Place(found.low, (0, width), found.wait)
+    along = abs(found.rate.mid) / (2 * found.wait + width)  # 2 c x has this slope at the end
+    bend = along * width * width / 4 * UNIT * UNIT
+    assert found.rate.rad < 0.01 * abs(found.rate.mid)
+    edge = UNIT // 2, 0, side * round(0.97 * bend / UNIT)
+    assert abs(found.gain(edge, place)) < 0.05 * abs(found.rate.mid)
+    for more in (1.03, 1.3):
+        with pytest.raises(Rejected, match="an edge may be met along a patch"):
+            found.gain((UNIT // 2, 0, side * round(more * bend / UNIT)), place)
+
+
+@pytest.mark.parametrize("r", [1.5, -1.5, 1.9, -1.1])
+def test_a_line_beyond_an_arc_is_not_crossed_more_sharply(r):
+    """No part of the arc is near it."""
+    found = image(launched(3.9, 1.2, dt=0.002))
+    line = found.T[0].mid + r * found.dT.mid
+    rough = found.crossing(line)
+    assert rough.lower > 1 or rough.upper < -1
+    assert found.sharp_crossing(line) is rough
+
+
+def test_a_speed_is_not_negative(monkeypatch):
+    """Its square is large enough; but nothing has at most this speed."""
+    certificate = json.loads(FILE.read_text())
+    monkeypatch.setattr("cap.checker.theorems.conservative.descends", lambda *_: 0)
+    monkeypatch.setattr(World, "prove", lambda *_: None)
+    speed = certificate["claims"]["speed"]
+    rejected(changed(certificate, "claims", "speed", f"-{speed}"), "the speed may be larger")
