@@ -24,6 +24,7 @@ import json
 import os
 import resource
 import signal
+import subprocess
 import sys
 import time
 from collections import Counter, defaultdict
@@ -33,7 +34,8 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from mutants import Mutant, marked, mutants
+from mutants import Mutant, errors, marked, mutants
+from slips import slips
 
 ROOT = Path(__file__).parents[1]
 TARGET = "cap/checker"
@@ -255,11 +257,37 @@ def table(tried: list[Mutant], by: dict[str, str]) -> str:
     return "\n".join([*text, "", *survivors])
 
 
+def files(since: str | None) -> list[Path]:
+    """Return the files of the checker, or those that were added to it since a commit."""
+    every = sorted((ROOT / TARGET).rglob("*.py"))
+    if since is None:
+        return every
+    command = ["git", "log", "--diff-filter=A", "--name-only", "--format=", f"{since}..HEAD"]
+    added = subprocess.run([*command, "--", TARGET], cwd=ROOT, capture_output=True, check=True)  # noqa: S603
+    names = set(added.stdout.decode().splitlines())
+    return [path for path in every if str(path.relative_to(ROOT)) in names]
+
+
+def drawn(
+    found: dict[Path, list[Mutant]], part: float, random: Random
+) -> list[tuple[Mutant, Path]]:
+    """Return a sample: of each file the same part, in any first portion of the sample, too."""
+    order = list[tuple[float, Mutant, Path]]()
+    for path, all_of_it in found.items():
+        shuffled = random.sample(all_of_it, len(all_of_it))
+        places = ((n + random.random()) / len(shuffled) for n in range(len(shuffled)))
+        order += zip(places, shuffled, [path] * len(shuffled), strict=False)
+    order.sort()
+    return [(mutant, path) for _, mutant, path in order[: round(part * len(order))]]
+
+
 def main() -> None:
     """Try the mutants that the command line asks for, and print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("work", type=Path, help="the folder for verdicts")
     parser.add_argument("--jobs", type=int, default=2, help="processes at a time (default 2)")
+    parser.add_argument("--slips", action="store_true", help="mutants of the kinds of slips.py")
+    parser.add_argument("--since", help="only files of the checker added since this commit")
     parser.add_argument("--only", default="", help="mutants of which the names begin with this")
     parser.add_argument("--sample", type=float, default=1, help="the part to be tried (default 1)")
     parser.add_argument("--seed", type=int, default=0, help="of the sample")
@@ -271,17 +299,16 @@ def main() -> None:
     pytest.main(["--version", "--noconftest"])  # loads its own modules once for all processes
     for name in LOADED:
         import_module(name)
-    found = list[tuple[Mutant, Path]]()
-    for path in sorted((ROOT / TARGET).rglob("*.py")):
+    kinds = slips if options.slips else errors
+    found = dict[Path, list[Mutant]]()
+    for path in files(options.since):
         module = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
-        found += [(m, path) for m in mutants(path, module) if m.name.startswith(options.only)]
-    random = Random(options.seed)  # noqa: S311
-    random.shuffle(found)
-    found = found[: round(options.sample * len(found))]
+        found[path] = [m for m in mutants(path, module, kinds) if m.name.startswith(options.only)]
+    sample = drawn(found, options.sample, Random(options.seed))  # noqa: S311
     trials = Trials(options.work, options.budget)
-    todo = [(m, path) for m, path in found if not trials.by.get(m.name)]
+    todo = [(m, path) for m, path in sample if not trials.by.get(m.name)]
     trials.run(sorted(todo, key=lambda item: item[0].name in trials.by), options.jobs)
-    print(table(sorted(m for m, _ in found), trials.by))
+    print(table(sorted(m for m, _ in sample), trials.by))
 
 
 if __name__ == "__main__":
