@@ -1,12 +1,16 @@
 """How many small errors in the checker do the tests notice?  Those that survive are listed.
 
     nice python benchmarks/mutation.py build/mutation [--jobs 2] [--only events] [--sample 0.1]
+    nice python benchmarks/mutation.py build/slips --slips --since 1bc7956 --sample 0.0271 --seed 28
 
-Every mutant of `mutants.py` is tried in a process of its own: the tests that execute its line run,
+Every mutant of `mutants.py`, or of `slips.py` with ``--slips``, is tried in a process of its own,
+or a sample of the same part of each file: the second command tries 300, of files added since a
+commit, and any smaller sample with this seed is a part of it.  The tests that execute its line run,
 those that caught its neighbours first, then the quickest, until one fails or the budget is spent.
 First all tests run once, to note which lines each executes and to keep the certificates that they
 forge.  The verdicts are kept in the folder, so a run can be interrupted: a mutant that was caught
-is not tried again; one that survived is, after new tests (remove `tests.json` in the folder, too).
+is not tried again; one that survived is, after new tests (of which the lines are noted then; after
+changes of the checker remove `tests.json` in the folder).
 The table counts caught mutants and survivors by module; `equivalent.txt` has those survivors that
 no test can or need notice, each with its reason.
 
@@ -40,6 +44,7 @@ from slips import slips
 ROOT = Path(__file__).parents[1]
 TARGET = "cap/checker"
 TESTS = ("test_checker_*.py", "test_tampering*.py", "test_certificates.py", "test_latex.py")
+TESTS += ("test_referee*.py",)
 SEEN = builtins.SEEN = set()  # (path, line) of the checker's statements that were executed
 FIRST = 4
 LOADED = (
@@ -147,12 +152,26 @@ def compiling(compiled) -> None:
 
 
 def baseline(file: Path) -> None:
-    """Run all tests on the checker as it is; note lines, seconds and forged certificates."""
+    """Run all tests on the checker as it is; note lines, seconds and forged certificates.
+
+    Of tests that were noted before only those are run of which the file is newer.
+    """
+    known = {"lines": {}, "seconds": {}, "forged": {}}
+    noted = json.loads(file.read_text()) if file.exists() else {"failed": "none was run"}
+    known |= {} if noted["failed"] else noted
+    since = 0.0 if noted["failed"] else file.stat().st_mtime
+    found = [p for q in TESTS for p in sorted((ROOT / "tests").rglob(q))]
+    new = [path for path in found if path.stat().st_mtime > since]
+    if not new:
+        return
     compiling(lambda _, path: marked(path) if path.is_relative_to(ROOT / TARGET) else None)
-    runner = Runner({})
-    failed = runner.run([str(p) for q in TESTS for p in sorted((ROOT / "tests").rglob(q))])
-    known = {"lines": runner.lines, "seconds": runner.seconds, "forged": runner.forged}
-    file.write_text(json.dumps({"failed": failed} | known))
+    runner = Runner(known["forged"])
+    failed = runner.run(list(map(str, new)))
+    names = {str(path.relative_to(ROOT)) for path in new}
+    for key, found_now in (("lines", runner.lines), ("seconds", runner.seconds)):
+        old = {test: part for test, part in known[key].items() if test.split("::")[0] not in names}
+        known[key] = old | found_now
+    file.write_text(json.dumps(known | {"failed": failed, "forged": runner.forged}))
 
 
 def attempt(mutant: Mutant, path: Path, chosen: dict[str, float], forged: dict, work: Path) -> None:
@@ -173,8 +192,7 @@ class Trials:
     def __init__(self, work: Path, budget: float) -> None:
         self.work, self.budget, self.verdicts = work, budget, work / "verdicts.jsonl"
         work.mkdir(parents=True, exist_ok=True)
-        if not (work / "tests.json").exists():
-            os.waitpid(forked(lambda: baseline(work / "tests.json")), 0)
+        os.waitpid(forked(lambda: baseline(work / "tests.json")), 0)
         known = json.loads((work / "tests.json").read_text())
         if known["failed"]:
             sys.exit(f"a test fails without a mutant: {known['failed']}")

@@ -7,10 +7,11 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.folded import flights, motion, paths, sinks
+from cap.checker.folded import cycles, flights, motion, paths, sinks
 from cap.checker.folded.events import hit, stop
 from cap.checker.folded.instants import stopping
 from cap.checker.folded.motion import upcoming
+from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.line import DEGREE
 from cap.checker.kernel.rejection import Rejected
@@ -271,3 +272,11 @@ def test_a_sink_does_not_reach_behind_a_wall():
     for p in (q.model(one=-W + 0.1, X=0.11), q.model(one=-W - 0.1, X=0.05), q.model(one=-W)):
         with pytest.raises(Rejected, match="a sink reaches behind a wall"):
             sinks.launched(AHEAD, False, p, v)
+
+
+def test_after_a_rest_near_the_wall_no_slope_is_known():
+    """The place is known, but a cycle needs the derivative."""
+    known = line.across((0.3, 0.32))
+    assert cycles.slope(known, (0.3, 0.4)) == pytest.approx(0.2, rel=1e-9)
+    with pytest.raises(Rejected, match="a cycle of releases may rest near a wall"):
+        cycles.slope(line.constant(0.31, 0.01), (0.3, 0.4))
