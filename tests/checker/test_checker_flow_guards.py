@@ -6,11 +6,13 @@ import json
 import math
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from support import rounds, seeded
 
-from cap.checker.flow import arc, images
-from cap.checker.flow.arc import Arc, Launches
+from cap.checker.flow import arc, images, landing
+from cap.checker.flow.arc import Arc, Launches, everywhere, least
 from cap.checker.flow.ceiling import Flight, Flights
 from cap.checker.flow.images import image
 from cap.checker.flow.landing import Place
@@ -156,3 +158,53 @@ def test_a_speed_is_not_negative(monkeypatch):
     monkeypatch.setattr(World, "prove", lambda *_: None)
     speed = certificate["claims"]["speed"]
     rejected(changed(certificate, "claims", "speed", f"-{speed}"), "the speed may be larger")
+
+
+@pytest.mark.parametrize(
+    "radii",
+    [(0.1, 0.01, 0.02, 0.02, 0.03), *(tuple(0.02 * (k == n) for k in range(5)) for n in range(5))],
+)
+def test_all_launches_of_arcs_with_intervals_of_coefficients(radii):
+    """Time, speed and its derivatives, at all places of arcs between two."""
+    random, middles = seeded(12), (3.9, 0.0, 0.7, 0.0, 0.0)
+    t, dt, e, e1, e2 = zip(middles, radii, strict=True)
+    whole = everywhere(Arc(*(Double(*z) for z in (t, dt, e, e1, e2))))
+    for _ in range(rounds(300)):
+        s, *parts = (random.choice((-1, 1, random.uniform(-1, 1))) for _ in range(6))
+        T, T1, E, E1, E2 = (m + r * z for (m, r), z in zip((t, dt, e, e1, e2), parts, strict=True))
+        u = math.sqrt(2 * (E + s * (E1 + s * E2)))
+        du = (E1 + 2 * s * E2) / u
+        at = T + s * T1
+        truth = at, math.cos(at), math.sin(at), u, du, (2 * E2 - du * du) / u
+        for found, value in zip(whole, truth, strict=True):
+            assert found.lower - 1e-12 <= value <= found.upper + 1e-12
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_the_part_of_an_arc_that_may_meet_a_column(side):
+    """All of it, if T' may vanish; else what lies beyond no line, as far as that is known."""
+
+    def part(low, high, slope):
+        arc_there = SimpleNamespace(dT=Double(side * slope, 0.1), times=Double(0.0, 1.0))
+        return landing._part(arc_there, lambda line: Double(side * line, 0.125), low, high)
+
+    assert part(-0.1, 0.1, 0.05) == part(-0.1, 0.1, 0.2) == (-1.0, 1.0)
+    assert part(-2.0, 2.0, 1.0) == (-1.0, 1.0)
+    for low, high, first, last in (
+        (-0.5, 2.0, -0.625, 1.0),
+        (-2.0, 0.5, -1.0, 0.625),
+        (-0.5, 0.25, -0.625, 0.375),
+    ):
+        expected = (first, last) if side > 0 else (-last, -first)
+        assert part(low, high, 1.0) == pytest.approx(expected, abs=1e-12)
+    assert part(-3.0, -2.0, 1.0) is part(2.0, 3.0, 1.0) is None
+
+
+@pytest.mark.parametrize("k", range(3))
+def test_what_may_be_negative_is_not_positive(k):
+    """The radius of value, slope or bend counts, and no more than it does."""
+    for radius, holds in ((0.09, True), (0.11, False)):
+        z = [Double(0.1), NONE, NONE]
+        z[k] = Double(z[k].mid, radius * (2 if k == 2 else 1))
+        assert landing.positive(tuple(z), (-1.0, 1.0)) is holds
+        assert (least(tuple(z)) > 0) is holds
