@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.folded import cycles, flights, motion, paths, sinks
+from cap.checker.folded import cycles, events, flights, motion, paths, sinks
 from cap.checker.folded.events import hit, stop
 from cap.checker.folded.instants import stopping
 from cap.checker.folded.motion import upcoming
@@ -280,3 +280,15 @@ def test_after_a_rest_near_the_wall_no_slope_is_known():
     assert cycles.slope(known, (0.3, 0.4)) == pytest.approx(0.2, rel=1e-9)
     with pytest.raises(Rejected, match="a cycle of releases may rest near a wall"):
         cycles.slope(line.constant(0.31, 0.01), (0.3, 0.4))
+
+
+def test_a_stop_is_transversal(monkeypatch):
+    """Where the force drives the mass on it does not stop, whatever is guessed."""
+    T = 0.5
+    s = falling(T, 0.1)
+    monkeypatch.setattr(paths, "stop_guess", lambda *_: (T, *[0.0] * DEGREE))
+    with pytest.raises(Rejected, match="a stop is not transversal"):
+        paths.stop(LINES, path(-5, s, 0.1), T, 1)
+    monkeypatch.setattr(events, "stopping", lambda *_: q.model())
+    with pytest.raises(Rejected, match="a stop is not transversal"):
+        stop(AHEAD, flight(-5, s, 0.1), T, 1)
