@@ -17,6 +17,7 @@ from cap.checker.flow.ceiling import Flight, Flights
 from cap.checker.flow.images import image
 from cap.checker.flow.landing import Place
 from cap.checker.flow.patches import Patch, Spread
+from cap.checker.flow.stopping import stops_by
 from cap.checker.flow.strips import World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
@@ -208,3 +209,52 @@ def test_what_may_be_negative_is_not_positive(k):
         z[k] = Double(z[k].mid, radius * (2 if k == 2 else 1))
         assert landing.positive(tuple(z), (-1.0, 1.0)) is holds
         assert (least(tuple(z)) > 0) is holds
+
+
+def test_flights_by_their_times():
+    """The speeds at both ends are those with which the distance is flown in this time."""
+    random, flights = seeded(13), Flights(F, R)
+    for _ in range(rounds(50)):
+        t, d = random.uniform(0, 6.3), random.uniform(0.5, 6)
+        found = flights.of(Double(t), Double(d))
+        v, x = flight(t, found.u.mid)
+        assert x(t + d) == pytest.approx(2, abs=1e-9)
+        assert found.T.mid == pytest.approx(t + d)
+        assert found.V.mid == pytest.approx(v(t + d), abs=1e-9)
+        assert found.sum.mid == pytest.approx(found.V.mid + found.u.mid, abs=1e-9)
+        assert found.difference.mid == pytest.approx(found.V.mid - found.u.mid, abs=1e-9)
+
+
+def test_derivatives_along_an_arc():
+    """Of speed and place at a fixed time: the first at its middle, the second everywhere."""
+    random, step = seeded(14), 1e-3
+    for _ in range(rounds(30)):
+        ends = (3, 5), (-0.02, 0.02), (0.5, 0.9), (-0.05, 0.05), (-0.01, 0.01)
+        drawn = [random.uniform(*each) for each in ends]
+        launches, T = Launches(Arc(*map(Double, drawn)), F, R), drawn[0] + 2.3
+
+        def at(s, k, drawn=drawn, T=T):
+            t, dt, e, e1, e2 = drawn
+            return flight(t + dt * s, math.sqrt(2 * (e + s * (e1 + s * e2))))[k](T)
+
+        for k, found in enumerate((launches.velocity(Double(T)), launches.place(Double(T)))):
+            assert found[0].mid == pytest.approx(at(0, k), abs=1e-12)
+            assert found[0].rad + found[1].rad < 1e-12
+            assert found[1].mid == pytest.approx((at(step, k) - at(-step, k)) / 2 / step, abs=1e-7)
+            for s in (-1, -0.4, 0, 1):
+                bend = (at(s + step, k) - 2 * at(s, k) + at(s - step, k)) / step**2
+                assert found[2].lower - 1e-6 <= bend <= found[2].upper + 1e-6
+
+
+@pytest.mark.parametrize(("slowest", "stops"), [(-0.1, True), (-1.0, False)])
+def test_how_far_a_mass_falls_back(slowest, stops):
+    """It may hit, and fall back by its least speed since, as long as it has moved."""
+    zero, T = Double(0.0), Double(2.0)
+    launches = SimpleNamespace(
+        R=R,
+        all=SimpleNamespace(t=zero),
+        minima=lambda low, high: [Double(1.0)] if low <= 1 <= high else [],
+        velocity=lambda at: (Double(-1e-3 if at is T else slowest), zero, zero),
+        place=lambda _: (Double(0.5), zero, zero),
+    )
+    assert stops_by(launches, zero, T) is stops
