@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.particles.family import with_second
 from cap.checker.theorems import particles_limits
-from cap.checker.theorems.particles_limits import ParticlesLimits
+from cap.checker.theorems.particles_limits import Crossing, ParticlesLimits
 
 STORED = Path(__file__).parents[2] / "certificates/particles_limits.json"
 
@@ -49,3 +50,32 @@ def test_another_second_mass():
     """The first one stays."""
     p = read(STORED.read_bytes()).parameters._replace(masses=(Fraction(2), Fraction(3)))
     assert with_second(p, Fraction(1)).masses == (2, 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "looked_at"),
+    [
+        ("flip", [("least_speeds", "family", "orbit")]),
+        ("stop", [("no_other_contacts", "family", "orbit"), ("least_speeds", "above", "later")]),
+    ],
+)
+def test_orbits_on_which_a_mass_may_stop(monkeypatch, name, looked_at):
+    """At flip no mass stops; at stop there are no other contacts, and none stops at its upper end.
+
+    What is refused there is refused in all.
+    """
+    theorem = ParticlesLimits(read(STORED.read_bytes()), lambda _step: None)
+    found = Crossing("family", "orbit", [("below", "sooner"), ("above", "later")])
+    for last in range(len(looked_at)):
+        seen = []
+
+        def looking(which, *given, seen=seen, last=last):
+            seen.append((which, *given))
+            if len(seen) > last:
+                raise Rejected("refused here")
+
+        for which in ("least_speeds", "no_other_contacts"):
+            monkeypatch.setattr(particles_limits, which, partial(looking, which))
+        with pytest.raises(Rejected, match="refused here"):
+            getattr(theorem, name)(found)
+        assert seen == looked_at[: last + 1]
