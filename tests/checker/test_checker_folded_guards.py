@@ -8,10 +8,11 @@ from types import SimpleNamespace
 
 import pytest
 
-from cap.checker.folded import ahead, cycles, events, flights, motion, paths, sinks, slopes
+from cap.checker.folded import ahead, cycles, events, flights, motion, paths, sinks, slopes, stops
 from cap.checker.folded.events import hit, stop
 from cap.checker.folded.instants import stopping
 from cap.checker.folded.motion import upcoming
+from cap.checker.folded.regions import Region
 from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.line import DEGREE
@@ -323,3 +324,15 @@ def test_a_rest_near_the_wall_is_so_near(monkeypatch):
     monkeypatch.setattr(ahead, "seen", lambda *_, **__: 0)
     assert list(ahead.losses(SimpleNamespace(y=AHEAD, still=LINES), flight(-1, 2))) == [[0.0] * 3]
     assert seen == [near]
+
+
+def test_bounds_of_edges_over_parts():
+    """Of bent ones, below and above: they hold for all Y of each part, and nearly are reached."""
+    unit = 2**80
+    for low, high in (((1, 2, 3), (2, -1, 4)), ((-2, 0, 0), (3, 1, -2)), ((0, -3, -1), (5, 2, 2))):
+        region = Region(*(tuple(unit * z for z in edge) for edge in (low, high)))
+        for k, (least, most) in enumerate(stops.spans(region)):
+            at = [(2 * k + j / 50) / stops.PARTS - 1 for j in range(101)]
+            below, above = ([a + Y * (b + Y * c) for Y in at] for a, b, c in (low, high))
+            assert least <= min(below) <= least + 0.5 / stops.PARTS
+            assert max(above) <= most <= max(above) + 0.5 / stops.PARTS
