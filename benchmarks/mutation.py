@@ -9,7 +9,7 @@ commit, and any smaller sample with this seed is a part of it.  The tests that e
 those that caught its neighbours first, then the quickest, until one fails or the budget is spent.
 First all tests run once, to note which lines each executes and to keep the certificates that they
 forge.  The verdicts are kept in the folder, so a run can be interrupted: a mutant that was caught
-is not tried again; one that survived is, after new tests (of which the lines are noted then; after
+is not tried again; one that survived and matters is, after new tests (of which the lines are noted then; after
 changes of the checker remove `tests.json` in the folder).
 The table counts caught mutants and survivors by module; `equivalent.txt` has those survivors that
 no test can or need notice, each with its reason.
@@ -256,10 +256,15 @@ class Trials:
             print(f"survived: line {mutant.line}, {mutant.name}", flush=True)
 
 
+def unnoticed() -> set[str]:
+    """Return the names of the mutants that no test can or need notice."""
+    lines = (Path(__file__).parent / "equivalent.txt").read_text().splitlines()
+    return {line for line in lines if line and not line.startswith("#")}
+
+
 def table(tried: list[Mutant], by: dict[str, str]) -> str:
     """Return a line for each module, then the survivors."""
-    lines = (Path(__file__).parent / "equivalent.txt").read_text().splitlines()
-    equivalent = {line for line in lines if line and not line.startswith("#")}
+    equivalent = unnoticed()
     rows, survivors = defaultdict(Counter), []
     for mutant in tried:
         kind = "caught" if by[mutant.name] else "survived"
@@ -324,7 +329,8 @@ def main() -> None:
         found[path] = [m for m in mutants(path, module, kinds) if m.name.startswith(options.only)]
     sample = drawn(found, options.sample, Random(options.seed))  # noqa: S311
     trials = Trials(options.work, options.budget)
-    todo = [(m, path) for m, path in sample if not trials.by.get(m.name)]
+    done = {name for name, by in trials.by.items() if by} | (unnoticed() & trials.by.keys())
+    todo = [(m, path) for m, path in sample if m.name not in done]
     trials.run(sorted(todo, key=lambda item: item[0].name in trials.by), options.jobs)
     print(table(sorted(m for m, _ in sample), trials.by))
 

@@ -129,3 +129,16 @@ def test_large_errors(state, radii):
         return two_variables(AHEAD, *given, **options)
 
     check(following, state, radii, LINES.a, "hit")
+
+
+@pytest.mark.parametrize("radii", [*RADII, *WIDE])
+def test_the_speed_of_a_hit_that_may_be_slow(monkeypatch, radii):
+    """All speeds are at most what is said to decide whether the mass rests; and nearly reach it."""
+    seen, state = [], FAST[0]
+    monkeypatch.setattr(paths, "height", lambda _y, _ends, most: seen.append(most))
+    one_variable(state, r=radii)
+    most = seen.pop()
+    for signs in product((-1, 0, 1), repeat=2):
+        one_variable(state, n=[sign * r for sign, r in zip(signs, radii, strict=True)])
+    assert max(seen) <= most + 1e-12
+    assert most <= max(seen) + 2 * max(radii)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -258,3 +259,18 @@ def test_how_far_a_mass_falls_back(slowest, stops):
         place=lambda _: (Double(0.5), zero, zero),
     )
     assert stops_by(launches, zero, T) is stops
+
+
+def test_energies_contain_those_of_all_coefficients():
+    """Each of which is known up to a radius; and little more."""
+    for radii in ((0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1), (0.01, 0.02, 0.03)):
+        coefficients = [Double(m, r) for m, r in zip((0.7, 0.02, -0.01), radii, strict=True)]
+        for part in ((-1.0, 1.0), (0.5, 1.0), (-1.0, -0.25)):
+            least, most = Place.energies(SimpleNamespace(E=coefficients), *part)
+            values = [
+                e + r * (e1 + r * e2 / 2)
+                for e, e1, e2 in product(*((z.mid - z.rad, z.mid + z.rad) for z in coefficients))
+                for r in part
+            ]
+            assert least <= min(values) <= least + 0.05 + sum(radii)
+            assert max(values) <= most <= max(values) + 0.05 + sum(radii)
