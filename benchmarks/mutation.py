@@ -9,8 +9,8 @@ commit, and any smaller sample with this seed is a part of it.  The tests that e
 those that caught its neighbours first, then the quickest, until one fails or the budget is spent.
 First all tests run once, to note which lines each executes and to keep the certificates that they
 forge.  The verdicts are kept in the folder, so a run can be interrupted: a mutant that was caught
-is not tried again; one that survived and matters is, after new tests (of which the lines are noted then; after
-changes of the checker remove `tests.json` in the folder).
+is not tried again; one that survived and matters is, after new tests, of which the lines are noted
+then (after changes of the checker remove `tests.json` in the folder).
 The table counts caught mutants and survivors by module; `equivalent.txt` has those survivors that
 no test can or need notice, each with its reason.
 
