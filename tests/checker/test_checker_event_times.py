@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import product
+from types import SimpleNamespace
 
 import pytest
 
 from cap.checker.flow.events import LossyMap
+from cap.checker.flow.hits import Zero, event_time
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred, Jet
 from cap.checker.kernel.theorem import Parameters
 
 BITS = 100
@@ -41,3 +44,21 @@ def test_times_over_a_box(size):
                 box, point = found.box.coefficients[power], t.box.coefficients[power]
                 assert box.lower <= point.lower
                 assert point.upper <= box.upper
+
+
+def test_the_derivative_over_all_of_a_box_counts():
+    """t = s^2 within r of the middle: by the derivative there r^2 would be missed."""
+    s, r = Fraction(1), Fraction(1, 4)
+
+    def jet(low, high, order):
+        number = Interval.enclosing(low, high, BITS)
+        one = Interval.enclosing(1, 1, BITS)
+        return Jet(order, {(0,): number, (1,): one}) * Jet(order, {(0,): number, (1,): one})
+
+    offset = Interval.enclosing(-r, r, BITS)
+    known = Centred(jet(s, s, 1), jet(s - r, s + r, 2), [offset])
+    M = SimpleNamespace(arc=lambda _: [known], bits=BITS, offsets=[offset], omega=offset.integer(1))
+    one = Jet(0, {(0,): offset.integer(1)})
+    zero = Zero(lambda a, t: t[0] - a[0], lambda _a, _t: one)
+    found = event_time(M, None, (Fraction(0), Fraction(4)), zero).value
+    assert found.lower <= (s - r) ** 2 < (s + r) ** 2 <= found.upper
