@@ -11,7 +11,7 @@ from __future__ import annotations
 import ast
 from ast import unparse
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import accumulate
 from pathlib import Path
 from typing import NamedTuple
@@ -40,6 +40,7 @@ CHOICES = ("min", "max", "_hull", "intersection", "tightened")
 RETURNS = {"bool": ("True", "False"), "Interval": ("({}).midpoint()",)}
 WORDS = ("step", "Rejected")  # calls of which the arguments are only said
 Change = tuple[ast.AST, str]
+Changes = Callable[[ast.AST], Iterator[Change]]
 
 
 class Mutant(NamedTuple):
@@ -61,11 +62,17 @@ class Mutant(NamedTuple):
         return original[: self.start] + self.text + original[self.end :]
 
 
-def mutants(path: Path, module: str) -> list[Mutant]:
+def errors(_tree: ast.Module) -> Changes:
+    """Return what gives the changes of a node that are described above."""
+    return _changes
+
+
+def mutants(path: Path, module: str, kinds: Callable[[ast.Module], Changes]) -> list[Mutant]:
     """Return all mutants of a module, each with a name of its own, in the order of the source."""
     source, result, seen = path.read_text(encoding="ascii"), list[Mutant](), Counter[str]()
     offsets = [0, *accumulate(map(len, source.splitlines(keepends=True)))]
-    for where, first, piece, text in _pieces(ast.parse(source), (), 0):
+    tree = ast.parse(source)
+    for where, first, piece, text in _pieces(tree, (), 0, kinds(tree)):
         before = " ".join(unparse(piece).split())
         if text.strip("()") == before.strip("()"):
             continue
@@ -98,16 +105,16 @@ def marked(path: Path) -> ast.Module:
 
 
 def _pieces(
-    node: ast.AST, where: tuple[str, ...], first: int
+    node: ast.AST, where: tuple[str, ...], first: int, changes: Changes
 ) -> Iterator[tuple[tuple[str, ...], int, ast.AST, str]]:
     """Give (names of class and function, first line, piece, its other text) of all changes."""
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         where = (*where, node.name)
     first = node.lineno if isinstance(node, ast.stmt) else first
-    for piece, text in dict.fromkeys(_changes(node)):
+    for piece, text in dict.fromkeys(changes(node)):
         yield where, first, piece, text
     for child in _inner(node):
-        yield from _pieces(child, where, first)
+        yield from _pieces(child, where, first, changes)
 
 
 def _inner(node: ast.AST) -> Iterator[ast.AST]:

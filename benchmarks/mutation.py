@@ -1,12 +1,16 @@
 """How many small errors in the checker do the tests notice?  Those that survive are listed.
 
     nice python benchmarks/mutation.py build/mutation [--jobs 2] [--only events] [--sample 0.1]
+    nice python benchmarks/mutation.py build/slips --slips --since 1bc7956 --sample 0.0271 --seed 28
 
-Every mutant of `mutants.py` is tried in a process of its own: the tests that execute its line run,
+Every mutant of `mutants.py`, or of `slips.py` with ``--slips``, is tried in a process of its own,
+or a sample of the same part of each file: the second command tries 300, of files added since a
+commit, and any smaller sample with this seed is a part of it.  The tests that execute its line run,
 those that caught its neighbours first, then the quickest, until one fails or the budget is spent.
 First all tests run once, to note which lines each executes and to keep the certificates that they
 forge.  The verdicts are kept in the folder, so a run can be interrupted: a mutant that was caught
-is not tried again; one that survived is, after new tests (remove `tests.json` in the folder, too).
+is not tried again; one that survived and matters is, after new tests, of which the lines are noted
+then (after changes of the checker remove `tests.json` in the folder).
 The table counts caught mutants and survivors by module; `equivalent.txt` has those survivors that
 no test can or need notice, each with its reason.
 
@@ -33,11 +37,12 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from mutants import Mutant, marked, mutants
+from mutants import Mutant, errors, marked, mutants
+from sampled import ROOT, TARGET, drawn, files, table, unnoticed
+from slips import slips
 
-ROOT = Path(__file__).parents[1]
-TARGET = "cap/checker"
 TESTS = ("test_checker_*.py", "test_tampering*.py", "test_certificates.py", "test_latex.py")
+TESTS += ("test_referee*.py",)
 SEEN = builtins.SEEN = set()  # (path, line) of the checker's statements that were executed
 FIRST = 4
 LOADED = (
@@ -145,12 +150,26 @@ def compiling(compiled) -> None:
 
 
 def baseline(file: Path) -> None:
-    """Run all tests on the checker as it is; note lines, seconds and forged certificates."""
+    """Run all tests on the checker as it is; note lines, seconds and forged certificates.
+
+    Of tests that were noted before only those are run of which the file is newer.
+    """
+    known = {"lines": {}, "seconds": {}, "forged": {}}
+    noted = json.loads(file.read_text()) if file.exists() else {"failed": "none was run"}
+    known |= {} if noted["failed"] else noted
+    since = 0.0 if noted["failed"] else file.stat().st_mtime
+    found = [p for q in TESTS for p in sorted((ROOT / "tests").rglob(q))]
+    new = [path for path in found if path.stat().st_mtime > since]
+    if not new:
+        return
     compiling(lambda _, path: marked(path) if path.is_relative_to(ROOT / TARGET) else None)
-    runner = Runner({})
-    failed = runner.run([str(p) for q in TESTS for p in sorted((ROOT / "tests").rglob(q))])
-    known = {"lines": runner.lines, "seconds": runner.seconds, "forged": runner.forged}
-    file.write_text(json.dumps({"failed": failed} | known))
+    runner = Runner(known["forged"])
+    failed = runner.run(list(map(str, new)))
+    names = {str(path.relative_to(ROOT)) for path in new}
+    for key, found_now in (("lines", runner.lines), ("seconds", runner.seconds)):
+        old = {test: part for test, part in known[key].items() if test.split("::")[0] not in names}
+        known[key] = old | found_now
+    file.write_text(json.dumps(known | {"failed": failed, "forged": runner.forged}))
 
 
 def attempt(mutant: Mutant, path: Path, chosen: dict[str, float], forged: dict, work: Path) -> None:
@@ -171,8 +190,7 @@ class Trials:
     def __init__(self, work: Path, budget: float) -> None:
         self.work, self.budget, self.verdicts = work, budget, work / "verdicts.jsonl"
         work.mkdir(parents=True, exist_ok=True)
-        if not (work / "tests.json").exists():
-            os.waitpid(forked(lambda: baseline(work / "tests.json")), 0)
+        os.waitpid(forked(lambda: baseline(work / "tests.json")), 0)
         known = json.loads((work / "tests.json").read_text())
         if known["failed"]:
             sys.exit(f"a test fails without a mutant: {known['failed']}")
@@ -236,30 +254,13 @@ class Trials:
             print(f"survived: line {mutant.line}, {mutant.name}", flush=True)
 
 
-def table(tried: list[Mutant], by: dict[str, str]) -> str:
-    """Return a line for each module, then the survivors."""
-    lines = (Path(__file__).parent / "equivalent.txt").read_text().splitlines()
-    equivalent = {line for line in lines if line and not line.startswith("#")}
-    rows, survivors = defaultdict(Counter), []
-    for mutant in tried:
-        kind = "caught" if by[mutant.name] else "survived"
-        kind = "equivalent" if kind == "survived" and mutant.name in equivalent else kind
-        survivors += [f"line {mutant.line}, {mutant.name}"] if kind == "survived" else []
-        for row in (mutant.module, "all"):
-            rows[row][kind] += 1
-    text = [f"{'module':32} caught  survived  equivalent   score"]
-    for module, n in rows.items():
-        score = 100 * n["caught"] / max(1, n["caught"] + n["survived"])
-        cells = f"{n['caught']:6} {n['survived']:9} {n['equivalent']:11} {score:7.1f}"
-        text.append(f"{module:32} {cells}")
-    return "\n".join([*text, "", *survivors])
-
-
 def main() -> None:
     """Try the mutants that the command line asks for, and print the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("work", type=Path, help="the folder for verdicts")
     parser.add_argument("--jobs", type=int, default=2, help="processes at a time (default 2)")
+    parser.add_argument("--slips", action="store_true", help="mutants of the kinds of slips.py")
+    parser.add_argument("--since", help="only files of the checker added since this commit")
     parser.add_argument("--only", default="", help="mutants of which the names begin with this")
     parser.add_argument("--sample", type=float, default=1, help="the part to be tried (default 1)")
     parser.add_argument("--seed", type=int, default=0, help="of the sample")
@@ -271,17 +272,17 @@ def main() -> None:
     pytest.main(["--version", "--noconftest"])  # loads its own modules once for all processes
     for name in LOADED:
         import_module(name)
-    found = list[tuple[Mutant, Path]]()
-    for path in sorted((ROOT / TARGET).rglob("*.py")):
+    kinds = slips if options.slips else errors
+    found = dict[Path, list[Mutant]]()
+    for path in files(options.since):
         module = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
-        found += [(m, path) for m in mutants(path, module) if m.name.startswith(options.only)]
-    random = Random(options.seed)  # noqa: S311
-    random.shuffle(found)
-    found = found[: round(options.sample * len(found))]
+        found[path] = [m for m in mutants(path, module, kinds) if m.name.startswith(options.only)]
+    sample = drawn(found, options.sample, Random(options.seed))  # noqa: S311
     trials = Trials(options.work, options.budget)
-    todo = [(m, path) for m, path in found if not trials.by.get(m.name)]
+    done = {name for name, by in trials.by.items() if by} | (unnoticed() & trials.by.keys())
+    todo = [(m, path) for m, path in sample if m.name not in done]
     trials.run(sorted(todo, key=lambda item: item[0].name in trials.by), options.jobs)
-    print(table(sorted(m for m, _ in found), trials.by))
+    print(table(sorted(m for m, _ in sample), trials.by))
 
 
 if __name__ == "__main__":

@@ -31,6 +31,7 @@ def test_arithmetic():
         assert contains(x - y, a - b)
         assert contains(x * y, a * b)
         assert contains(x + y.mid, a + Fraction(y.mid))
+        assert contains(x - y.mid, a - Fraction(y.mid))
         assert contains(x * y.mid, a * Fraction(y.mid))
         assert contains(-x, -a)
         if abs(y.mid) > y.rad * 1.001:
