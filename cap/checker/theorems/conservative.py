@@ -49,6 +49,7 @@ from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.processes import each
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, bound
 from cap.checker.kernel.theorem import SYSTEM, Theorem
 
@@ -74,6 +75,7 @@ class Conservative(Theorem):
     )
     # fmt: on
 
+    @in_doubles()
     def prove(self) -> None:
         """Prove the theorem."""
         F, omega = self.p.F, self.p.omega

@@ -58,6 +58,7 @@ from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.processes import each
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import (
     Enclosure,
     Field,
@@ -154,6 +155,7 @@ class Mixed(Theorem):
         need(total <= _MOST_FLIGHTS, "there are too many flights")
         nodes(hints["places"]["tree"])
 
+    @in_doubles()
     def prove(self) -> None:
         """Prove the theorem."""
         self.box()
