@@ -25,7 +25,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import Rejected, need
 
 NUMBERS = "0x1p0", "0x1p-53", "0x1.0000000000001p-53", "0x1p-1022", "0x1p-1074", "0x1p900"
 
@@ -53,7 +53,13 @@ def need_doubles() -> None:
 
 @contextmanager
 def in_doubles() -> Iterator[None]:
-    """Do what is proved in doubles: they are so when it begins and when it ends."""
+    """Do what is proved in doubles: they are so when it begins and when it ends.
+
+    Where a double would be too large, or is no number and no integer is next to it, it rejects.
+    """
     need_doubles()
-    yield
+    try:
+        yield
+    except (ArithmeticError, ValueError) as reason:
+        raise Rejected(f"what is computed is not a finite double: {reason}") from None
     need_doubles()

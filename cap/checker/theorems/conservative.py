@@ -40,6 +40,7 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
+from typing import Any
 
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Column, columns, lines
@@ -47,7 +48,7 @@ from cap.checker.flow.overlap import gaps, left
 from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.processes import each
-from cap.checker.kernel.reading import number, text
+from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, bound
@@ -74,6 +75,12 @@ class Conservative(Theorem):
         Field("speed", bound, "", "", "almost all of them have at most this |v|"),
     )
     # fmt: on
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+        """Bound what becomes a double."""
+        small = max(map(abs, hints["ceiling"].values())) <= MAX_SIZE
+        need(small, "a number of the ceiling is larger than 10^30")
 
     @in_doubles()
     def prove(self) -> None:

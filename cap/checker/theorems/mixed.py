@@ -56,7 +56,7 @@ from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.processes import each
-from cap.checker.kernel.reading import number, text
+from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import (
@@ -76,6 +76,7 @@ from cap.checker.theorems.segment import Segment
 
 _MOST_FLIGHTS = 1 << 25
 _MOST_CYCLES, _LONGEST = 16, 32
+_MOST_SIZE = MAX_SIZE**3  # of lengths and speeds, products of parameters
 MOST_SINKS, MOST_HALVES = 16, 64
 SIDES = {LATE: "late", EARLY: "early"}
 
@@ -146,7 +147,12 @@ class Mixed(Theorem):
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
-        """Bound the time: the pieces into which places may be cut, and the flights backwards."""
+        """Bound sizes, and the time: the pieces of places, and the flights backwards."""
+        V, sinks = claims["box"]["v"].upper, claims.get("sinks", [])
+        need(V <= _MOST_SIZE and V * _MOST_SIZE >= 1, "V is not between 10^-90 and 10^90")
+        for sink in sinks:
+            sizes = map(abs, (sink["x"], sink["v"], *sink["matrix"][0], *sink["matrix"][1]))
+            need(max(sizes) <= _MOST_SIZE, "a number of a sink is larger than 10^90")
         need(("attractor" in hints) is ("attractor" in claims), "an attractor without its hints")
         if "attractor" in claims:
             Attractor.limit(hints["attractor"], claims["attractor"])
