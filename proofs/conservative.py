@@ -48,6 +48,7 @@ from cap.floats import candidates
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.runner import Runner, within
+from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 GROUP = "states"
@@ -76,6 +77,7 @@ def prove(setting: Setting) -> Proof:
     p = setting.parameters
     if not (p.f > 0 and p.e == 1 and p.mu == 0):
         raise BadInput("the theorem conservative needs f > 0, e = 1 and mu = 0")
+    require_ieee(rounds_to_nearest(PROBE))
     R = p.R * p.omega**2 / p.F
     ceiling = CEILING[0] * R / 2, CEILING[1], CEILING[2] * R / 2
     lemma_3_ceiling(p, ceiling)

@@ -56,6 +56,7 @@ from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.release.trap import critical_points
 from cap.runner import Tell, within
 from cap.sets import interval
+from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
 
 SUMMARY = "lower bounds of the shares of the states that are attracted, or stop"
 GROUP = "states"
@@ -96,6 +97,7 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
     if setting.undecided is not None and setting.undecided >= 1:
         raise BadInput(f"--undecided must be less than 1: {setting.undecided}")
+    require_ieee(rounds_to_nearest(PROBE))
     hints = {
         "bits": str(setting.checker_bits),
         "places": {"level": str(places.LEVEL), "tree": NOTHING},

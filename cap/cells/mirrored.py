@@ -27,7 +27,18 @@ from cap.cells.backward import (
     System,
     start,
 )
-from cap.cells.polynomials import LAST, UP, Model, ends, exact, moved, scaled, total, widened
+from cap.cells.polynomials import (
+    LAST,
+    TINY,
+    UP,
+    Model,
+    ends,
+    exact,
+    moved,
+    scaled,
+    total,
+    widened,
+)
 from cap.sets.compiled import kernel
 
 ONE, NONE = (1.0, 0.0), (0.0, 0.0)
@@ -51,7 +62,7 @@ def between(low: float, high: float) -> Pair:
 def times(x: Pair, y: Pair) -> Pair:
     """Return a product of numbers with bounds of their errors."""
     m = x[0] * y[0]
-    return m, (abs(x[0]) * y[1] + x[1] * (abs(y[0]) + y[1]) + abs(m) * ROUND) * UP
+    return m, (abs(x[0]) * y[1] + x[1] * (abs(y[0]) + y[1]) + abs(m) * ROUND + TINY) * UP
 
 
 @kernel
@@ -70,7 +81,8 @@ def quotient(x: Pair, y: Pair) -> Pair:
     if not abs(y[0]) > 2.1 * y[1]:
         return math.nan, math.nan
     m = x[0] / y[0]
-    return m, ((x[1] + y[1] * abs(m)) / (abs(y[0]) - y[1]) + abs(m) * ROUND) * UP
+    more = (x[1] + y[1] * abs(m) + TINY) / (abs(y[0]) - y[1])
+    return m, (more + abs(m) * ROUND + TINY) * UP
 
 
 @kernel

@@ -189,6 +189,7 @@ def certain(h: Happening, m: float, change: float, left: Pair, K: float) -> Happ
     e, e_all = 2 * (left[0] / abs(m) * UP) * UP, 2 * (left[1] / abs(m) * UP) * UP
     found = e_all <= 1 and (change + K * e_all) * UP <= abs(m) / 2
     bounds = ends(widened(h.T, e_all))
+    found = found and bounds[1] - bounds[0] < 2.9  # 3 in the checker, with its bounds
     return Happening(h.T, h.cos, h.sin, h.D, h.k, found, e, e_all, bounds)
 
 

@@ -79,17 +79,18 @@ def sources() -> str:
     return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
-PROBE = np.array([1.0, 2.0**-53, 3 * 2.0**-54, 2.0**-1074, 2.0**-1022, 2.0**900])
+PROBE = np.array([1.0, 2.0**-53, 2.0**-53 + 2.0**-105, 2.0**-1074, 2.0**-1022, 2.0**900])
 
 
 @kernel
 def rounds_to_nearest(probe: NDArray[np.float64]) -> bool:
     """Return whether the processor rounds to nearest, with gradual underflow, in this thread.
 
-    ``probe`` is `PROBE`; of constants the compiler would do the sums itself.
+    It rounds once: 1 + ``more``, rounded to the 64 bits of an extended double first, is the tie 1 +
+    ``half``.  ``probe`` is `PROBE`; of constants the compiler would do the sums itself.
     """
     one, half, more, least, normal, large = probe
-    ties = one + half == one and one + more > one + half and one - more < one
+    ties = one + half == one and -one - half == -one and one + more > one and one - more < one
     gradual = normal * 0.5 > 0 and least * large > 0 and least + least > least
     return bool(ties and gradual and -one - more < -one)
 

@@ -149,6 +149,7 @@ def test_a_fall_that_is_no_number(velocity, stops):
     launches = SimpleNamespace(
         R=R,
         all=SimpleNamespace(t=zero),
+        near=SimpleNamespace(t=zero),
         minima=lambda *_: [Double(1.0)],
         velocity=lambda at: of(Double(-1e-3) if at is T else velocity),
         place=lambda _: of(Double(0.5)),

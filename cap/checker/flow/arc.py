@@ -22,7 +22,8 @@ and at a fixed time T, v' = u' - a t', v'' = u'' + t'^2 sin t, x' = d u' - (u + 
 x'' = d u'' - 2 t' u' + (a + d sin t) t'^2.
 
 *Where T is.*  At s = 0 let r = |x(T_0) - R| for a guess T_0.  As |v'| <= 1 + |f| in time, v > V/2
-within D = 2 r/V of T_0 if (1 + |f|) D <= V/2, so x = R within D.
+within D = 2 r/V of T_0 if (1 + |f|) D <= V/2, so x = R within D.  It is after the launch, T > t,
+which is looked at here; and so it is on all of an arc along which T is continuous, as x = 0 at t.
 """
 
 from __future__ import annotations
@@ -171,11 +172,10 @@ class Launches:
 
     def minima(self, low: float, high: float) -> list[Double]:
         """Return the times of the local minima of v that may be in [low, high]."""
-        rest = math.acos(self.f.mid)
-        margin = 1e-9
-        first = math.ceil((low + rest - margin) / (2 * math.pi))
-        last = math.floor((high + rest + margin) / (2 * math.pi))
-        return [PI * (2.0 * k) - _arccos(self.f) for k in range(first, last + 1)]
+        rest, margin = _arccos(self.f), 1e-9  # more than the rounding of these times, below 2000
+        first = math.ceil((low + rest.lower - margin) / (2 * math.pi))
+        last = math.floor((high + rest.upper + margin) / (2 * math.pi))
+        return [PI * (2.0 * k) - rest for k in range(first, last + 1)]
 
     def moves(self, until: float) -> bool:
         """Return whether v > 0 at all its local minima from the launch to a time."""
@@ -210,7 +210,9 @@ def _hit(launches: Launches) -> Double:
     r = (launches.way(T, cos) - launches.R).magnitude
     D = 2 * r / V * (1 + 1e-12)
     need((1 + launches.f.magnitude) * D <= V / 2, "the time of a hit is not certain")
-    return Double(guess, D)
+    T = Double(guess, D)
+    need((T - at.t).is_positive(), "a hit may be before its launch")
+    return T
 
 
 def _guess(t: float, u: float, f: float, R: float, near: float | None) -> float:

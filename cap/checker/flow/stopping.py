@@ -3,6 +3,9 @@
 Notation as in `cap.checker.flow.arc`.  Let v(T) < 0 at a time T; then there is a stop or a hit
 before.  Let v > 0 until a time B, and v >= -m from B to T, m >= 0.  After a hit x would fall by m
 (T - B) at most: so x(T) + m (T - B) < R excludes it.  (B may be the time of the launch.)
+
+That T is after the launch is looked at for s = 0.  Then it is after all launches of the arc: v(T) <
+0 for all of them, and v > 0 at a launch.  It is after B, as v > 0 from the launch to B.
 """
 
 from __future__ import annotations
@@ -38,6 +41,8 @@ def _late(launches: Launches) -> list[tuple[Double, Double]]:
 def stops_by(launches: Launches, B: Double, T: Double) -> bool:
     """Return whether all stop before T, by what is known of them at B and T."""
     begin = launches.all.t
+    if not (T - launches.near.t).is_positive():
+        return False
     if B is not begin:
         flies = launches.moves(B.upper) and least(launches.velocity(B)) > 0
         if not (begin.upper < B.lower and flies):

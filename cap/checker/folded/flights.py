@@ -27,7 +27,6 @@ new C has the longer column of J C in its first direction, and its inverse is it
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
@@ -38,6 +37,7 @@ from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.line import Coefficients
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rounding import need_doubles
 from cap.checker.kernel.theorem import Parameters
 
 _BITS = 160
@@ -64,8 +64,7 @@ def angles(p: Parameters) -> tuple[Interval, Interval]:
 def constants(p: Parameters) -> Constants:
     """Return the constants of the folded flow."""
     need(p.f > 0 and p.e == 1 and p.mu == 0, "the folded flow needs f > 0, e = 1, mu = 0")
-    ieee = sys.float_info.mant_dig == 53 and sys.float_info.rounds == 1
-    need(ieee, "doubles are not those of IEEE 754, rounded to nearest")
+    need_doubles()
     cosine = Interval.enclosing(p.f / p.F, p.f / p.F, _BITS)
     sine = (cosine.integer(1) - cosine.square()).sqrt()
     width = rounded((p.r - p.l) * p.omega**2 / p.F)

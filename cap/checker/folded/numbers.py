@@ -1,7 +1,8 @@
 """Numbers known up to an error: pairs (m, r) stand for all t with |t - m| <= r.
 
 Doubles are rounded to nearest, so a sum, a product or a quotient is wrong by at most 2^-53 of
-itself; ``TURN`` = 2^-49 and ``UP`` = 1 + 2^-40 make up for all that is rounded in a formula here.
+itself, and 2^-1075 where a product or a quotient underflows; ``TURN`` = 2^-49, ``UP`` = 1 + 2^-40
+and ``TINY`` make up for all that is rounded in a formula here.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from cap.checker.kernel.rejection import need
 
 Pair = tuple[float, float]
 
-UP, TURN = 1 + 2.0**-40, 2.0**-49
+UP, TURN, TINY = 1 + 2.0**-40, 2.0**-49, 2.0**-900
 _STEPS = 40  # of a search that steers
 
 
@@ -25,7 +26,7 @@ def middle(ends: Pair) -> Pair:
 def times(x: Pair, y: Pair) -> Pair:
     """Return a product."""
     m = x[0] * y[0]
-    return m, (abs(x[0]) * y[1] + x[1] * (abs(y[0]) + y[1]) + abs(m) * TURN) * UP
+    return m, (abs(x[0]) * y[1] + x[1] * (abs(y[0]) + y[1]) + abs(m) * TURN + TINY) * UP
 
 
 def minus(x: Pair, y: Pair) -> Pair:
@@ -38,7 +39,8 @@ def quotient(x: Pair, y: Pair) -> Pair:
     """Return a quotient: (x + u)/(y + w) - x/y = (u - w x/y)/(y + w)."""
     need(abs(y[0]) > 2 * y[1], "a quotient by a number that may vanish")
     m = x[0] / y[0]
-    return m, ((x[1] + y[1] * abs(m)) / (abs(y[0]) - y[1]) + abs(m) * TURN) * UP
+    more = (x[1] + y[1] * abs(m) + TINY) / (abs(y[0]) - y[1])
+    return m, (more + abs(m) * TURN + TINY) * UP
 
 
 def zero(f: Callable[[float], float], low: float, high: float) -> float:

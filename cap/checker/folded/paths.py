@@ -130,6 +130,8 @@ def certain(h: Happening, m: float, change: float, left: Pair, K: float) -> Happ
     need(2 * g_all <= 1, "the time of an event is not certain")
     need((change + K * 2 * g_all) * UP <= abs(m) / 2, "the time of an event is not certain")
     low, high = line.ends((h.T, 2 * g_all * UP))
+    # the next flight begins within 1.5 of [-pi, pi]: after the slow time of number -1
+    need(high - low < 3, "the time of an event is not certain")
     return h._replace(e=2 * g * UP, e_all=2 * g_all * UP, ends=(low, high))
 
 

@@ -1,13 +1,15 @@
 """Cosines and sines of doubles, and doubles next to numbers, with bounds of what is wrong.
 
-*Rounding.*  Doubles are those of IEEE 754, rounded to nearest: what is computed for a sum, a
-product or a quotient is wrong by at most h = 2^-53 of the result, plus 2^-1075 if it underflows.
+*Rounding.*  Doubles are those of IEEE 754, rounded to nearest (``rounding``): what is computed for
+a sum, a product or a quotient is wrong by at most h = 2^-53 of the result, plus 2^-1075 if it
+underflows.
 
 *Cosine and sine of a double.*  pi/2 = P + Q + r, P with 33 bits, Q a double, |r| < 2^-80.  With k
 the integer next to a/(pi/2), |k| < 2^16, k P is exact, and d = (a - k P) - k Q is at most 0.7855 in
 size and wrong by at most 3 h.  The series end with d^15/15! and d^16/16!: what is left out is
 below 0.7855^17/17! < 2^-54.  Horner's rule ends in d + d z and 1 + z, |z| < 0.11 or 0.31, with z
-wrong by less than 4 h of itself: together, less than 3 h + 2 h + 2 h + 2^-54 < 2^-50.
+wrong by less than 6 h of itself, as the coefficients are by 2 h at most, however they were rounded
+when this was loaded: together, less than 3 h + 2 h + 2 h + 2^-54 < 2^-50.
 """
 
 from __future__ import annotations

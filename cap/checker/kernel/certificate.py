@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.kernel.reading import MAX_BYTES, parsed, text
+from cap.checker.kernel.reading import MAX_BYTES, MAX_SIZE, parsed, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Whole, matched, tabled
 from cap.checker.kernel.theorem import Certificate, Parameters, Theorem, parameter_shapes
@@ -12,7 +12,6 @@ from cap.checker.theorems import NAMES, load
 
 __all__ = ["MAX_BYTES", "Certificate", "read"]
 
-MAX_SIZE = 10**30  # of parameters, and of their inverses: large numbers have more bits
 DIGITS = Whole(6, 1000)
 
 

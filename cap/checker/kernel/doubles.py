@@ -2,7 +2,7 @@
 
 A ``Double`` (mid, rad) is the set of the reals within rad of mid.  Every operation returns one that
 contains the exact results for all points of its operands.  Python's floats are IEEE 754 doubles,
-rounded to nearest (looked at when this file is loaded).  With u = 2^-53, for + - * / and sqrt,
+rounded to nearest (``rounding`` looks at that).  With u = 2^-53, for + - * / and sqrt,
 
     |fl(z) - z| <= u |fl(z)| + 2^-1075.
 
@@ -25,7 +25,6 @@ Then a p has one below 3u + u.  ERROR = 2^-50 = 8u is more.  Over the radius r o
 from __future__ import annotations
 
 import math
-import sys
 from fractions import Fraction
 from functools import lru_cache
 
@@ -35,9 +34,6 @@ UNIT = 2.0**-53
 GROWTH = 1 + 2.0**-47
 TINY = 2.0**-1000
 ERROR = 2.0**-50
-
-_ieee = sys.float_info
-need((_ieee.radix, _ieee.mant_dig, _ieee.rounds) == (2, 53, 1), "floats are not IEEE 754 doubles")
 
 
 class Double:

@@ -9,6 +9,8 @@ from concurrent.futures import ProcessPoolExecutor
 from itertools import takewhile
 from typing import Any
 
+from cap.checker.kernel.rounding import in_doubles
+
 Tell = Callable[[str, float], None]
 """Hears what is done now, and which part of the whole proof is done."""
 
@@ -54,9 +56,12 @@ def _weighed(
 
 
 def each(jobs: int, f: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[Any]:
-    """Do tasks in so many processes, in order; f, with all that it knows, goes to each once."""
+    """Do tasks in so many processes, in order; f, with all that it knows, goes to each once.
+
+    In each of them, before and after a task, doubles are those of IEEE 754 (``rounding``).
+    """
     if jobs < 2:
-        yield from map(f, tasks)
+        yield from map(in_doubles()(f), tasks)
         return
     waiting, context = list(tasks), multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(jobs, context, _begin, (f,)) as pool:
@@ -66,7 +71,7 @@ def each(jobs: int, f: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[A
 def _begin(f: Callable[[Any], Any]) -> None:
     """Prepare a process; ctrl-C is for the one that asks."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    _done[:] = [f]
+    _done[:] = [in_doubles()(f)]
 
 
 def _do(task: Any) -> Any:

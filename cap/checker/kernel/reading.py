@@ -15,6 +15,7 @@ from cap.checker.kernel.rejection import Rejected, need
 MAX_BYTES = 1 << 24
 MAX_CHARACTERS = 4000
 MAX_DEPTH = 16
+MAX_SIZE = 10**30  # of parameters and their inverses, and of what becomes a double
 NUMBER = r"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+|/[1-9][0-9]*)?"
 _NUMBER = re.compile(NUMBER)
 

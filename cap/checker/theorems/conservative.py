@@ -40,6 +40,7 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
+from typing import Any
 
 from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.flow.columns import Column, columns, lines
@@ -47,8 +48,9 @@ from cap.checker.flow.overlap import gaps, left
 from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.processes import Work
-from cap.checker.kernel.reading import number, text
+from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, bound
 from cap.checker.kernel.theorem import SYSTEM, Theorem
 
@@ -74,6 +76,13 @@ class Conservative(Theorem):
     )
     # fmt: on
 
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+        """Bound what becomes a double."""
+        small = max(map(abs, hints["ceiling"].values())) <= MAX_SIZE
+        need(small, "a number of the ceiling is larger than 10^30")
+
+    @in_doubles()
     def prove(self) -> None:
         """Prove the theorem."""
         F, omega = self.p.F, self.p.omega

@@ -56,8 +56,9 @@ from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.processes import Work
-from cap.checker.kernel.reading import decimal, number, text
+from cap.checker.kernel.reading import MAX_SIZE, decimal, number, text
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import (
     Enclosure,
     Field,
@@ -75,6 +76,7 @@ from cap.checker.theorems.segment import Segment
 
 MOST_FLIGHTS = 1 << 25
 _MOST_CYCLES, _LONGEST = 16, 32
+_MOST_SIZE = MAX_SIZE**3  # of lengths and speeds, products of parameters
 MOST_SINKS, MOST_HALVES = 16, 64
 SIDES = {LATE: "late", EARLY: "early"}
 _PLACE = 15  # flights take as long as a place that is followed
@@ -147,7 +149,12 @@ class Mixed(Theorem):
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
-        """Bound the time: the pieces into which places may be cut, and the flights backwards."""
+        """Bound sizes, and the time: the pieces of places, and the flights backwards."""
+        V, sinks = claims["box"]["v"].upper, claims.get("sinks", [])
+        need(V <= _MOST_SIZE and V * _MOST_SIZE >= 1, "V is not between 10^-90 and 10^90")
+        for sink in sinks:
+            sizes = map(abs, (sink["x"], sink["v"], *sink["matrix"][0], *sink["matrix"][1]))
+            need(max(sizes) <= _MOST_SIZE, "a number of a sink is larger than 10^90")
         need(("attractor" in hints) is ("attractor" in claims), "an attractor without its hints")
         if "attractor" in claims:
             Attractor.limit(hints["attractor"], claims["attractor"])
@@ -156,6 +163,7 @@ class Mixed(Theorem):
         need(total <= MOST_FLIGHTS, "there are too many flights")
         nodes(hints["places"]["tree"])
 
+    @in_doubles()
     def prove(self) -> None:
         """Prove the theorem."""
         self.box()
