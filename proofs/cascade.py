@@ -40,7 +40,6 @@ SUMMARY = "where cycles double their period as f varies over a range, and the ra
 GROUP = "releases"
 SEARCH = candidates.range_of_f
 OVER_F = "cascade"
-OPTIONS = ("jobs", "journal")
 
 NUMBER = 6  # of doublings
 LOOKS = 24  # values of f at which cycles are looked for
