@@ -266,3 +266,12 @@ def test_every_word_of_an_itinerary_counts(name):
         for other, times in rng.sample(altered, len(altered)):
             with pytest.raises(Rejected):
                 LossyMap(p, other, times).over(state, state, 2)
+
+
+@pytest.mark.parametrize(
+    ("name", "why"), [("f", "the friction is a parameter"), ("F", "the force is not F cos wt")]
+)
+def test_only_losses_may_be_sets(name, why):
+    """The times of the least speeds depend on f and F: these are numbers, or f that of theta."""
+    with pytest.raises(Rejected, match=why):
+        mechanics(UNIT, "0", "1", {name: (Fraction(1, 3), Fraction(1, 2))})
