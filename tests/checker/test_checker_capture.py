@@ -12,12 +12,13 @@ from support import number, rational, rounds, seeded
 
 from cap.certificate.latex import macros
 from cap.checker.flow.hits import Event
+from cap.checker.flow.mechanics import Mechanics
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check, words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_capture import PAPER, forcing, forge_capture, lemma
 from checker.hybrid import Flow
-from checker.parts import Interval, Lossy, Parameters, capture, ratio
+from checker.parts import Interval, Parameters, capture, ratio
 
 LOSSY = PAPER | {"e": "4/5", "mu": "1/10"}
 CASES = {
@@ -203,7 +204,7 @@ def test_the_hit_before_a_capture(l, speed, word, why):
     """With e = 1/100, a hit of the speed 2 at 1/10 is captured, unless the other wall is near."""
     parameters = PAPER | {"l": l, "e": "1/100", "mu": "0"}
     state = [Interval.enclosing(q, q, 64) for q in (Fraction(9, 10), Fraction(1))]
-    M = Lossy(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
+    M = Mechanics(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
     moment = M.moment(M.constant(M.number(Fraction(1, 10))))
     before = Event(word, moment, M.F, M.constant(M.number(Fraction(speed))))
     window = Fraction(0), Fraction(1, 2)
@@ -234,7 +235,7 @@ def some_system(rng):
 
 def in_time(parameters, window, *sets):
     """Return the mechanics at these parameters, over a box."""
-    return Lossy(Parameters(**parameters), sets, [q.midpoint() for q in sets], 2)
+    return Mechanics(Parameters(**parameters), sets, [q.midpoint() for q in sets], 2)
 
 
 def short(low, high):

@@ -11,14 +11,14 @@ import pytest
 from mpmath import mp, mpf
 from support import rounds, seeded
 
+from cap.checker.flow.mechanics import Mechanics
 from cap.checker.one_one import pairs as pairs_of_orbits
+from cap.checker.one_one.closed_form import friction
 from cap.checker.one_one.taylor_model import rounded
 from checker.parts import (
     Enclosure,
     Interval,
     Jet,
-    Losses,
-    Lossy,
     Parameters,
     Pitchfork,
     Rejected,
@@ -27,7 +27,6 @@ from checker.parts import (
     birth,
     cosine_of_phase,
     elliptic_frame,
-    friction,
     half_turn,
     in_complex_coordinate,
     over_intervals,
@@ -87,18 +86,18 @@ def frame(a, b, c):
 
 def flight(x, v, t, e, mu):
     """Give the state, the speed and its least value on flights, and what hits and turns lose."""
-    for losses in (None, Losses(ends(e), ends(mu))):
+    for sets in (None, {"e": ends(e), "mu": ends(mu)}):
         for s in (1, -1):
-            M = Lossy(SYSTEM, [x, v * s], [x.midpoint(), v.midpoint() * s], 2, 1, losses)
+            M = Mechanics(SYSTEM, [x, v * s], [x.midpoint(), v.midpoint() * s], 2, 1, sets)
             start = M.launch()
             when = M.moment(M.constant(t))
             place, speed = M.place(start, when), M.speed(start, when)
             for q in (place, speed, when.cos, when.sin):
                 yield from (q.value, q.slope(0), q.slope(1))
             yield M.least_speed(start, when)
-            yield M.amplitude.value
+            yield from (q.value for q in M.parameters.values())
             later = M.flight(-s, when, place, speed, M.minima[-s])
-            for q in (later.A, later.X, later.C):
+            for q in (later.x, later.v):
                 yield from (q.value, q.slope(1))
             yield from (m for minimum in M.minima[s] for m in (q.value for q in minimum))
 

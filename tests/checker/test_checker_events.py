@@ -10,11 +10,11 @@ from support import rational, seeded
 
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.losses import Losses, Lossy, composed
+from cap.checker.flow.mechanics import Mechanics
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.series import reciprocal
+from cap.checker.kernel.series import composed, reciprocal
 from cap.checker.kernel.theorem import Parameters
 from checker.altered import rejected
 from checker.forge_hybrid import PERIODIC, forge_periodic, valid
@@ -29,11 +29,11 @@ def point(q):
     return Interval.enclosing(Fraction(q), Fraction(q), BITS)
 
 
-def mechanics(parameters, x, v, losses=None, periods=1):
+def mechanics(parameters, x, v, sets=None, periods=1):
     """Return the mechanics for one orbit."""
     p = Parameters(**{k: Fraction(q) for k, q in parameters.items()})
     state = [point(x), point(v)]
-    return Lossy(p, state, state, 2, periods, losses)
+    return Mechanics(p, state, state, 2, periods, sets)
 
 
 @pytest.mark.parametrize("z", ["0", "-1/1000", "-3", "2/7", "-40", "-190"])
@@ -102,8 +102,8 @@ def test_flights_with_the_viscosity_in_an_interval(mu):
 
     The mu of the parameters, which may be 0, does not matter.
     """
-    losses = Losses((Fraction(9, 10), Fraction(1)), (Fraction(0), Fraction(1, 50)))
-    M = mechanics(UNIT | {"mu": mu}, "0", "1", losses)
+    sets = {"e": (Fraction(9, 10), Fraction(1)), "mu": (Fraction(0), Fraction(1, 50))}
+    M = mechanics(UNIT | {"mu": mu}, "0", "1", sets)
     flight, moment = M.launch(), M.moment(M.constant(point(2)))
     x, v = M.place(flight, moment), M.speed(flight, moment)
     with mp.workdps(40):
@@ -266,3 +266,12 @@ def test_every_word_of_an_itinerary_counts(name):
         for other, times in rng.sample(altered, len(altered)):
             with pytest.raises(Rejected):
                 LossyMap(p, other, times).over(state, state, 2)
+
+
+@pytest.mark.parametrize(
+    ("name", "why"), [("f", "the friction is a parameter"), ("F", "the force is not F cos wt")]
+)
+def test_only_losses_may_be_sets(name, why):
+    """The times of the least speeds depend on f and F: these are numbers, or f that of theta."""
+    with pytest.raises(Rejected, match=why):
+        mechanics(UNIT, "0", "1", {name: (Fraction(1, 3), Fraction(1, 2))})

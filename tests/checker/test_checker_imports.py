@@ -17,12 +17,14 @@ from checker.altered import changed
 
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
 STORED = Path(__file__).parents[2] / "certificates"
-FLOW = {"kernel", "flow", "theorems", "verdict"}
-ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), FLOW - {"flow"} | {"one_one"})
-ROOMS |= {"impulse": FLOW - {"flow"}, "mixed": FLOW | {"folded"}}
-ROOMS |= {"inventory": FLOW | {"one_one"}}
+BARE = {"kernel", "theorems", "verdict"}
+FLOW = BARE | {"flow", "system"}
+ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
+ROOMS |= {"impulse": BARE, "mixed": FLOW | {"folded"}}
+ROOMS |= dict.fromkeys(("conservative", "segment", "sliding"), BARE | {"flow"})
+ROOMS |= {"inventory": BARE | {"flow", "one_one"}}
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
-ROOMS |= dict.fromkeys(TWO_MASSES, FLOW - {"flow"} | {"particles"})
+ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
 MORE = {
     "window": {"attractor"},
     "persistence": {"periodic"},

@@ -38,8 +38,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from cap.checker.flow.hits import SIDES, Event
-from cap.checker.flow.losses import Lossy
-from cap.checker.flow.mechanics import Ends
+from cap.checker.flow.mechanics import Ends, Mechanics
 from cap.checker.flow.stops import Rest, span
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
@@ -56,7 +55,7 @@ def captures(itinerary: Sequence[str]) -> str:
     return _MEANING if any(word.startswith("capture") for word in itinerary) else ""
 
 
-def capture(M: Lossy, before: Event | None, word: str, window: Ends) -> tuple[Event, Rest]:
+def capture(M: Mechanics, before: Event | None, word: str, window: Ends) -> tuple[Event, Rest]:
     """Prove that hits of the wall on this side, and turns between, accumulate within [t_a, t_d].
 
     ``before`` is the hit of this wall that the mass leaves, or None: then the mass is in the box at
@@ -94,12 +93,12 @@ def capture(M: Lossy, before: Event | None, word: str, window: Ends) -> tuple[Ev
     return Event(word, moment, towards * side), rest
 
 
-def ratio(M: Lossy, towards: Interval) -> Interval:
+def ratio(M: Mechanics, towards: Interval) -> Interval:
     """Return k = e sqrt((b_2 - f)/(b_1 + f)) from the enclosure [b_1, b_2] of b."""
     return M.e.value * ((_high(towards) - M.f) / (_low(towards) + M.f)).sqrt()
 
 
-def _weight(M: Lossy, towards: Interval, q: Interval) -> Interval:
+def _weight(M: Mechanics, towards: Interval, q: Interval) -> Interval:
     """Return g = b_1 - f - mu q."""
     g = _low(towards) - M.f - M.mu.value * q
     need(g.is_positive(), "the mass may be held off the wall by the viscosity")

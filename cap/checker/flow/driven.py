@@ -11,15 +11,14 @@ variables separately; conditions are tested with enclosures over the box, of f a
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 from cap.checker.flow.events import LossyMap
 from cap.checker.flow.halts import HALTS, halt
 from cap.checker.flow.hits import Event
-from cap.checker.flow.losses import Lossy
-from cap.checker.flow.mechanics import Box, Ends, Minima, Moment
+from cap.checker.flow.mechanics import Box, Ends, Mechanics, Minima, Moment
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, cos_sin_jet, lift
@@ -32,22 +31,22 @@ def phases(p: Parameters, f: Ends, bits: int) -> Interval:
     return arccos(Interval.enclosing(f[0] / p.F, f[1] / p.F, bits))
 
 
-class Driven(Lossy):
+class Driven(Mechanics):
     """The mechanics with theta for the last variable; the f of the parameters is not used."""
 
-    def __init__(self, p: Parameters, box: Box, m: Box, order: int, periods: int = 1) -> None:
-        super().__init__(p, box, m, order, periods)
-        self.friction = lift(lambda cos: cos * self.F, self.cosine)
-        self.f = self.friction.value
-
-    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:  # noqa: ARG002
-        """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
-        self.theta, half_turn = self.variables[-1], pi(self.bits)
-        theta = self.theta.value
-        acute = theta.is_positive() and theta.is_before(half_turn / 2)
+    def _parameters(self, p: Parameters, names: Sequence[str]) -> dict[str, Centred]:  # noqa: ARG002
+        """Return f as a function of theta."""
+        self.theta = self.variables[-1]
+        theta, F = self.theta.value, self.number(p.F)
+        acute = theta.is_positive() and theta.is_before(pi(self.bits) / 2)
         need(acute, "theta is not between 0 and pi/2: 0 < f < F may not hold")
         pairs = [cos_sin_jet(jet) for jet in (self.theta.centre, self.theta.box)]
         self.cosine, self.sine = (self.centred(*jets) for jets in zip(*pairs, strict=True))
+        return {"f": lift(lambda cos: cos * F, self.cosine)}
+
+    def _minima(self, periods: int) -> dict[int, Minima]:
+        """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
+        half_turn = pi(self.bits)
 
         def minimum(k: int, s: int) -> Moment:
             turns = self.constant(half_turn * k)
@@ -59,11 +58,6 @@ class Driven(Lossy):
 
         rising = [minimum(2 * k, 1) for k in range(1, periods + 1)]
         return {1: rising, -1: [minimum(2 * k + 1, -1) for k in range(periods)]}
-
-    def drag(self, A: Centred, s: int) -> Centred:
-        """Return C on a flight."""
-        c = lift(lambda f: f * s, self.friction)
-        return lift(lambda a, mu, c: a * mu + c, A, self.mu, c) if self.is_viscous else c
 
 
 @dataclass(frozen=True)

@@ -6,15 +6,14 @@ diag(1, (|a| - f)/(|a| + f)); a stick or a capture makes it 0.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 from cap.checker.flow.capture import capture
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.hits import Event, hit
 from cap.checker.flow.itinerary import Passage, PeriodMap, limit_work
-from cap.checker.flow.losses import Losses, Lossy
 from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics
 from cap.checker.flow.stops import Rest, release, stick, turn
 from cap.checker.kernel.interval import Interval
@@ -32,14 +31,14 @@ WORDS = (
 class LossyMap(PeriodMap):
     """Phi^n with losses, near an orbit with any events.
 
-    ``losses`` are a set of e and mu in the place of those in the parameters.
+    ``sets`` are intervals for e and mu in the place of those in the parameters.
     """
 
-    losses: Losses | None = None
+    sets: Mapping[str, Ends] = field(default_factory=dict)
 
-    def mechanics(self, box: Box, m: Box, order: int) -> Lossy:
+    def mechanics(self, box: Box, m: Box, order: int) -> Mechanics:
         """Return the mechanics over a box."""
-        return Lossy(self.p, box, m, order, self.periods, self.losses)
+        return Mechanics(self.p, box, m, order, self.periods, self.sets)
 
     def event(self, M: Any, before: list[Event], now: Any, word: str, window: Ends) -> Any:
         """Prove the next event, and return it with the state after it.
@@ -71,8 +70,6 @@ def resting(state: Flight | Rest | None) -> Rest:
 def determinant(passage: Passage) -> Interval:
     """Return an enclosure of the determinant of (Phi^n)' by the formula above."""
     M, events = passage.mechanics, passage.events
-    if not isinstance(M, Lossy):
-        raise Rejected("a determinant by losses, without them")
     result = phi(0, -(M.horizon * M.mu.value))
     for event in events:
         if event.word == "stick" or event.word.startswith("capture"):

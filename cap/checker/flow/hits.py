@@ -5,22 +5,26 @@ a < W.  If s v > 0 after the start of the flight up to b, x is monotone there, a
 - wall) is negative at the beginning of W and positive at its end, then every orbit reaches the wall
 exactly once in [a, b], inside W, with a speed that is not zero, and touches nothing before.
 
-*Event times as jets.*  Let g(t) = x(t) - wall, g' = v, for a hit; for a stop g = v.  Let t_0 be
-the event time at a point of the box and t_<k the jet of the event time below degree k.  As g(t_<k +
-h) = g(t_<k) + g'(t_0) h + ... and g of the event time is zero, the terms of degree k of the event
-time are -1/g'(t_0) times those of g(t_<k).  At first t_0 is only known to lie in W: at the centre,
-the interval Newton operator mid - g(mid)/g'(t) narrows it; over the box, the mean value form does.
+*Event times as jets.*  Let g be the guard that comes to zero along the flight, of the wall or of
+the stop, and g' its Lie derivative.  Let t_0 be the event time at a point of the box and t_<k the
+jet of the event time below degree k.  As g(t_<k + h) = g(t_<k) + g'(t_0) h + ... and g of the event
+time is zero, the terms of degree k of the event time are -1/g'(t_0) times those of g(t_<k).  At
+first t_0 is only known to lie in W: at the centre, the interval Newton operator mid - g(mid)/g'(t)
+narrows it; over the box, the mean value form does.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from cap.checker.flow.mechanics import Ends, Flight, Mechanics, Moment
+from cap.checker.flow.mechanics import Ends, Flight, Formula, Mechanics, Moment
+from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, tightened
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.system.friction import WALL
+from cap.checker.system.polynomial import Polynomial
 
 SIDES = {"r": 1, "right": 1, "l": -1, "left": -1}
 
@@ -64,11 +68,11 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, F
     before, after = ((M.place(flight, m).value - wall) * s for m in (first, last))
     need((-before).is_positive(), "the wall may be reached before a window begins")
     need(after.is_positive(), "the wall may not be reached when a window ends")
-    moment = M.moment(event_time(M, flight, window, Zero.at(M, wall)))
-    speed = M.speed(flight, moment)
-    v = M.reflected(speed, s)
-    event = Event(word, moment, moment.cos.value * M.F, speed, flight)
-    return event, M.flight(-s, moment, M.constant(wall), v, M.minima[-s])
+    guard = M.laws.model.modes[MODES[s]].guards[WALL]
+    moment = M.moment(event_time(M, flight, window, Zero.of(M, s, guard.value)))
+    event = Event(word, moment, moment.cos.value * M.F, M.speed(flight, moment), flight)
+    x, v = M.known(guard.reset["x"]), M.value(flight, guard.reset["v"], moment)
+    return event, M.flight(-s, moment, x, v, M.minima[-s])
 
 
 # the event times as jets
@@ -77,14 +81,13 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, F
 class Zero(NamedTuple):
     """A function of a flight and a time, of which an event is a zero, and its derivative in t."""
 
-    value: Callable[[Sequence[RealJet], Sequence[RealJet]], RealJet]
-    slope: Callable[[Sequence[RealJet], Sequence[RealJet]], RealJet]
+    value: Formula
+    slope: Formula
 
     @classmethod
-    def at(cls, M: Mechanics, wall: Interval) -> Zero:
-        """Return x(t) - wall."""
-        place = M.position
-        return cls(lambda a, t: place(a, t) - Jet(a[0].order, {a[0].origin: wall}), M.velocity)
+    def of(cls, M: Mechanics, s: int, guard: Polynomial) -> Zero:
+        """Return a guard along the flights of a direction: its derivative is L h."""
+        return cls(M.along(s, guard), M.along(s, M.laws.model.lie(MODES[s], guard)))
 
 
 def event_time(M: Mechanics, flight: Flight, window: Ends, zero: Zero) -> Centred:

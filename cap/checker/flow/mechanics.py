@@ -1,22 +1,14 @@
-"""A mass between two walls: x'' = F cos wt - f sgn x', l < x < r, and elastic hits: v -> -v.
+"""The flights of a mass between two walls, from the data of its model (``friction``).
 
-*Flights.*  While the velocity has the sign s = +-1, x'' = F cos wt - s f.  A solution of x'' = F
-cos wt is, with P = F/w^2,
+*Flights.*  ``course`` gives the closed form of x(t) and v(t) in each mode: for the direction s =
++-1, x'' = F cos wt - s f - mu x'.  Any polynomial in the state, as a guard, and its derivative in
+time, its Lie derivative, is known along a flight with them.
 
-    x_p(t) = -P cos wt,      v_p(t) = P w sin wt.
-
-The flight that starts at t_0 from (x_0, v_0) is, with d = t - t_0, A = v_0 - v_p(t_0), X = x_0 -
-x_p(t_0), C = s f,
-
-    x(t) = x_p(t) + X + A d - C d^2/2,      v(t) = v_p(t) + A - C d.
-
-With losses (``losses``) there is viscosity -mu x' besides, and d^2/2 and d become other functions.
-
-*The sign of the velocity.*  p(t) = e^(mu t) s v(t), here mu = 0, has p' = e^(mu t) (s F cos wt -
-f).  Since f < F, p' has simple zeros, and p its local minima at those with s sin wt < 0: at the
-times (2 pi k - theta)/w for s = 1 and (2 pi k + pi - theta)/w for s = -1, where theta =
-arccos(f/F).  So s v > 0 on [a, b] if it is so at a, at b, and at those of these times that lie in
-(a, b).
+*The sign of the velocity.*  p(t) = e^(mu t) s v(t) has p' = e^(mu t) (s F cos wt - f) (Lemma C of
+``lemmas``; ``one_mass``).  Since f < F, p' has simple zeros, and p its local minima at those with s
+sin wt < 0: at the times (2 pi k - theta)/w for s = 1 and (2 pi k + pi - theta)/w for s = -1, where
+theta = arccos(f/F).  So s v > 0 on [a, b] if it is so at a, at b, and at those of these times that
+lie in (a, b).
 
 *A flight that begins with v = 0*, after a turn or a release: s F cos wt > f just after its
 beginning, for at a turn this holds, and a release is at one of these times.  So p increases from
@@ -27,18 +19,30 @@ one of them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
+from math import factorial
 from typing import NamedTuple
 
+from cap.checker.flow.exponential import phi
+from cap.checker.flow.laws import laws
+from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.series import composed, divided, reciprocal
 from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.course import Forcing
+from cap.checker.system.evaluation import evaluate
+from cap.checker.system.friction import STOP
+from cap.checker.system.model import COS, SIN
+from cap.checker.system.polynomial import Polynomial, variable
 
 Ends = tuple[Fraction, Fraction]
 Box = Sequence[Interval]
+Formula = Callable[[Sequence[RealJet], Sequence[RealJet]], RealJet]
 
 
 class Moment(NamedTuple):
@@ -53,15 +57,14 @@ Minima = list[Moment]
 
 
 class Flight(NamedTuple):
-    """A flight of direction s, from the moment start.
+    """A flight of direction s, from the moment start, with x and v less their responses there.
 
     Starts at rest, or not; ``minima`` are the later times of local minima of p.
     """
 
     s: int
-    A: Centred
-    X: Centred
-    C: Centred
+    x: Centred
+    v: Centred
     start: Moment
     at_rest: bool
     minima: Minima
@@ -70,21 +73,38 @@ class Flight(NamedTuple):
 class Mechanics:
     """The mechanics at given parameters, over a box of initial states with a centre m.
 
-    Every method holds for all orbits from the box, and rejects if it does not succeed.
+    Every method holds for all orbits from the box, and rejects if it does not succeed.  ``sets``
+    are intervals for some of the constants e and mu, in the place of those in the parameters: the
+    last variables of the box.
     """
 
-    def __init__(self, p: Parameters, box: Box, m: Box, order: int, periods: int = 1) -> None:
-        self.bits = box[0].bits
-        self.omega, self.f, self.F = (self.number(q) for q in (p.omega, p.f, p.F))
-        self.walls = {1: self.number(p.r), -1: self.number(p.l)}
-        self.period = pi(self.bits) * 2 / self.omega
-        self.horizon = self.period * periods
-        self.order = order
+    def __init__(
+        self,
+        p: Parameters,
+        box: Box,
+        m: Box,
+        order: int,
+        periods: int = 1,
+        sets: Mapping[str, Ends] | None = None,
+    ) -> None:
+        self.bits, self.order = box[0].bits, order
+        more = [Interval.enclosing(*q, self.bits) for q in (sets or {}).values()]
+        box, m = [*box, *more], [*m, *(q.midpoint() for q in more)]
         self.offsets = [z - c for z, c in zip(box, m, strict=True)]
         self.variables = [self._variable(n, *q) for n, q in enumerate(zip(box, m, strict=True))]
         self.x, self.v = (*self.variables, self.constant(self.number(Fraction(0))))[:2]
-        self.P = self.number(p.F / p.omega**2)
-        self.minima = self._minima(p.f / p.F, periods)
+        self.parameters = self._parameters(p, list(sets or ()))
+        self.laws = laws(p, tuple(self.parameters))
+        self.omega = self.number(self.laws.model.omega)
+        self.period = pi(self.bits) * 2 / self.omega
+        self.horizon = self.period * periods
+        mass = self.laws.mass
+        self.F, self.friction = self.number(mass.F), self.known(mass.f)
+        self.e, self.mu = self.known(mass.e), self.known(mass.mu)
+        self.walls = {s: self.known(wall).value for s, wall in mass.walls.items()}
+        self.f = self.friction.value
+        self.parameters |= self._responses()
+        self.minima = self._minima(periods)
 
     def _variable(self, n: int, box: Interval, m: Interval) -> Centred:
         """Return the n-th variable."""
@@ -93,8 +113,34 @@ class Mechanics:
         jets = (Jet(self.order, {origin: z, unit: z.integer(1)}) for z in (m, box))
         return self.centred(*jets)
 
-    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:
+    def _parameters(self, p: Parameters, names: Sequence[str]) -> dict[str, Centred]:  # noqa: ARG002
+        """Return the constants that are no numbers: the last variables."""
+        return dict(zip(names, self.variables[len(self.variables) - len(names) :], strict=True))
+
+    def _responses(self) -> dict[str, Centred]:
+        """Return U and V of both directions where they are no numbers, as ``laws`` names them."""
+        centre = {name: q.centre for name, q in self.parameters.items()}
+        box = {name: q.box for name, q in self.parameters.items()}
+        found = dict[str, Centred]()
+        for s, equations in self.laws.forcing.items():
+            if not equations.is_exact:
+                names = [f"{part} {s} {z}" for part in "UV" for z in self.laws.model.state]
+                jets = (self._response(equations, values) for values in (centre, box))
+                found |= {name: self.centred(*q) for name, *q in zip(names, *jets, strict=True)}
+        return found
+
+    def _response(self, equations: Forcing, values: Mapping[str, RealJet]) -> list[RealJet]:
+        """Return U and V as jets."""
+        like = next(iter(values.values()))
+        element = partial(evaluate, values=values, like=like)
+        U, V = equations.response(self.laws.model.omega, element, reciprocal)
+        return [*U, *V]
+
+    def _minima(self, periods: int) -> dict[int, Minima]:
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
+        f, F = self.laws.mass.f, self.laws.mass.F
+        need(not f.variables, "the friction is a parameter")
+        ratio = f.number / F
         cos, half_turn = self.number(ratio), pi(self.bits)
         sin, theta = self.number(1 - ratio**2).sqrt(), arccos(cos)
 
@@ -117,6 +163,14 @@ class Mechanics:
         jet = Jet(self.order, {(0,) * len(self.offsets): c})
         return self.centred(jet, jet)
 
+    def known(self, q: Polynomial) -> Centred:
+        """Return a number, or a polynomial in parameters."""
+        names = sorted(q.variables)
+        if not names:
+            return self.constant(self.number(q.number))
+        given = [self.parameters[name] for name in names]
+        return lift(lambda *jets: evaluate(q, dict(zip(names, jets, strict=True)), jets[0]), *given)
+
     def instant(self, t: Interval, cos: Interval, sin: Interval) -> Moment:
         """Return a moment that is the same for all orbits."""
         return Moment(self.constant(t), self.constant(cos), self.constant(sin))
@@ -131,43 +185,42 @@ class Mechanics:
         """Return the moment of a time that is a multiple of the period."""
         return self.instant(t, t.integer(1), t.integer(0))
 
-    # formulas for jets; ``losses`` are what they depend on with losses: nothing here
+    # formulas for jets: of a flight, that is x and v less their responses, its start and the
+    # parameters; and of t, cos wt, sin wt
 
-    @property
-    def losses(self) -> tuple[Centred, ...]:
-        """What the formulas depend on besides the flight and the time."""
-        return ()
+    def along(self, s: int, g: Polynomial) -> Formula:
+        """Return the formula of a polynomial in the state on the flights of a direction."""
+        needed = [z for z in self.laws.model.state if z in g.variables]
 
-    def x_p(self, cos: RealJet, sin: RealJet, *losses: RealJet) -> RealJet:  # noqa: ARG002
-        """Return x_p(t)."""
-        return cos * -self.P
+        def formula(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
+            x, v, start, *parameters = arc
+            t, cos, sin = when
+            values = dict(zip(self.parameters, parameters, strict=True))
+            values |= {COS: cos, SIN: sin}
+            rest, d = values | {"x": x, "v": v}, t - start
+            for z in needed:
+                values[z] = self._rest(s, z, rest, d) + self._forced(s, z, values, t)
+            return evaluate(g, values, t)
 
-    def v_p(self, cos: RealJet, sin: RealJet, *losses: RealJet) -> RealJet:  # noqa: ARG002
-        """Return v_p(t)."""
-        return sin * (self.P * self.omega)
+        return formula
 
-    def integral(self, n: int, d: RealJet, *losses: RealJet) -> RealJet:  # noqa: ARG002
-        """Return d for n = 1, d^2/2 for n = 2."""
-        return d if n == 1 else d * d * self.number(Fraction(1, 2))
+    def _rest(self, s: int, z: str, start: Mapping[str, RealJet], d: RealJet) -> RealJet:
+        """Return x or v less its response, after a time d (``course``)."""
+        terms, rate = self.laws.courses[s, z]
+        k = len(terms) - 1
+        total = evaluate(terms[k], start, d)
+        if rate.terms:
+            y = evaluate(rate, start, d) * d
+            series = [phi(k, y.constant, n) * factorial(k) for n in range(d.order + 1)]
+            total = total * composed(series, y)
+        for n in range(k, 0, -1):
+            total = d * total if n == 1 else divided(d * total, n)
+            total = evaluate(terms[n - 1], start, d) + total
+        return total
 
-    def position(self, arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
-        """Return x(t) on a flight A, X, C, t_0; ``when`` is t, cos wt, sin wt."""
-        (A, X, C, start, *losses), (t, cos, sin) = arc, when
-        d = t - start
-        return X + A * d - C * self.integral(2, d, *losses) + self.x_p(cos, sin, *losses)
-
-    def velocity(self, arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
-        """Return v(t) on a flight."""
-        (A, _, C, start, *losses), (t, cos, sin) = arc, when
-        return A - C * self.integral(1, t - start, *losses) + self.v_p(cos, sin, *losses)
-
-    def drag(self, A: Centred, s: int) -> Centred:  # noqa: ARG002
-        """Return C on a flight."""
-        return self.constant(self.f * s)
-
-    def reflected(self, speed: Centred, s: int) -> Centred:
-        """Return the velocity after a hit, from the speed before it."""
-        return lift(lambda u: u * -s, speed)
+    def _forced(self, s: int, z: str, values: Mapping[str, RealJet], like: RealJet) -> RealJet:
+        """Return the response of x or v."""
+        return evaluate(self.laws.responses[s][z], values, like)
 
     # flights over the box
 
@@ -175,14 +228,19 @@ class Mechanics:
         self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
     ) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
-        at = start.cos, start.sin, *self.losses
-        A = lift(lambda v, *q: v - self.v_p(*q), v, *at)
-        X = lift(lambda x, *q: x - self.x_p(*q), x, *at)
-        return Flight(s, A, X, self.drag(A, s), start, at_rest, minima)
+
+        def rest(z: str, value: Centred) -> Centred:
+            def formula(now: RealJet, cos: RealJet, sin: RealJet, *parameters: RealJet) -> RealJet:
+                values = dict(zip(self.parameters, parameters, strict=True))
+                return now - self._forced(s, z, values | {COS: cos, SIN: sin}, now)
+
+            return lift(formula, value, start.cos, start.sin, *self.parameters.values())
+
+        return Flight(s, rest("x", x), rest("v", v), start, at_rest, minima)
 
     def arc(self, flight: Flight) -> tuple[Centred, ...]:
-        """Return what determines x(t) on a flight."""
-        return flight.A, flight.X, flight.C, flight.start.t, *self.losses
+        """Return what determines the state on a flight."""
+        return flight.x, flight.v, flight.start.t, *self.parameters.values()
 
     def launch(self) -> Flight:
         """Return the first flight; the box must lie between the walls and away from v = 0."""
@@ -196,14 +254,18 @@ class Mechanics:
         """Return whether x certainly lies strictly between the walls."""
         return self.walls[-1].is_before(x) and x.is_before(self.walls[1])
 
+    def value(self, flight: Flight, g: Polynomial, at: Moment) -> Centred:
+        """Return a polynomial in the state on a flight at a moment."""
+        formula = self.along(flight.s, g)
+        return lift(lambda *q: formula(q[:-3], q[-3:]), *self.arc(flight), *at)
+
     def place(self, flight: Flight, at: Moment) -> Centred:
         """Return the position on a flight at a moment."""
-        return lift(lambda *q: self.position(q[:-3], q[-3:]), *self.arc(flight), *at)
+        return self.value(flight, variable("x"), at)
 
     def speed(self, flight: Flight, at: Moment) -> Centred:
         """Return the speed s v on a flight at a moment."""
-        s = flight.s
-        return lift(lambda *q: self.velocity(q[:-3], q[-3:]) * s, *self.arc(flight), *at)
+        return self.value(flight, self.laws.model.modes[MODES[flight.s]].guards[STOP].value, at)
 
     def least_speed(self, flight: Flight, end: Moment) -> Interval:
         """Return an enclosure of the least of s v at the start, the end, and the minima of p.

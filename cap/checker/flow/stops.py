@@ -17,7 +17,9 @@ stop, and less than the length of an arc later, it is the end of the arc of the 
 wall until a = -f, for the first time after t_d, where a decreases: a time of a minimum of p for s =
 -1, which recur with the period.  The mirror image holds at the left wall.
 
-*The time of a stop* is a zero of g = v, with g' = F cos wt - s f - mu v.
+*The time of a stop* is a zero of g = s v, with g' = s F cos wt - f - mu s v.  That a turn goes on
+to the side s where s F cos wt > f, and a rest ends where s F cos wt comes above f, is read from the
+model (``one_mass``).
 """
 
 from __future__ import annotations
@@ -25,12 +27,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cap.checker.flow.hits import SIDES, Event, Zero, event_time, windowed
-from cap.checker.flow.losses import Lossy
-from cap.checker.flow.mechanics import Ends, Flight
+from cap.checker.flow.mechanics import Ends, Flight, Mechanics
+from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
+from cap.checker.system.friction import STOP
 
 
 class Rest(NamedTuple):
@@ -42,12 +45,12 @@ class Rest(NamedTuple):
     sides: tuple[int, ...]
 
 
-def rest_of(M: Lossy, s: int) -> Zero:
-    """Return v(t), for a direction s."""
-    return Zero(M.velocity, lambda arc, when: M.acceleration(arc, when, s))
+def rest_of(M: Mechanics, s: int) -> Zero:
+    """Return s v(t), for a direction s."""
+    return Zero.of(M, s, M.laws.model.modes[MODES[s]].guards[STOP].value)
 
 
-def stop(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Centred]:
+def stop(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Centred]:
     """Prove that v vanishes in the window, strictly between the walls; return x there, too."""
     s = flight.s
     first, last = windowed(M, flight, window)
@@ -61,12 +64,12 @@ def stop(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Cent
     return Event(word, moment, moment.cos.value * M.F, None, flight), x
 
 
-def span(M: Lossy, window: Ends) -> Interval:
+def span(M: Mechanics, window: Ends) -> Interval:
     """Return an enclosure of F cos wt over a window."""
     return M.moment(M.constant(Interval.enclosing(*window, M.bits))).cos.value * M.F
 
 
-def turn(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:
+def turn(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:
     """Prove that the flight ends with a turn to this side; return it and the flight after it."""
     event, x = stop(M, flight, word, window)
     side = SIDES[word.split()[1]]
@@ -76,7 +79,7 @@ def turn(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Flig
     return event, M.flight(side, event.moment, x, v, M.minima[side], at_rest=True)
 
 
-def stick(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Rest]:
+def stick(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Rest]:
     """Prove that the flight ends and the mass sticks; return the event and the rest after it."""
     event, x = stop(M, flight, word, window)
     held = (M.f - event.forcing.magnitude()).is_positive()
@@ -85,7 +88,7 @@ def stick(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Res
     return event, Rest(x, event.moment.t.value, arc, (1, -1))
 
 
-def release(M: Lossy, rest: Rest, word: str, window: Ends) -> tuple[Event, Flight]:
+def release(M: Mechanics, rest: Rest, word: str, window: Ends) -> tuple[Event, Flight]:
     """Return the end of a rest, and the flight after it."""
     side = SIDES[word.split()[1]]
     need(side in rest.sides, "a release into the wall")

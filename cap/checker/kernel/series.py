@@ -19,7 +19,7 @@ because 16/((2j+1)(2j+2)) <= 1/2 for j >= 3.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import factorial
 from typing import Protocol, TypeVar
 
@@ -101,3 +101,16 @@ def cos_sinc(x: Jet[K], embed: Callable[[Interval], K]) -> tuple[Jet[K], Jet[K]]
             total = plus(-divided(square * total, n * (n - 1)), 1)
         series.append(total + Jet(x.order, dict.fromkeys(total.coefficients, unit)))
     return series[0], series[1]
+
+
+def composed(derivatives: Sequence[Interval], jet: Jet[Interval]) -> Jet[Interval]:
+    """Return g(jet) from g and its derivatives at the constant term, as many as the order.
+
+    Of c + h, h without constant term, it is the sum of g^(k)(c) h^k/k!.
+    """
+    h, one = nilpotent(jet), derivatives[0].integer(1)
+    term, total = Jet(jet.order, {jet.origin: one}), Jet(jet.order, {jet.origin: derivatives[0]})
+    for k in range(1, jet.order + 1):
+        term = divided(term * h, k)
+        total = total + term * derivatives[k]
+    return total

@@ -40,7 +40,6 @@ from cap.checker.flow.fixed_point import (
     krawczyk_theorem,
 )
 from cap.checker.flow.itinerary import CELL_WORK, MAX_WORK, Passage
-from cap.checker.flow.losses import Losses
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
@@ -138,7 +137,7 @@ class Persistence(Periodic):
         cell, (epsilon, mu) = self.hints["cells"][n], losses
         e = 1 - epsilon[1], 1 - epsilon[0]
         windows = [ends(w) for w in cell["events"]]
-        phi = LossyMap(self.p, self.claims["itinerary"], windows, 1, Losses(e, mu))
+        phi = LossyMap(self.p, self.claims["itinerary"], windows, 1, {"e": e, "mu": mu})
         K = krawczyk(phi, box, cell, _BITS, _ORDER)
         orbit = phi.over(K, [z.midpoint() for z in K], _ORDER)
         trace = (orbit.x.slope(0) + orbit.v.slope(1)).magnitude()

@@ -1,0 +1,102 @@
+"""Polynomials with rational coefficients in variables that have names; all operations are exact."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+
+Monomial = tuple[str, ...]  # its variables, sorted, each as often as its power
+
+
+class Polynomial:
+    """The sum of coefficient * monomial; two are equal if they have the same terms."""
+
+    __slots__ = ("terms",)
+
+    def __init__(self, terms: Mapping[Monomial, Fraction]) -> None:
+        self.terms = {monomial: c for monomial, c in terms.items() if c}
+
+    @classmethod
+    def of(cls, value: Polynomial | Fraction | int) -> Polynomial:
+        """Return a number as a polynomial; a polynomial as it is."""
+        return value if isinstance(value, Polynomial) else cls({(): Fraction(value)})
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Polynomial) and self.terms == other.terms
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self.terms.items()))
+
+    def __add__(self, other: Polynomial | Fraction | int) -> Polynomial:
+        total = dict(self.terms)
+        for monomial, c in Polynomial.of(other).terms.items():
+            total[monomial] = total.get(monomial, Fraction(0)) + c
+        return Polynomial(total)
+
+    def __neg__(self) -> Polynomial:
+        return self * -1
+
+    def __sub__(self, other: Polynomial | Fraction | int) -> Polynomial:
+        return self + -Polynomial.of(other)
+
+    def __mul__(self, other: Polynomial | Fraction | int) -> Polynomial:
+        total: dict[Monomial, Fraction] = {}
+        for p, c in self.terms.items():
+            for q, d in Polynomial.of(other).terms.items():
+                monomial = tuple(sorted(p + q))
+                total[monomial] = total.get(monomial, Fraction(0)) + c * d
+        return Polynomial(total)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def __rsub__(self, other: Fraction | int) -> Polynomial:
+        return other + -self
+
+    @property
+    def variables(self) -> set[str]:
+        """The names that occur."""
+        return {name for monomial in self.terms for name in monomial}
+
+    @property
+    def number(self) -> Fraction:
+        """The term without variables."""
+        return self.terms.get((), Fraction(0))
+
+    def derivative(self, name: str) -> Polynomial:
+        """Return the derivative in a variable."""
+        total = ZERO
+        for monomial, c in self.terms.items():
+            power = Counter(monomial)
+            if power[name]:
+                others = (power - Counter([name])).elements()
+                total += Polynomial({tuple(sorted(others)): c * power[name]})
+        return total
+
+    def at(self, values: Mapping[str, Polynomial]) -> Polynomial:
+        """Return the polynomial with others in the place of some variables."""
+        total = ZERO
+        for monomial, c in self.terms.items():
+            total += product(values.get(z, variable(z)) for z in monomial) * c
+        return total
+
+    def without(self, names: Iterable[str]) -> Polynomial:
+        """Return the terms in which none of these variables occurs."""
+        left = set(names)
+        return Polynomial({m: c for m, c in self.terms.items() if left.isdisjoint(m)})
+
+
+ZERO, ONE = Polynomial({}), Polynomial({(): Fraction(1)})
+
+
+def variable(name: str) -> Polynomial:
+    """Return a variable."""
+    return Polynomial({(name,): Fraction(1)})
+
+
+def product(factors: Iterable[Polynomial]) -> Polynomial:
+    """Return the product."""
+    result = ONE
+    for factor in factors:
+        result *= factor
+    return result
