@@ -140,7 +140,7 @@ def in_another(mode, f):
 REFUSED = {
     "the checker": lambda: check(SMALL.read_bytes(), lambda _: None),
     "the folded flow": lambda: flights.System(read(STORED.read_bytes()).parameters),
-    "a task": lambda: each(1, abs, [1]),
+    "a task": lambda: list(each(1, abs, [1])),
 }
 
 
@@ -171,9 +171,9 @@ def test_the_compiled_flow_of_the_prover_refuses_it(mode):
 def test_a_mode_that_changes_is_noticed(jobs):
     """When the task ends that changed it, in each process."""
     with pytest.raises(Rejected, match="not those of IEEE 754 here"):
-        in_another("to zero", lambda: set_mode("upward") or each(1, abs, [1]))
+        in_another("to zero", lambda: set_mode("upward") or list(each(1, abs, [1])))
     with ThreadPoolExecutor(1) as pool:
-        changed = pool.submit(each, jobs, set_and_return, ["upward"])
+        changed = pool.submit(lambda: list(each(jobs, set_and_return, ["upward"])))
         with pytest.raises(Rejected, match="not those of IEEE 754 here"):
             changed.result()
 
