@@ -74,7 +74,7 @@ def test_it_is_verified():
     line = words(certificate)
     for part in ("takes I = [", "topological entropy of G on I", "it is not claimed that no"):
         assert part in line
-    assert "a box of the area 0.000043441281, comes to be released in I, or to the left" in line
+    assert "a box of the area 0.000046717225, comes to be released in I, or to the left" in line
     shown = "\n".join(macros(certificate, "a", 6))
     assert "capAEntropy}{[0.44252, 0.44253]}" in shown
     assert "capAInterval}{" + str(certificate.claims["interval"]) in shown

@@ -254,6 +254,7 @@ def test_how_far_a_mass_falls_back(slowest, stops):
     launches = SimpleNamespace(
         R=R,
         all=SimpleNamespace(t=zero),
+        near=SimpleNamespace(t=zero),
         minima=lambda low, high: [Double(1.0)] if low <= 1 <= high else [],
         velocity=lambda at: (Double(-1e-3 if at is T else slowest), zero, zero),
         place=lambda _: (Double(0.5), zero, zero),

@@ -145,7 +145,7 @@ def test_other_parameters(capsys, tmp_path, words):
         (("elliptic", "--digits", "-5"), "--digits"),
         (("elliptic", "--digits", "10000000"), "--digits"),
         (("elliptic", "--order", "4"), "must be one of"),
-        (("theorem",), "say what to prove"),
+        (("theorem",), 'there is no theorem "theorem"'),
         ((), "say what to prove"),
         (("elliptic", "--unknown"), "unrecognized"),
     ],
@@ -183,7 +183,7 @@ def test_not_proved_is_exit_one_and_names_the_step(capsys, tmp_path, monkeypatch
 def test_a_rejected_certificate_is_not_written(capsys, tmp_path, monkeypatch):
     """If the checker does not accept what the prover made, nothing is claimed."""
 
-    def reject(_data, _step, _jobs):
+    def reject(_data, _step, _jobs, _tell):
         raise Rejected("for the test")
 
     monkeypatch.setattr(theorems, "check", reject)

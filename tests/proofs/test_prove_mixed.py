@@ -188,7 +188,7 @@ def test_no_picture(drawn, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("words", "complaint"),
     [
-        (("mixed", "--e", "9/10"), "e = 1, mu = 0"),
+        (("mixed", "--e", "9/10"), "elastic walls and dry friction: e = 9/10, mu = 0"),
         (("mixed", "--undecided", "0"), "--undecided must be positive"),
         (("mixed", "--undecided", "2"), "--undecided must be less than 1"),
         (("mixed", "--speed", "0"), "--speed must be positive"),
