@@ -73,13 +73,6 @@ class Polynomial:
                 total += Polynomial({tuple(sorted(others)): c * power[name]})
         return total
 
-    def at(self, values: Mapping[str, Polynomial]) -> Polynomial:
-        """Return the polynomial with others in the place of some variables."""
-        total = ZERO
-        for monomial, c in self.terms.items():
-            total += product(values.get(z, variable(z)) for z in monomial) * c
-        return total
-
     def without(self, names: Iterable[str]) -> Polynomial:
         """Return the terms in which none of these variables occurs."""
         left = set(names)
@@ -92,11 +85,3 @@ ZERO, ONE = Polynomial({}), Polynomial({(): Fraction(1)})
 def variable(name: str) -> Polynomial:
     """Return a variable."""
     return Polynomial({(name,): Fraction(1)})
-
-
-def product(factors: Iterable[Polynomial]) -> Polynomial:
-    """Return the product."""
-    result = ONE
-    for factor in factors:
-        result *= factor
-    return result
