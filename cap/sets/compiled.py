@@ -74,7 +74,7 @@ def sources() -> str:
     With the constants of the checker: a change there must not leave what was compiled before.
     """
     here = Path(__file__).parent
-    folders = here, here.parent / "cells", here.parent / "checker" / "folded"
+    folders = here, here.parent / "boxes", here.parent / "areas", here.parent / "checker" / "folded"
     files = sorted(file for folder in folders for file in folder.glob("*.py"))
     return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 

@@ -13,8 +13,8 @@ from cap.checker.flow import launches
 from cap.checker.flow.launches import Window, phase
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.floats import swarm
-from cap.floats.search import from_hit_times
+from cap.floats.engine import swarm
+from cap.floats.search.orbits import from_hit_times
 from cap.maps.launch_set import UNIT, LaunchSet, System, fly
 from cap.maps.launch_window import window
 from cap.sets import interval

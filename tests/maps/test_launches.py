@@ -9,8 +9,8 @@ import pytest
 from support import rounds, seeded
 from systems import CASES
 
-from cap.floats import swarm
-from cap.floats.search import from_hit_times
+from cap.floats.engine import swarm
+from cap.floats.search.orbits import from_hit_times
 from cap.maps import inventory
 from cap.maps.launch_set import UNIT, LaunchSet, System, fly, is_smooth
 from cap.maps.launch_window import window

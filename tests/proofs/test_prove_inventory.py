@@ -11,8 +11,8 @@ from conftest import STARTS
 from cap.checker.theorems.inventory import Inventory
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Request
-from cap.floats.search import from_hit_times
-from cap.floats.swarm import follow
+from cap.floats.engine.swarm import follow
+from cap.floats.search.orbits import from_hit_times
 from cap.maps.inventory import Effort, TooMany, Tree, tree
 from cap.maps.launch_set import System
 from cap.parameters import PAPER

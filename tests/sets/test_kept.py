@@ -64,8 +64,8 @@ def test_no_place_to_keep_anything(tmp_path):
     env = {**os.environ, "HOME": "/proc/none", "PYTHONPATH": str(tmp_path)}
     env.pop("XDG_CACHE_HOME", None)
     program = (
-        "import cap.cells.follow, cap.cells.krawczyk, cap.cells.launches, cap.floats.swarm\n"
-        "from cap.cells.follow import FOLLOW\n"
+        "import cap.boxes.follow, cap.boxes.krawczyk, cap.boxes.launches, cap.floats.engine.swarm\n"
+        "from cap.boxes.follow import FOLLOW\n"
         "print(cap.__file__, type(FOLLOW._cache).__name__)"
     )
     done = subprocess.run(
