@@ -19,10 +19,10 @@ from cap.certificate.latex import macros
 from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.verdict import check, words
-from cap.command.console import unread
 from cap.command.verifier import content, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
+from cap.words import unread
 
 __all__ = [
     "BadInput",

@@ -40,7 +40,7 @@ from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Content, Proof, Setting, assembled, bits
 from cap.proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin

@@ -30,7 +30,7 @@ from cap.certificate.writer import window
 from cap.checker.flow.strip import MOST_ENTROPY
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.strip_hints import CHECKED, Referee

@@ -17,7 +17,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Parameters as Checked
 from cap.errors import NotProved
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.release import piece
 from cap.release.family import Family
 from cap.release.passage import words

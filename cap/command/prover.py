@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from cap.certificate import report
 from cap.certificate import writer as certificate
-from cap.command.console import columns, protected, quoted, say
+from cap.command.console import columns, protected
 from cap.command.progress import Progress, answered
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import parser, without_options
@@ -17,6 +17,7 @@ from cap.floats.candidates import Candidate
 from cap.proofs import symbolic, theorems
 from cap.proofs.theorems import GROUPS, THEOREMS
 from cap.runner import Runner
+from cap.words import quoted, say
 
 
 def main(words: Sequence[str]) -> int:

@@ -11,7 +11,6 @@ from typing import Any
 
 from cap.certificate import naming
 from cap.checker.theorems import load
-from cap.command.console import meant, quoted
 from cap.command.option import integer, masses
 from cap.command.output import writable, writable_into
 from cap.command.prover_parser import NAMES, OF_SOME, takers
@@ -22,6 +21,7 @@ from cap.proofs.fixed_point import Setting
 from cap.proofs.symbolic import NAMES as SYMBOLIC
 from cap.proofs.theorems import THEOREMS
 from cap.runner import Runner, Tell
+from cap.words import meant, quoted
 
 Range = tuple[Fraction | None, Fraction | None]
 

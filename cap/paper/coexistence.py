@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.explore.inventory import PROVED, Entry, inventory
+from cap.explore.inventory import inventory
 from cap.floats import swarm
 from cap.floats.findings import State
+from cap.floats.inventory import PROVED, Entry
 from cap.floats.trajectory import trajectory
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, count, proved, roughly, taken_from

@@ -9,8 +9,8 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from cap.explore.inventory import KINDS, PROVED, Inventory
 from cap.floats.continuation import Branch, Continuation
+from cap.floats.inventory import KINDS, PROVED, Inventory
 from cap.floats.plane import OUTSIDE, UNDONE, Plane
 from cap.pictures.style import (
     BLACK,

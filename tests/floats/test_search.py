@@ -7,11 +7,12 @@ from fractions import Fraction
 import pytest
 
 from cap.errors import NotProved
-from cap.explore.inventory import Inventory, inventory
+from cap.explore.inventory import inventory
 from cap.floats import candidates, periodic
 from cap.floats.candidates import Request
 from cap.floats.cycles import StroboscopicMap
 from cap.floats.family import families
+from cap.floats.inventory import Inventory
 from cap.floats.search import search
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
