@@ -27,9 +27,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from cap.errors import BadInput
-from cap.system.polynomial import ONE, ZERO, Polynomial, Quotient, variable
-
-CLOCK = COS, SIN = "cos", "sin"
+from cap.system.polynomial import COS, ONE, SIN, ZERO, Polynomial, Quotient, variable
+from cap.system.validation import CLOCK, validate
 
 
 @dataclass(frozen=True)
@@ -62,6 +61,8 @@ class Guard:
         object.__setattr__(self, "value", Polynomial.of(self.value))
         object.__setattr__(self, "to", (self.to,) if isinstance(self.to, str) else tuple(self.to))
         if not isinstance(self.reset, Bounce):
+            if not isinstance(self.reset, Mapping):
+                raise BadInput("a reset names the variables that change, and their new values")
             reset = {name: Quotient.of(value) for name, value in self.reset.items()}
             object.__setattr__(self, "reset", reset)
 
@@ -94,6 +95,7 @@ class System:
         object.__setattr__(self, "state", tuple(self.state))
         object.__setattr__(self, "omega", Polynomial.of(self.omega))
         object.__setattr__(self, "parameters", tuple(self.parameters))
+        validate(self)
 
     def guard(self, mode: str, name: str) -> Guard:
         """Return a guard of a mode."""
@@ -133,7 +135,7 @@ class System:
             )
         return rest
 
-    def velocity(self, mode: str, position: str) -> str | None:
+    def velocity_of(self, mode: str, position: str) -> str | None:
         """Return the variable v with position' = v in the mode, if there is one."""
         rate = self.modes[mode].field[position]
         return next((z for z in self.state if rate == variable(z)), None)
@@ -145,12 +147,11 @@ class System:
         """
         h = self.guard(mode, name).value
         slopes = {}
-        for x in self.state:
-            if h.derivative(x):
-                v = self.velocity(mode, x)
-                if v is None:
-                    raise BadInput(f"no bounce at {name}: in {mode}, {x}' is not a variable")
-                slopes[v] = h.derivative(x)
+        for x in (z for z in self.state if h.derivative(z)):
+            v = self.velocity_of(mode, x)
+            if v is None or h.derivative(v):
+                raise BadInput(f"no bounce at {name} of {mode}: {x} is no position with a velocity")
+            slopes[v] = h.derivative(x)
         inverse = {v: bounce.masses.get(v, ONE).reciprocal() for v in slopes}
         inertia = sum((q * q * inverse[v] for v, q in slopes.items()), ZERO)
         impulse = (ONE + bounce.e) * self.lie(mode, h)
@@ -161,9 +162,9 @@ class System:
 
     def at(self, values: Mapping[str, Fraction | int]) -> System:
         """Return the system with numbers in place of some parameters."""
-        unknown = sorted(values.keys() - set(self.parameters))
-        if unknown:
-            raise BadInput(f"no parameter {unknown[0]}: the system has {list(self.parameters)}")
+        for name in values:
+            if name not in self.parameters:
+                raise BadInput(f"the system has no parameter {name}, but {list(self.parameters)}")
         numbers = {name: Polynomial.of(value) for name, value in values.items()}
         modes = {name: _mode_at(mode, numbers) for name, mode in self.modes.items()}
         left = tuple(name for name in self.parameters if name not in values)

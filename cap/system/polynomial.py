@@ -17,7 +17,7 @@ from typing import Any
 from cap.errors import BadInput
 
 Monomial = tuple[tuple[str, int], ...]
-PI = "pi"
+PI, COS, SIN = "pi", "cos", "sin"  # the names that have a meaning
 
 
 class Polynomial:
