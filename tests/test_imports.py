@@ -10,6 +10,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 RIGOROUS = (
     "cap.sets",
+    "cap.system",
     "cap.flow",
     "cap.maps",
     "cap.one_one",

@@ -38,9 +38,9 @@ class Polynomial:
         if isinstance(value, int | Fraction):
             return Polynomial({(): Fraction(value)})
         if _is_symbolic(value):
-            from cap.system.symbols import polynomial  # noqa: PLC0415 (sympy is slow to load)
+            from cap.system.symbols import terms  # noqa: PLC0415 (sympy is slow to load)
 
-            return polynomial(value)
+            return Polynomial(terms(value))
         raise BadInput(f"not an exact polynomial: {value!r} (write rationals as Fraction)")
 
     def __eq__(self, other: object) -> bool:
@@ -160,9 +160,9 @@ class Quotient:
         if isinstance(value, Quotient):
             return value
         if _is_symbolic(value):
-            from cap.system.symbols import quotient  # noqa: PLC0415 (sympy is slow to load)
+            from cap.system.symbols import parts  # noqa: PLC0415 (sympy is slow to load)
 
-            return quotient(value)
+            return Quotient(*map(Polynomial.of, parts(value)))
         return Quotient(Polynomial.of(value), ONE)
 
     def __add__(self, other: object) -> Quotient:

@@ -96,6 +96,13 @@ def test_only_exact_polynomials(value):
     assert "\n" not in str(refusal.value)
 
 
+def test_names_of_symbols():
+    """Two symbols of one name would be one variable; that of pi is the number's."""
+    for other in (sympy.pi, sympy.Symbol("pi", positive=True)):
+        with pytest.raises(BadInput, match="one name"):
+            Polynomial.of(sympy.Symbol("pi") * other)
+
+
 @pytest.mark.parametrize("bottom", [x, 1 + pi, ZERO])
 def test_division_by_numbers_only(bottom):
     """Only a rational times a power of pi divides a polynomial."""
