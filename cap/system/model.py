@@ -27,7 +27,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from cap.errors import BadInput
-from cap.system.polynomial import COS, ONE, SIN, ZERO, Polynomial, Quotient, variable
+from cap.system.polynomial import COS, ONE, SIN, ZERO, Polynomial, Quotient, over, variable
 from cap.system.validation import CLOCK, validate
 
 
@@ -35,8 +35,8 @@ from cap.system.validation import CLOCK, validate
 class Bounce:
     """An impact: L h becomes -e L h by an impulse along the gradient of h.
 
-    A velocity is a variable v for which the mode has x' = v.  Its inertia is ``masses[v]``, a
-    number, 1 where nothing is said.
+    The velocity of a position x is the one variable v for which some mode has x' = v; other modes
+    may let x rest.  Its inertia is ``masses[v]``, a number, 1 where nothing is said.
     """
 
     e: Polynomial
@@ -54,7 +54,7 @@ class Guard:
 
     value: Polynomial
     to: tuple[str, ...]
-    reset: Mapping[str, Quotient] | Bounce = dataclasses.field(default_factory=dict)
+    reset: Mapping[str, Polynomial | Quotient] | Bounce = dataclasses.field(default_factory=dict)
     rest: str | None = None
 
     def __post_init__(self) -> None:
@@ -123,7 +123,7 @@ class System:
         """Return the state just after an event, each variable a rational function of y before."""
         given = self.guard(mode, name).reset
         changed = self._impact(mode, name, given) if isinstance(given, Bounce) else given
-        return {z: changed.get(z, Quotient(variable(z), ONE)) for z in self.state}
+        return {z: Quotient.of(changed.get(z, variable(z))) for z in self.state}
 
     def rest(self, mode: str, name: str) -> str:
         """Return the mode in which infinitely many of these events end."""
@@ -135,12 +135,14 @@ class System:
             )
         return rest
 
-    def velocity_of(self, mode: str, position: str) -> str | None:
-        """Return the variable v with position' = v in the mode, if there is one."""
-        rate = self.modes[mode].field[position]
-        return next((z for z in self.state if rate == variable(z)), None)
+    def velocity_of(self, position: str) -> str | None:
+        """Return the one variable v for which a mode has position' = v, if there is one."""
+        names = {variable(z): z for z in self.state}
+        rates = {mode.field[position] for mode in self.modes.values()}
+        found = [names[rate] for rate in rates if rate in names]
+        return found[0] if len(found) == 1 else None
 
-    def _impact(self, mode: str, name: str, bounce: Bounce) -> dict[str, Quotient]:
+    def _impact(self, mode: str, name: str, bounce: Bounce) -> Mapping[str, Polynomial | Quotient]:
         """Return the velocities after an impact.
 
         v - (1 + e) (L h) (dh/dx)/m / sum of (dh/dx)^2/m, over all x with x' = v.
@@ -148,7 +150,7 @@ class System:
         h = self.guard(mode, name).value
         slopes = {}
         for x in (z for z in self.state if h.derivative(z)):
-            v = self.velocity_of(mode, x)
+            v = self.velocity_of(x)
             if v is None or h.derivative(v):
                 raise BadInput(f"no bounce at {name} of {mode}: {x} is no position with a velocity")
             slopes[v] = h.derivative(x)
@@ -156,7 +158,7 @@ class System:
         inertia = sum((q * q * inverse[v] for v, q in slopes.items()), ZERO)
         impulse = (ONE + bounce.e) * self.lie(mode, h)
         return {
-            v: _over(variable(v) * inertia - impulse * q * inverse[v], inertia)
+            v: over(variable(v) * inertia - impulse * q * inverse[v], inertia)
             for v, q in slopes.items()
         }
 
@@ -171,13 +173,6 @@ class System:
         return System(self.state, self.omega.substituted(numbers), modes, left)
 
 
-def _over(numerator: Polynomial, denominator: Polynomial) -> Quotient:
-    """Return a quotient, without a denominator that is a number."""
-    if denominator.is_number and len(denominator.terms) == 1:
-        return Quotient(numerator / denominator, ONE)
-    return Quotient(numerator, denominator)
-
-
 def _mode_at(mode: Mode, numbers: Mapping[str, Polynomial]) -> Mode:
     """Return a mode with numbers in place of some parameters."""
     rates = {name: rate.substituted(numbers) for name, rate in mode.field.items()}
@@ -190,10 +185,14 @@ def _guard_at(guard: Guard, numbers: Mapping[str, Polynomial]) -> Guard:
     reset = guard.reset
     if isinstance(reset, Bounce):
         masses = {name: m.substituted(numbers) for name, m in reset.masses.items()}
-        changed: Mapping[str, Quotient] | Bounce = Bounce(reset.e.substituted(numbers), masses)
+        changed: Mapping[str, Polynomial | Quotient] | Bounce = Bounce(
+            reset.e.substituted(numbers), masses
+        )
     else:
-        changed = {
-            name: _over(q.numerator.substituted(numbers), q.denominator.substituted(numbers))
-            for name, q in reset.items()
-        }
+        changed = {name: _quotient_at(Quotient.of(q), numbers) for name, q in reset.items()}
     return Guard(guard.value.substituted(numbers), guard.to, changed, guard.rest)
+
+
+def _quotient_at(q: Quotient, numbers: Mapping[str, Polynomial]) -> Quotient:
+    """Return a quotient with numbers in place of some parameters."""
+    return over(q.numerator.substituted(numbers), q.denominator.substituted(numbers))

@@ -37,10 +37,10 @@ class Polynomial:
             return value
         if isinstance(value, int | Fraction):
             return Polynomial({(): Fraction(value)})
-        if type(value).__module__.partition(".")[0] == "sympy":
-            from cap.system.symbols import polynomial  # noqa: PLC0415 (sympy is slow to load)
+        if _is_symbolic(value):
+            from cap.system.symbols import terms  # noqa: PLC0415 (sympy is slow to load)
 
-            return polynomial(value)
+            return Polynomial(terms(value))
         raise BadInput(f"not an exact polynomial: {value!r} (write rationals as Fraction)")
 
     def __eq__(self, other: object) -> bool:
@@ -55,6 +55,8 @@ class Polynomial:
         return bool(self.terms)
 
     def __add__(self, other: object) -> Polynomial:
+        if isinstance(other, Quotient):
+            return NotImplemented
         total = dict(self.terms)
         for monomial, c in Polynomial.of(other).terms.items():
             total[monomial] = total.get(monomial, Fraction(0)) + c
@@ -70,6 +72,8 @@ class Polynomial:
         return Polynomial.of(other) - self
 
     def __mul__(self, other: object) -> Polynomial:
+        if isinstance(other, Quotient):
+            return NotImplemented
         total: dict[Monomial, Fraction] = {}
         for left, c in self.terms.items():
             for right, d in Polynomial.of(other).terms.items():
@@ -145,20 +149,63 @@ class Polynomial:
 
 @dataclass(frozen=True)
 class Quotient:
-    """A rational function: numerator/denominator."""
+    """A rational function: numerator/denominator, the same one may be written in several ways."""
 
     numerator: Polynomial
     denominator: Polynomial
 
     @staticmethod
     def of(value: object) -> Quotient:
-        """Return a quotient, or what `Polynomial.of` takes, as a quotient."""
-        return value if isinstance(value, Quotient) else Quotient(Polynomial.of(value), ONE)
+        """Return a quotient, what `Polynomial.of` takes, or a rational function of sympy."""
+        if isinstance(value, Quotient):
+            return value
+        if _is_symbolic(value):
+            from cap.system.symbols import parts  # noqa: PLC0415 (sympy is slow to load)
+
+            return Quotient(*map(Polynomial.of, parts(value)))
+        return Quotient(Polynomial.of(value), ONE)
+
+    def __add__(self, other: object) -> Quotient:
+        a, b = self, Quotient.of(other)
+        if a.denominator == b.denominator:
+            return over(a.numerator + b.numerator, a.denominator)
+        top = a.numerator * b.denominator + b.numerator * a.denominator
+        return over(top, a.denominator * b.denominator)
+
+    def __neg__(self) -> Quotient:
+        return Quotient(-self.numerator, self.denominator)
+
+    def __sub__(self, other: object) -> Quotient:
+        return self + -Quotient.of(other)
+
+    def __mul__(self, other: object) -> Quotient:
+        b = Quotient.of(other)
+        return over(self.numerator * b.numerator, self.denominator * b.denominator)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def __truediv__(self, other: object) -> Quotient:
+        b = Quotient.of(other)
+        return self * Quotient(b.denominator, b.numerator)
 
     @property
     def variables(self) -> set[str]:
         """The names that occur, without pi."""
         return self.numerator.variables | self.denominator.variables
+
+
+def over(numerator: Polynomial, denominator: Polynomial) -> Quotient:
+    """Return a quotient without a monomial that divides all terms of both."""
+    if not denominator:
+        raise BadInput("a denominator is zero")
+    monomials = [dict(m) for q in (numerator, denominator) for m in q.terms]
+    common = monomials[-1].keys() if numerator else ()
+    shared = tuple((name, -min(m.get(name, 0) for m in monomials)) for name in sorted(common))
+    factor = Polynomial({_product((), shared): Fraction(1)})
+    top, bottom = numerator * factor, denominator * factor
+    if bottom.is_number and len(bottom.terms) == 1:
+        return Quotient(top / bottom, ONE)
+    return Quotient(top, bottom) if top else Quotient(ZERO, ONE)
 
 
 def variable(name: str) -> Polynomial:
@@ -172,6 +219,11 @@ def variables(names: str) -> tuple[Polynomial, ...]:
 
 
 ZERO, ONE = Polynomial({}), Polynomial({(): Fraction(1)})
+
+
+def _is_symbolic(value: object) -> bool:
+    """Return whether sympy made a value; it is not loaded here."""
+    return type(value).__module__.partition(".")[0] == "sympy"
 
 
 def _product(left: Monomial, right: Monomial) -> Monomial:

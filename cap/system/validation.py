@@ -21,10 +21,7 @@ TERMS, DEGREE, POWERS_OF_PI = 1000, 12, 24
 def validate(system: System) -> None:
     """Raise `BadInput` unless all parts of a system fit together."""
     _names(system)
-    _need(
-        _is_positive(system.omega),
-        f"the frequency must be a positive rational times a power of pi: {system.omega}",
-    )
+    _frequency(system)
     for mode in system.modes:
         _mode(system, mode)
     for mode, name, guard in _guards(system):
@@ -36,6 +33,16 @@ def validate(system: System) -> None:
                 not system.lie(guard.rest, guard.value),
                 f"the guard {name} of the mode {mode} does not stay 0 in {guard.rest}",
             )
+
+
+def _frequency(system: System) -> None:
+    """Refuse a frequency that is neither a number > 0 nor a polynomial in parameters."""
+    omega, known = system.omega, set(system.parameters)
+    right = bool(omega.variables) and omega.variables <= known
+    _need(
+        right or _is_positive(omega),
+        f"the frequency must be a positive rational times a power of pi: {omega}",
+    )
 
 
 def _names(system: System) -> None:
@@ -78,13 +85,14 @@ def _guard(system: System, guard: Guard, place: str) -> None:
         _bounce(system, guard.reset, place)
 
 
-def _reset(system: System, reset: Mapping[str, Quotient], place: str) -> None:
+def _reset(system: System, reset: Mapping[str, Polynomial | Quotient], place: str) -> None:
     """Refuse a reset that is about something else than this system."""
     for z, new in reset.items():
         _need(z in system.state, f"the reset of {place} changes {z}, no variable of the state")
-        _known(system, new.numerator, f"the new {z} at {place}")
-        _known(system, new.denominator, f"the new {z} at {place}")
-        _need(bool(new.denominator), f"the new {z} at {place} has the denominator 0")
+        parts = Quotient.of(new)
+        _known(system, parts.numerator, f"the new {z} at {place}")
+        _known(system, parts.denominator, f"the new {z} at {place}")
+        _need(bool(parts.denominator), f"the new {z} at {place} has the denominator 0")
 
 
 def _bounce(system: System, bounce: Bounce, place: str) -> None:
