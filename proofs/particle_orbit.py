@@ -79,7 +79,7 @@ def proof_of(theorem: str, setting: Setting, conclusion: Conclusion) -> Proof:
 def system(theorem: str, setting: Setting) -> tuple[Guess, dict[str, Any]]:
     """Return the guess, and the parameters for the certificate, of a theorem on two masses."""
     guess = setting.particles
-    if guess is None or len(guess.masses) != 2:
+    if len(guess.masses) != 2:
         raise BadInput(f"{theorem} is about two masses: give them, as --masses 1,9/10")
     return guess, setting.parameters.elastic_strings() | {"masses": [str(m) for m in guess.masses]}
 
