@@ -42,10 +42,11 @@ class Block(NamedTuple):
 
 
 class Equations:
-    """F and F' of the orbits with an itinerary."""
+    """F and F' of the orbits with an itinerary; ``kinds`` may serve several of one system."""
 
-    def __init__(self, itinerary: Itinerary, kinds: Kinds) -> None:
-        self.itinerary, self.kinds = itinerary, kinds
+    def __init__(self, itinerary: Itinerary, kinds: Kinds | None = None) -> None:
+        self.itinerary = itinerary
+        self.kinds = kinds = kinds or Kinds(itinerary.system)
         self.legs = [kinds.leg(contact) for contact in itinerary.contacts]
         self.n, count = len(itinerary.system.state), len(self.legs)
         step = self.n + 1

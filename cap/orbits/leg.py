@@ -10,6 +10,7 @@ from functools import cached_property
 
 from cap.orbits.itinerary import Contact
 from cap.orbits.motion import Clock, Motion, named, scalars
+from cap.system.lemmas import Lemma, lemmas
 from cap.system.model import System
 from cap.system.polynomial import Polynomial
 from cap.system.source import Function
@@ -26,6 +27,7 @@ class Kinds:
         self._legs = dict[Contact, Leg]()
         self._motions = dict[str, Motion]()
         self._watches = dict[tuple[str, str], Watch]()
+        self._lemmas = dict[str, dict[str, Lemma]]()
 
     def leg(self, contact: Contact) -> "Leg":
         """Return the functions of the legs that begin with such a contact."""
@@ -38,6 +40,12 @@ class Kinds:
         if (mode, guard) not in self._watches:
             self._watches[mode, guard] = Watch(self.system, mode, guard, self.motion(mode))
         return self._watches[mode, guard]
+
+    def lemmas(self, mode: str) -> dict[str, Lemma]:
+        """Return the lemmas by which the guards of a mode stay positive."""
+        if mode not in self._lemmas:
+            self._lemmas[mode] = lemmas(self.system, mode)
+        return self._lemmas[mode]
 
     def motion(self, mode: str) -> Motion:
         """Return the flights of a mode."""

@@ -7,18 +7,18 @@ from collections.abc import Sequence
 from math import cos, pi, sin
 from typing import Any, Protocol
 
-from cap.orbits.leg import Kinds
 from cap.orbits.motion import Motion
 from cap.sets import interval
-from cap.sets.interval import Ball, Matrix
-from cap.system.polynomial import Polynomial
+from cap.sets.interval import Ball
+from cap.system.exponential import exponential, number
+from cap.system.model import System
 from cap.system.source import Evaluated, Function
 
 Clock = tuple[Any, Any]
 
 
 class Numbers(Protocol):
-    """Numbers of one kind: the period of the clock and what functions of them need."""
+    """Numbers of one kind: the period of the clock, and what functions of them need."""
 
     period: Any
 
@@ -35,10 +35,9 @@ class Numbers(Protocol):
 class Balls:
     """Balls at the precision at which this is made."""
 
-    def __init__(self, kinds: Kinds) -> None:
-        self._omega = enclosed(kinds.system.omega)
-        self.period = enclosed(kinds.system.omega.reciprocal()) * 2 * interval.pi()
-        self._generators = dict[int, Matrix]()
+    def __init__(self, system: System) -> None:
+        self.bits, self._omega = interval.working_bits(), number(system.omega)
+        self.period = 2 * interval.pi() * number(system.omega.reciprocal())
 
     def clock(self, t: Ball) -> Clock:
         """Return an enclosure of cos wt and sin wt."""
@@ -47,12 +46,7 @@ class Balls:
 
     def exponential(self, motion: Motion, d: Ball) -> Sequence[Ball]:
         """Return an enclosure of the entries of exp(N d) in the rows of the state."""
-        if not motion.generator:
-            return ()
-        if id(motion) not in self._generators:
-            rows = [list(map(enclosed, row)) for row in motion.generator]
-            self._generators[id(motion)] = interval.matrix(rows)
-        return (self._generators[id(motion)] * d).exp().entries()[: len(motion.inputs)]
+        return exponential(motion.generator, d).entries()[: len(motion.inputs)]
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of balls."""
@@ -62,10 +56,9 @@ class Balls:
 class Floats:
     """Doubles; nothing is rounded outwards."""
 
-    def __init__(self, kinds: Kinds) -> None:
-        self._omega = float(enclosed(kinds.system.omega))
+    def __init__(self, system: System) -> None:
+        self._omega = float(number(system.omega))
         self.period = 2 * pi / self._omega
-        self._balls = Balls(kinds)
 
     def clock(self, t: float) -> Clock:
         """Return cos wt and sin wt."""
@@ -73,13 +66,9 @@ class Floats:
 
     def exponential(self, motion: Motion, d: float) -> Sequence[float]:
         """Return the entries of exp(N d)."""
-        return [float(x) for x in self._balls.exponential(motion, Ball(d))]
+        rows = exponential(motion.generator, Ball(d)).entries()
+        return [float(x) for x in rows[: len(motion.inputs)]]
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of doubles."""
         return function.floats()
-
-
-def enclosed(number: Polynomial) -> Ball:
-    """Return a ball that contains a number in which pi may occur."""
-    return interval.ZERO + number.evaluated({}, interval.ball, interval.pi())

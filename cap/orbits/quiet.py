@@ -1,37 +1,75 @@
 """Nothing else happens: on each leg of an orbit all guards of its mode are positive.
 
-Each guard h of the mode is positive between the contacts at the ends of the leg by one of
+Between the contacts at its ends each guard h of the mode is positive by one of (`cap.system.lemmas`)
 
-* *Lemma M* (h falls, or rises, while other guards are positive): then its end, or its start;
-* *Lemma C* ((L + λ) h is a function of the clock): e^(λt) h first rises, then falls between times
-  that the clock alone decides, so h is positive if it is so there and at both ends;
-* *Lemma B* else: the leg is cut until on each piece, with D <= L² h there, by Taylor's formula
+* *Lemma M*: h falls, so it is positive before its value at the end, which is positive or zero;
+* *Lemma C*: h is positive at the times of `cap.orbits.minima`, and not negative at both ends;
+* *Lemma B*: the leg is cut in halves until h is positive on each piece (`cap.orbits.pieces`).
 
-      h(t) >= h(m) + L h(m) (t - m) + D (t - m)²/2 > 0.
-
-At an end h may be zero: at the start by an identity (`cap.orbits.itinerary`), at the end where it
-is the guard of the next contact.  Lemma B then needs h'(start) + min(D, 0) |piece|/2 > 0, or D > 0
-if L h vanishes there, too; and the same from the end.
+At an end of the leg h may be zero: at the start by an identity (`cap.orbits.itinerary`), at the end
+if it is the guard of the next contact.
 """
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
-from cap.errors import NotProved
-from cap.orbits.equations import Equations
-from cap.orbits.leg import Watch
-from cap.orbits.minima import Minima, minima
-from cap.orbits.numbers import Balls
+from cap.orbits.along import Along
+from cap.orbits.minima import Minimum
+from cap.orbits.numbers import Clock
+from cap.orbits.pieces import cuts_of
 from cap.sets import interval
 from cap.sets.interval import Ball
-
-DEPTH = 40  # of cuts in halves
+from cap.system.lemmas import Falls, Lemma
 
 
 class Reason(NamedTuple):
-    """Why a guard is positive on a leg: the lemma, and the times of the cuts if it is B."""
+    """Why a guard is positive on a leg: the lemma M, C or B, and the cuts of B, exact doubles."""
 
     leg: int
     guard: str
     lemma: str
     cuts: tuple[float, ...] = ()
+
+
+def reason(along: Along, lemma: Lemma, minima: Sequence[Minimum] | None) -> Reason:
+    """Prove that a guard is positive between the ends of a leg.
+
+    Raises `NotProved` with the leg, the guard, a time, and the guard then.
+    """
+    number, name = along.leg.number, along.name
+    if isinstance(lemma, Falls):
+        if along.vanishing:
+            raise along.failed("falls from zero", along.leg.start.time, interval.ZERO)
+        _end(along)
+        return Reason(number, name, "M")
+    if minima is None:
+        return Reason(number, name, "B", tuple(cuts_of(along)))
+    if not along.vanishing:
+        along.positive(along.at(along.leg.start), along.leg.start.time)
+    _end(along)
+    for time, clock in _inside(along, minima):
+        along.positive(along.height(time, clock), time)
+    return Reason(number, name, "C")
+
+
+def _end(along: Along) -> None:
+    """Prove that h > 0 at the end if it does not vanish there."""
+    if not along.last:
+        along.positive(along.at(along.leg.end), along.leg.end.time)
+
+
+def _inside(along: Along, minima: Sequence[Minimum]) -> Iterator[tuple[Ball, Clock]]:
+    """Yield the minima that may lie in the leg.
+
+    If L h vanishes at the start and L² h > 0, the start itself is a minimum: that is left out.
+    """
+    leg = along.leg
+    period, begin, end = leg.of.period, leg.start.time, leg.end.time
+    for time, cos, sin in minima:
+        for k in interval.integers((begin - time) / period, (end - time) / period):
+            at = time + k * period if k else time
+            if at < begin or at > end:
+                continue
+            is_start = along.vanishing > 1 and at.overlaps(begin) and along.bend(begin) > 0
+            if not is_start:
+                yield at, (cos, sin)
