@@ -10,7 +10,7 @@ from cap import prove, verify
 from cap.audit import command as audit
 from cap.command.console import protected
 from cap.command.prover_options import Asked
-from cap.command.prover_parser import parser, without_options
+from cap.command.prover_parser import read, without_options
 from cap.command.verifier import main as verifier
 from cap.explore import explorer, mixed
 from cap.explore.commands import COMMANDS
@@ -38,12 +38,12 @@ def test_a_command(module, words, monkeypatch):
     monkeypatch.chdir(ROOT)
     given = [protected(word) for word in shlex.split(words.replace("> audit.html", ""))]
     if module == "cap.prove":
-        options = parser().parse_args(given)
+        options = read(given)
         if options.theorem in NAMES:
             assert without_options(options) is options
         else:
             kind = None if options.list else Asked.of(options, print).request.kind
-            over_f = THEOREMS[options.theorem].over_f if options.theorem else None
+            over_f = THEOREMS[options.theorem].over_f.name if options.theorem else None
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.parser().parse_args(given)
