@@ -18,7 +18,7 @@ from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
 
 ROOT = Path(__file__).parents[2]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PAGES = [page for page in PAGES if page.name not in ("tutorial.md", "audit.md")]
 COMMAND = re.compile(r"^    python -m (cap[.\w]+) (.*?)(?:  .*)?$", re.MULTILINE)
 ALL = [found for page in PAGES for found in COMMAND.findall(page.read_text(encoding="utf-8"))]
@@ -71,9 +71,9 @@ def test_the_verdict(capsys, monkeypatch):
 
 
 def test_shares_in_floats(capsys):
-    """`docs/theorems.md` says what its command prints of where the states end, in floats."""
+    """The page of `mixed` says what its command prints of where the states end, in floats."""
     shares = r"In floats the first two are ([.\d]+) and ([.\d]+), and ([.\d]+) never stops"
-    text = (ROOT / "docs/theorems.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs/theorems/mixed.md").read_text(encoding="utf-8")
     found = re.search(shares + r" \(`python -m cap\.explore (.*?)`", text)
     *stated, words = found.groups()
     assert explorer.main(shlex.split(words)) == 0

@@ -10,7 +10,8 @@ import pytest
 from cap.audit.means.written import anchor
 
 ROOT = Path(__file__).parents[2]
-PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "certificates").glob("*.md")]
+FOLDERS = (ROOT, ROOT / "docs", ROOT / "docs/theorems", ROOT / "certificates")
+PAGES = [page for folder in FOLDERS for page in sorted(folder.glob("*.md"))]
 SOURCES = sorted([*(ROOT / "cap").rglob("*.py"), *(ROOT / "proofs").rglob("*.py")])
 TOPS = "cap|proofs|certificates|docs|tests|benchmarks"
 PATH = re.compile(rf"`((?:{TOPS})/[\w./*-]*)`")
