@@ -165,7 +165,7 @@ def prove_theorem(
         prove_theorem("branch", lowest="2/5", executor=ProcessPoolExecutor(2))
         prove_theorem("attractor", lowest="0.389", highest="0.391")  # `entropies`
 
-    ``options`` are those of ``python -m cap.prove THEOREM --help``, by their names.  Parameters (F, omega,
+    ``options`` are those of ``cap.prove THEOREM --help``, by their names.  Parameters (F, omega,
     f, l, r, e, mu; default: the paper's) are exact: strings as on the command line, integers or
     fractions; a float is refused, as 0.4 is not 2/5.  So are ``masses``, one string or a pair.
     ``orbit`` (x, v), from which Newton's method starts, may be floats.  Others: ``epsilon``,

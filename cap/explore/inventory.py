@@ -1,4 +1,4 @@
-"""Search for periodic orbits (`cap.floats.search`) over a parameter; prove each if asked."""
+"""Search for periodic orbits (`cap.floats.search.orbits`) over a parameter; prove each if asked."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,9 +13,9 @@ from cap.certificate import naming
 from cap.certificate import writer as certificate
 from cap.command.output import writable_into
 from cap.errors import BadInput, NotProved
-from cap.floats.cycles import Cycle
-from cap.floats.inventory import FAILED, PROVED, UNASKED, Entry, FamilyAt, Inventory
-from cap.floats.search import search
+from cap.floats.search.cycles import Cycle
+from cap.floats.search.inventory import FAILED, PROVED, UNASKED, Entry, FamilyAt, Inventory
+from cap.floats.search.orbits import search
 from cap.floats.variation import value_of, varied
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters

@@ -53,7 +53,12 @@ def test_a_wall_is_seen():
     wall = "word " * 121
     for text in (wall, f"- {wall}", wall.replace(" ", "\n"), f"1. one\n2. {wall}", f"a\n\n{wall}"):
         assert max(map(len, paragraphs(text))) > LONGEST
-    for text in (f"```\n{wall}\n```", f"| {wall} |", f"    {wall}", f"{wall[:300]}\n\n{wall[300:]}"):
+    for text in (
+        f"```\n{wall}\n```",
+        f"| {wall} |",
+        f"    {wall}",
+        f"{wall[:300]}\n\n{wall[300:]}",
+    ):
         assert max(map(len, paragraphs(text))) <= LONGEST
 
 

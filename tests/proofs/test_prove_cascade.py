@@ -10,7 +10,7 @@ import pytest
 from support import over
 
 from cap.errors import BadInput, NotProved
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from cap.proofs import cascade
