@@ -9,8 +9,8 @@ theorem.  Only the theorem that a certificate names is loaded, with what it need
 lists these files in the order to read them.  Each begins with the mathematics that it implements.
 
     kernel      rejection, strict reading, shapes; intervals, elementary functions, jets; doubles
-    system      a system as data: polynomials, modes, guards, resets; closed forms of its flights;
-                chatter
+    system      a system as data: polynomials, modes, guards, resets; closed forms of its flights,
+                exponentials; Lemma B (quiet legs); the lemma of chatter
     flow        mechanics, hits; stops, capture; fixed points, the normal form; maps from
                 one release to the next; launches, their arcs and strips
     folded      the flow folded by its symmetry, in doubles: places of release, first stops, sinks
