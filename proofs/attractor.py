@@ -24,9 +24,9 @@ periods, and an uncountable scrambled set (Li and Yorke).  Not claimed: that no 
 attracts, an invariant density, or a Lyapunov exponent.
 
 Proof of (iv).  Entropy is a monotone function of the kneading sequence (Milnor and Thurston; proved
-in `cap.checker.flow.kneading`), and log s for the tent map of slope s: `cap.release.kneading`
+in `cap.checker.release.kneading`), and log s for the tent map of slope s: `cap.release.kneading`
 compares.  G on I takes n half-periods, so it is the n-th power of the map S over half a period with
-the mirror image, which is continuous on these states (proved in `cap.checker.flow.releases`).
+the mirror image, which is continuous on these states (proved in `cap.checker.release.releases`).
 """
 
 from collections.abc import Iterator

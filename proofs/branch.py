@@ -43,7 +43,6 @@ from functools import partial
 from math import ceil
 from typing import NamedTuple
 
-from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.certificate import NONE
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
@@ -58,6 +57,7 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
 from cap.sets.taylor_model import Domain, TaylorModel
+from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
 
 SUMMARY = "the pair born at the pitchfork, for all f of a range: trace, resonances, twist, end"
 GROUP = "family"

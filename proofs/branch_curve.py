@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.cells.subdivision import Cell
 from cap.certificate import NONE
 from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
@@ -15,6 +14,7 @@ from cap.one_one.closed_form import Orbit, asymmetric
 from cap.proofs.one_one import Scale, asymmetry
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
+from cap.subdivision import Cell
 
 MOST = 8  # the largest denominator of the resonances listed
 WIDE = 12  # digits of what holds for a whole cell

@@ -31,18 +31,18 @@ from fractions import Fraction
 from functools import partial
 from itertools import pairwise
 
-from cap.cells import strips
-from cap.cells.cover import Cover
-from cap.cells.listing import listed, runs, written
-from cap.cells.rounds import Round, Rounds
-from cap.cells.strips import GRAIN, World
-from cap.checker.flow.ceiling import Flights, descends
-from cap.checker.flow.columns import LINE, Column, columns
-from cap.checker.flow.overlap import Gap, gaps, left
-from cap.checker.flow.strips import Ceiling
-from cap.checker.flow.strips import World as Checked
+from cap.areas.listing import listed, runs, written
+from cap.areas.strips import strips
+from cap.areas.strips.cover import Cover
+from cap.areas.strips.rounds import Round, Rounds
+from cap.areas.strips.strips import GRAIN, World
 from cap.checker.kernel.doubles import enclosing
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.strips.ceiling import Flights, descends
+from cap.checker.strips.columns import LINE, Column, columns
+from cap.checker.strips.overlap import Gap, gaps, left
+from cap.checker.strips.strips import Ceiling
+from cap.checker.strips.strips import World as Checked
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.parameters import Parameters

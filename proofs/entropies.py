@@ -24,10 +24,9 @@ from functools import partial
 from math import ceil, floor, log
 from typing import Any
 
-from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.certificate import NONE
 from cap.certificate.writer import window
-from cap.checker.flow.strip import MOST_ENTROPY
+from cap.checker.release.strip import MOST_ENTROPY
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.maps.fixed_point import Itinerary
@@ -41,6 +40,7 @@ from cap.release.passage import words
 from cap.release.strip import Core, core, cover, proved
 from cap.release.trap import critical_points
 from cap.sets import interval
+from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
 
 SUMMARY = (
     "the entropy for all f of a range (attractor --from --to), in pieces; where cycles attract"

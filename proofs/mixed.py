@@ -24,9 +24,9 @@ What attracts is looked for: where neither an interval as in `attractor`, nor a 
 nor orbits as in `segment` are found and proved, nothing is said of them.
 
 The theorems `attractor` and `segment` are proved here in balls; places, and the regions of stops,
-are followed in outward-rounded doubles (`cap.cells`).  There is one proof alone, the checker's, of
-cycles, of sinks, and of how much of the places has a fate (`cap.checker.folded.cycles`, `sinks` and
-`masses`): its functions are called here.
+are followed in outward-rounded doubles (`cap.areas.folded`).  There is one proof alone, the
+checker's, of cycles, of sinks, and of how much of the places has a fate
+(`cap.checker.folded.cycles`, `sinks` and `masses`): its functions are called here.
 """
 
 from dataclasses import replace
@@ -35,13 +35,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cap.cells import stops
-from cap.cells.cuts import cheapest, dearest
-from cap.cells.listing import written
-from cap.cells.missing import FATES, Known, means
-from cap.cells.missing import known as masses_of
-from cap.cells.stops import SPANS, Releases, Sticks, Trees
-from cap.cells.trees import Floats, Plan
+from cap.areas.folded import stops
+from cap.areas.folded.cuts import cheapest, dearest
+from cap.areas.folded.missing import FATES, Known, means
+from cap.areas.folded.missing import known as masses_of
+from cap.areas.folded.stops import SPANS, Releases, Sticks, Trees
+from cap.areas.folded.trees import Floats, Plan
+from cap.areas.listing import written
 from cap.certificate.writer import dumps
 from cap.checker.folded.masses import Places
 from cap.checker.folded.tree import NOTHING

@@ -11,11 +11,11 @@ from functools import partial
 from typing import Any
 
 from cap.certificate.writer import window
-from cap.checker.flow.sheared import Line, Near, Passage
-from cap.checker.flow.strip import Strip
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Parameters as Checked
+from cap.checker.release.sheared import Line, Near, Passage
+from cap.checker.release.strip import Strip
 from cap.errors import NotProved
 from cap.maps.fixed_point import Itinerary
 from cap.release import piece

@@ -8,7 +8,15 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-RIGOROUS = ("cap.sets", "cap.flow", "cap.maps", "cap.one_one", "cap.cells", "cap.particles")
+RIGOROUS = (
+    "cap.sets",
+    "cap.flow",
+    "cap.maps",
+    "cap.one_one",
+    "cap.areas",
+    "cap.boxes",
+    "cap.particles",
+)
 FLOATING = ("cap.floats", "cap.explore", "cap.paper", "cap.pictures")
 DOOR = "cap.floats.candidates"
 

@@ -1,4 +1,4 @@
-"""The periodic orbits found, by type, over a parameter (`cap.floats.search`)."""
+"""The periodic orbits found, by type, over a parameter (`cap.floats.search.orbits`)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -15,10 +15,10 @@ from cap.command.console import quoted
 from cap.command.output import writable_into
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import TYPES
-from cap.floats.cycles import Cycle
-from cap.floats.family import Family
 from cap.floats.findings import Findings, Floats
-from cap.floats.search import search
+from cap.floats.search.cycles import Cycle
+from cap.floats.search.family import Family
+from cap.floats.search.orbits import search
 from cap.floats.variation import value_of, varied
 from cap.floats.words import described, short
 from cap.maps.fixed_point import Start

@@ -9,12 +9,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 from cap.errors import BadInput
-from cap.floats import periodic
-from cap.floats.cycles import Cycle, near
-from cap.floats.particle_candidates import attracting, lighter, particles, touching_nothing
-from cap.floats.periodic import Guess
-from cap.floats.request import Candidate, Found, Release, Request, Search, Turning
-from cap.floats.search import from_hit_times, search
+from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
+from cap.floats.search import periodic
+from cap.floats.search.cycles import Cycle, near
+from cap.floats.search.orbits import from_hit_times, search
+from cap.floats.search.periodic import Guess
+from cap.floats.search.request import Candidate, Found, Release, Request, Search, Turning
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
@@ -229,14 +229,14 @@ def fates(request: Request) -> Found:
 
 def releasing_again(p: Parameters) -> list[list[Release]]:
     """Return the attracting cycles on which releases end."""
-    from cap.floats.release_cycles import release_cycles  # noqa: PLC0415 (the compiled flow)
+    from cap.floats.search.release_cycles import release_cycles  # noqa: PLC0415 (the compiled flow)
 
     return release_cycles(p)
 
 
 def turning(p: Parameters) -> list[Turning]:
     """Return the states of attracting cycles that turn and never stick."""
-    from cap.floats.turning_cycles import turning_cycles  # noqa: PLC0415 (the compiled flow)
+    from cap.floats.search.turning_cycles import turning_cycles  # noqa: PLC0415 (the compiled flow)
 
     return turning_cycles(p)
 

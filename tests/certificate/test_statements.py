@@ -24,8 +24,8 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import enclosure
 from cap.checker.verdict import check, words
 from cap.explore.commands import COMMANDS
-from cap.floats import swarm
 from cap.floats.candidates import Request
+from cap.floats.engine import swarm
 from cap.paper.registry import LABELS, figure
 from cap.parameters import Parameters
 from cap.proofs.census import census

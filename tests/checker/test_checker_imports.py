@@ -18,10 +18,12 @@ from checker.altered import changed
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
 STORED = Path(__file__).parents[2] / "certificates"
 BARE = {"kernel", "theorems", "verdict"}
-FLOW = BARE | {"flow", "system"}
+FLOW = BARE | {"flow", "maps", "system"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
-ROOMS |= {"impulse": BARE, "mixed": FLOW | {"folded"}}
-ROOMS |= dict.fromkeys(("conservative", "segment", "sliding"), BARE | {"flow"})
+ROOMS |= dict.fromkeys(("attractor", "cascade", "entropies", "window"), FLOW | {"release"})
+ROOMS |= {"impulse": BARE, "mixed": FLOW | {"release", "folded"}}
+ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
+ROOMS |= {"conservative": BARE | {"strips"}}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}}
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})

@@ -8,10 +8,10 @@ import pytest
 from closed_forms import claims_of, setting, within
 from mpmath import mp, mpf, workdps
 
-from cap.cells.subdivision import cells_between, subdivide
 from cap.errors import BadInput
 from cap.proofs import branch
 from cap.runner import Runner
+from cap.subdivision import cells_between, subdivide
 
 RHO = 2  # with F = ω = 1
 

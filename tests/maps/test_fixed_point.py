@@ -13,7 +13,7 @@ from mpmath import mpf
 from support import holds, number, rational, rounds, seeded, width
 
 from cap.errors import NotProved
-from cap.floats.cycles import near
+from cap.floats.search.cycles import near
 from cap.flow.event import BALLS
 from cap.flow.strobe import oscillator, strobe
 from cap.maps import fixed_point

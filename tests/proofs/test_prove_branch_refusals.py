@@ -10,7 +10,6 @@ from closed_forms import check_cells, proved, setting
 from conftest import STARTS
 from support import proving
 
-from cap.cells.subdivision import Cell
 from cap.errors import BadInput, NotProved
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric
@@ -20,6 +19,7 @@ from cap.proofs.branch_curve import Part
 from cap.proofs.fixed_point import Setting
 from cap.proofs.one_one import Scale
 from cap.sets import interval
+from cap.subdivision import Cell
 
 
 @pytest.fixture(scope="module", autouse=True)

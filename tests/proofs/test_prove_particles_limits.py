@@ -11,8 +11,8 @@ from support import proving
 
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Request, lighter
-from cap.floats.particle_orbits import continued, reduced_traces
-from cap.floats.particles import Particles
+from cap.floats.masses.particle_orbits import continued, reduced_traces
+from cap.floats.masses.particles import Particles
 from cap.parameters import PAPER
 from cap.proofs import particle_cells, particles_limits, theorems
 from cap.proofs.fixed_point import Setting

@@ -8,9 +8,9 @@ import pytest
 from support import proving
 
 from cap.errors import BadInput, NotProved
-from cap.floats import particle_candidates
 from cap.floats.candidates import Request, attracting
-from cap.floats.particles import Particles
+from cap.floats.masses import particle_candidates
+from cap.floats.masses.particles import Particles
 from cap.particles import stays
 from cap.particles.model import Model
 from cap.particles.stopping import System, unknowns, words_of

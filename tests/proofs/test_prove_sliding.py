@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cap.errors import BadInput, NotProved
-from cap.floats.particles import Particles, follow
+from cap.floats.masses.particles import Particles, follow
 from cap.parameters import PAPER
 from cap.particles.model import Guess
 from cap.proofs import sliding

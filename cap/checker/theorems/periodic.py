@@ -42,15 +42,6 @@ from cap.checker.flow.events import (
     limit_events,
     turning_factor,
 )
-from cap.checker.flow.fixed_point import (
-    KRAWCZYK_ORDER,
-    WINDOWS,
-    FixedPoint,
-    Matrix,
-    Point,
-    ends,
-    krawczyk_theorem,
-)
 from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
 from cap.checker.kernel.choices import OneOrOther
 from cap.checker.kernel.interval import Interval
@@ -59,6 +50,15 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
 from cap.checker.kernel.theorem import SYSTEM, WITH_LOSSES
+from cap.checker.maps.fixed_point import (
+    KRAWCZYK_ORDER,
+    WINDOWS,
+    FixedPoint,
+    Matrix,
+    Point,
+    ends,
+    krawczyk_theorem,
+)
 
 MAX_PERIODS = 16
 SINKS = ("superstable", "sink focus", "sink node")
