@@ -22,13 +22,20 @@ def spring(wall="1/10", e="9/10", damping="1/20", omega="27/10", stiffness=1, fo
     return Model(("x", "v"), Fraction(omega), {FLY: Mode(field, {WALL: hit})})
 
 
+def springy(damping="1/20", omega="27/10", stiffness=1, force=1):
+    """Return its y' = M y, y = (x, v, cos wt, sin wt, 1), as one writes it down."""
+    w, drag = Fraction(omega), -2 * Fraction(damping)
+    rows = [0, 1, 0, 0, 0], [-stiffness, drag, force, 0, 0], [0, 0, 0, -w, 0], [0, 0, w, 0, 0]
+    return [[Fraction(q) for q in row] for row in (*rows, [0] * 5)]
+
+
 def exponential(M, d):
     """Return exp(M d) in mpmath."""
     return expm(matrix([[number(x) for x in row] for row in M]) * d, method="taylor")
 
 
 def flown(M, state, omega, start, t):
-    """Return the state at t of the flight from a state at a time; M as ``legs`` has it."""
+    """Return the state at t of the flight from a state at a time; M as ``springy`` has it."""
     angle = number(Fraction(omega)) * start
     y = matrix([*map(mpf, state), mp.cos(angle), mp.sin(angle), 1])
     return list(exponential(M, mpf(t) - start) * y)[: len(y) - 3]

@@ -11,13 +11,12 @@ from support import number, rational, rounds, seeded
 
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.exponential import Exponential
-from cap.checker.system.legs import matrix
 from checker.parts import Interval
-from checker.springs import FLY, exponential, spring
+from checker.springs import exponential, springy
 
 BITS = 128
 LITTLE = Fraction(1, 10**36)
-DAMPED = matrix(spring(), FLY)
+DAMPED = springy()
 
 
 def some_matrix(rng):
@@ -146,3 +145,33 @@ def test_the_bound_of_the_error():
                 truth = exponential(M, number(Fraction(z, 2)))
                 for j, found in enumerate(row):
                     assert found.lower <= rational(truth[0, j]) <= found.upper
+
+
+def test_what_is_left_out_counts_on_both_sides():
+    """Also of a sum that is exact."""
+    for z in (0, 1 << 63, -3 << 64):
+        (found,) = Exponential([[Fraction(0)]], 64).at(0, z)
+        assert (found.lo, found.hi) == ((1 << 64) - 1, (1 << 64) + 1)
+
+
+@pytest.mark.parametrize("row", [(1, 0, 0), (0, 3, -2), (100, -1, 7)])
+def test_all_of_a_piece(row):
+    """A row times exp(M t) for t in [0, b], b as large as it may be, and a third of that."""
+    M = [[Fraction(q) for q in part] for part in ((0, 1, "1/2"), (-1, "-1/10", 0), ("1/3", 0, -1))]
+    own = Exponential(M, BITS)
+    assert own.norm == Fraction(3, 2)
+    for b in (Fraction(2, 3), Fraction(2, 9)):
+        given = [Interval.enclosing(q, q, BITS) for q in row]
+        span = Interval(0, (b.numerator << BITS) // b.denominator, BITS)
+        found = own._whole(given, span)
+        with mp.workdps(40):
+            values = []
+            for k in range(11):
+                E = exponential(M, number(b * k / 10))
+                values.append([mp.fsum(q * E[m, j] for m, q in enumerate(row)) for j in range(3)])
+        for entry, column in zip(found, zip(*values, strict=True), strict=True):
+            low, high = min(map(rational, column)), max(map(rational, column))
+            assert entry.lower <= low
+            assert high <= entry.upper
+            room = max(map(abs, row)) * (2 * b**2 + b**3)
+            assert entry.upper - entry.lower <= high - low + 2 * room

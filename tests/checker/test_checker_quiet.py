@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
+from typing import NamedTuple
 
 import pytest
 from mpmath import mp
@@ -16,7 +18,7 @@ from cap.checker.system.polynomial import ZERO, Polynomial, variable
 from cap.checker.system.quiet import stays_positive, substituted, zeros_after
 from checker.oscillator import oscillator
 from checker.parts import Interval
-from checker.springs import FLY, flown, spring
+from checker.springs import FLY, flown, spring, springy
 
 BITS, THIN = 96, Fraction(1, 2**60)
 X, V, C, S = map(variable, ("x", "v", COS, SIN))
@@ -46,7 +48,8 @@ def evenly(a, b, n):
 def test_flights(damping, stiffness, omega):
     """Springs, none, resonance, an unstable one: at random times, before the start as well."""
     rng, model = seeded(11), spring(damping=damping, stiffness=stiffness, omega=omega)
-    M = matrix(model, FLY)
+    M = springy(damping=damping, stiffness=stiffness, omega=omega)
+    assert matrix(model, FLY) == M
     for _ in range(rounds(6)):
         start, x, v, t = (Fraction(rng.randint(-200, 200), 100) for _ in range(4))
         flights = leg(model, start, x, v, far=0)
@@ -66,7 +69,7 @@ def test_flights(damping, stiffness, omega):
 def test_sets_of_flights():
     """All starts, states and times of intervals."""
     rng, model = seeded(12), spring()
-    M, far = matrix(model, FLY), Fraction(1, 50)
+    M, far = springy(), Fraction(1, 50)
     flights = leg(model, "1/3", "1/5", "-1/2", far=far)
     t = Interval.enclosing(Fraction(1), Fraction(11, 10), BITS)
     found = flights.state(t)
@@ -78,6 +81,20 @@ def test_sets_of_flights():
             truth = flown(M, map(number, state), "27/10", number(Fraction(1, 3) + a), number(now))
             for z, value in zip(model.state, truth, strict=True):
                 assert found[z].lower <= rational(value) <= found[z].upper
+
+
+def test_a_field_with_all_parts():
+    """A constant, the cosine and the sine, in each row: the matrix, and a flight."""
+    field = {"x": V * 2 + C * 3 - S * 5 + 7, "v": X * -1 - C + S * 4 - Fraction(1, 2)}
+    model = Model(("x", "v"), Fraction(3, 2), {FLY: Mode(field, {})})
+    rows = [0, 2, 3, -5, 7], [-1, 0, -1, 4, "-1/2"], [0, 0, 0, "-3/2", 0], [0, 0, "3/2", 0, 0]
+    M = [[Fraction(q) for q in row] for row in (*rows, [0] * 5)]
+    assert matrix(model, FLY) == M
+    found = leg(model, "1/2", 1, -2, far=0).state(around(2, 0))
+    with mp.workdps(50):
+        truth = flown(M, [1, -2], "3/2", number(Fraction(1, 2)), 2)
+    for z, value in zip(model.state, truth, strict=True):
+        assert found[z].lower <= rational(value) <= found[z].upper
 
 
 @pytest.mark.parametrize("field", [{"x": X * V}, {"x": V, "v": C * X}, {"x": V * variable("mu")}])
@@ -155,6 +172,39 @@ def test_a_vague_start_and_end():
         stays_positive(vague, down, around(1, Fraction(1, 50)), cuts)
 
 
+class Asked(NamedTuple):
+    """Flights on which all is positive: what one asks of them is noted."""
+
+    model: Model
+    mode: str
+    start: Interval
+    asked: list
+
+    def over(self, g, t):
+        """Return 1."""
+        self.asked.append((g, t.lower, t.upper))
+        return t.integer(1)
+
+
+@pytest.mark.parametrize("zeros", [(0, 0), (1, 0), (0, 2), (2, 2)])
+def test_the_pieces_cover_the_leg(zeros):
+    """From the least start to the greatest end, each with the rate that is needed there."""
+    model, ends = spring(), [Fraction(q) for q in ("-1/4", "1/2", "2", "13/4")]
+    rates = [X]
+    for _ in range(2):
+        rates.append(model.lie(FLY, rates[-1]))
+    flights = Asked(model, FLY, Interval.enclosing(ends[0], Fraction(1, 4), BITS), [])
+    end = Interval.enclosing(Fraction(3), ends[-1], BITS)
+    stays_positive(flights, X, end, ends[1:-1], zeros)
+    pieces = [(a, b) for _, a, b in flights.asked if a < b]
+    assert sorted(pieces) == list(pairwise(ends))
+    by = {(a, b): g for g, a, b in flights.asked}
+    for (a, b), n in zip(pairwise(ends), (zeros[0], 0, zeros[1]), strict=True):
+        assert by[a, b] == rates[n or 1]
+        middle = [g for g, low, high in flights.asked if low == high and a < low < b]
+        assert middle == ([] if n else [X])
+
+
 @pytest.mark.parametrize(
     ("h", "zeros", "why"),
     [
@@ -221,7 +271,7 @@ def test_an_orbit_of_the_spring():
     """From a hit to the next one, found in mpmath: its guard is quiet between; a lower wall not."""
     model = spring()
     h, hit = model.modes[FLY].guards[WALL].value, model.modes[FLY].guards[WALL]
-    M, start, v = matrix(model, FLY), Fraction(3, 10), Fraction(-3, 2)
+    M, start, v = springy(), Fraction(3, 10), Fraction(-3, 2)
 
     def height(t):
         state = flown(M, [number(Fraction(1, 10)), number(v)], "27/10", number(start), t)

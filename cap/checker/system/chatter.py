@@ -77,21 +77,18 @@ class Entry(NamedTuple):
         """Return the longest time until the first hit."""
         if self.height is None:
             return self.speed.integer(0)
-        return self.speed / pull.rising + (self._highest(pull) * 2 / pull.least).sqrt()
+        top = self.height + self.speed.square() / (pull.rising * 2)
+        return self.speed / pull.rising + (top * 2 / pull.least).sqrt()
 
     def states(self, pull: Pull) -> States:
         """Return what is reached where the bounds hold: h <= max(H, q^2/(2 r_1)), |h'| <= q."""
         q, top = self.speed, self.speed.integer(0)
         if self.height is not None:
             grown = self.speed.square() * _at_least_one(pull.most / pull.rising)
-            q, top = (grown + self.height * pull.most * 2).sqrt(), self._highest(pull)
+            q = (grown + self.height * pull.most * 2).sqrt()
+            top = self.height + self.speed.square() / (pull.rising * 2)
         bounce = q.square() / (pull.rising * 2)
         return States(_high(bounce if bounce.hi > top.hi else top), _high(q))
-
-    def _highest(self, pull: Pull) -> Interval:
-        """Return H."""
-        height = self.speed.integer(0) if self.height is None else self.height
-        return height + self.speed.square() / (pull.rising * 2)
 
 
 class Chatter(NamedTuple):
