@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from cap.errors import NotProved
 from cap.flow.event import BALLS, Expected
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.maps.krawczyk import Preconditioner, operator
 from cap.parameters import Parameters
 from cap.release.family import over

@@ -8,7 +8,7 @@ from typing import Any, TypeVar, cast
 from numba import njit
 from numba.core.caching import FunctionCache
 
-from cap.command.entry import at_home
+from cap.process import at_home
 
 F = TypeVar("F", bound=Callable[..., Any])
 # What pickle raises for files that are not whole, or not what they were:
