@@ -74,6 +74,7 @@ def test_the_verdict(capsys, monkeypatch):
     assert " ".join(block("docs/certificates.md", "VERIFIED:")) == capsys.readouterr().out.strip()
 
 
+@pytest.mark.slow
 def test_shares_in_floats(capsys):
     """The page of `mixed` says what its command prints of where the states end, in floats."""
     shares = r"In floats the first two are ([.\d]+) and ([.\d]+), and ([.\d]+) never stops"

@@ -29,6 +29,7 @@ def wide(monkeypatch):
     monkeypatch.setattr(conservative, "LOSSES", (1e-7,))
 
 
+@pytest.mark.slow
 def test_two_flights():
     """The checker accepts the theorem, and more flights leave less; in processes, or here."""
     areas = []

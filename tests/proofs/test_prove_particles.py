@@ -178,7 +178,9 @@ def test_the_command(capsys, tmp_path):
         (("particles", "--masses", "1,9/10", "--mu", "1/10"), "no viscosity"),
         (("particles", "--masses", "1,9/10", "--orbit", "1", "2"), "finds its orbit itself"),
         (("particles", "--masses", "1,9/10", "--f", "9/10"), "never stop, to continue from"),
-        (("particles", "--masses", "1,9/10"), "inverse hyperbolic"),
+        pytest.param(
+            ("particles", "--masses", "1,9/10"), "inverse hyperbolic", marks=pytest.mark.slow
+        ),
         (("particles", "--masses", "1,3"), "before m = 1, 1.0"),
         (("elliptic", "--masses", "1,9/10"), "an option of: particles, particles_limits, "),
         (("elliptic", "--proportional"), "an option of: particles, particles_limits, "),

@@ -113,6 +113,7 @@ def test_the_checker_may_follow_with_wider_rates():
     assert abs(float(rate.upper()) - 4) < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "flip", "stop"),
     [
