@@ -15,7 +15,7 @@ from cap.checker.flow.sheared import Line, Near, Passage
 from cap.checker.flow.strip import Strip
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
-from cap.checker.kernel.theorem import Parameters as Checked
+from cap.checker.system.walls import Parameters as Checked
 from cap.errors import NotProved
 from cap.maps.fixed_point import Itinerary
 from cap.release import piece

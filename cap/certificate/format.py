@@ -32,7 +32,7 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import Theorem, parameter_shapes
+from cap.checker.kernel.theorem import Theorem
 from cap.checker.theorems import NAMES, load
 from cap.command.console import say
 from cap.files import replacing
@@ -87,7 +87,7 @@ def _certificate(name: str, theorem: type[Theorem]) -> Json:
         {
             "format": {"const": "cap-certificate/1"},
             "theorem": {"const": name},
-            "parameters": schema(parameter_shapes(theorem.PARAMETERS)),
+            "parameters": schema(theorem.PARAMETERS),
             "digits": schema(DIGITS),
             "claims": schema({field.name: field.shape for field in theorem.CLAIMS}),
             "hints": schema({field.name: field.shape for field in theorem.HINTS}),

@@ -12,7 +12,7 @@ from cap.checker.flow.driven import DrivenMap, phases
 from cap.checker.flow.hits import Event
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 BITS = 96
 

@@ -17,8 +17,8 @@ from checker.altered import changed
 
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
 STORED = Path(__file__).parents[2] / "certificates"
-BARE = {"kernel", "theorems", "verdict"}
-FLOW = BARE | {"flow", "system"}
+BARE = {"kernel", "system", "theorems", "verdict"}
+FLOW = BARE | {"flow"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
 ROOMS |= {"impulse": BARE, "mixed": FLOW | {"folded"}}
 ROOMS |= dict.fromkeys(("conservative", "segment", "sliding"), BARE | {"flow"})

@@ -23,7 +23,7 @@ from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, cos_sin_jet, lift
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 
 def phases(p: Parameters, f: Ends, bits: int) -> Interval:

@@ -7,11 +7,11 @@ from functools import cache
 from typing import NamedTuple
 
 from cap.checker.flow.one_mass import MODES, OneMass, one_mass
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.system.course import Course, Forcing, course, forcing, reciprocal_number
 from cap.checker.system.friction import friction
 from cap.checker.system.model import COS, SIN, Model
 from cap.checker.system.polynomial import Polynomial, variable
+from cap.checker.system.walls import Parameters
 
 
 class Laws(NamedTuple):

@@ -33,12 +33,12 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.series import composed, divided, reciprocal
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.system.course import Forcing
 from cap.checker.system.evaluation import evaluate
 from cap.checker.system.friction import STOP
 from cap.checker.system.model import COS, SIN
 from cap.checker.system.polynomial import Polynomial, variable
+from cap.checker.system.walls import Parameters
 
 Ends = tuple[Fraction, Fraction]
 Box = Sequence[Interval]

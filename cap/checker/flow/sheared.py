@@ -19,7 +19,7 @@ from cap.checker.flow.releases import next_release
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, lift, raised
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 _HORIZON = 17  # periods
 

@@ -15,7 +15,7 @@ from cap.checker.flow.sheared import Line, Near, Passage, Sheared
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 MOST_ENTROPY = Fraction(693148, 10**6)  # above log 2: no unimodal map has more
 

@@ -9,7 +9,7 @@ must match it exactly: the same keys, but for those that are ``Maybe``; the same
     enclosure     an enclosure of one number, or of what a quantity takes, of any width
     region        a set of which something is claimed for all its points
 
-A *unit* is a product of powers of R = r - l, omega, F and m, the first mass, as "R^2 omega^-1".
+A *unit* is a product of powers of the units of the theorem, as "R^2 omega^-1".
 """
 
 from __future__ import annotations

@@ -23,7 +23,6 @@ from fractions import Fraction
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.particles.existence import (
     SIZE,
     Ends,
@@ -37,6 +36,7 @@ from cap.checker.particles.existence import (
 )
 from cap.checker.particles.mechanics import Contact, Mechanics, contacts
 from cap.checker.particles.orbit import Moment
+from cap.checker.system.masses import Parameters
 
 
 def with_second(p: Parameters, mass: Fraction) -> Parameters:

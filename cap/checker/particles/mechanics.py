@@ -26,7 +26,7 @@ from typing import NamedTuple
 from cap.checker.kernel.elementary import arccos, cos_sin, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.masses import Parameters
 
 NORMALS = {"hit l": (1, 0), "hit r": (0, 1), "meet 1 2": (1, -1)}
 Pair = tuple[Interval, Interval]

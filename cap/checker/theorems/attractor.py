@@ -66,7 +66,8 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import BITS, MAX_BITS, SYSTEM, WITH_LOSSES, Theorem
+from cap.checker.kernel.theorem import BITS, MAX_BITS
+from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
@@ -94,7 +95,7 @@ class Cell(NamedTuple):
     curve: int
 
 
-class Attractor(Theorem):
+class Attractor(BetweenWalls):
     """The interval, its unimodal map, and its entropy."""
 
     PARAMETERS = WITH_LOSSES

@@ -52,12 +52,12 @@ from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, bound
-from cap.checker.kernel.theorem import SYSTEM, Theorem
+from cap.checker.system.walls import SYSTEM, BetweenWalls
 
 _CEILING = {"height": number, "phase": number, "level": number}
 
 
-class Conservative(Theorem):
+class Conservative(BetweenWalls):
     """An upper bound of the area of the states whose velocity never vanishes."""
 
     # fmt: off

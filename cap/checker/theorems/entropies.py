@@ -56,7 +56,8 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import BITS, MAX_BITS, WITH_LOSSES, Theorem
+from cap.checker.kernel.theorem import BITS, MAX_BITS
+from cap.checker.system.walls import WITH_LOSSES, BetweenWalls
 
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
 _MAX_PERIOD = 16
@@ -82,10 +83,10 @@ CELL = {
 }
 
 
-class Entropies(Theorem):
+class Entropies(BetweenWalls):
     """The strips, their pieces, and the share of the range with positive entropy."""
 
-    PARAMETERS = tuple(name for name in WITH_LOSSES if name != "f")
+    PARAMETERS = {name: shape for name, shape in WITH_LOSSES.items() if name != "f"}  # noqa: RUF012
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS._replace(shape=Whole(64, MAX_BITS // 4)),

@@ -23,7 +23,8 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import decimal, number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
-from cap.checker.kernel.theorem import BITS, SYSTEM, WITH_LOSSES
+from cap.checker.kernel.theorem import BITS
+from cap.checker.system.walls import SYSTEM, WITH_LOSSES
 
 
 class Segment(Free):
