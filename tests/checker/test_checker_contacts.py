@@ -18,7 +18,7 @@ from cap.checker.particles import monodromy as linear
 from cap.checker.particles import normal_form, orbit
 from cap.checker.particles.existence import defects
 from cap.checker.particles.mechanics import Contact, Mechanics, contacts
-from cap.checker.system.masses import Parameters
+from cap.checker.system.masses import MassParameters as Parameters
 from cap.checker.theorems.particles import from_integers
 from cap.floats.particles import Particles, follow
 from cap.parameters import PAPER

@@ -10,7 +10,7 @@ from support import rational, seeded
 
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.mechanics import Mechanics
+from cap.checker.flow.losses import Lossy as Mechanics
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected

@@ -15,7 +15,7 @@ from cap.checker.kernel.theorem import Certificate
 from cap.checker.system.walls import WITHOUT_LOSSES, BetweenWalls, confirm_sizes, confirm_walls
 
 
-class Parameters(NamedTuple):
+class MassParameters(NamedTuple):
     """The exact parameters; mu is zero."""
 
     F: Fraction
@@ -39,7 +39,7 @@ class TwoMasses(BetweenWalls):
     @classmethod
     def parameters(cls, given: dict[str, Any]) -> Any:
         """Return the parameters."""
-        p = Parameters(**given | {"masses": tuple(given["masses"])})
+        p = MassParameters(**given | {"masses": tuple(given["masses"])})
         confirm_walls(p)
         need(all(m > 0 for m in p.masses), "a mass is not positive")
         sizes = p.F, p.omega, *p.masses

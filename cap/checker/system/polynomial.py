@@ -73,6 +73,16 @@ class Polynomial:
                 total += Polynomial({tuple(sorted(others)): c * power[name]})
         return total
 
+    def substituted(self, values: Mapping[str, Polynomial]) -> Polynomial:
+        """Return the polynomial with others in the place of some variables."""
+        total = ZERO
+        for monomial, c in self.terms.items():
+            term = Polynomial({(): c})
+            for name in monomial:
+                term = term * values.get(name, variable(name))
+            total += term
+        return total
+
     def without(self, names: Iterable[str]) -> Polynomial:
         """Return the terms in which none of these variables occurs."""
         left = set(names)
