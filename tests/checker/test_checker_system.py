@@ -59,6 +59,12 @@ def test_the_algebra_of_polynomials():
             (p.without(["x", "v"]), a.subs({"x": 0, "v": 0})),
         ):
             assert sympy.expand(symbolic(found) - truth) == 0
+        a_x = [sympy.diff(a, "x", n).subs("x", 0) / sympy.factorial(n) for n in range(4)]
+        found = [*map(symbolic, p.coefficients("x")), 0, 0, 0]
+        assert not any(sympy.expand(c - truth) for c, truth in zip(found, a_x, strict=False))
+        swapped = symbolic(p.substituted({"x": variable("v") * 2, "v": q}))
+        names = {"x": 2 * sympy.Symbol("v"), "v": b}
+        assert sympy.expand(swapped - a.subs(names, simultaneous=True)) == 0
         assert p.variables == {str(z) for z in sympy.expand(a).free_symbols}
         assert (p == q) == (sympy.expand(a - b) == 0)
         assert p + q - q == p

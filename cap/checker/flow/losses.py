@@ -5,7 +5,7 @@ What a flight has of exponentials (``course``), with lambda = -mu: phi_k(-mu d),
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.mechanics import Box, Ends, Mechanics
@@ -52,11 +52,13 @@ class Lossy(Mechanics):
         last = self.variables[len(self.variables) - len(self.sets) :]
         return dict(zip(self.sets, last, strict=True))
 
-    def evaluated(self, q: Polynomial, values: Mapping[str, RealJet], d: RealJet) -> RealJet:
-        """Return a polynomial on a flight, a time d after its start."""
-        grown = {name: k for k, name in enumerate(GROWTH) if name in q.variables}
-        if grown:
-            z = -(evaluate(self.laws.mass.mu, values) * d)
-            at = {k: [phi(k, z.constant, n) for n in range(d.order + 1)] for k in grown.values()}
-            values = {**values, **{name: composed(at[k], z) for name, k in grown.items()}}
-        return super().evaluated(q, values, d)
+    def after(
+        self, d: RealJet, powers: Sequence[Polynomial], values: Mapping[str, RealJet]
+    ) -> RealJet:
+        """Return the sum of polynomials times powers of d, with the exponentials in them."""
+        known, names = dict(values), {name for q in powers for name in q.variables}
+        for k, name in enumerate(GROWTH):
+            if name in names:
+                z = -(evaluate(self.laws.mass.mu, values) * d)
+                known[name] = composed([phi(k, z.constant, n) for n in range(d.order + 1)], z)
+        return super().after(d, powers, known)

@@ -28,7 +28,6 @@ from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
-from cap.checker.system.course import ELAPSED
 from cap.checker.system.evaluation import evaluate
 from cap.checker.system.friction import STOP
 from cap.checker.system.model import COS, SIN
@@ -154,17 +153,22 @@ class Mechanics:
 
     def along(self, s: int, g: Polynomial) -> Formula:
         """Return the formula of a polynomial in the state on the flights of a direction."""
-        q, names = self.laws.along(s, g), ("x", "v", "start", *self.parameters, "t", COS, SIN)
+        powers, names = self.laws.along(s, g), ("x", "v", "start", *self.parameters, "t", COS, SIN)
 
         def formula(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
             values = dict(zip(names, (*arc, *when), strict=True))
-            return self.evaluated(q, values, values["t"] - values["start"])
+            return self.after(values["t"] - values["start"], powers, values)
 
         return formula
 
-    def evaluated(self, q: Polynomial, values: Mapping[str, RealJet], d: RealJet) -> RealJet:
-        """Return a polynomial on a flight, a time d after its start."""
-        return evaluate(q, {**values, ELAPSED: d})
+    def after(
+        self, d: RealJet, powers: Sequence[Polynomial], values: Mapping[str, RealJet]
+    ) -> RealJet:
+        """Return the sum of polynomials times powers of d, by Horner's rule."""
+        *lower, total = (evaluate(q, values) for q in powers)
+        for q in reversed(lower):
+            total = d * total + q
+        return total
 
     # flights over the box
 
