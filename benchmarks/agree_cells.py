@@ -2,7 +2,7 @@
 
     PYTHONPATH=. python benchmarks/agree_cells.py [COUNT [SEED]]
 
-Each cell is checked as in `tests/cells/test_cell_flow.py`; what was found is told now and then.
+Each cell is checked as in `tests/boxes/test_cell_flow.py`; what was found is told now and then.
 """
 
 import sys

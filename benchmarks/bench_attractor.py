@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 
 import cap
-from cap.cells.release import passages
-from cap.cells.results import RELEASED
-from cap.checker.flow.fixed_point import ends
+from cap.boxes.release import passages
+from cap.boxes.results import RELEASED
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
+from cap.checker.maps.fixed_point import ends
 from cap.checker.theorems.attractor import Attractor
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
 from cap.flow.strobe import oscillator
 from cap.parameters import PAPER
 from cap.release.cell import cell

@@ -10,10 +10,10 @@ from fractions import Fraction
 
 import pytest
 
-from cap.cells.subdivision import UNDECIDED, Cell, cells_between, subdivide
 from cap.parameters import PAPER
 from cap.proofs import branch
 from cap.runner import Runner
+from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
 
 RHO = PAPER.R * PAPER.omega**2 / PAPER.F
 CELLS = {

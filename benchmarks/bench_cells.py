@@ -22,9 +22,9 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from cap.cells.existence import fixed_points
-from cap.cells.flow import SMOOTH, flow
-from cap.cells.sweep import Grid, Sweep, sweep
+from cap.boxes.existence import fixed_points
+from cap.boxes.flow import SMOOTH, flow
+from cap.boxes.sweep import Grid, Sweep, sweep
 from cap.parameters import PAPER
 from cap.runner import Runner
 

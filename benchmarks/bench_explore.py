@@ -15,8 +15,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats import alignment, fate, swarm
-from cap.floats.search import search
+from cap.floats.diagnostics import alignment, fate
+from cap.floats.engine import swarm
+from cap.floats.search.orbits import search
 from cap.parameters import PAPER
 from cap.runner import Runner
 

@@ -3,8 +3,8 @@
     python -m pytest -n0 benchmarks/bench_swarm.py --benchmark-columns=min,median
 
 The states are spread over [-1, 1] x [-2, 2] at the paper's parameters.  Extra information:
-states times periods in a second; the peer is `cap.floats.flow`, in pure Python, for an orbit that
-neither turns nor sticks.
+states times periods in a second; the peer is `cap.floats.engine.flow`, in pure Python, for an orbit
+that neither turns nor sticks.
 """
 
 import subprocess
@@ -15,7 +15,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats import flow, swarm
+from cap.floats.engine import flow, swarm
 from cap.flow.itinerary import oscillator
 from cap.parameters import PAPER
 

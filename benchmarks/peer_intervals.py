@@ -2,7 +2,7 @@
 
     pip install crival; python benchmarks/peer_intervals.py
 
-Speed and gap after a flight, by the formula of `cap.cells.flight` without viscosity, for N times
+Speed and gap after a flight, by the formula of `cap.boxes.flight` without viscosity, for N times
 and speeds that are intervals.  crival rounds correctly: how wide its enclosures are beside ours is
 told as well.  Processor time, per flight; the least of some rounds, in turns.
 """

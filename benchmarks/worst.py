@@ -25,14 +25,14 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from cap.checker.flow import strips
-from cap.checker.flow.columns import LONGEST, columns
 from cap.checker.folded import tree
 from cap.checker.folded.regions import flights
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.parabolas import BYTES
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import MAX_BITS
+from cap.checker.strips import strips
+from cap.checker.strips.columns import LONGEST, columns
 from cap.checker.theorems import NAMES, conservative, mixed
 from cap.checker.verdict import check
 
@@ -85,7 +85,7 @@ def of_highest_order() -> Content:
     from cap.proofs.fixed_point import Setting  # noqa: PLC0415
 
     start = Start.non_sticking(0.10027988984, 0.54194330676, (1.0991729107, 3.5160904414))
-    ask = Setting(PAPER, start, 30, order=9)
+    ask = Setting(PAPER, start, 30, options={"order": 9})
     return with_most_bits(theorems.accepted(theorems.THEOREMS["elliptic"], ask))
 
 

@@ -97,7 +97,7 @@ if __name__ == "__main__":
 # %%
 import numpy as np
 
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.parameters import PAPER
 
 states = np.array([(0.1, 0.55), (0.5, 0.5), (0.999, 0.01), (0.0, 0.0)])

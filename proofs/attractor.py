@@ -24,9 +24,9 @@ periods, and an uncountable scrambled set (Li and Yorke).  Not claimed: that no 
 attracts, an invariant density, or a Lyapunov exponent.
 
 Proof of (iv).  Entropy is a monotone function of the kneading sequence (Milnor and Thurston; proved
-in `cap.checker.flow.kneading`), and log s for the tent map of slope s: `cap.release.kneading`
+in `cap.checker.release.kneading`), and log s for the tent map of slope s: `cap.release.kneading`
 compares.  G on I takes n half-periods, so it is the n-th power of the map S over half a period with
-the mirror image, which is continuous on these states (proved in `cap.checker.flow.releases`).
+the mirror image, which is continuous on these states (proved in `cap.checker.release.releases`).
 """
 
 from collections.abc import Iterator
@@ -40,9 +40,10 @@ from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Content, Proof, Setting, assembled, bits
+from cap.proofs.options import RANGE_OF_F
 from cap.proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 from cap.release import kneading
 from cap.release.cell import Cell
@@ -55,6 +56,7 @@ from cap.sets.interval import Ball
 SUMMARY = "an interval that the map of releases takes into itself: its entropy from both sides"
 GROUP = "releases"
 SEARCH = candidates.releasing
+OPTIONS = RANGE_OF_F
 OVER_F = "entropies"
 COARSE = 80  # bits, for the cells and the basin
 MOST_SYMBOLS = 2000  # at the precision for 30 digits the checker accepts few more

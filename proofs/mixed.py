@@ -24,9 +24,9 @@ What attracts is looked for: where neither an interval as in `attractor`, nor a 
 nor orbits as in `segment` are found and proved, nothing is said of them.
 
 The theorems `attractor` and `segment` are proved here in balls; places, and the regions of stops,
-are followed in outward-rounded doubles (`cap.cells`).  There is one proof alone, the checker's, of
-cycles, of sinks, and of how much of the places has a fate (`cap.checker.folded.cycles`, `sinks` and
-`masses`): its functions are called here.
+are followed in outward-rounded doubles (`cap.areas.folded`).  There is one proof alone, the
+checker's, of cycles, of sinks, and of how much of the places has a fate
+(`cap.checker.folded.cycles`, `sinks` and `masses`): its functions are called here.
 """
 
 from dataclasses import replace
@@ -35,13 +35,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cap.cells import stops
-from cap.cells.cuts import cheapest, dearest
-from cap.cells.listing import written
-from cap.cells.missing import FATES, Known, means
-from cap.cells.missing import known as masses_of
-from cap.cells.stops import SPANS, Releases, Sticks, Trees
-from cap.cells.trees import Floats, Plan
+from cap.areas.folded import stops
+from cap.areas.folded.cuts import cheapest, dearest
+from cap.areas.folded.missing import FATES, Known, means
+from cap.areas.folded.missing import known as masses_of
+from cap.areas.folded.stops import SPANS, Releases, Sticks, Trees
+from cap.areas.folded.trees import Floats, Plan
+from cap.areas.listing import written
 from cap.certificate.writer import dumps
 from cap.checker.folded.masses import Places
 from cap.checker.folded.tree import NOTHING
@@ -51,8 +51,10 @@ from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.maps.fixed_point import Start
+from cap.option import Option, exact_part, exact_positive
 from cap.proofs import attractor, cycles, places, segment, sinks
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.options import JOBS
 from cap.release.trap import critical_points
 from cap.runner import Tell, within
 from cap.sets import interval
@@ -61,9 +63,21 @@ from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
 SUMMARY = "lower bounds of the shares of the states that are attracted, or stop"
 GROUP = "states"
 SEARCH = candidates.fates
-OPTIONS = ("jobs", "speed", "undecided")
 CHECKING, PLACES = 0.5, 0.5  # parts of the time: of all, and of that before the checker's
-SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
+SPEED = Option(
+    "speed",
+    exact_positive,
+    "for states |v| < Q (default 3/2 R omega)",
+    "Q",
+)
+UNDECIDED = Option(
+    "undecided",
+    exact_part,
+    "go on until of at most the part Q of the states neither fate is shown (default: as far as "
+    "75000 regions go)",
+    "Q",
+)
+OPTIONS = (JOBS, SPEED, UNDECIDED)
 SLACK = Fraction(1, 2000)  # of a share, at first: the checker cannot follow all that the prover can
 STROBES = 40  # that may count for an orbit from a stop
 POINTS = 6  # of a region, in each direction, from which orbits tell what to hope for
@@ -95,8 +109,6 @@ def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     if setting.parameters.e != 1 or setting.parameters.mu:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
-    if setting.undecided is not None and setting.undecided >= 1:
-        raise BadInput(f"--undecided must be less than 1: {setting.undecided}")
     require_ieee(rounds_to_nearest(PROBE))
     hints = {
         "bits": str(setting.checker_bits),
@@ -135,7 +147,7 @@ def chaotic(setting: Setting) -> dict[str, Any] | None:
     """Return a certificate of the theorem `attractor`, if it is proved around a critical point."""
     for x in critical_points(setting.parameters):
         try:
-            return attractor.prove(replace(setting, start=Start(x, 0.0, ())))(Fraction(1))
+            return attractor.prove(replace(setting, guess=Start(x, 0.0, ())))(Fraction(1))
         except TooFewDigits:
             raise
         except (BadInput, NotProved) as problem:
@@ -168,7 +180,7 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     known, hints["places"]["tree"] = by_places(setting, theorem, within(tell, 0, PLACES))
     releases = releases_of(theorem, known)
     whole = 2 * theorem.region()[0] * theorem.region()[1]
-    wanted = setting.undecided
+    wanted: Fraction | None = setting.of(UNDECIDED)
     enough = None if wanted is None else (1 - wanted + SLACK) * whole
     efforts = (USUAL,) if wanted is None else EFFORTS
     for k, effort in enumerate(efforts, 1):
@@ -188,9 +200,10 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
 
 def enough_left(setting: Setting, left: Fraction) -> None:
     """Raise `NotProved` if neither fate is shown for more than was asked for."""
-    if setting.undecided is not None and left > setting.undecided:
+    wanted: Fraction | None = setting.of(UNDECIDED)
+    if wanted is not None and left > wanted:
         reason = f"of the part {float(left):.4f} neither fate is shown"
-        most = f"with {EFFORTS[-1].ahead} regions; {setting.undecided} was asked for"
+        most = f"with {EFFORTS[-1].ahead} regions; {wanted} was asked for"
         raise NotProved("share", f"{reason}, {most}")
 
 
@@ -251,7 +264,8 @@ def by_places(setting: Setting, theorem: Mixed, tell: Tell) -> tuple[Places, str
 def speed_of(setting: Setting) -> Fraction:
     """Return V."""
     p = setting.parameters
-    return setting.speed or SPEED * p.R * p.omega
+    V: Fraction = setting.of(SPEED) or Fraction(3, 2) * p.R * p.omega
+    return V
 
 
 def claims_of(setting: Setting, found: tuple[Fraction, ...], slack: Fraction) -> dict[str, Any]:

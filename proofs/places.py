@@ -1,8 +1,8 @@
 """The tree of places that the checker is asked to follow: see `cap.checker.folded.tree`.
 
-Nodes are halved where `cap.cells.next_releases` does not follow them, as long as they are worth it.
-A node is worth its length times a weight: how much measure it leaves undecided, with all that comes
-there later.
+Nodes are halved where `cap.areas.folded.next_releases` does not follow them, as long as they are
+worth it. A node is worth its length times a weight: how much measure it leaves undecided, with all
+that comes there later.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,10 +12,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.cells.backward import System
-from cap.cells.constants import system_of
-from cap.cells.next_releases import HELD, next_releases
-from cap.cells.paths import LOST
+from cap.areas.folded.backward import System
+from cap.areas.folded.constants import system_of
+from cap.areas.folded.next_releases import HELD, next_releases
+from cap.areas.folded.paths import LOST
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.masses import Places
 from cap.checker.folded.numbers import Pair

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from cap.cells.missing import Floats
+from cap.areas.folded.missing import Floats
 from cap.checker.folded.motion import System
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import MOST_HALVES, MOST_SINKS, Mixed

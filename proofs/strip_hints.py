@@ -11,13 +11,13 @@ from functools import partial
 from typing import Any
 
 from cap.certificate.writer import window
-from cap.checker.flow.sheared import Line, Near, Passage
-from cap.checker.flow.strip import Strip
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
+from cap.checker.release.sheared import Line, Near, Passage
+from cap.checker.release.strip import Strip
 from cap.checker.system.walls import Parameters as Checked
 from cap.errors import NotProved
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.release import piece
 from cap.release.family import Family
 from cap.release.passage import words

@@ -10,9 +10,11 @@ lists these files in the order to read them.  Each begins with the mathematics t
 
     kernel      rejection, strict reading, shapes; intervals, elementary functions, jets; doubles
     system      a system as data: polynomials, modes, guards, resets; closed forms of its flights
-    flow        mechanics, hits; stops, capture; fixed points, the normal form; maps from
-                one release to the next; launches, their arcs and strips
+    flow        flights, hits, stops, capture, itineraries; launches
+    maps        fixed points of the map over n periods, and Birkhoff's normal form
+    release     maps from one release to the next, over intervals of places and of f
     folded      the flow folded by its symmetry, in doubles: places of release, first stops, sinks
+    strips      launches from wall to wall that go on in vain, level by level
     one_one     the orbits with one hit of each wall per period, in closed form
     particles   two masses: flights, contacts, periodic orbits, the normal form
     theorems    one file each: statement, tables of claims and hints, citations, proof, words

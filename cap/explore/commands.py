@@ -10,9 +10,9 @@ from importlib import import_module
 from inspect import signature
 from typing import TYPE_CHECKING, Any
 
-from cap.command import option
-from cap.command.option import PARAMETERS, Option
+from cap import option
 from cap.errors import BadInput
+from cap.option import PARAMETERS, Option
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -62,7 +62,7 @@ class Command:
 
     def function(self) -> Callable[..., Any]:
         """Return the computation."""
-        return _found("cap.floats", self.run)
+        return _found("cap.floats.diagnostics", self.run)
 
     def picture(
         self, findings: Any, size: tuple[float, float] | None = None, dpi: float = 200
@@ -144,7 +144,7 @@ COMMANDS = {
             STATE,
         ),
         (7.4, 4.2),
-        ("mass_trajectory:trajectory", "masses:orbit", (7.4, 4.2)),
+        ("cap.floats.masses.mass_trajectory:trajectory", "masses:orbit", (7.4, 4.2)),
     ),
     "portrait": Command(
         "a stroboscopic portrait of many orbits",
@@ -167,7 +167,7 @@ COMMANDS = {
             STATE,
         ),
         (5.8, 5.0),
-        ("mass_portrait:portrait", "masses:portrait", (6.4, 7.0)),
+        ("cap.floats.masses.mass_portrait:portrait", "masses:portrait", (6.4, 7.0)),
     ),
     "sali": _alignment("sali", "The smaller alignment index, min |w1 + w2|, |w1 - w2|."),
     "gali": _alignment("gali", "The generalised alignment index of two vectors, |w1 ^ w2|."),
@@ -356,7 +356,7 @@ COMMANDS = {
             *MASSES,
         ),
         (7.8, 4.6),
-        ("mass_attractor:attractors", "masses:attractors", (7.8, 4.6)),
+        ("cap.floats.masses.mass_attractor:attractors", "masses:attractors", (7.8, 4.6)),
     ),
     "release": Command(
         "after sticks: the map from one release to the next, or its orbits over a parameter",

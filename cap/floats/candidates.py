@@ -9,12 +9,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 from cap.errors import BadInput
-from cap.floats import periodic
-from cap.floats.cycles import Cycle, near
-from cap.floats.particle_candidates import attracting, lighter, particles, touching_nothing
-from cap.floats.periodic import Guess
-from cap.floats.request import Candidate, Found, Release, Request, Search, Turning
-from cap.floats.search import from_hit_times, search
+from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
+from cap.floats.search import periodic
+from cap.floats.search.cycles import Cycle, near
+from cap.floats.search.orbits import from_hit_times, search
+from cap.floats.search.periodic import Guess
+from cap.floats.search.request import Candidate, Found, Release, Request, Search, Turning
 from cap.flow.itinerary import itinerary
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
@@ -229,14 +229,14 @@ def fates(request: Request) -> Found:
 
 def releasing_again(p: Parameters) -> list[list[Release]]:
     """Return the attracting cycles on which releases end."""
-    from cap.floats.release_cycles import release_cycles  # noqa: PLC0415 (the compiled flow)
+    from cap.floats.search.release_cycles import release_cycles  # noqa: PLC0415 (the compiled flow)
 
     return release_cycles(p)
 
 
 def turning(p: Parameters) -> list[Turning]:
     """Return the states of attracting cycles that turn and never stick."""
-    from cap.floats.turning_cycles import turning_cycles  # noqa: PLC0415 (the compiled flow)
+    from cap.floats.search.turning_cycles import turning_cycles  # noqa: PLC0415 (the compiled flow)
 
     return turning_cycles(p)
 
@@ -279,7 +279,7 @@ def _rank(kind: str) -> int:
 
 def _candidate(guess: Guess) -> Candidate:
     start = Start.non_sticking(guess.x, guess.v, guess.hit_times)
-    return Candidate(start, _shown(guess), _order(guess))
+    return Candidate(start, _shown(guess))
 
 
 def _shown(guess: Guess) -> str:
@@ -306,16 +306,3 @@ def _described(p: Parameters, cycle: Cycle) -> str:
         f"x = {cycle.x:.6g}, v = {cycle.v:.6g}, {cycle.kind(conserves=p.conserves)}, trace "
         f"{cycle.trace:.6g}, det {cycle.determinant:.4g}; {counts or 'no event'}"
     )
-
-
-def _order(guess: Guess) -> int:
-    """Return 5 if the rotation number is within 1/100 of a p/q with 5 <= q <= 8, else 3.
-
-    Near such a resonance the first twist says little at a small distance from the fixed point
-    already, so the second one is claimed as well.
-    """
-    if guess.kind != "elliptic":
-        return 3
-    rotation = math.acos(guess.trace / 2) / (2 * math.pi)
-    distances = (abs(rotation - p / q) for q in range(5, 9) for p in range(1, q))
-    return 5 if min(distances) < 1 / 100 else 3

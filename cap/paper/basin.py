@@ -8,11 +8,12 @@ from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats import entropy, swarm
-from cap.floats.entropy import Entropy
-from cap.floats.fate import Fate, fate
-from cap.floats.fixed_point import elliptic_point
-from cap.floats.grid import Box, around, grid
+from cap.floats.diagnostics import entropy
+from cap.floats.diagnostics.entropy import Entropy
+from cap.floats.diagnostics.fate import Fate, fate
+from cap.floats.diagnostics.grid import Box, around, grid
+from cap.floats.engine import swarm
+from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.comparison import (
     Comparison,
     claim,

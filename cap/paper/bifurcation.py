@@ -11,9 +11,9 @@ from matplotlib.figure import FigureBase
 
 from cap.certificate.writer import Pair
 from cap.errors import BadInput
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
-from cap.floats.fixed_point import elliptic_point
+from cap.floats.search.fixed_point import elliptic_point
 from cap.maps.fixed_point import Start
 from cap.paper import certified, closed_form
 from cap.paper.closed_form import (

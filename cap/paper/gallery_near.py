@@ -8,12 +8,12 @@ import numpy as np
 from matplotlib.figure import FigureBase
 
 from cap.errors import BadInput
-from cap.floats import swarm
+from cap.floats.diagnostics.lyapunov import Lyapunov, exponents
+from cap.floats.diagnostics.trajectory import trajectory
+from cap.floats.engine import swarm
+from cap.floats.engine.swarm import Swarm
 from cap.floats.findings import Floats, State
-from cap.floats.fixed_point import elliptic_point
-from cap.floats.lyapunov import Lyapunov, exponents
-from cap.floats.swarm import Swarm
-from cap.floats.trajectory import trajectory
+from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.comparison import Comparison, claim, number
 from cap.paper.escape import Escape, escape
 from cap.paper.figure import Figure, Result, Run

@@ -7,11 +7,12 @@ import numpy as np
 from matplotlib.figure import FigureBase
 
 from cap.errors import BadInput
-from cap.floats import periodic, swarm
+from cap.floats.diagnostics.grid import grid, whole
+from cap.floats.diagnostics.trajectory import trajectory
+from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
-from cap.floats.fixed_point import elliptic_point
-from cap.floats.grid import grid, whole
-from cap.floats.trajectory import trajectory
+from cap.floats.search import periodic
+from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.closed_form import asymmetry, pair_member, root, symmetric_member, turn
 from cap.paper.comparison import Comparison, claim, number
 from cap.paper.figure import Figure, Result, Run, at

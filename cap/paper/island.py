@@ -9,9 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
 from cap.errors import BadInput
-from cap.floats.chains import Chain, chains
-from cap.floats.portrait import Portrait, portrait
-from cap.floats.rotation import SHAKY, Rotation, rotation
+from cap.floats.diagnostics.chains import Chain, chains
+from cap.floats.diagnostics.portrait import Portrait, portrait
+from cap.floats.diagnostics.rotation import SHAKY, Rotation, rotation
 from cap.paper.certified import theorem
 from cap.paper.comparison import Comparison, claim, percent, proved
 from cap.paper.figure import Figure, Result, Run

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.floats import swarm
+from cap.floats.diagnostics.trajectory import Trajectory, trajectory
+from cap.floats.engine import swarm
 from cap.floats.findings import Floats
-from cap.floats.trajectory import Trajectory, trajectory
 from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem
 from cap.paper.comparison import (

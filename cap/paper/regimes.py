@@ -8,12 +8,13 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.floats import cycles, swarm
-from cap.floats.attractor import strongest
-from cap.floats.cycles import Cycle
+from cap.floats.diagnostics.attractor import strongest
+from cap.floats.diagnostics.trajectory import Trajectory, trajectory
+from cap.floats.engine import swarm
 from cap.floats.findings import State
-from cap.floats.search import search
-from cap.floats.trajectory import Trajectory, trajectory
+from cap.floats.search import cycles
+from cap.floats.search.cycles import Cycle
+from cap.floats.search.orbits import search
 from cap.paper.coexistence import mirrored
 from cap.paper.comparison import Comparison, claim, count, number, percent, roughly, taken_from
 from cap.paper.figure import Figure, Result, Run, at

@@ -8,8 +8,8 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
+from cap.floats.diagnostics.trajectory import Trajectory
 from cap.floats.findings import Floats
-from cap.floats.trajectory import Trajectory
 from cap.pictures import times
 from cap.pictures.style import BLUE, SKY, UNITS
 

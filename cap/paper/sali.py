@@ -8,11 +8,13 @@ from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats import alignment, periodic, swarm
-from cap.floats.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
+from cap.floats.diagnostics import alignment
+from cap.floats.diagnostics.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
+from cap.floats.diagnostics.grid import around, grid
+from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
-from cap.floats.fixed_point import elliptic_point
-from cap.floats.grid import around, grid
+from cap.floats.search import periodic
+from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.comparison import Comparison, among, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER

@@ -10,13 +10,13 @@ from matplotlib.figure import FigureBase
 from matplotlib.patches import FancyArrowPatch, Rectangle
 
 from cap.errors import BadInput
-from cap.floats import periodic
-from cap.floats.attractor import Attractor, attractors
-from cap.floats.fate import Fate, fate
+from cap.floats.diagnostics.attractor import Attractor, attractors
+from cap.floats.diagnostics.fate import Fate, fate
+from cap.floats.diagnostics.portrait import Portrait, portrait
+from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.findings import Floats, State
-from cap.floats.fixed_point import elliptic_point
-from cap.floats.portrait import Portrait, portrait
-from cap.floats.trajectory import Trajectory, trajectory
+from cap.floats.search import periodic
+from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.comparison import Comparison, claim, number, percent, roughly
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER

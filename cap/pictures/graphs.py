@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 from matplotlib.ticker import FixedLocator, NullFormatter, StrMethodFormatter
 
-from cap.floats.entropy import BasinEntropy
+from cap.floats.diagnostics.entropy import BasinEntropy
+from cap.floats.diagnostics.lyapunov import Lyapunov
+from cap.floats.diagnostics.rotation import SHAKY, Rotation
 from cap.floats.findings import Floats
-from cap.floats.lyapunov import Lyapunov
-from cap.floats.rotation import SHAKY, Rotation
 from cap.pictures.states import fates
 from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, title
 

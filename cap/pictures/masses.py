@@ -9,10 +9,10 @@ from matplotlib.figure import FigureBase
 from matplotlib.patches import Patch
 
 from cap.floats.findings import Floats
-from cap.floats.mass_attractor import NEVER, MassAttractors
-from cap.floats.mass_portrait import MassPortrait
-from cap.floats.mass_trajectory import MassTrajectory
-from cap.floats.masses import OfMasses
+from cap.floats.masses.mass_attractor import NEVER, MassAttractors
+from cap.floats.masses.mass_portrait import MassPortrait
+from cap.floats.masses.mass_trajectory import MassTrajectory
+from cap.floats.masses.masses import OfMasses
 from cap.floats.words import short
 from cap.pictures.style import (
     BLACK,

@@ -28,8 +28,8 @@ from cap.checker.folded.stops import Start, Strobe, at_hit, flown, multiple, sti
 from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import BACK, SIDES, TURNS, Map, Mixed
-from cap.floats import swarm
-from cap.floats.events import HIT
+from cap.floats.engine import swarm
+from cap.floats.engine.events import HIT
 from cap.parameters import Parameters
 from cap.pictures.style import BLACK, BLUE, ORANGE, blank, parameters, stroboscopic, style
 

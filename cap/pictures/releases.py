@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 from matplotlib.patches import Rectangle
 
+from cap.floats.diagnostics.return_map import ReleaseMap, ReleaseOrbits
 from cap.floats.findings import Floats
-from cap.floats.return_map import ReleaseMap, ReleaseOrbits
 from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, ORANGE, RED, SYMBOLS, title
 
 STYLES = ("-", "--", ":")  # one for each round of the colours

@@ -13,12 +13,12 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from cap.floats.alignment import THRESHOLD, Alignment
-from cap.floats.attractor import NONE, Attractors
-from cap.floats.fate import FATES, LOST, Fate
+from cap.floats.diagnostics.alignment import THRESHOLD, Alignment
+from cap.floats.diagnostics.attractor import NONE, Attractors
+from cap.floats.diagnostics.fate import FATES, LOST, Fate
+from cap.floats.diagnostics.manifold import Manifolds
+from cap.floats.diagnostics.portrait import Portrait
 from cap.floats.findings import Findings, Floats
-from cap.floats.manifold import Manifolds
-from cap.floats.portrait import Portrait
 from cap.pictures.style import (
     BLACK,
     BLUE,

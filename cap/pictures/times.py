@@ -6,11 +6,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
-from cap.floats.chatter import Chatter
+from cap.floats.diagnostics.chatter import Chatter
+from cap.floats.diagnostics.gallery import Gallery
+from cap.floats.diagnostics.trajectory import Trajectory
 from cap.floats.findings import Floats
-from cap.floats.gallery import Gallery
 from cap.floats.history import History
-from cap.floats.trajectory import Trajectory
 from cap.pictures.style import (
     BLUE,
     GREEN,

@@ -5,9 +5,9 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.cells.motion import HIT_L, HIT_R
-from cap.cells.release import passages
-from cap.cells.results import MOVING, SETTLED, UNDECIDED, Floats, Passages
+from cap.boxes.motion import HIT_L, HIT_R
+from cap.boxes.release import passages
+from cap.boxes.results import MOVING, SETTLED, UNDECIDED, Floats, Passages
 from cap.parameters import Parameters
 from cap.release.rows import Kind, Row, clipped, shortened
 from cap.runner import Runner

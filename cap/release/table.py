@@ -2,7 +2,7 @@
 
 A place is in a branch if the events up to the next release are known, or those of all the periods
 looked at, in which there is none.  Cells are halved until they are in a branch: first in intervals
-of doubles (`cap.cells.release`), then, where these do not suffice, in balls.  What is left over are
+of doubles (`cap.boxes.release`), then, where these do not suffice, in balls.  What is left over are
 gaps between branches, about the places where the events change (`cap.release.border`).
 
 Near a wall the events change infinitely often: where captures begin, the number of hits before the

@@ -13,7 +13,7 @@ from cap.audit.means.quadrature import over_the_line
 from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.parameters import PAPER
 from cap.sets import interval
 from cap.sets.interval import Ball

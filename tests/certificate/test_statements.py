@@ -24,8 +24,8 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import enclosure
 from cap.checker.verdict import check, words
 from cap.explore.commands import COMMANDS
-from cap.floats import swarm
 from cap.floats.candidates import Request
+from cap.floats.engine import swarm
 from cap.paper.registry import LABELS, figure
 from cap.parameters import Parameters
 from cap.proofs.census import census
@@ -53,7 +53,7 @@ def backwards():
     p = Parameters(*map(Fraction, ("1", "1", "0", "-1", "9/5")))
     proof = THEOREMS["elliptic"]
     start = proof.search(Request("elliptic", p, (-0.2286, 1.6332))).candidates[0].start
-    return accepted(proof, Setting(p, start, 12, order=5))
+    return accepted(proof, Setting(p, start, 12, options={"order": 5}))
 
 
 def parameters(certificate):

@@ -11,9 +11,9 @@ from fractions import Fraction
 
 from mpmath import mp, mpf
 
-from cap.checker.flow.normal_form import elliptic_frame, in_complex_coordinate, twists
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
+from cap.checker.maps.normal_form import elliptic_frame, in_complex_coordinate, twists
 from cap.checker.theorems import load
 
 ORBITS = {

@@ -7,7 +7,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-from cap.cells.listing import written
+from cap.areas.listing import written
 from cap.checker.kernel.certificate import read
 from cap.checker.theorems.mixed import Mixed
 

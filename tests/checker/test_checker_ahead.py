@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.cells.next_event import HIT, NOTHING, next_event, place_at, speed_at
+from cap.areas.folded.next_event import HIT, NOTHING, next_event, place_at, speed_at
 from cap.checker.folded import ahead, flights, slopes
 from cap.checker.folded.ahead import (
     FATES,

@@ -15,10 +15,10 @@ import pytest
 from mpmath import mp, mpf
 
 from cap.certificate.latex import macros
-from cap.checker.flow.kneading import doubling, order
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.release.kneading import doubling, order
 from cap.checker.theorems import attractor
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.verdict import words

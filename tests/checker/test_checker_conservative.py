@@ -13,21 +13,21 @@ import numpy as np
 import pytest
 from support import rounds, seeded
 
-from cap.cells.listing import Run as Listed
-from cap.cells.listing import listed, written
-from cap.checker.flow import overlap, strips
-from cap.checker.flow.arc import Arc, Launches, least
-from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
-from cap.checker.flow.columns import Run, columns, lines
-from cap.checker.flow.images import image
-from cap.checker.flow.landing import Place, positive
-from cap.checker.flow.overlap import gaps, left, mirrored, shared
-from cap.checker.flow.stopping import stops_by
-from cap.checker.flow.strips import Ceiling, TooLong, World, along
+from cap.areas.listing import Run as Listed
+from cap.areas.listing import listed, written
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.parabolas import BYTES, integers
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.strips import overlap, strips
+from cap.checker.strips.arc import Arc, Launches, least
+from cap.checker.strips.ceiling import Flights, closed, descends, returns_in_time
+from cap.checker.strips.columns import Run, columns, lines
+from cap.checker.strips.images import image
+from cap.checker.strips.landing import Place, positive
+from cap.checker.strips.overlap import gaps, left, mirrored, shared
+from cap.checker.strips.stopping import stops_by
+from cap.checker.strips.strips import Ceiling, TooLong, World, along
 from cap.checker.verdict import check
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
@@ -376,7 +376,7 @@ def test_the_ceiling():
 
 def test_a_ceiling_that_is_too_low(monkeypatch):
     """W need not decrease below."""
-    monkeypatch.setattr("cap.checker.flow.ceiling.MOST", 20_000)
+    monkeypatch.setattr("cap.checker.strips.ceiling.MOST", 20_000)
     a, b, _ = map(enclosing, CEILING)
     with pytest.raises(Rejected, match="too many boxes"):
         descends(Flights(F, R), Ceiling(a, b, Double(0.5)))

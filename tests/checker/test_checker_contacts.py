@@ -20,7 +20,7 @@ from cap.checker.particles.existence import defects
 from cap.checker.particles.mechanics import Contact, Mechanics, contacts
 from cap.checker.system.masses import MassParameters as Parameters
 from cap.checker.theorems.particles import from_integers
-from cap.floats.particles import Particles, follow
+from cap.floats.masses.particles import Particles, follow
 from cap.parameters import PAPER
 from cap.parameters import Parameters as Exact
 

@@ -11,16 +11,16 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker.flow.driven import DrivenMap, phases
-from cap.checker.flow.kneading import extreme, order
-from cap.checker.flow.sheared import Line, Near, Passage, Sheared
-from cap.checker.flow.strip import Strip, fitted
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.release.driven import DrivenMap, phases
+from cap.checker.release.kneading import extreme, order
+from cap.checker.release.sheared import Line, Near, Passage, Sheared
+from cap.checker.release.strip import Strip, fitted
 from cap.checker.theorems.entropies import Entropies
 from cap.checker.verdict import words
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
 from cap.parameters import PAPER
 from checker.altered import changed, encode, fits_the_schema, rejected
 

@@ -12,16 +12,16 @@ from types import SimpleNamespace
 import pytest
 from support import rounds, seeded
 
-from cap.checker.flow import arc, images, landing
-from cap.checker.flow.arc import Arc, Launches, everywhere, least
-from cap.checker.flow.ceiling import Flight, Flights
-from cap.checker.flow.images import image
-from cap.checker.flow.landing import Place
-from cap.checker.flow.patches import Patch, Spread
-from cap.checker.flow.stopping import stops_by
-from cap.checker.flow.strips import World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.strips import arc, images, landing
+from cap.checker.strips.arc import Arc, Launches, everywhere, least
+from cap.checker.strips.ceiling import Flight, Flights
+from cap.checker.strips.images import image
+from cap.checker.strips.landing import Place
+from cap.checker.strips.patches import Patch, Spread
+from cap.checker.strips.stopping import stops_by
+from cap.checker.strips.strips import World
 from checker.altered import changed, rejected
 
 NONE = Double(0.0)

@@ -7,14 +7,14 @@ from fractions import Fraction
 
 import pytest
 
-from cap.cells import mirrored
-from cap.cells import paths as compiled_paths
-from cap.checker.flow.arc import Arc, Launches, _hit
-from cap.checker.flow.stopping import stops_by
+from cap.areas.folded import mirrored
+from cap.areas.folded import paths as compiled_paths
 from cap.checker.folded import numbers, paths
 from cap.checker.kernel import line
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.strips.arc import Arc, Launches, _hit
+from cap.checker.strips.stopping import stops_by
 
 FRICTION = enclosing(Fraction(2, 5))
 

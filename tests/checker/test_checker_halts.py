@@ -7,11 +7,11 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.flow import halts
-from cap.checker.flow.driven import DrivenMap, phases
 from cap.checker.flow.hits import Event
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.release import halts
+from cap.checker.release.driven import DrivenMap, phases
 from cap.checker.system.walls import Parameters
 
 BITS = 96

@@ -18,10 +18,12 @@ from checker.altered import changed
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
 STORED = Path(__file__).parents[2] / "certificates"
 BARE = {"kernel", "system", "theorems", "verdict"}
-FLOW = BARE | {"flow"}
+FLOW = BARE | {"flow", "maps"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
-ROOMS |= {"impulse": BARE, "mixed": FLOW | {"folded"}}
-ROOMS |= dict.fromkeys(("conservative", "segment", "sliding"), BARE | {"flow"})
+ROOMS |= dict.fromkeys(("attractor", "cascade", "entropies", "window"), FLOW | {"release"})
+ROOMS |= {"impulse": BARE, "mixed": FLOW | {"release", "folded"}}
+ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
+ROOMS |= {"conservative": BARE | {"strips"}}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}}
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
@@ -52,11 +54,11 @@ def test_the_checker_loads_only_itself():
 
 
 def test_the_command_line_adds_only_itself():
-    """``cap.verify`` adds only itself, ``cap.command.verifier``, ``cap.command.entry`` and
-    ``cap.command.console``."""
+    """``cap.verify`` adds only itself, how a command begins, ends and speaks, and no library."""
     modules = loaded("import cap.verify, cap.command.verifier")
     ours = {m for m in modules if m.split(".")[0] == "cap"}
-    own = {"cap.verify", "cap.command.verifier", "cap.command.entry", "cap.command.console"}
+    own = {f"cap.command.{name}" for name in ("verifier", "entry", "console")}
+    own |= {"cap.verify", "cap.process", "cap.words"}
     assert ours <= {"cap", "cap.command", "cap.checker", *own, *MODULES}
     assert not {m.split(".")[0] for m in modules} & FOREIGN
 

@@ -7,7 +7,7 @@ from itertools import islice, product
 
 import pytest
 
-from cap.checker.flow.kneading import doubling, order
+from cap.checker.release.kneading import doubling, order
 
 SYMBOLS = {-1: "L", 0: "C", 1: "R"}
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from cap.cells.listing import written
+from cap.areas.listing import written
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed

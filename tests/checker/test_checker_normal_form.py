@@ -8,16 +8,16 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.flow.normal_form import (
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Jet, substituted
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.maps.normal_form import (
     Complex,
     elliptic_frame,
     in_complex_coordinate,
     logarithm,
     twists,
 )
-from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Jet, substituted
-from cap.checker.kernel.rejection import Rejected
 
 BITS = 256
 

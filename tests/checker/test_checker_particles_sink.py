@@ -16,7 +16,7 @@ from cap.checker.particles import passage, stops, zero
 from cap.checker.particles.mechanics import Mechanics
 from cap.checker.system.masses import MassParameters as Parameters
 from cap.checker.verdict import check, words
-from cap.floats.particles import Particles, follow
+from cap.floats.masses.particles import Particles, follow
 from cap.parameters import PAPER
 from cap.parameters import Parameters as Exact
 from checker import remembered

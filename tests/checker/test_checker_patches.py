@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 from support import rounds, seeded
 
-from cap.checker.flow.arc import Arc, Launches
-from cap.checker.flow.columns import columns, lines
-from cap.checker.flow.images import image
-from cap.checker.flow.landing import Place
-from cap.checker.flow.patches import Patch, Spread
-from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.strips.arc import Arc, Launches
+from cap.checker.strips.columns import columns, lines
+from cap.checker.strips.images import image
+from cap.checker.strips.landing import Place
+from cap.checker.strips.patches import Patch, Spread
+from cap.checker.strips.strips import Ceiling, World
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
 

@@ -19,7 +19,7 @@ from cap.checker.folded.tree import nodes
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.walls import Parameters
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 
 SYSTEMS = {

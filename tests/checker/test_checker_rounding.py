@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cap.cells.constants import system_of
-from cap.cells.next_releases import next_releases
+from cap.areas.folded.constants import system_of
+from cap.areas.folded.next_releases import next_releases
 from cap.checker.folded import flights
 from cap.checker.folded.basins import Basins
 from cap.checker.kernel.certificate import read

@@ -7,14 +7,14 @@ from types import SimpleNamespace
 
 import pytest
 
-from cap.cells.listing import written
-from cap.checker.flow.columns import columns
+from cap.areas.listing import written
 from cap.checker.kernel.doubles import Double
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import MAX_CHARACTERS, number
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Many, Whole, enclosure, matched
 from cap.checker.kernel.theorem import Theorem
+from cap.checker.strips.columns import columns
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.walls import Parameters
 from cap.checker.theorems.mixed import Mixed
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 
 SYSTEMS = {

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cap.cells.listing import written
+from cap.areas.listing import written
 from cap.checker.kernel.reading import NUMBER
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.rounding import in_doubles

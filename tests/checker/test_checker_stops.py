@@ -8,8 +8,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.cells.listing import written
-from cap.cells.next_event import HIT, next_event, place_at, speed_at
+from cap.areas.folded.next_event import HIT, next_event, place_at, speed_at
+from cap.areas.listing import written
 from cap.checker.folded.events import after, event
 from cap.checker.folded.instants import hitting, stopping
 from cap.checker.folded.motion import System, upcoming
@@ -31,7 +31,7 @@ from cap.checker.folded.stops import (
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.walls import Parameters
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 from checker.mixed_small import even
 

@@ -23,8 +23,10 @@ from cap.explore import __main__ as explore
 from cap.explore import explorer, export, inventory
 from cap.explore.arrays import load
 from cap.explore.commands import COMMANDS
-from cap.floats import cycles, fate, swarm
-from cap.floats.pieces import in_pieces
+from cap.floats.diagnostics import fate
+from cap.floats.engine import swarm
+from cap.floats.engine.pieces import in_pieces
+from cap.floats.search import cycles
 from cap.parameters import PAPER
 from cap.proofs import theorems
 from cap.runner import Runner
@@ -392,5 +394,7 @@ def test_what_is_not_proved_is_told(monkeypatch, capsys):
 
 def test_an_unknown_suffix_is_no_surprise_after_hours(monkeypatch):
     """It is refused before anything is computed."""
-    monkeypatch.setattr("cap.floats.alignment.sali", lambda *_, **__: pytest.fail("computed"))
+    monkeypatch.setattr(
+        "cap.floats.diagnostics.alignment.sali", lambda *_, **__: pytest.fail("computed")
+    )
     assert run("sali", "--out", "sali.jpeg") == 2

@@ -12,8 +12,8 @@ import pytest
 
 from cap.command.entry import INTERRUPTED
 from cap.explore import __main__ as explore
-from cap.floats import compiled
-from cap.floats.compiled import announced
+from cap.floats.engine import compiled
+from cap.floats.engine.compiled import announced
 from cap.paper import command
 from cap.paper.registry import figure
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cap.errors import BadInput
-from cap.floats import (
+from cap.floats.diagnostics import (
     alignment,
     attractor,
     chatter,
@@ -19,12 +19,12 @@ from cap.floats import (
     portrait,
     rotation,
 )
-from cap.floats.fixed_point import elliptic_point
-from cap.floats.grid import grid, whole
-from cap.floats.manifold import crossings, manifolds
-from cap.floats.reversal import retrace
-from cap.floats.swarm import follow, stretch
-from cap.floats.trajectory import trajectory
+from cap.floats.diagnostics.grid import grid, whole
+from cap.floats.diagnostics.manifold import crossings, manifolds
+from cap.floats.diagnostics.trajectory import trajectory
+from cap.floats.engine.reversal import retrace
+from cap.floats.engine.swarm import follow, stretch
+from cap.floats.search.fixed_point import elliptic_point
 from cap.parameters import PAPER
 from cap.runner import Runner
 

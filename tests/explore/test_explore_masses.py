@@ -13,12 +13,12 @@ from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.explore import __main__ as explore
 from cap.explore.arrays import load
-from cap.floats.mass_attractor import NEVER, NONE, SLIDING, attractors
-from cap.floats.mass_portrait import portrait
-from cap.floats.mass_swarm import Seeds, swarm
-from cap.floats.mass_trajectory import trajectory
-from cap.floats.masses import drawn
-from cap.floats.particles import Particles
+from cap.floats.masses.mass_attractor import NEVER, NONE, SLIDING, attractors
+from cap.floats.masses.mass_portrait import portrait
+from cap.floats.masses.mass_swarm import Seeds, swarm
+from cap.floats.masses.mass_trajectory import trajectory
+from cap.floats.masses.masses import drawn
+from cap.floats.masses.particles import Particles
 from cap.parameters import PAPER
 from cap.runner import Runner
 

@@ -9,10 +9,10 @@ import pytest
 
 from cap.errors import BadInput
 from cap.explore.inventory import inventory
-from cap.floats import swarm
-from cap.floats.continuation import continuation
-from cap.floats.gallery import gallery
-from cap.floats.plane import plane
+from cap.floats.diagnostics.continuation import continuation
+from cap.floats.diagnostics.gallery import gallery
+from cap.floats.diagnostics.plane import plane
+from cap.floats.engine import swarm
 from cap.floats.variation import value_of, varied
 from cap.parameters import PAPER
 

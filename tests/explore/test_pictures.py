@@ -7,8 +7,8 @@ import pytest
 from matplotlib.colors import to_hex
 
 from cap.explore.commands import COMMANDS
-from cap.floats import alignment, attractor, fate, plane
-from cap.floats.continuation import continuation
+from cap.floats.diagnostics import alignment, attractor, fate, plane
+from cap.floats.diagnostics.continuation import continuation
 from cap.paper.figure import Run
 from cap.paper.sketches import decomposition, draw_decomposition
 from cap.parameters import PAPER

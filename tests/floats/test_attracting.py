@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cap.floats.attracting import attracting, first_alike, growth
-from cap.floats.attractor import attractors
-from cap.floats.gallery import gallery
+from cap.floats.diagnostics.attractor import attractors
+from cap.floats.diagnostics.gallery import gallery
+from cap.floats.search.attracting import attracting, first_alike, growth
 from cap.parameters import PAPER
 
 ROOT = Path(__file__).parents[2]

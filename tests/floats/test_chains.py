@@ -5,9 +5,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats import swarm
-from cap.floats.chains import chains
-from cap.floats.portrait import portrait
+from cap.floats.diagnostics.chains import chains
+from cap.floats.diagnostics.portrait import portrait
+from cap.floats.engine import swarm
 from cap.parameters import PAPER
 
 KNOWN = [Fraction(q) for q in ("2/7", "7/25", "5/18", "8/29", "3/11")]

@@ -9,8 +9,8 @@ import pytest
 from cap.errors import BadInput
 from cap.floats import candidates
 from cap.floats.candidates import Request
-from cap.floats.cycles import StroboscopicMap, near
-from cap.floats.search import search
+from cap.floats.search.cycles import StroboscopicMap, near
+from cap.floats.search.orbits import search
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER, Parameters
 
@@ -216,7 +216,7 @@ def test_a_search_that_cannot_succeed_ends_at_once():
 
 def test_a_long_search_tells_how_far_it_is(monkeypatch):
     """Many events: fewer seeds; the parts grow to the whole."""
-    monkeypatch.setattr("cap.floats.newton.MOST_FOLLOWED", 10_000)
+    monkeypatch.setattr("cap.floats.search.newton.MOST_FOLLOWED", 10_000)
     told = []
     slow = replace(PAPER, omega=Fraction(1, 20))
     with pytest.raises(BadInput, match="no isolated periodic orbit"):

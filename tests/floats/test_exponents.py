@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats import attractor, lyapunov
+from cap.floats.diagnostics import attractor, lyapunov
 from cap.floats.words import with_error
 from cap.parameters import PAPER
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from cap.errors import BadInput
-from cap.floats import flow
+from cap.floats.engine import flow
 from cap.flow.itinerary import oscillator, root
 from cap.parameters import PAPER, Parameters
 from cap.sets.matrix import determinant

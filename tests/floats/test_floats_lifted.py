@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from cap.floats import lifted
-from cap.floats.lifted import PERIOD, Ratios
+from cap.floats.engine import lifted
+from cap.floats.engine.lifted import PERIOD, Ratios
 
 RATIOS = [Ratios(0.4, 2.0), Ratios(0.0, 0.3), Ratios(0.9, 50.0)]
 

@@ -8,7 +8,8 @@ import pytest
 from systems import CASES, FRICTIONS
 
 from cap.errors import BadInput
-from cap.floats import flow, periodic
+from cap.floats.engine import flow
+from cap.floats.search import periodic
 from cap.flow.itinerary import oscillator
 from cap.parameters import PAPER
 

@@ -12,8 +12,9 @@ import pytest
 from systems import CASES, FRICTIONS, SHIFTED
 
 from cap.errors import BadInput
-from cap.floats import flow, periodic
-from cap.floats.periodic import Guess
+from cap.floats.engine import flow
+from cap.floats.search import periodic
+from cap.floats.search.periodic import Guess
 from cap.flow.itinerary import oscillator
 from cap.flow.model import Moment
 from cap.parameters import PAPER
@@ -226,6 +227,6 @@ def test_kinds():
 
 def test_import_is_light():
     """The float search does not load scipy."""
-    code = "import sys, cap.floats.periodic; print('scipy' in sys.modules)"
+    code = "import sys, cap.floats.search.periodic; print('scipy' in sys.modules)"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert out.stdout.split() == ["False"]

@@ -6,8 +6,14 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats.particle_orbits import Continued, NotFound, continued, fixed_point, reduced_traces
-from cap.floats.particles import Particles
+from cap.floats.masses.particle_orbits import (
+    Continued,
+    NotFound,
+    continued,
+    fixed_point,
+    reduced_traces,
+)
+from cap.floats.masses.particles import Particles
 from cap.parameters import PAPER
 
 PAIR = (0.1003, 0.5592, 0.5419, 1.0670)  # the elliptic orbits of one mass: x, x, v, v

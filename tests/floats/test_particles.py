@@ -10,8 +10,8 @@ from scipy.integrate import solve_ivp
 from support import rounds, seeded
 
 from cap.errors import BadInput
-from cap.floats.contacts import first_contact
-from cap.floats.particles import Particles, Unresolved, follow
+from cap.floats.masses.contacts import first_contact
+from cap.floats.masses.particles import Particles, Unresolved, follow
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER, Parameters
 

@@ -6,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats.release_cycles import release_cycles
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
+from cap.floats.search.release_cycles import release_cycles
 from cap.parameters import PAPER
 
 

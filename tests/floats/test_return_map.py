@@ -10,9 +10,9 @@ import pytest
 
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS
-from cap.floats.release_cycles import attracting, settled
-from cap.floats.releases import period_of
-from cap.floats.return_map import SAME, ReleaseMap, ReleaseOrbits, late, release
+from cap.floats.diagnostics.return_map import SAME, ReleaseMap, ReleaseOrbits, late, release
+from cap.floats.engine.releases import period_of
+from cap.floats.search.release_cycles import attracting, settled
 from cap.parameters import PAPER
 
 ROOT = Path(__file__).parents[2]

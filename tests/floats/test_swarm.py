@@ -11,7 +11,7 @@ from mpmath import mp
 from support import rounds, seeded
 
 from cap.errors import BadInput
-from cap.floats.swarm import follow, itinerary
+from cap.floats.engine.swarm import follow, itinerary
 from cap.parameters import PAPER, Parameters
 
 SLOW = replace(PAPER, f=Fraction(7, 10))

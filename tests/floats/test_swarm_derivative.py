@@ -8,7 +8,7 @@ import pytest
 from support import seeded
 from test_swarm import state_of
 
-from cap.floats.swarm import follow, itinerary, stretch
+from cap.floats.engine.swarm import follow, itinerary, stretch
 from cap.parameters import PAPER
 
 LOSSY = replace(PAPER, e=Fraction(3, 5), f=Fraction(3, 10))

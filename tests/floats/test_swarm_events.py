@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from test_swarm import compare
 
-from cap.floats.swarm import follow, itinerary
+from cap.floats.engine.swarm import follow, itinerary
 from cap.parameters import PAPER
 
 HELD = np.arccos(0.4)  # |a| = f, falling

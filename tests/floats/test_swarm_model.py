@@ -7,7 +7,7 @@ import pytest
 from support import rounds, seeded
 
 from cap.errors import NotProved
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.flow.itinerary import itinerary
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER, Parameters

@@ -6,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats import swarm
-from cap.floats.turning_cycles import turning_cycles
+from cap.floats.engine import swarm
+from cap.floats.search.turning_cycles import turning_cycles
 from cap.parameters import PAPER, Parameters
 
 OTHER = Parameters(*map(Fraction, (3, 2, "3/5", "-1/2", 1)))  # as f = 1/5, in other units

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cap.errors import NotProved
-from cap.floats.cycles import near
+from cap.floats.search.cycles import near
 from cap.flow.itinerary import itinerary
 from cap.flow.strobe import oscillator
 from cap.maps import basin, fixed_point

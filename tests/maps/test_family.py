@@ -9,7 +9,7 @@ import pytest
 from support import holds, rounds, seeded
 
 from cap.errors import NotProved
-from cap.floats.cycles import near
+from cap.floats.search.cycles import near
 from cap.flow.event import TAYLOR_MODELS, Expected
 from cap.flow.model import Constants
 from cap.flow.strobe import oscillator

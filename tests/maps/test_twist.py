@@ -10,7 +10,7 @@ from test_normal_form import ANGLES, composed, shears, twist_map
 
 from cap.certificate import writer as certificate
 from cap.errors import NotProved
-from cap.floats.cycles import near
+from cap.floats.search.cycles import near
 from cap.maps import normal_form
 from cap.maps.fixed_point import Start
 from cap.maps.twist import Complex, regular_twist

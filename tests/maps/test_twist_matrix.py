@@ -8,10 +8,10 @@ import pytest
 from support import holds, width
 
 from cap.errors import NotProved
-from cap.floats import particle_candidates
 from cap.floats.candidates import Request, non_sticking
-from cap.floats.particle_orbits import from_equal_masses
-from cap.floats.particles import Particles
+from cap.floats.masses import particle_candidates
+from cap.floats.masses.particle_orbits import from_equal_masses
+from cap.floats.masses.particles import Particles
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.strobe import oscillator
 from cap.maps import fixed_point, normal_form, twist_matrix

@@ -6,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from cap.floats import swarm
-from cap.floats.search import search
+from cap.floats.engine import swarm
+from cap.floats.search.orbits import search
 from cap.paper import escape, forcing
 from cap.paper.figure import Run, at
 from cap.parameters import PAPER

@@ -6,7 +6,7 @@ import numpy as np
 import particle_orbits
 import pytest
 
-from cap.floats.particles import Particles, follow
+from cap.floats.masses.particles import Particles, follow
 from cap.particles import derivative
 from cap.sets import interval
 from cap.sets.interval import Ball

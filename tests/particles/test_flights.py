@@ -8,7 +8,7 @@ import pytest
 from support import holds
 
 from cap.errors import NotProved
-from cap.floats.particles import Particles, follow
+from cap.floats.masses.particles import Particles, follow
 from cap.particles import flights
 from cap.particles.derivative import state
 from cap.particles.model import Model, events_of, legs_of

@@ -16,7 +16,7 @@ from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.floats import candidates
-from cap.floats.periodic import Guess
+from cap.floats.search.periodic import Guess
 from cap.proofs import symbolic, theorems
 
 ROOT = Path(__file__).parents[2]

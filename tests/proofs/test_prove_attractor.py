@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from cap.errors import BadInput, NotProved
-from cap.floats import swarm
-from cap.floats.releases import images
+from cap.floats.engine import swarm
+from cap.floats.engine.releases import images
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from cap.proofs import attractor

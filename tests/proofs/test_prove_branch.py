@@ -13,7 +13,7 @@ from reference import System
 from support import number, rational, seeded
 
 from cap.errors import BadInput
-from cap.floats.cycles import near
+from cap.floats.search.cycles import near
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric
 from cap.parameters import Parameters

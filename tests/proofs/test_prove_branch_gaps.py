@@ -8,11 +8,11 @@ from fractions import Fraction
 import pytest
 from closed_forms import setting
 
-from cap.cells.subdivision import UNDECIDED, Cell
 from cap.parameters import Parameters
 from cap.proofs import branch, theorems
 from cap.proofs.fixed_point import Setting, Start
 from cap.sets import interval
+from cap.subdivision import UNDECIDED, Cell
 
 ODD = Parameters(*map(Fraction, ("3", "2", "1", "1/4", "11/10")))
 

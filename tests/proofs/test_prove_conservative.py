@@ -8,8 +8,8 @@ from itertools import pairwise
 import pytest
 from support import proving
 
-from cap.cells import strips
-from cap.cells.rounds import Round, Rounds
+from cap.areas.strips import strips
+from cap.areas.strips.rounds import Round, Rounds
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
@@ -110,7 +110,7 @@ def test_columns_are_cut_where_much_is_lost():
 
 def test_too_many_cells(monkeypatch):
     """What the checker does not read is not proved; that is said before anything is tried."""
-    monkeypatch.setattr("cap.checker.flow.columns.LONGEST", 2)
+    monkeypatch.setattr("cap.checker.strips.columns.LONGEST", 2)
     with pytest.raises(NotProved, match="too many"):
         conservative.prove(replace(SETTING, flights=1))
 

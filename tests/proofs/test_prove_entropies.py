@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from cap.errors import BadInput, NotProved
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
 from cap.flow.event import Expected
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER

@@ -9,7 +9,7 @@ import pytest
 from conftest import STARTS
 
 from cap.errors import BadInput
-from cap.floats import swarm
+from cap.floats.engine import swarm
 from cap.parameters import PAPER
 from cap.proofs import segment
 from cap.proofs.fixed_point import Setting

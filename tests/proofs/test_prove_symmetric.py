@@ -9,7 +9,7 @@ from conftest import STARTS
 from mpmath import mp, workdps
 from support import among, seeded
 
-from cap.floats.cycles import near
+from cap.floats.search.cycles import near
 from cap.one_one.closed_form import asymmetric
 from cap.parameters import PAPER
 from cap.proofs import pitchfork, symmetric

@@ -11,7 +11,7 @@ import pytest
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.floats.candidates import Request
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
 from cap.flow.strobe import oscillator
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER, Parameters

@@ -8,7 +8,7 @@ import pytest
 from support import holds, rounds, seeded, width
 
 from cap.errors import BadInput, NotProved
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
 from cap.flow.strobe import oscillator
 from cap.parameters import PAPER

@@ -7,11 +7,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from cap.cells.motion import HIT_R
-from cap.cells.release import passages
-from cap.cells.results import MOVING, RELEASED, SETTLED, UNDECIDED
+from cap.boxes.motion import HIT_R
+from cap.boxes.release import passages
+from cap.boxes.results import MOVING, RELEASED, SETTLED, UNDECIDED
 from cap.errors import BadInput, NotProved
-from cap.floats.releases import images
+from cap.floats.engine.releases import images
 from cap.flow.event import BALLS
 from cap.flow.strobe import oscillator
 from cap.parameters import PAPER

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from numba.core.caching import FunctionCache
 
+from cap.sets.compiled import files
 from cap.sets.kept import kept
 
 ROOT = Path(__file__).parents[2]
@@ -55,6 +56,34 @@ def test_a_cache_that_fails(monkeypatch, method):
     assert list(numbers) == [2, 4]
 
 
+@pytest.mark.parametrize("kind", ["nbi", "nbc"])
+def test_a_damaged_file(kind):
+    """It is no error: the function is compiled, and the files are whole again."""
+    numbers = np.array([1.0, 2.0])
+    first = kept(twice, f"damaged {kind}")
+    first(numbers)
+    for file in Path(first.stats.cache_path).glob(f"test_kept.twice-*.{kind}"):
+        whole = file.read_bytes()
+        file.write_bytes(whole[: len(whole) // 2] + b"n" * 100)
+    hits = []
+    for _ in range(2):
+        again = kept(twice, f"damaged {kind}")
+        again(numbers)
+        hits.append(sum(again.stats.cache_hits.values()))
+    assert (list(numbers), hits) == ([8, 16], [0, 1])
+
+
+def test_the_digest_is_of_all_that_may_be_compiled():
+    """Whatever is compiled by `compiled` or `kernel` lies in a folder that the digest covers."""
+    users = {
+        path.relative_to(ROOT / "cap").parts[0]
+        for path in (ROOT / "cap").rglob("*.py")
+        if "from cap.sets.compiled import" in path.read_text(encoding="utf-8")
+    }
+    assert users <= {"areas", "boxes", "sets", "release"}
+    assert {path.name for path in files()} >= {"paths.py", "fit.py", "union.py", "compiled.py"}
+
+
 def test_no_place_to_keep_anything(tmp_path):
     """A package where nothing can be written and no home directory: it loads, and works."""
     shutil.copytree(ROOT / "cap", tmp_path / "cap", ignore=shutil.ignore_patterns("__pycache__"))
@@ -64,8 +93,8 @@ def test_no_place_to_keep_anything(tmp_path):
     env = {**os.environ, "HOME": "/proc/none", "PYTHONPATH": str(tmp_path)}
     env.pop("XDG_CACHE_HOME", None)
     program = (
-        "import cap.cells.follow, cap.cells.krawczyk, cap.cells.launches, cap.floats.swarm\n"
-        "from cap.cells.follow import FOLLOW\n"
+        "import cap.boxes.follow, cap.boxes.krawczyk, cap.boxes.launches, cap.floats.engine.swarm\n"
+        "from cap.boxes.follow import FOLLOW\n"
         "print(cap.__file__, type(FOLLOW._cache).__name__)"
     )
     done = subprocess.run(

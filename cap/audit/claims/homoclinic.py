@@ -40,7 +40,7 @@ def horseshoe() -> Verdict:
     """
     if HORSESHOE:
         return corrected(sentence(HORSESHOE), "Stored certificate.", certificate=HORSESHOE)
-    from cap.floats.manifold import manifolds  # noqa: PLC0415 (floats, which are slow to import)
+    from cap.floats.diagnostics.manifold import manifolds  # noqa: PLC0415 (floats, which are slow to import)
 
     need(stored("saddle-2.json").claims["trace"].lower > 2, "it is no saddle")
     found = [manifolds(PAPER, orbit=SADDLE, length=1.0, spacing=each) for each in (0.01, 0.02)]
@@ -54,7 +54,7 @@ def horseshoe() -> Verdict:
         "nothing in the section proves it. In floats the manifolds of the certified saddle "
         "(0.3435, 0.7753) cross transversely, at angles of more than 5 degrees, in many points. "
         f"What is proved is chaos elsewhere: where orbits stick, with the entropy {chaos} per T",
-        "cap.floats.manifold with branches of the length 1 and two spacings of points: both find "
+        "cap.floats' manifolds with branches of the length 1 and two spacings of points: both find "
         "crossings (over fifty). Floats prove nothing. The entropy: attractor.json.",
         numerical=True,
     )

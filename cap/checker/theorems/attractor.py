@@ -46,10 +46,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.fixed_point import STATE, ends
-from cap.checker.flow.kneading import doubling, order, tent
 from cap.checker.flow.mechanics import Ends
-from cap.checker.flow.releases import next_release
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
@@ -67,6 +64,9 @@ from cap.checker.kernel.shapes import (
     region,
 )
 from cap.checker.kernel.theorem import BITS, MAX_BITS
+from cap.checker.maps.fixed_point import STATE, ends
+from cap.checker.release.kneading import doubling, order, tent
+from cap.checker.release.releases import next_release
 from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
 
 _ORDER = 4  # of the jets over cells and over the box

@@ -11,13 +11,13 @@ from typing import Any
 
 from cap.checker.flow.capture import captures, ratio
 from cap.checker.flow.events import WORDS, LossyMap, in_order, limit_events
-from cap.checker.flow.fixed_point import STATE, WINDOWS, ends
 from cap.checker.flow.hits import SIDES
 from cap.checker.flow.itinerary import MAX_EVENTS
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word, bound, enclosure
 from cap.checker.kernel.theorem import BITS
+from cap.checker.maps.fixed_point import STATE, WINDOWS, ends
 from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
 
 _ORDER = 3  # of the jets over the box

@@ -32,9 +32,7 @@ from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.flow.events import WORDS
-from cap.checker.flow.fixed_point import ends
 from cap.checker.flow.mechanics import Ends
-from cap.checker.flow.sheared import Passage, Sheared
 from cap.checker.kernel.citation import NEUMAIER, cite
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
@@ -42,6 +40,8 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, enclosure
 from cap.checker.kernel.theorem import BITS
+from cap.checker.maps.fixed_point import ends
+from cap.checker.release.sheared import Passage, Sheared
 from cap.checker.system.walls import WITH_LOSSES, BetweenWalls
 
 _MAX_EVENTS, _MAX_DOUBLINGS, _MAX_PERIOD, _MAX_POINTS = 16, 8, 12, 512

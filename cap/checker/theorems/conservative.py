@@ -42,16 +42,16 @@ from functools import partial
 from itertools import pairwise
 from typing import Any
 
-from cap.checker.flow.ceiling import Flights, closed, descends, returns_in_time
-from cap.checker.flow.columns import Column, columns, lines
-from cap.checker.flow.overlap import gaps, left
-from cap.checker.flow.strips import Ceiling, World
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, bound
+from cap.checker.strips.ceiling import Flights, closed, descends, returns_in_time
+from cap.checker.strips.columns import Column, columns, lines
+from cap.checker.strips.overlap import gaps, left
+from cap.checker.strips.strips import Ceiling, World
 from cap.checker.system.walls import SYSTEM, BetweenWalls
 
 _CEILING = {"height": number, "phase": number, "level": number}

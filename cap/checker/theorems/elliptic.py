@@ -13,22 +13,22 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from cap.checker.flow.fixed_point import Point, contains
 from cap.checker.flow.itinerary import Passage
-from cap.checker.flow.non_sticking import KRAWCZYK, NonSticking
-from cap.checker.flow.normal_form import (
-    NORMAL_FORM,
-    EllipticFrame,
-    elliptic_frame,
-    in_complex_coordinate,
-    twists,
-)
 from cap.checker.kernel.citation import MOSER, cite
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, First, Maybe, Quantity, Word, bound
+from cap.checker.maps.fixed_point import Point, contains
+from cap.checker.maps.non_sticking import KRAWCZYK, NonSticking
+from cap.checker.maps.normal_form import (
+    NORMAL_FORM,
+    EllipticFrame,
+    elliptic_frame,
+    in_complex_coordinate,
+    twists,
+)
 
 ORDERS = ("3", "5", "7", "9")
 RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}

@@ -38,9 +38,6 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from cap.checker.flow.events import WORDS
-from cap.checker.flow.fixed_point import ends
-from cap.checker.flow.halts import HALTS
-from cap.checker.flow.strip import Strip, pieces_ends
 from cap.checker.kernel.choices import OrNone
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.reading import number
@@ -57,6 +54,9 @@ from cap.checker.kernel.shapes import (
     region,
 )
 from cap.checker.kernel.theorem import BITS, MAX_BITS
+from cap.checker.maps.fixed_point import ends
+from cap.checker.release.halts import HALTS
+from cap.checker.release.strip import Strip, pieces_ends
 from cap.checker.system.walls import WITH_LOSSES, BetweenWalls
 
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32

@@ -42,7 +42,14 @@ from cap.checker.flow.events import (
     limit_events,
     turning_factor,
 )
-from cap.checker.flow.fixed_point import (
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
+from cap.checker.kernel.choices import OneOrOther
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
+from cap.checker.kernel.reading import number
+from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
+from cap.checker.maps.fixed_point import (
     KRAWCZYK_ORDER,
     WINDOWS,
     FixedPoint,
@@ -51,13 +58,6 @@ from cap.checker.flow.fixed_point import (
     ends,
     krawczyk_theorem,
 )
-from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
-from cap.checker.kernel.choices import OneOrOther
-from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
-from cap.checker.kernel.reading import number
-from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
 from cap.checker.system.walls import SYSTEM, WITH_LOSSES
 
 MAX_PERIODS = 16

@@ -29,7 +29,12 @@ from itertools import pairwise, product
 from typing import Any
 
 from cap.checker.flow.events import LossyMap, determinant
-from cap.checker.flow.fixed_point import (
+from cap.checker.flow.itinerary import CELL_WORK, MAX_WORK, Passage
+from cap.checker.flow.mechanics import Ends
+from cap.checker.kernel.reading import number
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, Many
+from cap.checker.maps.fixed_point import (
     CENTRE,
     INVERSE,
     STATE,
@@ -39,11 +44,6 @@ from cap.checker.flow.fixed_point import (
     krawczyk,
     krawczyk_theorem,
 )
-from cap.checker.flow.itinerary import CELL_WORK, MAX_WORK, Passage
-from cap.checker.flow.mechanics import Ends
-from cap.checker.kernel.reading import number
-from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many
 from cap.checker.theorems.periodic import Periodic
 
 _BITS = 64  # a rectangle is much wider than 2^-64

@@ -7,12 +7,12 @@ sqrt(trace^2 - 4))/2 with the sign of the trace, and the inner one is its invers
 
 from __future__ import annotations
 
-from cap.checker.flow.fixed_point import Point
 from cap.checker.flow.itinerary import Passage
-from cap.checker.flow.non_sticking import KRAWCZYK, NonSticking
 from cap.checker.kernel.citation import HADAMARD_PERRON, cite
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
+from cap.checker.maps.fixed_point import Point
+from cap.checker.maps.non_sticking import KRAWCZYK, NonSticking
 
 
 class Saddle(NonSticking):

@@ -23,10 +23,10 @@ from fractions import Fraction
 from itertools import chain, combinations, cycle
 from typing import Any, ClassVar, NamedTuple
 
-from cap.checker.flow.fixed_point import ends
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Letters, Many, Quantity, Table, enclosure, region
+from cap.checker.maps.fixed_point import ends
 from cap.checker.theorems.attractor import Attractor
 
 _MAX_PERIOD, _MAX_FIRST = 64, 1024

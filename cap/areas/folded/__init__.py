@@ -1,0 +1,1 @@
+"""The prover's side of `mixed`, in compiled doubles: a mirror of `cap.checker.folded`."""

@@ -1,0 +1,1 @@
+"""The prover's side of `conservative`: columns of launches, fitted to `cap.checker.strips`."""

@@ -1,0 +1,1 @@
+"""Boxes of states by the million, followed in outward-rounded doubles; no theorem uses them yet."""

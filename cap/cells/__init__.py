@@ -1,1 +1,0 @@
-"""The flow of cells: boxes of states, by the million, through all events, in doubles that prove."""

@@ -1,0 +1,1 @@
+"""Fixed points of the map over n periods: existence, claims, Birkhoff's normal form."""

@@ -1,0 +1,86 @@
+"""A fixed point whose orbit hits the walls alternately and never turns: mu = 0, e = 1, one period.
+
+On the orbit of P* the velocity never vanishes; flights and hits preserve dx^dv, so det Phi' = 1.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import ClassVar
+
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, Many, Quantity, Table
+from cap.checker.maps.fixed_point import (
+    WINDOWS,
+    FixedPoint,
+    Matrix,
+    contains,
+    ends,
+    krawczyk_theorem,
+)
+
+KRAWCZYK = krawczyk_theorem(
+    "Phi is continuously differentiable on the box: "
+    "all hits are transverse and no velocity vanishes",
+    "K(box) lies in the interior of the box",
+)
+
+
+class NonSticking(FixedPoint):
+    """The fixed point of an orbit that hits the walls alternately, without losses."""
+
+    # fmt: off
+    HINTS: ClassVar[Table] = (
+        *FixedPoint.HINTS,
+        Field("hit_times", WINDOWS, "", "", "each orbit from the box has its k-th hit in the k-th"),
+    )
+    CLAIMS: ClassVar[Table] = (
+        *FixedPoint.CLAIMS,
+        Field("hit_times", Many(Quantity("omega^-1"), 1, MAX_EVENTS), "hit time", "t_k",
+              "increasing, in (0, T)"),
+        Field("hit_forcing", Many(Quantity("F"), 1, MAX_EVENTS),
+              "|F cos wt| - f at hit", r"|F\cos\omega t_k| - f",
+              "its sign says whether this clause of (H1) holds, which nothing else needs"),
+        Field("least_speed", Quantity("R omega"), "least speed", r"\min |v|",
+              "the minimum of |v| on the orbit of P*, positive"),
+    )
+    # fmt: on
+
+    @property
+    def phi(self) -> PeriodMap:
+        """The map over one period; the first wall is r if v > 0."""
+        windows, first = self.hints["hit_times"], int(self.claims["box"]["v"].lower <= 0)
+        words = [("hit r", "hit l")[(first + n) % 2] for n in range(len(windows))]
+        return PeriodMap(self.p, words, [ends(w) for w in windows])
+
+    def orbit(self, orbit: Passage, jacobian: Matrix) -> None:
+        """Compare the claims about the orbit of P* with what is computed."""
+        (a, b), (c, d) = jacobian
+        self.confirm(
+            hit_times=[h.moment.t.value for h in orbit.hits],
+            hit_forcing=[h.forcing.magnitude() - self.number(self.p.f) for h in orbit.hits],
+            least_speed=orbit.least_speed,
+            determinant=a * d - b * c,
+        )
+        self.step("the claims about the orbit of P* contain what is computed")
+        claims, times = self.claims, self.claims["hit_times"]
+        need(times[0].lower > 0, "the first hit time is not positive")
+        increasing = all(s.upper < t.lower for s, t in pairwise(times))
+        need(increasing, "the hit times are not increasing")
+        need(times[-1].upper * self.omega < 2 * self.pi().lower, "the last hit is not before T")
+        need(all(u.lower > 0 for u in claims["hit_speeds"]), "a hit speed is not positive")
+        need(claims["least_speed"].lower > 0, "the least speed is not positive")
+        need(contains(claims["determinant"], 1), "the determinant excludes 1")
+
+    def statement(self, conclusion: str, **more: object) -> str:
+        """Return the sentence that says what the orbit is, and what is concluded."""
+        return self.told(f"{_ORBIT}; {conclusion}", hits=len(self.claims["hit_times"]), **more)
+
+
+_ORBIT = (
+    "x'' = F cos(omega t) - f sgn x' with F = {F}, omega = {omega}, f = {f} and elastic walls at "
+    "{l} and {r}: the time-T map Phi of (x, v), T = 2 pi/omega, has one and only one fixed point "
+    "in {box}, with x in {x}, v in {v}; its orbit hits the walls {hits} times per period, "
+    "transversely, and never turns or sticks, with a least speed in {least_speed}"
+)

@@ -1,0 +1,1 @@
+"""The map from one release to the next, over intervals of places and of f."""

@@ -1,0 +1,1 @@
+"""Float mode, diagnostics: portraits, attractors, exponents, manifolds, diagrams."""

@@ -1,0 +1,1 @@
+"""Float mode, the flow: flights and events of one mass in doubles, one orbit or many at once."""

@@ -1,0 +1,48 @@
+"""Compiled functions, and a line on standard error while the first call is compiled."""
+
+import multiprocessing
+import sys
+from collections.abc import Callable
+from threading import Lock, Timer
+from typing import Any
+
+from cap.sets.kept import kept
+from cap.words import say
+
+PATIENCE = 3.0  # seconds: what is kept is loaded in less
+WORDS = "compiling the engine of the float mode, the first time only: about ten seconds"
+
+
+def announced(function: Callable[..., None]) -> Callable[..., None]:
+    """Compile a function when it is first called, in nopython mode without the GIL, and keep it."""
+    return _Announced(kept(function, error_model="numpy"))
+
+
+class _Announced:
+    """A compiled function, of one signature, whose first call prints a line if it takes long."""
+
+    def __init__(self, compiled: Callable[..., None]) -> None:
+        self._compiled, self._ready, self._lock = compiled, False, Lock()
+
+    def __call__(self, *arguments: Any) -> None:
+        if not self._ready:
+            with self._lock:  # of several threads one compiles
+                if not self._ready:
+                    self._first(*arguments)
+                    return
+        self._compiled(*arguments)
+
+    def _first(self, *arguments: Any) -> None:
+        timer = Timer(PATIENCE, _say)
+        timer.daemon = True
+        timer.start()
+        try:
+            self._compiled(*arguments)
+        finally:
+            timer.cancel()
+        self._ready = True
+
+
+def _say() -> None:
+    if multiprocessing.parent_process() is None:  # others would say the same
+        say(WORDS, sys.stderr)

@@ -1,0 +1,1 @@
+"""Float mode for several masses: their flow, orbits, portraits and attractors."""
