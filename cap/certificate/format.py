@@ -18,10 +18,10 @@ from typing import Any
 
 from cap.checker.kernel.certificate import DIGITS
 from cap.checker.kernel.choices import Cases, OneOrOther, OrNone, Taken
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
     First,
-    Letters,
     Many,
     Maybe,
     Quantity,

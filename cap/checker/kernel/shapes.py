@@ -115,20 +115,6 @@ class Word(NamedTuple):
         return str(value)
 
 
-class Letters(NamedTuple):
-    """A sequence of these letters, so many at most."""
-
-    letters: str
-    most: int
-
-    def __call__(self, value: Any, where: str) -> str:
-        """Read it."""
-        read = text(value, where)
-        fits = 0 < len(read) <= self.most and set(read) <= set(self.letters)
-        need(fits, f"{where} is not a sequence of at most {self.most} letters {self.letters}")
-        return read
-
-
 class Whole(NamedTuple):
     """An integer, in these bounds."""
 

@@ -48,13 +48,14 @@ from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.citation import cite
+from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
-from cap.checker.kernel.reading import decimal, number
+from cap.checker.kernel.letters import Letters
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Field,
-    Letters,
     Many,
     Quantity,
     Table,

@@ -40,12 +40,12 @@ from typing import Any, ClassVar
 from cap.checker.flow.events import WORDS
 from cap.checker.kernel.choices import OrNone
 from cap.checker.kernel.citation import cite
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Enclosure,
     Field,
-    Letters,
     Many,
     Table,
     Whole,

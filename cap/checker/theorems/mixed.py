@@ -55,14 +55,15 @@ from cap.checker.folded.sinks import Sink
 from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.citation import Citation
+from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.processes import Work
-from cap.checker.kernel.reading import MAX_SIZE, decimal, number, text
+from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import (
     Enclosure,
     Field,
-    Letters,
     Many,
     Maybe,
     Whole,
