@@ -22,7 +22,7 @@ from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import need
 from cap.checker.system.evaluation import evaluate
 from cap.checker.system.exponential import Exponential
-from cap.checker.system.model import CLOCK, COS, Model
+from cap.checker.system.model import CLOCK, Model
 from cap.checker.system.polynomial import Polynomial
 
 
@@ -68,4 +68,4 @@ class Leg:
         values = dict(zip(CLOCK, self._clock(t), strict=True))
         values |= {z: self._variable(z, t) for z in self.model.state if z in g.variables}
         jets = {name: Jet(0, {(): q}) for name, q in values.items()}
-        return evaluate(g, jets, jets[COS]).constant
+        return evaluate(g, jets).constant
