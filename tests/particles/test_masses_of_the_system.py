@@ -13,7 +13,6 @@ from types import SimpleNamespace
 import pytest
 import sympy
 
-from cap.checker.kernel.theorem import Parameters as Checked
 from cap.checker.particles import family, mechanics, monodromy, orbit, passage, stops
 from cap.parameters import Parameters
 from cap.particles.model import Model
@@ -80,7 +79,7 @@ def of(request, monkeypatch):
     monkeypatch.setattr(mechanics, "pi", lambda _bits: Symbol(sympy.pi))
     monkeypatch.setattr(mechanics, "arccos", lambda q: Symbol(sympy.acos(plain(q))))
     monkeypatch.setattr(mechanics.Mechanics, "number", number)
-    p = Checked(P.F, P.omega, P.f, P.l, P.r, masses=M)
+    p = mechanics.Parameters(P.F, P.omega, P.f, P.l, P.r, masses=M)
     model = masses(Parameters(P.F, P.omega, P.f * request.param, P.l, P.r), M)
     return SimpleNamespace(M=mechanics.Mechanics(p, 64), model=model, same=request.param == 1)
 
