@@ -18,7 +18,7 @@ from cap.checker.folded.paths import next_release as followed
 from cap.checker.folded.rests import height as resting
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters as Given
+from cap.checker.system.walls import Parameters as Given
 from cap.floats.engine import swarm
 from cap.parameters import PAPER, Parameters
 

@@ -10,7 +10,7 @@ import pytest
 from cap.checker.folded.flights import System, constants
 from cap.checker.folded.rests import height
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
 

@@ -11,7 +11,7 @@ from support import rounds, seeded
 from cap.checker.folded.ahead import bounds_of
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.shapes import Enclosure
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from cap.checker.theorems.mixed import Mixed
 
 OTHER = Parameters(*map(Fraction, (3, 2, "3/5", "-1/2", 1)))

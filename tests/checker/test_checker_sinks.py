@@ -16,7 +16,7 @@ from cap.checker.folded.sinks import Part, Sink, norm
 from cap.checker.folded.table import ATTRACTOR, NONE
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from cap.checker.theorems.mixed import Mixed
 from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given

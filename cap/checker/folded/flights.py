@@ -38,7 +38,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.line import Coefficients
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import need_doubles
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 _BITS = 160
 ARCS = 12  # of a flight

@@ -22,7 +22,7 @@ from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.angles import cos_sin, of
 from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 _ARCS = 6  # of a flight
 _NEAR = 1e-13  # more than the errors of the times here, all below 50

@@ -55,14 +55,15 @@ from cap.checker.folded.sinks import Sink
 from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.kernel.citation import Citation
+from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.processes import Work
-from cap.checker.kernel.reading import MAX_SIZE, decimal, number, text
+from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import (
     Enclosure,
     Field,
-    Letters,
     Many,
     Maybe,
     Whole,
@@ -70,7 +71,8 @@ from cap.checker.kernel.shapes import (
     region,
 )
 from cap.checker.kernel.shapes import Table as Fields
-from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate, Theorem
+from cap.checker.kernel.theorem import BITS, Certificate
+from cap.checker.system.walls import SYSTEM, BetweenWalls, Parameters
 from cap.checker.theorems.attractor import Attractor
 from cap.checker.theorems.segment import Segment
 
@@ -90,7 +92,7 @@ def shapes(table: Fields) -> dict[str, Any]:
     return {field.name: field.shape for field in table}
 
 
-def named(theorem: type[Theorem]) -> str:
+def named(theorem: type[BetweenWalls]) -> str:
     """Return the name of a theorem, and of the claims about it."""
     return theorem.__name__.lower()
 
@@ -106,10 +108,10 @@ def where_claimed(citation: Citation) -> Citation:
     return citation | {"hypotheses": found}
 
 
-class Mixed(Theorem):
+class Mixed(BetweenWalls):
     """The shares of the states that tend to the attractor, to the segment, or stop."""
 
-    PARAMETERS = WITHOUT_LOSSES
+    p: Parameters
     # fmt: off
     HINTS = (
         BITS,
@@ -205,7 +207,7 @@ class Mixed(Theorem):
         )
         return tuple(area / (2 * W * V) for area in sums)
 
-    def lemma(self, theorem: type[Theorem]) -> None:
+    def lemma(self, theorem: type[BetweenWalls]) -> None:
         """Prove the theorem on which this one stands."""
         name = named(theorem)
         hints = self.hints.get(name, self.hints)
