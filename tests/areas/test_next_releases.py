@@ -22,6 +22,9 @@ from cap.checker.system.walls import Parameters as Given
 from cap.floats.engine import swarm
 from cap.parameters import PAPER, Parameters
 
+# compiled anew in a fresh clone: tens of seconds; the checker has its own code
+pytestmark = pytest.mark.slow
+
 OTHER = Parameters(
     **{k: Fraction(z) for k, z in {"F": 3, "omega": 2, "f": "4/3", "l": "-1/2", "r": "3/4"}.items()}
 )

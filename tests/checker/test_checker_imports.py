@@ -32,7 +32,7 @@ MORE = {
     "persistence": {"periodic"},
     "mixed": {"attractor", "segment"},
 }
-FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
+FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy", "numba", "matplotlib"}
 
 
 def printed(code, *words):
