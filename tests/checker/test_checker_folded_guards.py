@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.folded import cycles, events, flights, motion, paths, sinks
+from cap.checker.attracting import cycles, sinks
+from cap.checker.folded import events, flights, motion, paths
 from cap.checker.folded.events import hit, stop
 from cap.checker.folded.instants import stopping
 from cap.checker.folded.motion import upcoming

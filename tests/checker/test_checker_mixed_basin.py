@@ -8,11 +8,11 @@ from types import SimpleNamespace
 import pytest
 from support import rounds, seeded
 
+from cap.checker.attracting.segment import Touching
 from cap.checker.folded.ahead import bounds_of
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Parameters
-from cap.checker.theorems.mixed import Mixed
 
 OTHER = Parameters(*map(Fraction, (3, 2, "3/5", "-1/2", 1)))
 NEAR = 1e-6
@@ -42,9 +42,7 @@ def room(x, v):
 
 def strip():
     """Return the strip."""
-    units = SimpleNamespace(p=OTHER, omega=OTHER.omega, claims={"segment": CLAIMS})
-    units.length, units.speed = lambda x: Mixed.length(units, x), lambda v: Mixed.speed(units, v)
-    return Mixed.strip(units)
+    return Touching(SimpleNamespace(p=OTHER), CLAIMS).strip()
 
 
 def contains(x, v):

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from cap.checker.folded import sinks
+from cap.checker.attracting import sinks
+from cap.checker.attracting.sinks import Part, Sink, norm
+from cap.checker.attracting.sinks import sink as of_claim
 from cap.checker.folded.ahead import bounds_of
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.motion import System
-from cap.checker.folded.sinks import Part, Sink, norm
 from cap.checker.folded.table import ATTRACTOR, NONE
+from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Parameters
-from cap.checker.theorems.mixed import Mixed
 from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 
@@ -49,10 +49,7 @@ def rescaled(claim, name):
 
 def sink(claim, name="weak"):
     """Return a sink."""
-    p = SYSTEMS[name]
-    units = SimpleNamespace(p=p, omega=p.omega)
-    units.length, units.speed = lambda x: Mixed.length(units, x), lambda v: Mixed.speed(units, v)
-    return Mixed.sink(units, claim)
+    return of_claim(Units(SYSTEMS[name]), claim)
 
 
 def contract(claim, name="weak"):

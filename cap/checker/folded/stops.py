@@ -4,9 +4,15 @@
 folded, at the distance q <= 0 to the wall ahead, at a time with cos t > -a.  A state at t = 0 that
 stops is given by its first stop and by how many multiples of pi, in the folded time, are passed
 backwards from there to it (odd or even: the mass arrives from the left or from the right):
-different states by different pairs.  So the areas of these states, for any regions of stops that do
-not overlap and all multiples of pi passed, add up.  Backwards it ends where the mass is at rest: a
-stop before.
+different states by different pairs, as a state has one orbit, so one first stop, and the number of
+multiples of pi between them.  So the areas of these states, for any regions of stops that do not
+overlap and all multiples of pi passed, add up, if none is counted twice for a region.  Backwards it
+ends where the mass is at rest: a stop before.
+
+*None is counted twice.*  The multiples of pi that are counted in a flight follow each other from
+`first` on, the first one after the latest start of the flight.  The last of them are not after the
+latest end of the flight, which is the latest start of the next one, where `first` is larger.  So
+the numbers, which are counted from the stop on (``passed``), increase from flight to flight.
 
 *Kinds of stops.*  If |t| < theta, cos t > a: the mass turns, and sets out from there, at the place
 q and the time -t of the flow forwards.  If cos t < a, it sticks: late, in the arc (theta - pi,

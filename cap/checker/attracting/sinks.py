@@ -18,25 +18,78 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from cap.checker.attracting.part import Part as Claimed
 from cap.checker.folded.ahead import bounds_of, sticking
-from cap.checker.folded.basins import Ellipse, Row, rounded
+from cap.checker.folded.basins import Basins, Ellipse, Row, rounded
 from cap.checker.folded.events import after, event
 from cap.checker.folded.motion import Flight, System
 from cap.checker.folded.numbers import TURN, UP, Pair, middle, times
 from cap.checker.folded.slopes import Slopes
 from cap.checker.folded.slopes import after as slopes_after
 from cap.checker.folded.stops import multiple
+from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
+from cap.checker.kernel.reading import MAX_SIZE, decimal, number
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.shapes import Many, Whole
+
+MOST_SINKS, MOST_HALVES = 16, 64
+_MOST_SIZE = MAX_SIZE**3  # of lengths and speeds, products of parameters
 
 _EVENTS = 256
 _DEEPEST, _MOST = 5, 300  # quarterings of a square, and parts that are followed
 _EXACT = (1.0, 0.0, 0.0, 1.0)  # how errors of (A, B) are carried, at first
 
 Vector = tuple[Fraction, Fraction]
+
+
+class Sinks(Claimed):
+    """Ellipses of states."""
+
+    CLAIM = Many(
+        {"x": number, "v": number, "matrix": [[number] * 2] * 2, "halves": Whole(1, MOST_HALVES)},
+        1,
+        MOST_SINKS,
+    )
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claim: Any) -> None:  # noqa: ARG003
+        """Bound the sizes of numbers."""
+        for sink in claim:
+            sizes = map(abs, (sink["x"], sink["v"], *sink["matrix"][0], *sink["matrix"][1]))
+            need(max(sizes) <= _MOST_SIZE, "a number of a sink is larger than 10^90")
+
+    def prove(self, known: Basins) -> None:  # noqa: ARG002
+        """Prove that the flow contracts the ellipses."""
+        y = System(self.theorem.p, forwards=True)
+        for claim in self.claim:
+            sink(self.scale, claim).contract(y)
+            self.theorem.step("the flow takes an ellipse of states into itself, and contracts it")
+
+    def basins(self) -> Basins:
+        """Return the ellipses."""
+        sinks = [sink(self.scale, claim) for claim in self.claim]
+        even, odd = (tuple(z.ellipse() for z in sinks if z.odd is side) for side in (False, True))
+        return Basins((), even, odd)
+
+    def words(self) -> Iterator[str]:
+        """Give the periodic orbits."""
+        for claim in self.claim:
+            rows = [", ".join(map(decimal, row)) for row in claim["matrix"]]
+            yield _SINK.format(decimal(claim["x"]), decimal(claim["v"]), *rows)
+
+
+def sink(units: Units, claim: dict[str, Any]) -> Sink:
+    """Return a sink, of which nothing is proved yet: p = x - r, or l - x mirrored, at pi."""
+    x, v = units.length(Fraction(1)), units.speed(Fraction(1))
+    first, second = ((a / x, b / v) for a, b in claim["matrix"])
+    left = claim["v"] < 0
+    place = units.p.l - claim["x"] if left else claim["x"] - units.p.r
+    centre = units.length(place), units.speed(abs(claim["v"]))
+    return Sink(centre, (first, second), claim["halves"], left)
 
 
 class Part(NamedTuple):
@@ -181,3 +234,12 @@ def inner(u: Sequence[Pair], v: Sequence[Pair]) -> float:
     """Return a bound of the size of an inner product."""
     (x, e), (z, f) = (times(a, b) for a, b in zip(u, v, strict=True))
     return (abs(x + z) + e + f + (abs(x) + abs(z)) * TURN) * UP
+
+
+_SINK = (
+    "a periodic orbit through a state (x, v) at t = 0 with |W (x - {}, v - {})| < 1 in the "
+    "Euclidean norm, W = [[{}], [{}]], or to its image by S; up to S and shifts of the time by "
+    "multiples of T it is the only periodic orbit through such a state"
+)
+
+PART = Sinks
