@@ -85,7 +85,7 @@ def of_highest_order() -> Content:
     from cap.proofs.fixed_point import Setting  # noqa: PLC0415
 
     start = Start.non_sticking(0.10027988984, 0.54194330676, (1.0991729107, 3.5160904414))
-    ask = Setting(PAPER, start, 30, order=9)
+    ask = Setting(PAPER, start, 30, options={"order": 9})
     return with_most_bits(theorems.accepted(theorems.THEOREMS["elliptic"], ask))
 
 

@@ -19,10 +19,10 @@ from cap.certificate.latex import macros
 from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.verdict import check, words
-from cap.command.console import unread
 from cap.command.verifier import content, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
+from cap.words import unread
 
 __all__ = [
     "BadInput",
@@ -34,7 +34,7 @@ __all__ = [
 ]
 
 Pair = tuple[float, float]
-_NOT_OPTIONS = ("theorem", "list", "all", "proportional", "out")  # of the command line alone
+_NOT_OPTIONS = ("theorem", "list", "all", "out", "own")  # of the command line alone
 
 
 @dataclass(frozen=True)
@@ -220,16 +220,22 @@ def _verified(data: bytes) -> Verified:
 
 def _namespace(theorem: str, options: dict[str, Any]) -> Any:
     """Return the options as the command line would have them."""
-    from cap.command.prover_parser import parser  # noqa: PLC0415 (the prover)
+    from cap.command.prover_parser import options_of, parser  # noqa: PLC0415 (the prover)
+    from cap.proofs.theorems import THEOREMS  # noqa: PLC0415
 
     namespace = parser().parse_args([])
-    known = [name for name in vars(namespace) if name not in _NOT_OPTIONS]
-    for name, value in options.items():
-        if name not in known:
-            raise BadInput(f"there is no option {name!r}: one of {', '.join(known)}")
-        if value is not None:
-            setattr(namespace, name, _word(name, value))
     namespace.theorem = theorem
+    known = [name for name in vars(namespace) if name not in _NOT_OPTIONS]
+    names = {o.keyword: o for o in options_of({theorem} & THEOREMS.keys()).values()}
+    if options.keys() - known - names.keys():
+        names = {o.keyword: o for o in options_of(THEOREMS).values()}
+    for name, value in options.items():
+        if name not in known and name not in names:
+            raise BadInput(f"there is no option {name!r}: one of {', '.join([*known, *names])}")
+        if value is not None and name in known:
+            setattr(namespace, name, _word(name, value))
+        elif value is not None:
+            namespace.own[names[name].name] = _word(name, value)
     return namespace
 
 
@@ -237,8 +243,8 @@ def _word(name: str, value: Any) -> Any:
     """Return the value of an option as the command line would have it."""
     if name == "orbit":
         return _state(value)
-    if name == "masses" and isinstance(value, tuple | list):
-        return ",".join(_word(name, mass) for mass in value)
+    if isinstance(value, tuple | list):
+        return ",".join(_word(name, part) for part in value)
     if isinstance(value, float) and not math.isfinite(value):
         raise BadInput(f"{name} = {value!r} is no number: write a decimal or a fraction, as text")
     if isinstance(value, float):

@@ -7,8 +7,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import IO, Self
 
-from cap.command.console import quoted
 from cap.errors import BadInput
+from cap.words import quoted
 
 
 class Journal:

@@ -16,9 +16,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from cap.command.entry import as_worker
 from cap.errors import BadInput
 from cap.journal import Journal
+from cap.process import as_worker
 
 A = TypeVar("A")
 B = TypeVar("B")

@@ -40,9 +40,10 @@ from cap.errors import NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Content, Proof, Setting, assembled, bits
+from cap.proofs.options import RANGE_OF_F
 from cap.proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 from cap.release import kneading
 from cap.release.cell import Cell
@@ -55,6 +56,7 @@ from cap.sets.interval import Ball
 SUMMARY = "an interval that the map of releases takes into itself: its entropy from both sides"
 GROUP = "releases"
 SEARCH = candidates.releasing
+OPTIONS = RANGE_OF_F
 OVER_F = "entropies"
 COARSE = 80  # bits, for the cells and the basin
 MOST_SYMBOLS = 2000  # at the precision for 30 digits the checker accepts few more

@@ -52,6 +52,7 @@ from cap.one_one.transport import period_jet
 from cap.proofs.branch_curve import Bracket, Curve, Part, decimals
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.one_one import Scale, lemma_1_closed_form
+from cap.proofs.options import JOBS, JOURNAL, RANGE_OF_F, range_of_f
 from cap.proofs.pitchfork import lemma_2_parabolic, parameters
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -62,8 +63,8 @@ from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
 SUMMARY = "the pair born at the pitchfork, for all f of a range: trace, resonances, twist, end"
 GROUP = "family"
 SEARCH = candidates.closed_form
-OVER_F = "branch"
-OPTIONS = ("jobs", "journal")
+OPTIONS = (*RANGE_OF_F, JOBS, JOURNAL)
+CHECK = range_of_f
 
 FIRST = Fraction(1, 1000)  # the first cell, at most; no twist is asked for there, where it is
 GROWTH = Fraction(6, 5)  # like 1/δ²; those after it grow

@@ -12,6 +12,7 @@ from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.one_one.closed_form import Orbit, asymmetric
 from cap.proofs.one_one import Scale, asymmetry
+from cap.proofs.options import range_of_f
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 from cap.subdivision import Cell
@@ -42,7 +43,8 @@ class Curve:
     def __init__(self, scale: Scale, birth: Ball) -> None:
         self.scale, self.birth = scale, birth
         self.places = scale.setting.precise
-        self.low, self.high = scale.setting.f_range
+        setting = scale.setting
+        self.low, self.high = range_of_f(setting.options, setting.parameters)
 
     def at(self, delta: Fraction) -> Orbit:
         """Return the orbit."""

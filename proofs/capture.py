@@ -31,7 +31,7 @@ from cap.flow.capture import Accumulation, Entry, accumulation
 from cap.flow.event import TAYLOR_MODELS, Expected, next_slow
 from cap.flow.model import Moment, Oscillator
 from cap.flow.strobe import Orbit, State, follow, oscillator
-from cap.maps.fixed_point import Itinerary, windows_for
+from cap.flow.windows import Itinerary, windows_for
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball

@@ -23,10 +23,11 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from cap.certificate.writer import window
-from cap.errors import BadInput, NotProved
+from cap.errors import NotProved
 from cap.floats import candidates
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Content, Proof, Setting, assembled
+from cap.proofs.options import RANGE_OF_F, whole_range_of_f
 from cap.release import doubling
 from cap.release.cycle import foreseen_cycle
 from cap.release.doubling import Doubling
@@ -39,7 +40,8 @@ from cap.sets.interval import Ball
 SUMMARY = "where cycles double their period as f varies over a range, and the ratios"
 GROUP = "releases"
 SEARCH = candidates.range_of_f
-OVER_F = "cascade"
+OPTIONS = RANGE_OF_F
+CHECK = whole_range_of_f
 
 NUMBER = 6  # of doublings
 LOOKS = 24  # values of f at which cycles are looked for
@@ -79,9 +81,7 @@ class Guess(NamedTuple):
 
 def seen(setting: Setting) -> Guess:
     """Return an attracting cycle in the range of f, of the least period, near its doubling."""
-    low, high = setting.f_range
-    if low is None or high is None or not high < setting.parameters.F:
-        raise BadInput("say where to look for cycles: --from Q --to Q, below F")
+    low, high = whole_range_of_f(setting.options, setting.parameters)
     cycles = list[tuple[int, float, Guess]]()
     for k in range(LOOKS):
         f = low + (high - low) * Fraction(2 * k + 1, 2 * LOOKS)

@@ -45,24 +45,34 @@ from cap.checker.strips.strips import Ceiling
 from cap.checker.strips.strips import World as Checked
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
+from cap.option import Option, count
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.options import JOBS, JOURNAL
 from cap.runner import Runner, within
 from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
 
 SUMMARY = "an upper bound of the area of the states whose velocity never vanishes"
 GROUP = "states"
 SEARCH = candidates.every_motion
-OPTIONS = ("flights", "jobs", "journal")
 CHECKING, SEARCHING = 0.5, 0.9  # parts of the time: of all, and of that before the checker's
 
-FLIGHTS = 25  # that launches are followed, forward and backward, if nothing else is asked for
+USUAL = 25  # flights that launches are followed, forward and backward
+FLIGHTS = Option(
+    "flights",
+    count(1, 60),
+    f"launches are followed for N flights forward and backward, 1 to 60 (default {USUAL}); more "
+    "take longer, and leave less",
+    "N",
+    default=USUAL,
+)
+OPTIONS = (FLIGHTS, JOBS, JOURNAL)
 WIDE = Fraction(1, 64)  # of columns, at first
 FINE = 1 / 2048  # of the narrowest columns
 ROUGH = 20  # flights, before columns are cut
 LOSSES = 1e-7, 1e-7  # of area for each of its cells: a column that loses more is cut, twice
 WORTH = 1.25e-7  # the area that a cell takes away is at least this
-LESS, LEAST = (1e-7, 5e-8, 3e-8), 1e-9  # the same for more than `FLIGHTS` flights
+LESS, LEAST = (1e-7, 5e-8, 3e-8), 1e-9  # the same for more than `USUAL` flights
 COARSE = GRAIN._replace(step=6e-5, thin=1e-5)  # how fine cells are then, before columns are cut
 LONGER = GRAIN._replace(step=1.2e-5, thin=3e-6, halvings=7)  # and after that
 CEILING = (
@@ -84,12 +94,12 @@ def prove(setting: Setting) -> Proof:
     a, b, c = map(float, ceiling)
     lines = strips.lines(strips.window(a, b, c), WIDE)
     world = World(float(p.f / p.F), float(R), a, b, c, lines)
-    flights = setting.flights or FLIGHTS
+    flights: int = setting.of(FLIGHTS)
     begin = partial(_begun, p, ceiling)
     tell = setting.runner.tell
     search = replace(setting.runner, tell=within(tell, 0, SEARCHING))
     world, family = _rounds(flights).found(world, begin, search)
-    family = strips.worthy(family, LEAST if flights > FLIGHTS else WORTH)
+    family = strips.worthy(family, LEAST if flights > USUAL else WORTH)
     half = (1 + SEARCHING) / 2
     work = replace(search, journal=None, whole=True, tell=within(tell, SEARCHING, half))
     texts, found = zip(*work.map(_read, family, "families are listed", processes=True), strict=True)
@@ -131,7 +141,7 @@ def checked(p: Parameters, world: World, ceiling: tuple[Fraction, Fraction, Frac
 
 def _rounds(flights: int) -> Rounds:
     """Return in which rounds cells are found."""
-    deep, rough = flights > FLIGHTS, min(flights, ROUGH)
+    deep, rough = flights > USUAL, min(flights, ROUGH)
     losses, grain, last = (LESS, COARSE, LONGER) if deep else (LOSSES, GRAIN, GRAIN)
     cuts = [Round(rough, grain, loss) for loss in losses]
     return Rounds((*cuts, Round(flights, last, 0)), FINE)

@@ -21,7 +21,8 @@ Lemmas 1 and 2 (`cap.proofs.fixed_point`) give (i), Lemma 3 gives (ii), Lemma 4 
 Lemma 5 bounds, on an explicit disk, how far Φ is from its Taylor polynomial.
 """
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -34,17 +35,31 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import strobe
 from cap.maps import normal_form
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
+from cap.option import Option, choice
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import HITS, need_hits
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
+from cap.sets.matrix import trace
 from cap.sets.taylor_model import Domain, TaylorModel
 
 SUMMARY = "an elliptic T-periodic orbit that never stops: its twist, invariant curves around it"
 GROUP = "orbit"
 SEARCH = candidates.non_sticking
-OPTIONS = ("order",)
+
+
+def _order(words: Sequence[str], name: str) -> int:
+    return int(choice("3", "5", "7", "9")(words, name))
+
+
+ORDER = Option(
+    "order",
+    _order,
+    "odd order of the normal form, 3 to 9 (default 3, or 5 with a resonance of order 5 to 8 near)",
+    "N",
+)
+OPTIONS = (ORDER,)
 
 RESONANCES = {"0": Fraction(0), "1/4": Fraction(1, 4), "1/3": Fraction(1, 3), "1/2": Fraction(1, 2)}
 
@@ -61,7 +76,8 @@ def prove(setting: Setting) -> Proof:
 def conclusion(orbit: Located) -> Callable[[Around], Content]:
     """Prove what the theorem says of P*, from the jet of Φ there; return the claims."""
     setting, point = orbit.setting, orbit.point
-    jets = strobe_jet(orbit.osc, point.box, point.orbit, setting.order)
+    order = setting.of(ORDER) or order_near(float(trace(point.orbit.monodromy).mid()))
+    jets = strobe_jet(orbit.osc, point.box, point.orbit, order)
     claims = {
         **lemma_3_ellipticity(setting, jets),
         **lemma_4_twist(setting, jets),
@@ -70,9 +86,23 @@ def conclusion(orbit: Located) -> Callable[[Around], Content]:
 
     def conclude(around: Around) -> Content:
         remainder = lemma_5_remainder(orbit.osc, point, around.proved, jets)
-        return {**claims, "remainder": remainder}, {"order": str(setting.order)}
+        hints = {"bits": str(setting.checker_bits_to(order)), "order": str(order)}
+        return {**claims, "remainder": remainder}, hints
 
     return conclude
+
+
+def order_near(trace: float) -> int:
+    """Return 5 if the rotation number is within 1/100 of a p/q with 5 <= q <= 8, else 3.
+
+    Near such a resonance the first twist says little at a small distance from the fixed point
+    already, so the second one is claimed as well.
+    """
+    if not abs(trace) < 2:
+        return 3
+    rotation = math.acos(trace / 2) / (2 * math.pi)
+    distances = (abs(rotation - p / q) for q in range(5, 9) for p in range(1, q))
+    return 5 if min(distances) < 1 / 100 else 3
 
 
 def lemma_3_ellipticity(setting: Setting, jets: tuple[Jet, Jet]) -> dict[str, Any]:

@@ -29,9 +29,10 @@ from cap.certificate.writer import window
 from cap.checker.release.strip import MOST_ENTROPY
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.options import JOBS, JOURNAL, RANGE_OF_F, whole_range_of_f
 from cap.proofs.strip_hints import CHECKED, Referee
 from cap.release import kneading, piece
 from cap.release.cell import slack
@@ -47,8 +48,8 @@ SUMMARY = (
 )
 GROUP = "releases"
 SEARCH = candidates.range_of_f
-OVER_F = "entropies"
-OPTIONS = ("jobs", "journal")
+OPTIONS = (*RANGE_OF_F, JOBS, JOURNAL)
+CHECK = whole_range_of_f
 
 BITS = 80
 STEP = Fraction(1, 500)  # of F: the strips, at first
@@ -61,7 +62,7 @@ PLACES, SHARP = 6, 40  # decimals of the entropy, bits of slopes
 
 def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
-    low, high = range_of(setting)
+    low, high = whole_range_of_f(setting.options, setting.parameters)
     number = ceil((high - low) / (STEP * setting.parameters.F))
     cuts = [low + (high - low) * Fraction(k, number) for k in range(number + 1)]
     step = partial(examine, setting.parameters)
@@ -95,14 +96,6 @@ def _read(verdict: str) -> Any:
         return json.loads(verdict)
     except ValueError:
         raise BadInput(f"the journal is damaged: {verdict[:40]!r}; remove it") from None
-
-
-def range_of(setting: Setting) -> tuple[Fraction, Fraction]:
-    """Return the range of f."""
-    low, high = setting.f_range
-    if low is None or high is None or not high < setting.parameters.F:
-        raise BadInput("say for which f: --from Q --to Q, below F")
-    return low, high
 
 
 def shares(strips: list[Any], length: Fraction) -> dict[str, str]:

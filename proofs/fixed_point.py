@@ -11,7 +11,7 @@
 orbit.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -19,11 +19,12 @@ from typing import Any, NamedTuple
 
 from cap.certificate.writer import FORMAT, Pair, Rounding, Units, window
 from cap.checker.theorems import load
-from cap.errors import NotProved
+from cap.errors import BadInput, NotProved
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.maps import fixed_point
 from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
+from cap.option import Option
 from cap.parameters import Parameters
 from cap.particles.model import Guess
 from cap.runner import Runner
@@ -34,26 +35,36 @@ from cap.sets import interval
 class Setting:
     """The parameters of a theorem, the guess that it starts from, and how sharp it is to be.
 
-    ``digits`` are claimed, ``guard`` more are computed.  ``order`` is the odd order to which Φ is
-    expanded, where it is.  ``progress`` is told, in a few words, how far a long proof is.
-    Of a theorem on a range of f, ``f_range`` limits it; ``runner`` examines its cells.
-    A theorem on several masses starts from ``particles``.  Of states up to a ``speed``, at most the
-    part ``undecided`` may be; launches are followed for so many ``flights``; None: as the theorem
-    likes.
+    ``digits`` are claimed, ``guard`` more are computed.  ``progress`` is told, in a few words, how
+    far a long proof is; ``runner`` does what can be done in pieces.  ``options`` are those of the
+    theorem that are given, by name.
     """
 
     parameters: Parameters
-    start: Start
+    guess: Start | Guess
     digits: int
-    order: int = 3
     guard: int = 15
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
-    f_range: tuple[Fraction | None, Fraction | None] = (None, None)
     runner: Runner = field(default_factory=Runner, compare=False)
-    particles: Guess | None = None
-    speed: Fraction | None = None
-    undecided: Fraction | None = None
-    flights: int | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    def of(self, option: Option) -> Any:
+        """Return the value of an option that the theorem declares; without one its default."""
+        return self.options.get(option.name, option.default)
+
+    @property
+    def start(self) -> Start:
+        """The guess, of an orbit of one mass."""
+        if not isinstance(self.guess, Start):
+            raise BadInput("the guess is about several masses, the theorem about one")
+        return self.guess
+
+    @property
+    def particles(self) -> Guess:
+        """The guess, of an orbit of several masses."""
+        if not isinstance(self.guess, Guess):
+            raise BadInput("the theorem is about several masses: give them, as --masses 1,9/10")
+        return self.guess
 
     @property
     def units(self) -> Units:
@@ -84,11 +95,17 @@ class Setting:
 
     @property
     def checker_bits(self) -> int:
-        """Precision for the checker, whose rounding is absolute: the least unit decides."""
+        """Precision for the checker, of derivatives up to the third order."""
+        return self.checker_bits_to(3)
+
+    def checker_bits_to(self, order: int) -> int:
+        """Precision for the checker, whose rounding is absolute: the least unit decides.
+
+        Derivatives up to this order have powers of the units.
+        """
         units = self.units
         least = min(*self.scale, units.time, units.force, 1 / units.speed, 1 / units.area)
-        orders = max(0, -interval.decade(least)) * self.order
-        return self.bits + bits(orders) + 40
+        return self.bits + bits(max(0, -interval.decade(least)) * order) + 40
 
 
 Proof = Callable[[Fraction], dict[str, Any]]

@@ -30,7 +30,7 @@ from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps import inventory
 from cap.maps.inventory import Box, Effort, TooMany, Tree
-from cap.maps.launch_set import System, Window
+from cap.maps.launch_set import Constants, Window
 from cap.one_one.closed_form import Orbit, asymmetric, birth, friction, symmetric
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.one_one import Scale, asymmetry
@@ -77,7 +77,7 @@ def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree]:
     """
     p = setting.parameters
     with interval.workprec(BITS):
-        system = System.of(interval.ball(p.f / p.F), interval.ball(p.R * p.omega**2 / p.F))
+        system = Constants.of(interval.ball(p.f / p.F), interval.ball(p.R * p.omega**2 / p.F))
         limits = inventory.bounds(system)
         if limits.hits < 2:
             return limits, Tree()

@@ -52,8 +52,10 @@ from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates
 from cap.maps.fixed_point import Start
+from cap.option import Option, exact_part, exact_positive
 from cap.proofs import attractor, cycles, places, segment, sinks
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.options import JOBS
 from cap.release.trap import critical_points
 from cap.runner import Tell, within
 from cap.sets import interval
@@ -62,9 +64,21 @@ from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
 SUMMARY = "lower bounds of the shares of the states that are attracted, or stop"
 GROUP = "states"
 SEARCH = candidates.fates
-OPTIONS = ("jobs", "speed", "undecided")
 CHECKING, PLACES = 0.5, 0.5  # parts of the time: of all, and of that before the checker's
-SPEED = Fraction(3, 2)  # in units of R omega: 3 at the paper's parameters
+SPEED = Option(
+    "speed",
+    exact_positive,
+    "for states |v| < Q (default 3/2 R omega)",
+    "Q",
+)
+UNDECIDED = Option(
+    "undecided",
+    exact_part,
+    "go on until of at most the part Q of the states neither fate is shown (default: as far as "
+    "75000 regions go)",
+    "Q",
+)
+OPTIONS = (JOBS, SPEED, UNDECIDED)
 SLACK = Fraction(1, 2000)  # of a share, at first: the checker cannot follow all that the prover can
 STROBES = 40  # that may count for an orbit from a stop
 POINTS = 6  # of a region, in each direction, from which orbits tell what to hope for
@@ -96,8 +110,6 @@ def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     if setting.parameters.e != 1 or setting.parameters.mu:
         raise BadInput("the theorem mixed is about e = 1, mu = 0")
-    if setting.undecided is not None and setting.undecided >= 1:
-        raise BadInput(f"--undecided must be less than 1: {setting.undecided}")
     require_ieee(rounds_to_nearest(PROBE))
     hints = {
         "bits": str(setting.checker_bits),
@@ -136,7 +148,7 @@ def chaotic(setting: Setting) -> dict[str, Any] | None:
     """Return a certificate of the theorem `attractor`, if it is proved around a critical point."""
     for x in critical_points(setting.parameters):
         try:
-            return attractor.prove(replace(setting, start=Start(x, 0.0, ())))(Fraction(1))
+            return attractor.prove(replace(setting, guess=Start(x, 0.0, ())))(Fraction(1))
         except TooFewDigits:
             raise
         except (BadInput, NotProved) as problem:
@@ -169,7 +181,7 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
     known, hints["places"]["tree"] = by_places(setting, theorem, within(tell, 0, PLACES))
     releases = releases_of(theorem, known)
     whole = 2 * theorem.region()[0] * theorem.region()[1]
-    wanted = setting.undecided
+    wanted: Fraction | None = setting.of(UNDECIDED)
     enough = None if wanted is None else (1 - wanted + SLACK) * whole
     efforts = (USUAL,) if wanted is None else EFFORTS
     for k, effort in enumerate(efforts, 1):
@@ -189,9 +201,10 @@ def lemma_shares(setting: Setting, theorem: Mixed, hints: dict[str, Any]) -> tup
 
 def enough_left(setting: Setting, left: Fraction) -> None:
     """Raise `NotProved` if neither fate is shown for more than was asked for."""
-    if setting.undecided is not None and left > setting.undecided:
+    wanted: Fraction | None = setting.of(UNDECIDED)
+    if wanted is not None and left > wanted:
         reason = f"of the part {float(left):.4f} neither fate is shown"
-        most = f"with {EFFORTS[-1].ahead} regions; {setting.undecided} was asked for"
+        most = f"with {EFFORTS[-1].ahead} regions; {wanted} was asked for"
         raise NotProved("share", f"{reason}, {most}")
 
 
@@ -252,7 +265,8 @@ def by_places(setting: Setting, theorem: Mixed, tell: Tell) -> tuple[Places, str
 def speed_of(setting: Setting) -> Fraction:
     """Return V."""
     p = setting.parameters
-    return setting.speed or SPEED * p.R * p.omega
+    V: Fraction = setting.of(SPEED) or Fraction(3, 2) * p.R * p.omega
+    return V
 
 
 def claims_of(setting: Setting, found: tuple[Fraction, ...], slack: Fraction) -> dict[str, Any]:

@@ -26,7 +26,7 @@ from cap.particles import equations, flights
 from cap.particles.family import Family
 from cap.particles.model import Event, Model, events_of, legs_of
 from cap.proofs.fixed_point import Setting
-from cap.proofs.particle_orbit import inverse_of, problem_of, units_of
+from cap.proofs.particle_orbit import problem_of, units_of
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -66,7 +66,7 @@ class Line:
         pairs = zip(above.hint.centre, below.hint.centre, strict=True)
         guess, places = [(a + b) / 2 for a, b in pairs], places_of(setting, len(above.hint.centre))
         near = zero.refined(problem, guess, above.hint.matrix, places)
-        return cls(above, below, tuple(map(tuple, inverse_of(problem.slope(near.point)))))
+        return cls(above, below, tuple(map(tuple, zero.inverse_of(problem.slope(near.point)))))
 
     def preconditioner(self, mass: Fraction) -> Rows:
         """Return what is quadratic in the mass, and right at both ends and in the middle."""

@@ -12,8 +12,6 @@ from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any
 
-import numpy as np
-
 from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved
 from cap.maps import zero
@@ -81,7 +79,7 @@ def proof_of(theorem: str, setting: Setting, conclusion: Conclusion) -> Proof:
 def system(theorem: str, setting: Setting) -> tuple[Guess, dict[str, Any]]:
     """Return the guess, and the parameters for the certificate, of a theorem on two masses."""
     guess = setting.particles
-    if guess is None or len(guess.masses) != 2:
+    if len(guess.masses) != 2:
         raise BadInput(f"{theorem} is about two masses: give them, as --masses 1,9/10")
     return guess, setting.parameters.elastic_strings() | {"masses": [str(m) for m in guess.masses]}
 
@@ -114,7 +112,7 @@ def lemma_1_existence(
     """
     units = units_of(setting, len(guess))
     point = [interval.ball(q) for q in guess]
-    matrix = inverse_of(problem.slope(point))
+    matrix = zero.inverse_of(problem.slope(point))
     places = [setting.precise - interval.decade(unit) for unit in units]
     hint = zero.refined(problem, guess, matrix, places)
     box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
@@ -167,17 +165,6 @@ def unknowns(model: Model, guess: Guess) -> list[Fraction]:
         place = model.place_of(model.contact(word))
         found += [t, *(x[place.index(k)] for k in range(model.n - 1)), *v]
     return [Fraction(q) for q in found]
-
-
-def inverse_of(rows: zero.Rows) -> list[list[Fraction]]:
-    """Return decimals of about ten digits near the inverse of a matrix."""
-    try:
-        inverse = np.linalg.inv(np.array([[float(q.mid()) for q in row] for row in rows]))
-    except np.linalg.LinAlgError:
-        inverse = np.full((1, 1), np.nan)
-    if not np.isfinite(inverse).all():
-        raise NotProved("preconditioner", "it is beyond floats: the orbit may be double")
-    return [[Fraction(f"{q:.9e}") for q in row] for row in inverse]
 
 
 def _box(orbit: Orbit, size: Fraction) -> list[dict[str, Pair]]:

@@ -39,6 +39,7 @@ from cap.floats import candidates
 from cap.maps import twist_matrix
 from cap.particles import derivative
 from cap.proofs.fixed_point import Proof, Setting
+from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import Orbit, proof_of
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -46,6 +47,7 @@ from cap.sets.interval import Ball
 SUMMARY = "an elliptic orbit, its twist matrix, and invariant tori on which no mass stops"
 GROUP = "masses"
 SEARCH = candidates.particles
+OPTIONS = OF_MASSES
 
 ORDER = 4
 RESONANCES = [

@@ -39,6 +39,7 @@ from cap.particles import derivative, flights
 from cap.particles.family import Family
 from cap.particles.model import Event, Guess, Model, events_of
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_cells import NODE, REACH_OF_CELLS, Line, Solved, family
 from cap.proofs.particle_orbit import (
     by_event,
@@ -54,6 +55,7 @@ from cap.sets.interval import Ball
 SUMMARY = "one mass made lighter: where the orbit is no more elliptic, and where a mass stops"
 GROUP = "masses"
 SEARCH = candidates.lighter
+OPTIONS = OF_MASSES
 
 REACH = Fraction(1, 10**8)  # half-width of the box for an interval of masses, in its units
 ROUNDS = 40  # of the secant method
@@ -73,7 +75,7 @@ class Crossing:
 def prove(setting: Setting) -> Proof:
     """Prove the theorem; there is no size left to choose."""
     guess = setting.particles
-    if guess is None or len(guess.further) != 1:
+    if len(guess.further) != 1:
         raise BadInput("particles_limits begins with two equal masses: give --masses M,M, as 1,1")
     mass, (last,) = guess.masses[0], guess.further
     strings: dict[str, Any] = setting.parameters.elastic_strings()

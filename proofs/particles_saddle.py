@@ -25,12 +25,14 @@ from cap.floats import candidates
 from cap.maps import twist_matrix
 from cap.maps.stability import real_multipliers
 from cap.proofs.fixed_point import Proof, Setting
+from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import Orbit, proof_of
 from cap.sets.interval import Ball
 
 SUMMARY = "an orbit with one pair of multipliers on the unit circle and one real pair"
 GROUP = "masses"
 SEARCH = candidates.particles
+OPTIONS = OF_MASSES
 
 
 def prove(setting: Setting) -> Proof:

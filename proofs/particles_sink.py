@@ -27,12 +27,14 @@ from cap.particles import stays
 from cap.particles.model import Model
 from cap.particles.stopping import Happening, System, unit_powers, unknowns, words_of
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
-from cap.proofs.particle_orbit import LARGEST, ROUNDS, inverse_of, radius_of, system
+from cap.proofs.options import OF_MASSES
+from cap.proofs.particle_orbit import LARGEST, ROUNDS, radius_of, system
 from cap.sets import bisection, interval
 
 SUMMARY = "an attracting periodic orbit, on which masses turn, stick, and are hit"
 GROUP = "masses"
 SEARCH = candidates.attracting
+OPTIONS = OF_MASSES
 POWERS = (1, 2, 4, 8, 16, 32, 64)
 
 
@@ -77,7 +79,7 @@ def lemma_1_existence(
     zero are enclosed.
     """
     units = _units(setting, equations)
-    matrix = inverse_of(problem.slope([interval.ball(q) for q in guess]))
+    matrix = zero.inverse_of(problem.slope([interval.ball(q) for q in guess]))
     places = [setting.precise - interval.decade(unit) for unit in units]
     hint = zero.refined(problem, guess, matrix, places)
     box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])

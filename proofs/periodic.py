@@ -30,6 +30,7 @@ from cap.maps import basin
 from cap.maps.basin import Basin
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
+from cap.option import Option, count
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import EVENTS, turning_factors
 from cap.sets import interval, matrix
@@ -38,7 +39,7 @@ from cap.sets.interval import Ball
 SUMMARY = "a periodic orbit with any events, turns and sticks too; its type, the basin of a sink"
 GROUP = "orbit"
 SEARCH = candidates.cyclic
-OPTIONS = ("period",)
+OPTIONS = (Option("period", count(1, 16), "of period N T (default 1)", "N", default=1, about=True),)
 
 
 def prove(setting: Setting) -> Proof:

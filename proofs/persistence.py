@@ -31,9 +31,10 @@ from cap.floats import candidates
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Constants
 from cap.flow.strobe import oscillator
+from cap.flow.windows import Itinerary
 from cap.maps import family
 from cap.maps.family import Cell, Pair
-from cap.maps.fixed_point import FixedPoint, Itinerary, Start, refined
+from cap.maps.fixed_point import FixedPoint, Start, refined
 from cap.parameters import Parameters
 from cap.proofs import periodic
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of

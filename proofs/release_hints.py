@@ -18,7 +18,7 @@ from cap.errors import NotProved
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Moment, Oscillator
 from cap.flow.orbit import State
-from cap.maps.fixed_point import Itinerary, windows_for
+from cap.flow.windows import Itinerary, windows_for
 from cap.proofs.fixed_point import Setting, inside
 from cap.release.cell import Cell, slack
 from cap.release.passage import arrival, foreseen_from

@@ -25,6 +25,7 @@ from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import system
 from cap.proofs.segment import Drift, Velocity, drift_of, lemma_1_velocity
 from cap.sets import interval
@@ -33,6 +34,7 @@ from cap.sets.interval import Ball
 SUMMARY = "they touch nothing: a triangle of T-periodic orbits, an open set it attracts"
 GROUP = "masses"
 SEARCH = candidates.touching_nothing
+OPTIONS = OF_MASSES
 
 
 def prove(setting: Setting) -> Proof:

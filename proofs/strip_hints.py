@@ -17,7 +17,7 @@ from cap.checker.kernel.theorem import Parameters as Checked
 from cap.checker.release.sheared import Line, Near, Passage
 from cap.checker.release.strip import Strip
 from cap.errors import NotProved
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.release import piece
 from cap.release.family import Family
 from cap.release.passage import words

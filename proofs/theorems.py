@@ -4,6 +4,7 @@ The proof of a theorem is in ``proofs/NAME.py``, which is imported when it is as
 longer to load all of them than to prove one.  No table names the theorems: they are the checker's.
 """
 
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from importlib import import_module
@@ -16,11 +17,16 @@ from cap.checker.theorems import NAMES
 from cap.checker.verdict import check
 from cap.errors import NotProved, TooFewDigits
 from cap.floats.candidates import Search
+from cap.option import Option
+from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting
+from cap.proofs.options import RANGE_OF_F
 from cap.runner import Runner, within
 
 PARTS = [Fraction(n, 100) for n in (90, 70, 50, 30, 10, 3, 1)]  # of the largest box found
 GUARDS = (15, 30, 60)  # digits computed beyond those claimed
+
+Check = Callable[[Mapping[str, Any], Parameters], object]
 
 GROUPS = {
     "orbit": "one periodic orbit, or one box of states",
@@ -54,16 +60,24 @@ class Theorem:
         return str(self._module.GROUP)
 
     @property
-    def over_f(self) -> str | None:
-        """The theorem, perhaps this one, that is proved where a range of f is asked for."""
-        name: str | None = getattr(self._module, "OVER_F", None)
-        return name
+    def options(self) -> tuple[Option, ...]:
+        """The options that it takes, beside those that all take."""
+        options: tuple[Option, ...] = getattr(self._module, "OPTIONS", ())
+        return options
 
     @property
-    def options(self) -> tuple[str, ...]:
-        """The options of the command line that it takes, beside those that all take."""
-        options: tuple[str, ...] = getattr(self._module, "OPTIONS", ())
-        return options
+    def over_f(self) -> "Theorem":
+        """The theorem, perhaps another, that is proved where a range of f is asked for."""
+        return THEOREMS[getattr(self._module, "OVER_F", self.name)]
+
+    def meant(self, given: Collection[str]) -> "Theorem":
+        """Return the theorem, perhaps another, that is proved where these options are given."""
+        return self.over_f if any(option.name in given for option in RANGE_OF_F) else self
+
+    def fits(self, options: Mapping[str, Any], parameters: Parameters) -> None:
+        """Raise `BadInput` if options do not go together, or not with the parameters."""
+        check: Check = getattr(self._module, "CHECK", lambda _options, _parameters: None)
+        check(options, parameters)
 
     @property
     def checking(self) -> float:
@@ -84,6 +98,16 @@ class Theorem:
 
 
 THEOREMS = {name: Theorem(name) for name in NAMES}
+
+
+def takers(option: str) -> list[str]:
+    """Return the theorems that take an option of this name, in words; this loads all of them."""
+    taken = {name: [o.name for o in theorem.options] for name, theorem in THEOREMS.items()}
+    return [
+        name if option in taken[name] else f"{name} on a range of f"
+        for name, theorem in THEOREMS.items()
+        if option in taken[name] + taken[theorem.over_f.name]
+    ]
 
 
 def accepted(theorem: Theorem, setting: Setting) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
-from support import among, seeded
+from support import among, over, seeded
 
 from cap.maps.fixed_point import Start
 from cap.one_one.closed_form import asymmetric
@@ -32,7 +32,7 @@ def plain(value):
 def proved(theorem, rho=2, digits=12, f="1/2", low=None, high=None):
     """Return the certificate of one of the theorems."""
     f_range = tuple(end and Fraction(end) for end in (low, high))
-    return plain(theorem.prove(setting(rho, digits, f, f_range=f_range))(Fraction(1)))
+    return plain(theorem.prove(setting(rho, digits, f, options=over(*f_range)))(Fraction(1)))
 
 
 def claims_of(theorem, *words, **others):

@@ -9,7 +9,7 @@ from support import holds
 from cap.flow.event import BALLS, Expected
 from cap.flow.itinerary import itinerary
 from cap.flow.strobe import State, follow, oscillator
-from cap.maps.fixed_point import windows_for
+from cap.flow.windows import windows_for
 from cap.parameters import PAPER
 from cap.sets import interval
 from cap.sets.interval import Ball

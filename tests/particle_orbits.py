@@ -22,8 +22,8 @@ NEGATIVE = PAPER
 @cache
 def setting(p=A, kind="particles", digits=30, guard=15):
     """Return the setting of a proof."""
-    found = particles(Request(kind, p, masses=MASSES)).candidates[0]
-    return Setting(p, found.start, digits, guard=guard, particles=found.particles)
+    found = particles(Request(kind, p, options={"masses": MASSES})).candidates[0]
+    return Setting(p, found.guess, digits, guard=guard)
 
 
 @cache

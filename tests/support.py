@@ -30,6 +30,11 @@ def proving(capsys, *words):
     return status, captured.out, captured.err
 
 
+def over(low=None, high=None):
+    """Return the options for a range of f."""
+    return {"from": low, "to": high}
+
+
 def rational(value):
     """Return a number, also of mpmath, exactly."""
     if isinstance(value, mpmath.mpf):

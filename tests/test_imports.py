@@ -9,14 +9,12 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 RIGOROUS = (
-    "cap.sets",
-    "cap.flow",
-    "cap.maps",
-    "cap.one_one",
-    "cap.areas",
-    "cap.boxes",
-    "cap.particles",
+    *("cap.sets", "cap.flow", "cap.maps", "cap.one_one", "cap.areas", "cap.boxes", "cap.particles"),
+    *("cap.release", "cap.certificate", "cap.checker", "cap.formal"),
 )
+STAIRS = ("cap.sets", "cap.flow", "cap.maps", "cap.release", "cap.proofs")
+COMMANDS = ("cap.command", "cap.prove", "cap.verify", "cap.explore", "cap.paper", "cap.audit")
+ABOVE = (*COMMANDS, "cap.interface")
 FLOATING = ("cap.floats", "cap.explore", "cap.paper", "cap.pictures")
 DOOR = "cap.floats.candidates"
 
@@ -77,6 +75,22 @@ def imported(rooms):
     }
 
 
+def within(name, rooms):
+    """Return whether a module is one of some packages, or in one."""
+    return any(name == room or name.startswith(f"{room}.") for room in rooms)
+
+
+def climbing(edges):
+    """Return (module, what it imports) for modules below the command lines that import one."""
+    return {
+        (name, other)
+        for name, others in edges.items()
+        for other in others
+        if name != "cap" and not name.endswith(".__main__") and not within(name, ABOVE)
+        if within(other, ABOVE)
+    }
+
+
 def test_no_circle_of_imports():
     """Not even of those inside functions."""
     assert len(graph()) > 200
@@ -90,6 +104,26 @@ def test_a_circle_is_seen():
     """The test above can fail."""
     with pytest.raises(CycleError):
         list(TopologicalSorter({**graph(), DOOR: {"cap.proofs.theorems"}}).static_order())
+
+
+def test_nothing_low_imports_a_command_line():
+    """What computes knows neither the commands nor what they print."""
+    assert climbing(graph()) == set()
+
+
+@pytest.mark.parametrize("low", ["cap.runner", "cap.sets.kept", "cap.floats.engine.compiled"])
+def test_a_climb_is_seen(low):
+    """The test above can fail."""
+    edges = {**graph(), low: graph()[low] | {"cap.command.entry"}}
+    assert climbing(edges) == {(low, "cap.command.entry")}
+
+
+@pytest.mark.parametrize("number", range(len(STAIRS)))
+def test_no_step_up(number):
+    """Sets know no flow, the flow no fixed points, and none of them a theorem."""
+    room, higher = STAIRS[number], STAIRS[number + 1 :]
+    assert len(imported([room])) > 10
+    assert [pair for pair in imported([room]) if within(pair[1], higher)] == []
 
 
 def test_what_is_rigorous_imports_no_floats():

@@ -15,10 +15,11 @@ from cap.audit.report.page import page
 from cap.audit.report.text import data, plain
 from cap.audit.report.view import Report, report
 from cap.audit.verdict import Outcome, Verdict
-from cap.command.console import Parser, printable, program, say
+from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.files import replacing
+from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
     "text": plain,

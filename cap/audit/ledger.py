@@ -5,8 +5,8 @@ from importlib import import_module
 
 from cap.audit import labels, tables
 from cap.audit.claim import Claim, declared_in
-from cap.command.console import meant
 from cap.errors import BadInput
+from cap.words import meant
 
 MODULES = (
     *("introduction", "inclusion", "stops", "wellposed", "strobe"),

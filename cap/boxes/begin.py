@@ -3,7 +3,7 @@
 import math
 
 from cap.boxes.doubleton import Doubleton, box_of, set_base
-from cap.boxes.flight import Moment, System, launch, seen
+from cap.boxes.flight import Constants, Moment, launch, seen
 from cap.boxes.motion import FLY, REST, WALL, Motion, exact, lose, rebase, set_matrix
 from cap.boxes.near import may_linger
 from cap.boxes.rest import stay_near
@@ -24,7 +24,7 @@ AHEAD, BACK, STILL, LEAN_R, LEAN_L = 1, 2, 4, 8, 16
 
 
 @kernel
-def begin(y: System, n: Motion, d: Doubleton, start: Moment, choice: int) -> int:
+def begin(y: Constants, n: Motion, d: Doubleton, start: Moment, choice: int) -> int:
     """Begin the motions of a set, in the way of this number; return how many ways there may be.
 
     The states beyond the walls, which a box may have, are left out.
@@ -54,14 +54,14 @@ def begin(y: System, n: Motion, d: Doubleton, start: Moment, choice: int) -> int
 
 
 @kernel
-def _gap(y: System, sign: float, x: Interval) -> Interval:
+def _gap(y: Constants, sign: float, x: Interval) -> Interval:
     """Return the gap to the wall of a sign; x is measured from the right wall."""
     return -x if sign > 0 else y.width + x
 
 
 @kernel
 def _start(
-    y: System,
+    y: Constants,
     n: Motion,
     sign: float,
     start: Moment,
@@ -78,7 +78,7 @@ def _start(
 
 
 @kernel
-def _near(y: System, n: Motion, side: float, x: Interval, v: Interval, start: Moment) -> bool:
+def _near(y: Constants, n: Motion, side: float, x: Interval, v: Interval, start: Moment) -> bool:
     """Forget all but that the states of a box are near the wall of a side, if they are at it."""
     gap = _gap(y, side, x)
     if not lower(gap) <= 0:
@@ -90,7 +90,7 @@ def _near(y: System, n: Motion, side: float, x: Interval, v: Interval, start: Mo
 
 
 @kernel
-def _possible(y: System, x: Interval, v: Interval, start: Moment) -> int:
+def _possible(y: Constants, x: Interval, v: Interval, start: Moment) -> int:
     """Return the bits of the ways in which the states of a box may begin, if v may be 0."""
     ahead, back = start.cos - y.alpha, start.cos + y.alpha
     bits = 0
@@ -108,7 +108,9 @@ def _possible(y: System, x: Interval, v: Interval, start: Moment) -> int:
 
 
 @kernel
-def _split(y: System, n: Motion, box: tuple[Interval, Interval], start: Moment, choice: int) -> int:
+def _split(
+    y: Constants, n: Motion, box: tuple[Interval, Interval], start: Moment, choice: int
+) -> int:
     """Begin the states of a box of one sign, or those with v = 0; return how many ways there are.
 
     Those of one sign are a box of their own, the base of what follows.

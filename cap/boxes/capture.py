@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from cap.boxes.flight import System, cosines
+from cap.boxes.flight import Constants, cosines
 from cap.sets.circular import sin_cos
 from cap.sets.compiled import kernel
 from cap.sets.doubles import (
@@ -30,7 +30,9 @@ def _nothing() -> Rest:
 
 
 @kernel
-def capture(y: System, side: float, time: Interval, far: float, fast: float, leaving: bool) -> Rest:
+def capture(
+    y: Constants, side: float, time: Interval, far: float, fast: float, leaving: bool
+) -> Rest:
     """Apply the lemma to a mass within ``far`` of the wall of a side, with |v| <= ``fast``.
 
     ``leaving``: it has just left the wall.  As the window of the lemma is tried a multiple of what
@@ -65,7 +67,7 @@ def capture(y: System, side: float, time: Interval, far: float, fast: float, lea
 
 @kernel
 def _lemma(
-    y: System,
+    y: Constants,
     side: float,
     times: tuple[float, float, float],
     far: float,

@@ -19,7 +19,7 @@ come back, as that needs b > f.  So w >= 0 at the end; and w = 0 only if it rest
 
 import math
 
-from cap.boxes.flight import Moment, System, cosines, launch, moment, slow
+from cap.boxes.flight import Constants, Moment, cosines, launch, moment, slow
 from cap.boxes.motion import (
     FLY,
     RELEASE_L,
@@ -48,7 +48,7 @@ LONGEST = 0.5  # L, in units of 1/ω: above, it is better to follow the flights
 
 @kernel
 def departure(
-    y: System, side: float, since: Interval, far: float, fast: float
+    y: Constants, side: float, since: Interval, far: float, fast: float
 ) -> tuple[float, float, float]:
     """Return t_2 of the lemma, H, and the bound of w; infinity for the first if it does not hold.
 
@@ -78,7 +78,7 @@ def departure(
 
 
 @kernel
-def _late_enough(y: System, side: float, since: Interval, leave: float, fast: float) -> float:
+def _late_enough(y: Constants, side: float, since: Interval, leave: float, fast: float) -> float:
     """Return a time by which the mass may have left.  Any number will do."""
     soonest = max(upper(since), leave)
     rest = y.alpha.mid - cosines(side, lower(since), soonest).mid
@@ -87,7 +87,7 @@ def _late_enough(y: System, side: float, since: Interval, leave: float, fast: fl
 
 
 @kernel
-def depart(y: System, n: Motion, end: Moment, far: float, fast: float) -> bool:
+def depart(y: Constants, n: Motion, end: Moment, far: float, fast: float) -> bool:
     """Let motions near a wall leave it, if the lemma says that all do."""
     side = n.flight.sign
     until, high, most = departure(y, side, n.flight.t, far, fast)

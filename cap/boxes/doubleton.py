@@ -10,7 +10,7 @@ derivatives in A + Δ, A a point matrix,
 
 import math
 
-from cap.boxes.flight import Base, Matrix, System
+from cap.boxes.flight import Base, Constants, Matrix
 from cap.boxes.motion import FLY, REST, WALL, Motion, exact
 from cap.sets.compiled import kernel
 from cap.sets.doubles import TINY, Interval, magnitude
@@ -164,7 +164,7 @@ def product(A: Matrix, p: float, q: float, r: float, w: float) -> Matrix:
 
 
 @kernel
-def image(n: Motion, y: System, source: Doubleton, d: Doubleton) -> None:
+def image(n: Motion, y: Constants, source: Doubleton, d: Doubleton) -> None:
     """Write the set of the motions ``n``, which came from ``source``, at the end of a span."""
     right = n.flight.sign > 0
     if n.kind == WALL:

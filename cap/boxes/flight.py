@@ -52,7 +52,7 @@ class Instant(Record):
     cos: Interval
 
 
-class System(Record):
+class Constants(Record):
     """The constants.
 
     ``response`` = 1/(1 + μ²), ``sine`` = sqrt(1 - α²), ``arc`` = arccos α; ``slow_right`` and
@@ -177,14 +177,14 @@ def launch(n: Any, sign: float, at: Moment, speed: Any, gap: Any) -> None:
 
 
 @kernel
-def slow(y: System, sign: float, k: int) -> Moment:
+def slow(y: Constants, sign: float, k: int) -> Moment:
     """Return the k-th slow moment of a sign, k >= 0, as its flights see it."""
     first = y.slow_right if sign > 0 else y.slow_left
     return Moment(first + float(k) * TURN, -y.sine, y.alpha)
 
 
 @kernel
-def fast_before(y: System, at: Moment) -> Interval:
+def fast_before(y: Constants, at: Moment) -> Interval:
     """Return the fast time before a slow moment: there, exp(μt) u begins to fall."""
     fast: Interval = at.t - TURN + 2.0 * y.arc
     return fast
@@ -213,7 +213,7 @@ def force(y: Any, cos: Any, speed: Any) -> Any:
 
 
 @kernel
-def steepest(y: System, at: Moment, speed: Interval, radius: float) -> float:
+def steepest(y: Constants, at: Moment, speed: Interval, radius: float) -> float:
     """Return a bound of |u'| within ``radius`` of a moment at which the speeds are ``speed``.
 
     |cos(t + d) - cos t| <= |sin t| |d| + d²/2; and |u'| <= A follows from A >= K + μ (|u| + A R).
@@ -228,7 +228,7 @@ def steepest(y: System, at: Moment, speed: Interval, radius: float) -> float:
 
 
 @kernel
-def drift(y: System, m: Matrix, d: Interval) -> Matrix:
+def drift(y: Constants, m: Matrix, d: Interval) -> Matrix:
     """Return the derivative after a flight of the duration ``d``."""
     if y.viscous == 0:
         return Matrix(m.a + d * m.c, m.b + d * m.d, m.c, m.d)

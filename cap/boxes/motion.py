@@ -2,11 +2,11 @@
 
 from cap.boxes.flight import (
     Base,
+    Constants,
     Flight,
     Matrix,
     Moment,
     NearFlight,
-    System,
     drift,
     flown,
     launch,
@@ -111,13 +111,13 @@ def place_anywhere(n: Motion) -> None:
 
 
 @kernel
-def matrix_at(y: System, n: Motion, t: Interval) -> Matrix:
+def matrix_at(y: Constants, n: Motion, t: Interval) -> Matrix:
     """Return M(t)."""
     return drift(y, Matrix(n.a, n.b, n.c, n.d), t - n.flight.t)
 
 
 @kernel
-def ranges(y: System, n: Motion, at: Moment) -> tuple[Interval, Interval]:
+def ranges(y: Constants, n: Motion, at: Moment) -> tuple[Interval, Interval]:
     """Return all speeds and gaps at a moment, by the formula of the flight."""
     speed, gap = flown(y, n.centre, at)
     m = matrix_at(y, n, at.t)
@@ -125,7 +125,7 @@ def ranges(y: System, n: Motion, at: Moment) -> tuple[Interval, Interval]:
 
 
 @kernel
-def keeps_moving(y: System, n: Motion, until: Interval) -> bool:
+def keeps_moving(y: Constants, n: Motion, until: Interval) -> bool:
     """Return whether u > 0 is certain at all slow times until then, and at the beginning.
 
     Then u > 0 on the whole flight, if it is also at its end: exp(μt) u is least at an end or at a

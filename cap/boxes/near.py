@@ -23,7 +23,7 @@ import math
 
 from cap.boxes.capture import capture
 from cap.boxes.depart import depart, departure
-from cap.boxes.flight import Moment, System, cosines, moment
+from cap.boxes.flight import Constants, Moment, cosines, moment
 from cap.boxes.motion import (
     CAPTURE_L,
     CAPTURE_R,
@@ -59,7 +59,7 @@ VAGUE = 1.0  # a relative uncertainty of speeds and gaps
 
 @kernel
 def _reach(
-    y: System, side: float, times: tuple[float, float], far: float, fast: float
+    y: Constants, side: float, times: tuple[float, float], far: float, fast: float
 ) -> tuple[float, float]:
     """Return H and q of the lemma for δ = far, u = fast between two times; NaN if it fails."""
     begin, end = times
@@ -81,7 +81,7 @@ def _reach(
 
 
 @kernel
-def approach(y: System, n: Motion, end: Moment) -> bool:
+def approach(y: Constants, n: Motion, end: Moment) -> bool:
     """Forget all but that the motions are near a wall, if no more is known of them anyway."""
     f = n.flight
     if f.speed.rad < VAGUE * f.speed.mid or (n.bounced == 0 and f.gap.rad < VAGUE * f.gap.mid):
@@ -96,14 +96,14 @@ def approach(y: System, n: Motion, end: Moment) -> bool:
 
 
 @kernel
-def may_linger(y: System, side: float, since: Interval, far: float, fast: float) -> bool:
+def may_linger(y: Constants, side: float, since: Interval, far: float, fast: float) -> bool:
     """Return whether this lemma holds at once, or that of `cap.boxes.depart`, with a small H."""
     high, _ = _reach(y, side, (lower(since), upper(since)), max(far, 0.0), fast)
     return high <= HIGHEST or departure(y, side, since, max(far, 0.0), fast)[1] <= HIGHEST
 
 
 @kernel
-def linger(y: System, n: Motion, end: Moment, choice: int) -> int:
+def linger(y: Constants, n: Motion, end: Moment, choice: int) -> int:
     """Follow motions near a wall: to rest, or until a later time.
 
     Return how many ways there may be; what is done is that of this number.
@@ -143,7 +143,7 @@ def _note(n: Motion, side: float) -> None:
 
 
 @kernel
-def _goal(y: System, side: float, t: float) -> float:
+def _goal(y: Constants, side: float, t: float) -> float:
     """Return a time until which a mass may linger: when the force towards the wall falls to f.
 
     If it is less already, soon.  Any number will do.
@@ -155,7 +155,7 @@ def _goal(y: System, side: float, t: float) -> float:
 
 
 @kernel
-def _settled(y: System, side: float, since: Interval, fast: float) -> float:
+def _settled(y: Constants, side: float, since: Interval, fast: float) -> float:
     """Return a time by which friction has brought the mass to rest; infinity if there is none."""
     begun, until = upper(since), upper(since)
     for _ in range(40):
@@ -169,7 +169,7 @@ def _settled(y: System, side: float, since: Interval, fast: float) -> float:
 
 
 @kernel
-def _drop(y: System, side: float, begin: float, end: float) -> float:
+def _drop(y: Constants, side: float, begin: float, end: float) -> float:
     """Return a lower bound of the integral of f - |b|, between times in an arc where |b| < f.
 
     The integral of |cos| is |sin - sin| if the cosine has one sign, else 2 - |sin| - |sin|.
@@ -189,7 +189,7 @@ def _size(x: Interval) -> Interval:
 
 
 @kernel
-def _settle(y: System, n: Motion, until: float, size: tuple[float, float], choice: int) -> int:
+def _settle(y: Constants, n: Motion, until: float, size: tuple[float, float], choice: int) -> int:
     """Let the motions come to rest by a time, at the wall or before it.
 
     If the release that follows is away from the wall, it does not matter which.

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cap.boxes.begin import begin
 from cap.boxes.doubleton import Doubleton
-from cap.boxes.flight import Instant, Moment, NearSystem, System, launch, seen
+from cap.boxes.flight import Constants, Instant, Moment, NearSystem, launch, seen
 from cap.boxes.motion import FLY, NEAR, REST, WALL, Motion, lose
 from cap.boxes.near import approach, linger
 from cap.boxes.rest import capture_after_hit, release
@@ -30,7 +30,7 @@ DEEPEST = 24  # undecided events of a branch, in a span
 class World(Record):
     """What is the same for all cells: the constants, the span of time, the units."""
 
-    system: System
+    system: Constants
     near: NearSystem
     start: Instant
     end: Instant

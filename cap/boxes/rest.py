@@ -1,7 +1,7 @@
 """A mass at rest: how it comes to rest at a wall, how long it rests, how it begins to move."""
 
 from cap.boxes.capture import capture
-from cap.boxes.flight import Moment, System, launch, slow
+from cap.boxes.flight import Constants, Moment, launch, slow
 from cap.boxes.motion import (
     CAPTURE_L,
     CAPTURE_R,
@@ -30,7 +30,7 @@ from cap.sets.doubles import (
 
 
 @kernel
-def _release_at(y: System, j: int) -> tuple[float, Moment]:
+def _release_at(y: Constants, j: int) -> tuple[float, Moment]:
     """Return the side and the moment of the j-th time at which a mass at rest may be released.
 
     They are (j + 1) π - arccos α: in turn to the left and to the right.
@@ -40,7 +40,7 @@ def _release_at(y: System, j: int) -> tuple[float, Moment]:
 
 
 @kernel
-def release(y: System, n: Motion, end: Moment, choice: int) -> int:
+def release(y: Constants, n: Motion, end: Moment, choice: int) -> int:
     """End a rest, in the way of this number; return how many ways there may be.
 
     Between the walls |F cos ωt| <= f when the rest begins, and it ends at the next slow time of
@@ -76,7 +76,7 @@ def release(y: System, n: Motion, end: Moment, choice: int) -> int:
 
 
 @kernel
-def _begin_to_move(y: System, n: Motion, side: float, at: Moment) -> None:
+def _begin_to_move(y: Constants, n: Motion, side: float, at: Moment) -> None:
     """Begin to fly to a side.  At a wall the place is exact."""
     zero = exact(0.0)
     gap, own, a, b = n.flight.gap, n.centre.gap, n.a, n.b
@@ -92,7 +92,7 @@ def _begin_to_move(y: System, n: Motion, side: float, at: Moment) -> None:
 
 
 @kernel
-def capture_after_hit(y: System, n: Motion, end: Moment) -> bool:
+def capture_after_hit(y: Constants, n: Motion, end: Moment) -> bool:
     """Prove that the wall captures the motions that have just left it; then they rest there.
 
     If that may last beyond the end, they are near the wall.

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.boxes.doubleton import Doubleton, frame_box
-from cap.boxes.flight import System
+from cap.boxes.flight import Constants
 from cap.boxes.motion import LOST, STOPPED, Motion, exact
 from cap.boxes.units import Units, place, speed_of
 from cap.sets.compiled import kernel
@@ -60,7 +60,7 @@ def place_label(places: Floats, labels: Labels, low: float, high: float) -> int:
 
 
 @kernel
-def event_label(targets: Targets, units: Units, y: System, n: Motion, released: bool) -> int:
+def event_label(targets: Targets, units: Units, y: Constants, n: Motion, released: bool) -> int:
     """Return the label that the last event of a motion gives it."""
     if n.kind == LOST:
         return 0

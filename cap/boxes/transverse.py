@@ -9,7 +9,7 @@ the point m alone, with a smaller R, gives t(m).
 
 from typing import NamedTuple
 
-from cap.boxes.flight import Moment, System, flown, force, launch, moment, spread, steepest
+from cap.boxes.flight import Constants, Moment, flown, force, launch, moment, spread, steepest
 from cap.boxes.motion import (
     HIT_L,
     HIT_R,
@@ -53,7 +53,7 @@ class Zero(NamedTuple):
 
 
 @kernel
-def _slope(y: System, at: Moment, speed: Interval, radius: float, hit: bool) -> Interval:
+def _slope(y: Constants, at: Moment, speed: Interval, radius: float, hit: bool) -> Interval:
     """Return an enclosure of gap' = -u, or of u', within a radius of a moment."""
     most = steepest(y, at, speed, radius)
     if hit:
@@ -69,7 +69,7 @@ def _radius(value: Interval, slope: float) -> float:
 
 
 @kernel
-def _zero(y: System, n: Motion, time: float, hit: bool) -> Zero:
+def _zero(y: Constants, n: Motion, time: float, hit: bool) -> Zero:
     """Prove that all motions have the event near a time, if they follow the formula until then."""
     at = moment(n.flight.sign, exact(time))
     speed, gap = flown(y, n.centre, at)
@@ -104,7 +104,7 @@ def reversed_(at: Moment) -> Moment:
 
 
 @kernel
-def hit(y: System, n: Motion, time: float, end: Moment) -> bool:
+def hit(y: Constants, n: Motion, time: float, end: Moment) -> bool:
     """Prove that all motions hit the wall ahead near a time and before the end; then pass the hit.
 
     The speed u at the hit has the derivative ∂u + u' ∂t, ∂t = -∂(s x)/u that of the time.
@@ -137,7 +137,7 @@ def hit(y: System, n: Motion, time: float, end: Moment) -> bool:
 
 
 @kernel
-def stop(y: System, n: Motion, time: float, end: Moment) -> bool:
+def stop(y: Constants, n: Motion, time: float, end: Moment) -> bool:
     """Prove that all speeds vanish near a time, before the end and the wall; pass turn or stick.
 
     There (s x) has the derivative that it has at a fixed time, as u = 0.
@@ -175,7 +175,7 @@ def stop(y: System, n: Motion, time: float, end: Moment) -> bool:
 
 
 @kernel
-def arrive(y: System, n: Motion, end: Moment) -> bool:
+def arrive(y: Constants, n: Motion, end: Moment) -> bool:
     """Prove that all motions fly until the end; ``end`` is as the flight sees it."""
     speed, gap = flown(y, n.centre, end)
     m = matrix_at(y, n, end.t)

@@ -3,8 +3,8 @@
 import math
 
 from cap.boxes.flight import (
+    Constants,
     Moment,
-    System,
     cosines,
     fast_before,
     flown,
@@ -53,7 +53,7 @@ BOUNCE, LEAN, TURN, HOLD, PASS = 1, 2, 4, 8, 16  # the possible continuations, a
 
 
 @kernel
-def _push(y: System, n: Motion, until: float) -> Interval:
+def _push(y: Constants, n: Motion, until: float) -> Interval:
     """Return all u' of the flights until a time."""
     begun = lower(n.flight.t)
     push = cosines(n.flight.sign, begun, until) - y.alpha
@@ -63,7 +63,7 @@ def _push(y: System, n: Motion, until: float) -> Interval:
 
 
 @kernel
-def _hit_speed(y: System, n: Motion, begin: float, end: float) -> Interval:
+def _hit_speed(y: Constants, n: Motion, begin: float, end: float) -> Interval:
     """Return the speeds of hits between two times; NaN if there are none.
 
     By the formula, and by the energy: u² at the hit is u0² + 2 u' gap0, with a mean of u'.
@@ -79,7 +79,7 @@ def _hit_speed(y: System, n: Motion, begin: float, end: float) -> Interval:
 
 
 @kernel
-def _stop_gap(y: System, n: Motion, begin: float, end: float) -> Interval:
+def _stop_gap(y: Constants, n: Motion, begin: float, end: float) -> Interval:
     """Return the gaps at stops between two times; NaN if there are none.
 
     By the formula, and by the energy: a flight that stops has gone u0²/(-2u'), with a mean of u'.
@@ -93,7 +93,7 @@ def _stop_gap(y: System, n: Motion, begin: float, end: float) -> Interval:
 
 
 @kernel
-def _possible(y: System, n: Motion, w: Windows) -> int:
+def _possible(y: Constants, n: Motion, w: Windows) -> int:
     """Return the bits of all continuations that are not excluded."""
     found, sign = 0, n.flight.sign
     if w.hit <= w.top:
@@ -128,7 +128,7 @@ def chosen(bits: int, choice: int) -> tuple[int, int]:
 
 
 @kernel
-def branch(y: System, n: Motion, end: Moment, choice: int) -> int:
+def branch(y: Constants, n: Motion, end: Moment, choice: int) -> int:
     """Pass the next event of a flight, as the continuation of this number has it.
 
     Return how many continuations there may be.  A motion of the set has one of them at least.
@@ -154,7 +154,7 @@ def branch(y: System, n: Motion, end: Moment, choice: int) -> int:
 
 
 @kernel
-def _go_on(y: System, n: Motion, at: Moment) -> None:
+def _go_on(y: Constants, n: Motion, at: Moment) -> None:
     """Pass no event until a moment; if it is a slow one, the forcing pushes ahead from there."""
     sign, (speed, gap) = n.flight.sign, ranges(y, n, at)
     one_speed, one_gap = flown(y, n.centre, at)
@@ -167,7 +167,7 @@ def _go_on(y: System, n: Motion, at: Moment) -> None:
 
 
 @kernel
-def _strike(y: System, n: Motion, times: tuple[float, float], kind: int) -> None:
+def _strike(y: Constants, n: Motion, times: tuple[float, float], kind: int) -> None:
     """Pass a hit between two times: the motions leave the wall, or rest at it."""
     sign, zero = n.flight.sign, exact(0.0)
     at = moment(sign, between(times[0], times[1]))
@@ -198,7 +198,7 @@ def _begin_anew(n: Motion, t: Interval, speed: Interval, gap: Interval) -> None:
 
 
 @kernel
-def _stop(y: System, n: Motion, times: tuple[float, float], kind: int) -> None:
+def _stop(y: Constants, n: Motion, times: tuple[float, float], kind: int) -> None:
     """Pass a stop between two times: the motions turn, or rest."""
     sign, begin, zero = n.flight.sign, times[0], exact(0.0)
     if kind == TURN:
@@ -225,7 +225,7 @@ def _stop(y: System, n: Motion, times: tuple[float, float], kind: int) -> None:
 
 
 @kernel
-def _pushed_since(y: System, sign: float, begin: float, end: float) -> float:
+def _pushed_since(y: Constants, sign: float, begin: float, end: float) -> float:
     """Return since when, between two times, the forcing can push a mass at rest to a side.
 
     It does from a slow time of that side to the next fast time.  Infinity if this may be so in two

@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 from typing import Any
 
-from cap.boxes.flight import Instant, NearSystem, System
+from cap.boxes.flight import Constants, Instant, NearSystem
 from cap.parameters import Parameters
 from cap.sets import interval
 from cap.sets.compiled import kernel
@@ -58,13 +58,13 @@ def units_of(p: Parameters) -> Units:
     return Units(right=enclosing(p.r), length=length, speed=speed)
 
 
-def system_of(p: Parameters, friction: Fraction = Fraction(1)) -> System:
+def system_of(p: Parameters, friction: Fraction = Fraction(1)) -> Constants:
     """Return the constants, enclosed; with the friction multiplied by 1 or -1."""
     alpha, mu = friction * p.f / p.F, p.mu / p.omega
     with interval.workprec(BITS):
         ratio, pi = interval.ball(alpha), interval.pi()
         arc = ratio.acos()
-        return System(
+        return Constants(
             alpha=enclosing(alpha),
             mu=enclosing(mu),
             e=enclosing(p.e),
@@ -79,7 +79,7 @@ def system_of(p: Parameters, friction: Fraction = Fraction(1)) -> System:
         )
 
 
-def near(y: System) -> NearSystem:
+def near(y: Constants) -> NearSystem:
     """Return the constants in doubles: they steer."""
     values = {name: getattr(y, name) for name in y.FIELDS}
     middles: dict[str, Any] = {

@@ -17,7 +17,7 @@ each motion has had an event before it.
 import math
 from typing import NamedTuple
 
-from cap.boxes.flight import Moment, System, fast_before, moment, slow, steepest
+from cap.boxes.flight import Constants, Moment, fast_before, moment, slow, steepest
 from cap.boxes.motion import Motion, exact, ranges
 from cap.sets.compiled import kernel
 from cap.sets.doubles import (
@@ -49,7 +49,7 @@ class Windows(NamedTuple):
 
 
 @kernel
-def _margin(y: System, n: Motion, t: float, question: int) -> float:
+def _margin(y: Constants, n: Motion, t: float, question: int) -> float:
     """Return a number that is > 0 only if, at the time t, all speeds or gaps are > 0, or < 0."""
     speed, gap = ranges(y, n, moment(n.flight.sign, exact(t)))
     if question == SPEED_ABOVE:
@@ -60,7 +60,7 @@ def _margin(y: System, n: Motion, t: float, question: int) -> float:
 
 
 @kernel
-def _edge(y: System, n: Motion, sure: float, unsure: float, question: int) -> float:
+def _edge(y: Constants, n: Motion, sure: float, unsure: float, question: int) -> float:
     """Return a time, from ``sure`` towards ``unsure``, at which the margin is still positive.
 
     It is ``sure`` itself if none is found.  Regula falsi and bisection in turn.
@@ -82,7 +82,7 @@ def _edge(y: System, n: Motion, sure: float, unsure: float, question: int) -> fl
 
 
 @kernel
-def _stops(y: System, n: Motion, end: Moment) -> tuple[float, float, Moment]:
+def _stops(y: Constants, n: Motion, end: Moment) -> tuple[float, float, Moment]:
     """Return the first and last time of a stop, inf for never, and the horizon.
 
     That is the first slow moment at which u > 0 is not certain, or the end.  A slow moment before
@@ -114,7 +114,7 @@ def _stops(y: System, n: Motion, end: Moment) -> tuple[float, float, Moment]:
 
 
 @kernel
-def _hits(y: System, n: Motion, w: tuple[float, float, Moment]) -> tuple[float, float]:
+def _hits(y: Constants, n: Motion, w: tuple[float, float, Moment]) -> tuple[float, float]:
     """Return the first and last time of a hit, given what `_stops` says."""
     begun, latest, end = lower(n.flight.t), upper(n.flight.t), w[2].t
     sure, top = min(w[0], lower(end)), min(w[1], upper(end))
@@ -130,7 +130,7 @@ def _hits(y: System, n: Motion, w: tuple[float, float, Moment]) -> tuple[float, 
 
 
 @kernel
-def during(y: System, n: Motion, begin: float, end: float) -> tuple[Interval, Interval]:
+def during(y: Constants, n: Motion, begin: float, end: float) -> tuple[Interval, Interval]:
     """Return all speeds and gaps at the times between two, by the formula."""
     span = between(begin, end)
     at = moment(n.flight.sign, exact(span.mid))
@@ -140,7 +140,7 @@ def during(y: System, n: Motion, begin: float, end: float) -> tuple[Interval, In
 
 
 @kernel
-def windows(y: System, n: Motion, end: Moment) -> Windows:
+def windows(y: Constants, n: Motion, end: Moment) -> Windows:
     """Return when the motions may stop and hit; ``end`` is as the flight sees it."""
     stops = _stops(y, n, end)
     hits = _hits(y, n, stops)

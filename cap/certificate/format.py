@@ -35,8 +35,8 @@ from cap.checker.kernel.shapes import (
 )
 from cap.checker.kernel.theorem import Theorem, parameter_shapes
 from cap.checker.theorems import NAMES, load
-from cap.command.console import say
 from cap.files import replacing
+from cap.words import say
 
 HOME = Path(__file__).parents[1] / "certificates"
 SCHEMA, PAGE = HOME / "schema/certificate.schema.json", HOME / "FORMAT.md"

@@ -1,16 +1,16 @@
-"""What the command lines share: complaints in one line, names in quotation marks, lines that
-somebody may hear, as wide as their terminal, and guesses of what was meant."""
+"""What the command lines share: a parser that complains in one line, and lines as wide as the
+terminal."""
 
 import argparse
 import os
 import re
 import sys
 import textwrap
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
 from cap import __version__
+from cap.words import meant, printable
 
 
 class Parser(argparse.ArgumentParser):
@@ -50,30 +50,6 @@ def program(module: str) -> str:
     return script if called == script else f"python -m {module}"
 
 
-def printable(text: str) -> str:
-    """Return ``text`` in one line of printable ASCII; other characters are escaped as in Python."""
-    return "".join(c if " " <= c <= "~" else c.encode("unicode_escape").decode() for c in text)
-
-
-def quoted(name: object) -> str:
-    """Return a name, say of a file, in quotation marks: where it ends nothing in it can hide."""
-    escaped = str(name).replace("\\", r"\\").replace('"', r"\"")
-    return f'"{printable(escaped)}"'
-
-
-def unread(name: object, error: Exception) -> str:
-    """Return what is said of a file that cannot be read: it is no verdict."""
-    return f"CANNOT READ: {quoted(name)}: {printable(getattr(error, 'strerror', '') or str(error))}"
-
-
-def meant(word: str, names: Iterable[str]) -> str:
-    """Return a guess, in words, of which of some names was meant; without one, nothing."""
-    from difflib import get_close_matches  # noqa: PLC0415 (only after a mistake)
-
-    near = get_close_matches(word, list(names), 3)
-    return f": did you mean {' or '.join(near)}?" if near else ""
-
-
 def columns(stream: TextIO | None) -> int | None:
     """Return the width of the terminal that a stream is, or None if it is none."""
     try:
@@ -95,9 +71,3 @@ def wrapped(line: str, stream: TextIO | None) -> str:
 def protected(word: str) -> str:
     """Return ``word`` such that argparse takes a negative number, also -1/2, for a value."""
     return " " + word if re.fullmatch(r"-[\d.]\S*", word) else word
-
-
-def say(line: str, stream: TextIO | None) -> None:
-    """Print a line to a stream, if there is such a stream."""
-    if stream is not None:
-        print(line, file=stream)

@@ -26,6 +26,8 @@ from importlib import import_module
 from types import FrameType
 from typing import NoReturn
 
+from cap.process import SIGNALS, at_home
+
 INTERRUPTED = 130
 CLOSED = 141
 FAILED = 2
@@ -33,7 +35,6 @@ STOPPED = 128  # plus the number of the signal
 
 _FULL = (ENOSPC, EFBIG, EIO, EBADF)
 _WORDS = {"SIGINT": "interrupted", "SIGTERM": "terminated", "SIGHUP": "hung up"}
-_SIGNALS = [getattr(signal, name) for name in _WORDS if hasattr(signal, name)]
 
 
 class _Stops:
@@ -46,7 +47,7 @@ class _Stops:
 
     def __enter__(self) -> "_Stops":
         with suppress(ValueError):  # not in the main thread: then signals are not for us
-            for number in _SIGNALS:
+            for number in SIGNALS:
                 if signal.getsignal(number) is not signal.SIG_IGN:
                     self._before[number] = signal.signal(number, self._stop)
         return self
@@ -97,16 +98,9 @@ def run(target: str, words: Sequence[str] | None) -> int:
         _STOPS = before
 
 
-def as_worker() -> None:
-    """Take the signals of a process that works for another: that one hears ctrl-C."""
-    for number in _SIGNALS:
-        ignored = number == signal.SIGINT or signal.getsignal(number) is signal.SIG_IGN
-        signal.signal(number, signal.SIG_IGN if ignored else signal.SIG_DFL)
-
-
 def leave(status: int) -> NoReturn:
     """Exit; from now on a signal ends the process without a word."""
-    for number in _SIGNALS:
+    for number in SIGNALS:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, signal.SIG_DFL)
     sys.exit(status)
@@ -152,11 +146,6 @@ def _escape() -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
-
-
-def at_home() -> bool:
-    """Return whether there is a home directory; where not, libraries would make one called `~`."""
-    return os.path.expanduser("~") != "~"  # noqa: PTH111 (pathlib raises an exception)
 
 
 def _unwritten(error: OSError) -> int:

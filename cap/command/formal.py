@@ -12,10 +12,11 @@ from pathlib import Path
 
 from cap.checker.kernel.certificate import Certificate, read
 from cap.checker.kernel.rejection import Rejected
-from cap.command.console import Parser, printable, quoted, say, unread
+from cap.command.console import Parser
 from cap.command.progress import Progress
 from cap.errors import NotProved
 from cap.formal import coq, theorem
+from cap.words import printable, quoted, say, unread
 
 _TESTS = re.compile(r"=\s*\[?(.*?)\]?\s*:\s*list test", re.DOTALL)
 

@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from cap.command.console import quoted
 from cap.errors import BadInput
 from cap.files import tried
+from cap.words import quoted
 
 
 def writable(path: Path) -> None:

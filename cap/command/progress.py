@@ -4,8 +4,9 @@ import sys
 import time
 from collections.abc import Callable
 
-from cap.command.console import columns, printable, say
+from cap.command.console import columns
 from cap.errors import BadInput
+from cap.words import printable, say
 
 PATIENCE = 1.0  # seconds without a bar
 REFRESH = 0.1  # seconds between two states of the line on a terminal

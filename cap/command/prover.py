@@ -8,20 +8,21 @@ from collections.abc import Iterator, Sequence
 
 from cap.certificate import report
 from cap.certificate import writer as certificate
-from cap.command.console import columns, protected, quoted, say
+from cap.command.console import columns
 from cap.command.progress import Progress, answered
 from cap.command.prover_options import Asked
-from cap.command.prover_parser import parser, without_options
+from cap.command.prover_parser import read, without_options
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Candidate
 from cap.proofs import symbolic, theorems
 from cap.proofs.theorems import GROUPS, THEOREMS
 from cap.runner import Runner
+from cap.words import quoted, say
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
-    options = parser().parse_args([protected(word) for word in words])
+    options = read(words)
     if options.list:
         print("\n".join(_listed()))
         return 0

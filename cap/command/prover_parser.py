@@ -1,118 +1,92 @@
-"""The options of `cap.prove`, as they stand on the command line."""
+"""The options of `cap.prove`, as they stand on the command line.
+
+What all theorems take is declared here, what some take in their modules: only that of the theorem
+named is loaded, unless help or a mistake asks for all.
+"""
 
 import argparse
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from cap.checker.theorems import load
-from cap.command.console import Parser, program
-from cap.command.option import Option, choice, count, exact_positive, path
+from cap.command.console import Parser, program, protected
 from cap.errors import BadInput
+from cap.option import Option
 from cap.parameters import PAPER
 from cap.proofs.symbolic import NAMES as SYMBOLIC
-from cap.proofs.theorems import THEOREMS
+from cap.proofs.theorems import THEOREMS, takers
 
 NAMES = (*THEOREMS, *SYMBOLIC)
+NUMBERS = "Numbers are integers, decimals or p/q, all exact: 0.4 means 2/5."
 
 
-def order(words: Sequence[str], name: str) -> int:
-    """Read the order of a normal form."""
-    return int(choice("3", "5", "7", "9")(words, name))
+def options_of(theorems: Iterable[str]) -> dict[str, Option]:
+    """Return the options, by name, that some of these theorems take, perhaps on a range of f."""
+    both = [each for name in theorems for each in (THEOREMS[name], THEOREMS[name].over_f)]
+    return {option.name: option for theorem in both for option in theorem.options}
 
 
-OF_SOME = {
-    option.name: option
-    for option in (
-        Option("period", count(1, 16), "of period N T (default 1)", "N"),
-        Option(
-            "order",
-            order,
-            "odd order of the normal form, 3 to 9 (default 3, or 5 with a resonance of order 5 to "
-            "8 near)",
-            "N",
-        ),
-        Option("speed", exact_positive, "for states |v| < Q (default 3/2 R omega)", "Q"),
-        Option(
-            "undecided",
-            exact_positive,
-            "go on until of at most the part Q of the states neither fate is shown (default: as "
-            "far as 75000 regions go)",
-            "Q",
-        ),
-        Option(
-            "flights",
-            count(1, 60),
-            "launches are followed for N flights forward and backward, 1 to 60 (default 25); more "
-            "take longer, and leave less",
-            "N",
-        ),
-        Option("jobs", count(1, 1024), "processes (default 1)", "N"),
-        Option(
-            "journal",
-            path,
-            "a file of what is done, from which an interrupted proof goes on",
-            "FILE",
-        ),
-    )
-}
-"""Options that some theorems take, which name them in their ``OPTIONS``."""
+def read(words: Sequence[str]) -> argparse.Namespace:
+    """Return the options given; those that not all theorems take are in ``own``, by name."""
+    words = [protected(word) for word in words]
+    named = next((word for word in words if word in NAMES), None)
+    options, others = parser(named).parse_known_args(words)
+    return _whole().parse_args(words) if others else options
 
 
-class _Parser(Parser):
-    """The parser, whose help says which theorems take an option."""
+def parser(theorem: str | None = None) -> Parser:
+    """Return the parser for the options of a theorem, or for those that all theorems take."""
+    if theorem is None:
+        return _completed(_Bare(**_about()), {})
+    if theorem not in THEOREMS:
+        return _completed(Parser(**_about()), {})
+    said = {"description": f"Prove {theorem}: {THEOREMS[theorem].summary}.", "epilog": NUMBERS}
+    about = _about() | said
+    helps = {option: option.help for option in options_of([theorem]).values()}
+    return _completed(Parser(**about), helps)
 
-    def __init__(self, **told: Any) -> None:
-        super().__init__(**told)
-        self._of_some = list[tuple[argparse.Action, Callable[[], list[str]]]]()
 
-    def add_of_some(self, whose: Callable[[], list[str]], *words: str, **told: Any) -> None:
-        """Add an option that some theorems take."""
-        self._of_some.append((self.add_argument(*words, **told), whose))
+def _whole() -> Parser:
+    """Return the parser for the options of all theorems, whose help says which ones take them."""
+    every = options_of(THEOREMS).values()
+    helps = {option: f"{', '.join(takers(option.name))}: {option.help}" for option in every}
+    return _completed(Parser(**_about()), helps)
+
+
+class _Bare(Parser):
+    """A parser that has loaded no theorem; its help tells of all."""
 
     def format_help(self) -> str:
         """Return the help.  It asks all theorems, which takes time: nothing else needs it."""
-        for action, whose in self._of_some:
-            action.help = f"{', '.join(whose())}: {action.help}"
-        self._of_some.clear()
-        return super().format_help()
+        return _whole().format_help()
 
 
-def takers(option: str) -> list[str]:
-    """Return the theorems that take an option."""
-    ranges = {name: THEOREMS[each.over_f or name] for name, each in THEOREMS.items()}
-    return [
-        name if option in each.options else f"{name} on a range of f"
-        for name, each in THEOREMS.items()
-        if option in each.options or option in ranges[name].options
-    ]
-
-
-def _over_f() -> list[str]:
-    """Return the theorems that take a range of f."""
-    return [name for name, each in THEOREMS.items() if each.over_f]
-
-
-def _about_masses() -> list[str]:
-    """Return the theorems on several masses."""
-    return [name for name in THEOREMS if "masses" in load(name).PARAMETERS]
-
-
-def parser() -> Parser:
-    """Return the command line's parser."""
-    p = _Parser(
-        prog=program("cap.prove"),
-        description="Prove a theorem on x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where "
-        "v becomes -e v at the walls, and write a certificate that `python -m cap.verify FILE` "
-        "checks.  Orbits are searched for in floats, from many seeds or from the state given.",
-        epilog="Numbers are integers, decimals or p/q, all exact: 0.4 means 2/5.  Examples: "
+def _about() -> dict[str, Any]:
+    """Return what the help says before and after the options."""
+    return {
+        "prog": program("cap.prove"),
+        "description": "Prove a theorem on x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, "
+        "where v becomes -e v at the walls, and write a certificate that `python -m cap.verify "
+        "FILE` checks.  Orbits are searched for in floats, from many seeds or from the state "
+        "given.  `python -m cap.prove THEOREM --help` has the options of one theorem.",
+        "epilog": f"{NUMBERS}  Examples: "
         "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
         "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "
         "python -m cap.prove persistence --epsilon 1/1000 --mu 1/1000;  "
         "python -m cap.prove capture;  python -m cap.prove branch --from 2/5;  "
         "python -m cap.prove attractor --from 0.39 --to 0.43 --jobs 2",
-    )
+    }
+
+
+class _Own(argparse.Action):
+    """Keeps the words of an option that not all theorems take in ``own``, by its name."""
+
+    def __call__(self, _parser: Any, options: Any, words: Any, _called: Any = None) -> None:
+        options.own = {**options.own, self.dest: words}
+
+
+def _completed(p: Parser, own: dict[Option, str]) -> Parser:
+    """Add all options to a parser: those that all theorems take, and ``own`` with their helps."""
     p.add_argument("theorem", nargs="?", metavar="THEOREM", help="one of: " + ", ".join(NAMES))
     p.add_argument("--list", action="store_true", help="say what can be proved")
     for name, value in PAPER.strings().items():
@@ -124,25 +98,12 @@ def parser() -> Parser:
         help="prove the orbit to which Newton's method leads from this state at t = 0 (capture: of "
         "this state; attractor: the critical point near X)",
     )
-    p.add_of_some(
-        _about_masses,
-        "--masses",
-        metavar="M1,M2",
-        help="two masses, as 1,9/10, on each of which the forcing F and the friction f act; their "
-        "orbits are found from equal masses, or from random states",
-    )
-    p.add_argument(
-        "--proportional",
-        action="store_true",
-        help="with --masses: the friction f m_i instead of f; there is nothing to prove then, and "
-        "this says why",
-    )
     p.add_argument("--all", action="store_true", help="prove every orbit found that qualifies")
     p.add_argument("--epsilon", metavar="Q", help="the same as --e 1-Q")
-    p.add_of_some(_over_f, "--from", dest="lowest", metavar="Q", help="for f from here")
-    p.add_of_some(_over_f, "--to", dest="highest", metavar="Q", help="for f up to here")
-    for name, option in OF_SOME.items():
-        p.add_of_some(partial(takers, name), f"--{name}", metavar=option.metavar, help=option.help)
+    p.set_defaults(own={})
+    for option, told in own.items():
+        words: dict[str, Any] = {"nargs": option.nargs, "metavar": option.metavar, "help": told}
+        p.add_argument(f"--{option.name}", action=_Own, default=argparse.SUPPRESS, **words)
     p.add_argument("--digits", default="30", metavar="N", help="digits claimed (default 30)")
     p.add_argument(
         "--out",
@@ -158,7 +119,7 @@ def parser() -> Parser:
 
 def without_options(options: argparse.Namespace) -> argparse.Namespace:
     """Return the options of a theorem without numbers; raise `BadInput` if any is given."""
-    if options != parser().parse_args([options.theorem]):
+    if options != parser(options.theorem).parse_args([options.theorem]):
         raise BadInput(
             f"the theorem {options.theorem} is about all parameters and writes no certificate: "
             "give no options"

@@ -26,7 +26,8 @@ from cap.checker.kernel.certificate import MAX_BYTES
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems import NAMES
 from cap.checker.verdict import check, words
-from cap.command.console import Parser, printable, program, quoted, say, unread, wrapped
+from cap.command.console import Parser, program, wrapped
+from cap.words import printable, quoted, say, unread
 
 
 def main(words: Sequence[str]) -> int:

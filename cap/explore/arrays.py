@@ -24,9 +24,9 @@ from zipfile import BadZipFile
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.command.console import quoted
 from cap.errors import BadInput
 from cap.parameters import Parameters, exact
+from cap.words import quoted
 
 Array = NDArray[np.generic]
 Scalar = np.generic | bool | int | float | str

@@ -10,9 +10,9 @@ from importlib import import_module
 from inspect import signature
 from typing import TYPE_CHECKING, Any
 
-from cap.command import option
-from cap.command.option import PARAMETERS, Option
+from cap import option
 from cap.errors import BadInput
+from cap.option import PARAMETERS, Option
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

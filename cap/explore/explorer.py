@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import Any
 
 from cap.command import entry
-from cap.command.console import Parser, printable, program, protected, quoted, say
+from cap.command.console import Parser, program, protected
 from cap.command.entry import INTERRUPTED
-from cap.command.option import Option, integer
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
+from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
 from cap.runner import Runner
+from cap.words import printable, quoted, say
 
 MOST_PIXELS = 300_000_000
 FIRST = ("--paper", "--out", "--help", "--version")  # options before a command

@@ -8,12 +8,12 @@ from typing import IO, TYPE_CHECKING
 
 import numpy as np
 
-from cap.command.console import quoted
 from cap.command.output import writable
 from cap.errors import BadInput
 from cap.explore.arrays import arrays
 from cap.files import replacing
 from cap.floats.findings import Findings
+from cap.words import quoted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -17,14 +17,15 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Certificate, Theorem
 from cap.checker.theorems.mixed import PLACES, Map, Mixed
 from cap.command import entry
-from cap.command.console import Parser, program, protected, quoted, say
-from cap.command.option import integer
+from cap.command.console import Parser, program, protected
 from cap.command.progress import Progress, answered
 from cap.command.verifier import content, why
 from cap.errors import BadInput
 from cap.explore.export import IMAGES, kind
 from cap.files import replacing
+from cap.option import integer
 from cap.runner import within
+from cap.words import quoted, say
 
 
 def main(words: Sequence[str]) -> int:

@@ -279,7 +279,7 @@ def _rank(kind: str) -> int:
 
 def _candidate(guess: Guess) -> Candidate:
     start = Start.non_sticking(guess.x, guess.v, guess.hit_times)
-    return Candidate(start, _shown(guess), _order(guess))
+    return Candidate(start, _shown(guess))
 
 
 def _shown(guess: Guess) -> str:
@@ -306,16 +306,3 @@ def _described(p: Parameters, cycle: Cycle) -> str:
         f"x = {cycle.x:.6g}, v = {cycle.v:.6g}, {cycle.kind(conserves=p.conserves)}, trace "
         f"{cycle.trace:.6g}, det {cycle.determinant:.4g}; {counts or 'no event'}"
     )
-
-
-def _order(guess: Guess) -> int:
-    """Return 5 if the rotation number is within 1/100 of a p/q with 5 <= q <= 8, else 3.
-
-    Near such a resonance the first twist says little at a small distance from the fixed point
-    already, so the second one is claimed as well.
-    """
-    if guess.kind != "elliptic":
-        return 3
-    rotation = math.acos(guess.trace / 2) / (2 * math.pi)
-    distances = (abs(rotation - p / q) for q in range(5, 9) for p in range(1, q))
-    return 5 if min(distances) < 1 / 100 else 3

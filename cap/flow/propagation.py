@@ -22,7 +22,7 @@ from cap.flow.itinerary import Happening, itinerary
 from cap.flow.model import Moment, Oscillator
 from cap.flow.orbit import Orbit, State, placed
 from cap.flow.strobe import follow, oscillator
-from cap.maps.fixed_point import Itinerary, windows_for
+from cap.flow.windows import Itinerary, windows_for
 from cap.parameters import Parameters
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball, Box

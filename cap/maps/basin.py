@@ -21,7 +21,8 @@ from cap.errors import NotProved
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Oscillator
 from cap.flow.strobe import strobe
-from cap.maps.fixed_point import FixedPoint, Itinerary, find_windows
+from cap.flow.windows import Itinerary, find_windows
+from cap.maps.fixed_point import FixedPoint
 from cap.sets import bisection, interval, matrix
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet

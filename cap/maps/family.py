@@ -19,7 +19,7 @@ from cap.errors import NotProved
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Constants
 from cap.flow.strobe import Orbit, of_constants, strobe
-from cap.maps.fixed_point import Itinerary, find_windows
+from cap.flow.windows import Itinerary, find_windows
 from cap.maps.krawczyk import Preconditioner, operator
 from cap.sets import interval
 from cap.sets.interval import Box

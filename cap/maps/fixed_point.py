@@ -4,23 +4,22 @@ The functions here choose boxes, windows and preconditioners; all that they choo
 `cap.flow.strobe` and `cap.maps.krawczyk`, so no choice needs trust.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isfinite
 from typing import Any, NamedTuple
 
 from cap.errors import NotProved
-from cap.flow.event import BALLS, TAYLOR_MODELS, Enclosure, Expected, NoCertainEvent
+from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
 from cap.flow.model import Oscillator
 from cap.flow.strobe import Orbit, strobe
+from cap.flow.windows import Itinerary, find_windows, is_capture
 from cap.maps.krawczyk import Preconditioner, contract, operator
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball, Box
-from cap.sets.scalar import S
 from cap.sets.taylor_model import Domain
 
-Itinerary = tuple[Expected, ...]
 Reach = tuple[Fraction, Fraction]
 
 
@@ -102,14 +101,10 @@ def tightened(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
     rounding = interval.rounding()
     return tuple(
         old
-        if _is_capture(old)
+        if is_capture(old)
         else Expected(old.word, event.time + interval.symmetric(event.time) * rounding)
         for event, old in zip(orbit.events, expected, strict=True)
     )
-
-
-def _is_capture(event: Expected) -> bool:
-    return event.word.startswith("capture")
 
 
 def prove(
@@ -164,7 +159,7 @@ def refined(
 
 def _representative(event: Expected) -> Ball:
     """Return the middle of the window of an event, the end of that of a capture."""
-    return (interval.upper if _is_capture(event) else interval.point)(event.window)
+    return (interval.upper if is_capture(event) else interval.point)(event.window)
 
 
 def _short(x: Ball) -> Fraction:
@@ -173,65 +168,6 @@ def _short(x: Ball) -> Fraction:
     if not isfinite(near):
         raise NotProved("preconditioner", "it is beyond floats: the fixed point may be double")
     return Fraction(f"{near:.9e}")
-
-
-def find_windows(
-    osc: Oscillator[Any],
-    state: tuple[S, S],
-    expected: Itinerary,
-    kind: Enclosure[S],
-    periods: int = 1,
-) -> Itinerary:
-    """Return time windows near the ``expected`` ones for which `strobe` succeeds.
-
-    A window that does not contain its Newton image is widened to hold it (epsilon inflation).
-    """
-    return windows_for(
-        lambda events: strobe(osc, state, events, kind, periods), expected, kind.bound
-    )
-
-
-def windows_for(
-    attempt: Callable[[Itinerary], Orbit[S]], expected: Itinerary, bound: Callable[[S], Ball]
-) -> Itinerary:
-    """Return windows with which ``attempt`` succeeds, and still does if they are enlarged."""
-    events = list(expected)
-    for _ in range(20 * len(events) + 20):
-        try:
-            orbit = attempt(tuple(events))
-        except NoCertainEvent as miss:
-            window = _inflated(interval.hull(miss.window, miss.newton))
-            events[miss.number - 1] = events[miss.number - 1]._replace(window=window)
-        else:
-            return _with_slack(attempt, orbit, tuple(events), bound) or tuple(events)
-    raise NotProved("windows", "the event times vary too much on the box", {"windows": events})
-
-
-def _with_slack(
-    attempt: Callable[[Itinerary], Orbit[S]],
-    orbit: Orbit[S],
-    expected: Itinerary,
-    bound: Callable[[S], Ball],
-) -> Itinerary | None:
-    """Return windows a little larger than the event times of ``orbit``, if they succeed."""
-    events: list[Expected] = []
-    for new, old in zip(orbit.events, expected, strict=True):
-        window = _inflated(bound(new.time))
-        if _is_capture(old):  # from before the hit until an end that is known to be late enough
-            hit = events[-1].window
-            window = interval.hull(interval.hull(window, old.window), hit)
-        events.append(old._replace(window=window))
-    try:
-        attempt(tuple(events))
-    except NotProved:
-        return None
-    return tuple(events)
-
-
-def _inflated(window: Ball) -> Ball:
-    """Return a ball a little larger than ``window``, even if that is a point."""
-    tenth = interval.symmetric(window - interval.point(window)) / 10
-    return window + tenth + interval.symmetric(window) * interval.rounding()
 
 
 @dataclass(frozen=True)

@@ -35,7 +35,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.maps.launch_set import LaunchSet, System, Window, fly, is_smooth
+from cap.maps.launch_set import Constants, LaunchSet, Window, fly, is_smooth
 from cap.maps.launch_window import window
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -86,7 +86,7 @@ class Tree:
     open: list[Box] = field(default_factory=list)
 
 
-def bounds(system: System) -> Bounds:
+def bounds(system: Constants) -> Bounds:
     """Return the bounds for α > 0."""
     a, rise = 2 * system.pi * system.alpha, 4 * (system.sine - system.alpha * system.arc)
     G = system.width
@@ -96,7 +96,7 @@ def bounds(system: System) -> Bounds:
     return Bounds(speed, int(interval.ends(system.pi * interval.ball(speed) / G)[1]))
 
 
-def _least(system: System) -> Fraction:
+def _least(system: Constants) -> Fraction:
     """Return a bound of u_0: more than the only positive root of a polynomial of degree 4."""
     alpha, G = system.alpha, system.width
     a, b = 16 * system.pi * alpha, 8 + 12 * alpha
@@ -115,7 +115,7 @@ def _least(system: System) -> Fraction:
 
 
 def tree(
-    system: System, sides: tuple[Ball, Ball], effort: Effort, tell: Callable[[int, int], None]
+    system: Constants, sides: tuple[Ball, Ball], effort: Effort, tell: Callable[[int, int], None]
 ) -> Tree:
     """Return a tree of the launches in [0, T] × [0, U], ``sides`` = (T, U), or raise `TooMany`.
 
@@ -161,7 +161,7 @@ def _halves(box: Box, sides: tuple[Ball, Ball]) -> tuple[str, list[Box]]:
     return SPLIT_U, [Box(t, 2 * u + i, k, n + 1) for i in (0, 1)]
 
 
-def proved_empty(system: System, first: LaunchSet) -> list[Window] | None:
+def proved_empty(system: Constants, first: LaunchSet) -> list[Window] | None:
     """Return windows with which a box of launches is proved empty, or None."""
     now, windows, k = first, list[Window](), 0
     latest = interval.upper(first.hull[0].x)
@@ -183,7 +183,7 @@ def proved_empty(system: System, first: LaunchSet) -> list[Window] | None:
             return None
 
 
-def change(system: System, first: LaunchSet, now: LaunchSet, k: int) -> tuple[Ball, Ball]:
+def change(system: Constants, first: LaunchSet, now: LaunchSet, k: int) -> tuple[Ball, Ball]:
     """Return the time passed since the first launch, and how much faster the k-th one is."""
     (t, u), (x, w) = (first.hull[0].x, first.hull[1]), (now.hull[0].x, now.hull[1])
     passed, faster = x - t - k * system.pi, w - u
@@ -196,7 +196,7 @@ def change(system: System, first: LaunchSet, now: LaunchSet, k: int) -> tuple[Ba
 
 
 def open_(
-    system: System, changes: tuple[Ball, Ball], first: LaunchSet, now: LaunchSet, k: int
+    system: Constants, changes: tuple[Ball, Ball], first: LaunchSet, now: LaunchSet, k: int
 ) -> bool:
     """Return whether no orbit closes after k flights."""
     late, faster = changes[0] - 2 * system.pi, changes[1]

@@ -43,7 +43,7 @@ from cap.sets.matrix import Matrix
 UNIT = 2**13  # the phases of windows are multiples of 1/UNIT
 
 
-class System(NamedTuple):
+class Constants(NamedTuple):
     """α and G; arccos α and its sine; π."""
 
     alpha: Ball
@@ -132,20 +132,20 @@ class LaunchSet:
             second * self.reach[1]
         )
 
-    def slopes(self, system: System, x: Ball) -> tuple[Ball, Ball]:
+    def slopes(self, system: Constants, x: Ball) -> tuple[Ball, Ball]:
         """Return ∂y at the phases x, by ε."""
         (t, _, cos), u = self.hull
         (a, b), (c, d) = self.matrix
         by_t, by_u = -u - (cos - system.alpha) * (x - t), x - t
         return by_t * a + by_u * c, by_t * b + by_u * d
 
-    def own_slopes(self, system: System) -> tuple[Ball, Ball]:
+    def own_slopes(self, system: Constants) -> tuple[Ball, Ball]:
         """Return ∂w|_x by ε."""
         (a, b), (c, d) = self.matrix
         by_t = system.alpha - self.hull[0].cos
         return by_t * a + c, by_t * b + d
 
-    def at(self, system: System, phase: Phase) -> Values:
+    def at(self, system: Constants, phase: Phase) -> Values:
         """Return way and speed at a phase, by the mean value theorem."""
         (t, sin, cos), u, alpha = self.centre, self.speed, system.alpha
         d = phase.x - t
@@ -169,7 +169,7 @@ def phase_of(number: int) -> Phase:
     return Phase.at(Ball(number) / UNIT)
 
 
-def no_hit_before(system: System, launches: LaunchSet, a: int) -> bool:
+def no_hit_before(system: Constants, launches: LaunchSet, a: int) -> bool:
     """Return whether no launch of a set, whose velocity never vanishes, hits before a phase."""
     at, begin = phase_of(a), launches.begin
     last = math.floor((a / UNIT + float(system.arc.mid())) / math.tau)
@@ -186,7 +186,7 @@ def no_hit_before(system: System, launches: LaunchSet, a: int) -> bool:
     return _short(system, launches, at, fallen)
 
 
-def _short(system: System, launches: LaunchSet, at: Phase, fallen: Ball) -> bool:
+def _short(system: Constants, launches: LaunchSet, at: Phase, fallen: Ball) -> bool:
     """Return whether y + max(0, -w) L < G at a phase; L is 0 where w rises."""
     values = launches.at(system, at)
     back, fall = interval.upper(-values.w), interval.upper(fallen)
@@ -194,7 +194,7 @@ def _short(system: System, launches: LaunchSet, at: Phase, fallen: Ball) -> bool
     return bool(values.y + more < system.width)
 
 
-def over_by(system: System, launches: LaunchSet, b: int, cap: Ball) -> bool:
+def over_by(system: Constants, launches: LaunchSet, b: int, cap: Ball) -> bool:
     """Return whether all flights have ended by a phase, or do not matter: it is after ``cap``."""
     at = phase_of(b)
     if at.x >= cap:
@@ -205,7 +205,7 @@ def over_by(system: System, launches: LaunchSet, b: int, cap: Ball) -> bool:
     return bool(values.y >= system.width or values.w < 0)
 
 
-def fly(system: System, launches: LaunchSet, window: Window) -> LaunchSet | None:
+def fly(system: Constants, launches: LaunchSet, window: Window) -> LaunchSet | None:
     """Return the next launches, given a window that has been proved; None if there are none.
 
     Where m is None they are a box.
@@ -224,7 +224,7 @@ def fly(system: System, launches: LaunchSet, window: Window) -> LaunchSet | None
     return LaunchSet.of_box(span.x + system.pi, u, own=False)
 
 
-def is_smooth(system: System, launches: LaunchSet, window: Window) -> bool:
+def is_smooth(system: Constants, launches: LaunchSet, window: Window) -> bool:
     """Return whether all have one hit, transverse, in a window that has been proved."""
     a, b, m = (phase_of(number) for number in window if number is not None)
     span = Phase.at(interval.hull(a.x, b.x))
@@ -233,7 +233,7 @@ def is_smooth(system: System, launches: LaunchSet, window: Window) -> bool:
 
 
 def _mapped(
-    system: System,
+    system: Constants,
     launches: LaunchSet,
     phases: tuple[Phase, Phase],
     middle: Values,

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from cap.maps.launch_set import UNIT, LaunchSet, System, Window, no_hit_before, over_by, phase_of
+from cap.maps.launch_set import UNIT, Constants, LaunchSet, Window, no_hit_before, over_by, phase_of
 from cap.sets.interval import Ball
 
 WIDE = 0.4  # of a half window: above, its ends are looked for one by one
@@ -12,7 +12,7 @@ STEP = 0.3
 AHEAD = 7.0  # more than a period
 
 
-def window(system: System, launches: LaunchSet, cap: Ball) -> Window | None:
+def window(system: Constants, launches: LaunchSet, cap: Ball) -> Window | None:
     """Return a window, proved, or None: no hit before a, and all by b or after ``cap``."""
     m = round(UNIT * _centre(system, launches))
     values = launches.at(system, phase_of(m))
@@ -29,7 +29,7 @@ def window(system: System, launches: LaunchSet, cap: Ball) -> Window | None:
     return _searched(system, launches, m, cap)
 
 
-def _searched(system: System, launches: LaunchSet, m: int, cap: Ball) -> Window | None:
+def _searched(system: Constants, launches: LaunchSet, m: int, cap: Ball) -> Window | None:
     """Return a window whose ends are found by bisection."""
     begin = max(0, math.floor(UNIT * float(launches.begin)))
     limit = math.ceil(UNIT * float(cap.upper())) + 1
@@ -59,7 +59,7 @@ def _edge(holds: Callable[[int], bool], good: int, bad: int) -> int:
     return good
 
 
-def _centre(system: System, launches: LaunchSet) -> float:
+def _centre(system: Constants, launches: LaunchSet) -> float:
     """Return when the launch in the centre hits or stops, in floats."""
     flight = _Flight(system, float(launches.centre.x.mid()), float(launches.speed.mid()))
     low, turn = flight.t, 2 * math.pi
@@ -81,7 +81,7 @@ def _centre(system: System, launches: LaunchSet) -> float:
 class _Flight:
     """A flight in floats."""
 
-    def __init__(self, system: System, t: float, u: float) -> None:
+    def __init__(self, system: Constants, t: float, u: float) -> None:
         self.t, self.u, self.sin, self.cos = t, u, math.sin(t), math.cos(t)
         self.alpha, self.width = float(system.alpha.mid()), float(system.width.mid())
         self.arc = float(system.arc.mid())

@@ -11,15 +11,19 @@ If K(Z) lies in the interior of Z, then G has exactly one zero in Z, and it lies
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 from operator import mul
+
+import numpy as np
 
 from cap.errors import NotProved
 from cap.sets import interval
-from cap.sets.interval import Ball, Exact
+from cap.sets.interval import Ball, Exact, Matrix
 
 Box = tuple[Ball, ...]
 Rows = Sequence[Sequence[Ball]]
+
+_identity = lru_cache(interval.identity)
 
 
 @dataclass(frozen=True)
@@ -33,19 +37,57 @@ class Hint:
     def _exact(self) -> list[list[Exact]]:
         return [[interval.exact(q) for q in row] for row in (self.centre, *self.matrix)]
 
+    @cached_property
+    def _enclosed(self) -> dict[int, Matrix]:
+        return {}
+
     @property
     def point(self) -> Box:
         """m, enclosed."""
         return tuple(map(interval.ball, self._exact[0]))
 
     @property
-    def rows(self) -> Rows:
+    def rows(self) -> Matrix:
         """C, enclosed."""
-        return [list(map(interval.ball, row)) for row in self._exact[1:]]
+        bits = interval.working_bits()
+        if bits not in self._enclosed:
+            rows = [list(map(interval.ball, row)) for row in self._exact[1:]]
+            self._enclosed[bits] = interval.matrix(rows)
+        return self._enclosed[bits]
 
     def box(self, reach: Sequence[Fraction]) -> Box:
         """Return a box that contains the points within ``reach`` of m."""
         return tuple(map(interval.around, self._exact[0], reach))
+
+
+def operator(hint: Hint, value: Sequence[Ball], slope: Matrix, box: Box) -> Box:
+    """Return an enclosure of K(box), from ``value`` ∋ G(m) and ``slope`` ⊇ G'(box).
+
+    A zero of G in the box lies in K, if ``slope`` encloses G' also between there and m.
+    """
+    m, C = hint.point, hint.rows
+    offset = interval.column([z - c for z, c in zip(box, m, strict=True)])
+    moved = (_identity(len(m)) - C * slope) * offset - C * interval.column(value)
+    return tuple(c + q for c, q in zip(m, moved.entries(), strict=True))
+
+
+def contract(hint: Hint, value: Sequence[Ball], slope: Matrix, box: Box) -> Box:
+    """Prove that exactly one zero of G lies in the ``box``, which contains m; return K(box).
+
+    Assumes G is C¹ on the box, ``value`` encloses G(m) and ``slope`` encloses G' on the box.
+    Raises `NotProved`: there may be no zero, or several.
+    """
+    return _inside(operator(hint, value, slope, box), hint, box)
+
+
+def _inside(k: Box, hint: Hint, box: Box) -> Box:
+    """Return K(box) if it lies in the interior of the box."""
+    for i, (inner, outer) in enumerate(zip(k, box, strict=True)):
+        if not interval.subset_interior(inner, outer):
+            m = hint.point[i]
+            sets = {"K - m": inner - m, "box - m": outer - m}
+            raise NotProved("Krawczyk", f"K(box) is not inside the box, unknown {i + 1}", sets)
+    return k
 
 
 @dataclass(frozen=True)
@@ -66,19 +108,13 @@ class Problem:
 
         A zero of G in the box lies there.
         """
-        m, rows = hint.point, hint.rows
-        way = tuple(map(interval.hull, box, m))
-        value, columns = self.value(m), list(zip(*self.slope(way), strict=True))
-        offset = [z - c for z, c in zip(box, m, strict=True)]
-        result = []
-        for i, row in enumerate(rows):
-            part = [-_dot(row, column) for column in columns]
-            part[i] = 1 + part[i]
-            result.append(m[i] - _dot(row, value) + _dot(part, offset))
-        if self.by_q:
-            vector, pairs = self.by_q(m), zip(result, rows, strict=True)
-            return tuple(k - self.spread * _dot(row, vector) for k, row in pairs)
-        return tuple(result)
+        m = hint.point
+        slope = interval.matrix(self.slope(tuple(map(interval.hull, box, m))))
+        k = operator(hint, self.value(m), slope, box)
+        if self.by_q is None:
+            return k
+        moved = (hint.rows * interval.column(self.by_q(m))).entries()
+        return tuple(c - self.spread * q for c, q in zip(k, moved, strict=True))
 
     def velocity(self, hint: Hint, box: Box) -> Box:
         """Return an enclosure of dz/dq for the zeros z(q), which lie in the ``box``.
@@ -86,14 +122,9 @@ class Problem:
         z' = -C G_q + E z' with E = 1 - C G_z, so |z'| <= |C G_q|/(1 - |E|) in the maximum norm.
         Raises `NotProved` if |E| < 1 is not certain.
         """
-        columns = list(zip(*self.slope(box), strict=True))
         vector = self.by_q(box) if self.by_q else [interval.ZERO] * len(box)
-        forced, E = [], []
-        for i, row in enumerate(hint.rows):
-            part = [-_dot(row, column) for column in columns]
-            part[i] = 1 + part[i]
-            E.append(part)
-            forced.append(-_dot(row, vector))
+        forced = (-hint.rows * interval.column(vector)).entries()
+        E = (_identity(len(box)) - hint.rows * interval.matrix(self.slope(box))).tolist()
         norm = _largest([interval.total(map(abs, row)) for row in E])
         if not norm < 1:
             raise NotProved("velocity", "the zeros may not move with the parameter", {"|E|": norm})
@@ -109,12 +140,7 @@ class Problem:
         Raises `NotProved`: there may be none, or several.
         """
         box = hint.box(reach)
-        k = self.operator(hint, box)
-        for i, (inner, outer, m) in enumerate(zip(k, box, hint.point, strict=True)):
-            if not interval.subset_interior(inner, outer):
-                sets = {"K - m": inner - m, "box - m": outer - m}
-                raise NotProved("Krawczyk", f"K(box) is not inside the box, unknown {i + 1}", sets)
-        return k
+        return _inside(self.operator(hint, box), hint, box)
 
     def tightened(self, hint: Hint, box: Box) -> Box:
         """Return a smaller box that contains the zero in ``box``, until little is gained."""
@@ -137,6 +163,17 @@ def _dot(a: Sequence[Ball], b: Sequence[Ball]) -> Ball:
     return interval.total(map(mul, a, b))
 
 
+def inverse_of(rows: Rows) -> list[list[Fraction]]:
+    """Return decimals of about ten digits near the inverse of a matrix."""
+    try:
+        inverse = np.linalg.inv(np.array([[float(q.mid()) for q in row] for row in rows]))
+    except np.linalg.LinAlgError:
+        inverse = np.full((1, 1), np.nan)
+    if not np.isfinite(inverse).all():
+        raise NotProved("preconditioner", "it is beyond floats: the zero may be double")
+    return [[Fraction(f"{q:.9e}") for q in row] for row in inverse]
+
+
 def refined(
     problem: Problem,
     guess: Sequence[Fraction],
@@ -150,8 +187,8 @@ def refined(
     hint = Hint(tuple(guess), tuple(map(tuple, matrix)))
     last: Fraction | None = None
     while True:
-        rows, value = hint.rows, problem.value(hint.point)
-        steps = [interval.midpoint(_dot(row, value)) for row in rows]
+        value = interval.column(problem.value(hint.point))
+        steps = [interval.midpoint(q) for q in (hint.rows * value).entries()]
         moved = zip(hint.centre, steps, places, strict=True)
         hint = Hint(tuple(round(c - s, p) for c, s, p in moved), hint.matrix)
         size = max(abs(s) * 10**p for s, p in zip(steps, places, strict=True))

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from cap.command.console import quoted, say
 from cap.command.entry import INTERRUPTED
 from cap.command.output import writable_into
 from cap.errors import BadInput, NotProved
@@ -15,6 +14,7 @@ from cap.files import replacing
 from cap.paper.figure import Compared, Run
 from cap.paper.registry import figure, labelled
 from cap.runner import Runner, Tell
+from cap.words import quoted, say
 
 TABLE = "comparison.md"
 RULE = (

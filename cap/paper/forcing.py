@@ -10,9 +10,9 @@ from matplotlib.figure import FigureBase
 from matplotlib.ticker import MaxNLocator
 
 from cap.errors import BadInput
-from cap.explore.inventory import KINDS
 from cap.floats.diagnostics.continuation import continuation
 from cap.floats.search.cycles import Cycle, StroboscopicMap
+from cap.floats.search.inventory import KINDS
 from cap.floats.search.orbits import search
 from cap.paper.comparison import Comparison, claim, count, number, roughly, taken_from
 from cap.paper.figure import Figure, Result, Run, at

@@ -3,8 +3,8 @@
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from cap.command.console import meant
 from cap.errors import BadInput
+from cap.words import meant
 
 if TYPE_CHECKING:
     from cap.paper.figure import Figure

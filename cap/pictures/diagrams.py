@@ -9,9 +9,9 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from cap.explore.inventory import KINDS, PROVED, Inventory
 from cap.floats.diagnostics.continuation import Branch, Continuation
 from cap.floats.diagnostics.plane import OUTSIDE, UNDONE, Plane
+from cap.floats.search.inventory import KINDS, PROVED, Inventory
 from cap.pictures.style import (
     BLACK,
     BLUE,

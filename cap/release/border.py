@@ -34,7 +34,7 @@ from cap.flow.itinerary import itinerary
 from cap.flow.model import Flight, Moment, Oscillator
 from cap.flow.orbit import PartialOrbit
 from cap.flow.strobe import oscillator
-from cap.maps.fixed_point import Itinerary, windows_for
+from cap.flow.windows import Itinerary, windows_for
 from cap.parameters import Parameters
 from cap.release.passage import RIGHT, resting
 from cap.release.table import Branch, Table

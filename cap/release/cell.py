@@ -10,7 +10,7 @@ from typing import Any
 
 from cap.flow.event import TAYLOR_MODELS, Expected
 from cap.flow.model import Oscillator
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.release.jet import release_jet
 from cap.release.passage import passage, windows
 from cap.sets import interval

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from cap.errors import NotProved
 from cap.flow.event import BALLS, Expected
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.maps.krawczyk import Preconditioner, operator
 from cap.parameters import Parameters
 from cap.release.family import over
@@ -50,7 +50,7 @@ IDENTITY = Derivatives(Ball(1), Ball(0), Ball(0), Ball(0), Ball(0))
 
 
 @dataclass(frozen=True)
-class Orbit:
+class Iterate:
     """G^P over a set: its value and derivatives, the places between, the events from each."""
 
     places: tuple[Ball, ...]
@@ -101,7 +101,7 @@ def mapped(
     return value, D, proved
 
 
-def orbit(p: Parameters, x: Ball, theta: Ball, period: int) -> Orbit:
+def orbit(p: Parameters, x: Ball, theta: Ball, period: int) -> Iterate:
     """Follow all orbits from a box, P times, in mean value form around its middle."""
     m, t = interval.point(x), interval.point(theta)
     near, centre, D = at(p, theta), m, IDENTITY
@@ -119,7 +119,7 @@ def orbit(p: Parameters, x: Ball, theta: Ball, period: int) -> Orbit:
         places.append(centre + D.x * (x - m) + D.t * (theta - t))
     if len(halves) > 1:
         raise NotProved("cycle", "the release map takes several times", {"half-periods": halves})
-    return Orbit(tuple(places), D, tuple(events), halves.pop())
+    return Iterate(tuple(places), D, tuple(events), halves.pop())
 
 
 def refined(p: Parameters, x: Ball, theta: Ball, period: int, tolerance: Ball) -> tuple[Ball, Ball]:
@@ -141,7 +141,7 @@ class Doubling:
     hint: Preconditioner
     reach: tuple[Fraction, Fraction]
     box: tuple[Ball, Ball]
-    orbit: Orbit
+    orbit: Iterate
 
 
 def proved(p: Parameters, x: Ball, theta: Ball, period: int, reach: Fraction) -> Doubling:
@@ -165,7 +165,7 @@ def proved(p: Parameters, x: Ball, theta: Ball, period: int, reach: Fraction) ->
     return Doubling(hint, reaches, K, found)
 
 
-def _jacobian(found: Orbit) -> Matrix[Ball]:
+def _jacobian(found: Iterate) -> Matrix[Ball]:
     """Return the derivative of (G^P(x) - x, (G^P)'(x) + 1) by x and θ."""
     D = found.derivatives
     return (D.x - 1, D.t), (D.xx, D.xt)

@@ -13,7 +13,7 @@ from typing import Any
 from cap.flow.event import TAYLOR_MODELS, Expected
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.release.jet import release_jet
 from cap.release.passage import Passage, passage, windows

@@ -16,7 +16,7 @@ from cap.flow.itinerary import itinerary
 from cap.flow.itinerary import oscillator as of_floats
 from cap.flow.model import Moment, Oscillator
 from cap.flow.orbit import PartialOrbit, State
-from cap.maps.fixed_point import Itinerary, windows_for
+from cap.flow.windows import Itinerary, windows_for
 from cap.parameters import Parameters
 from cap.release.halt import HaltingOrbit
 from cap.sets import interval

@@ -11,7 +11,7 @@ from cap.errors import BadInput, NotProved
 from cap.flow.event import Expected
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.release.cell import cell, slack
 from cap.release.passage import foreseen, words

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from cap.errors import NotProved
 from cap.flow.event import Expected
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.release.cell import Cell, slack
 from cap.release.family import Family, phase

@@ -9,7 +9,7 @@ from typing import Any
 from cap.errors import BadInput, NotProved
 from cap.flow.event import BALLS
 from cap.flow.model import Oscillator
-from cap.maps.fixed_point import Itinerary
+from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
 from cap.release.cell import Cell, cell
 from cap.release.jet import release_jet

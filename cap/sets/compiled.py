@@ -69,14 +69,18 @@ def compiled(function: F) -> F:
 
 @cache
 def sources() -> str:
-    """Return a digest of all that may be compiled: the arithmetic, and the flow of cells.
+    """Return a digest of all that may be compiled.
 
     With the constants of the checker: a change there must not leave what was compiled before.
     """
+    return sha256(b"".join(file.read_bytes() for file in files())).hexdigest()
+
+
+def files() -> list[Path]:
+    """Return the sources of all that may be compiled: the arithmetic, boxes and areas."""
     here = Path(__file__).parent
     folders = here, here.parent / "boxes", here.parent / "areas", here.parent / "checker" / "folded"
-    files = sorted(file for folder in folders for file in folder.glob("*.py"))
-    return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
+    return sorted(file for folder in folders for file in folder.rglob("*.py"))
 
 
 PROBE = np.array([1.0, 2.0**-53, 2.0**-53 + 2.0**-105, 2.0**-1074, 2.0**-1022, 2.0**900])

@@ -2,14 +2,17 @@
 
 from collections.abc import Callable
 from contextlib import suppress
+from pickle import UnpicklingError
 from typing import Any, TypeVar, cast
 
 from numba import njit
 from numba.core.caching import FunctionCache
 
-from cap.command.entry import at_home
+from cap.process import at_home
 
 F = TypeVar("F", bound=Callable[..., Any])
+# What pickle raises for files that are not whole, or not what they were:
+DAMAGED = UnpicklingError, EOFError, ValueError, AttributeError, ImportError, IndexError
 
 
 def kept(function: F, digest: str = "", **options: Any) -> F:
@@ -41,7 +44,10 @@ class _Cache(FunctionCache):
     def load_overload(self, *arguments: Any) -> Any:
         """Return what is kept, None if there is nothing that can be read."""
         with suppress(OSError):
-            return super().load_overload(*arguments)  # type: ignore[no-untyped-call]
+            try:
+                return super().load_overload(*arguments)  # type: ignore[no-untyped-call]
+            except DAMAGED:
+                self.flush()  # type: ignore[no-untyped-call]  # what is written now can be read
         return None
 
     def save_overload(self, *arguments: Any) -> None:

@@ -17,8 +17,8 @@ from cap.floats.engine import swarm
 from cap.flow.event import BALLS
 from cap.flow.itinerary import itinerary
 from cap.flow.strobe import oscillator, strobe
+from cap.flow.windows import windows_for
 from cap.flow.words import WORDS
-from cap.maps.fixed_point import windows_for
 from cap.parameters import PAPER
 from cap.sets import interval
 

@@ -8,8 +8,8 @@ from support import proving
 
 from cap import verify
 from cap.checker.verdict import check, words
-from cap.command.console import printable, quoted
 from cap.explore import __main__ as explore
+from cap.words import printable, quoted
 
 STORED = Path(__file__).parents[2] / "certificates"
 FORGED = "and unstable, hence false)\nVERIFIED: F = 1"

@@ -53,7 +53,7 @@ def backwards():
     p = Parameters(*map(Fraction, ("1", "1", "0", "-1", "9/5")))
     proof = THEOREMS["elliptic"]
     start = proof.search(Request("elliptic", p, (-0.2286, 1.6332))).candidates[0].start
-    return accepted(proof, Setting(p, start, 12, order=5))
+    return accepted(proof, Setting(p, start, 12, options={"order": 5}))
 
 
 def parameters(certificate):

@@ -15,7 +15,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.floats.engine import swarm
 from cap.floats.search.orbits import from_hit_times
-from cap.maps.launch_set import UNIT, LaunchSet, System, fly
+from cap.maps.launch_set import UNIT, Constants, LaunchSet, fly
 from cap.maps.launch_window import window
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -144,7 +144,7 @@ def test_orbits_with_several_hits(p):
     alpha, rho = p.f / p.F, p.R * p.omega**2 / p.F
     windows = []
     with interval.workprec(64):
-        system = System.of(interval.ball(alpha), interval.ball(rho))
+        system = Constants.of(interval.ball(alpha), interval.ball(rho))
         now = LaunchSet.of_box(Ball(t, half), Ball(u, half), own=True)
         for k in range(len(hits) + 2):
             windows.append(window(system, now, Ball(t + math.pi * (k + 3))))

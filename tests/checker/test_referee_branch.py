@@ -7,6 +7,7 @@ from fractions import Fraction
 import pytest
 from closed_forms import claims_of, setting, within
 from mpmath import mp, mpf, workdps
+from support import over
 
 from cap.errors import BadInput
 from cap.proofs import branch
@@ -106,7 +107,7 @@ def test_a_journal_with_a_verdict_that_is_none(tmp_path):
     header, first = {"journal of": branch.journal_key(RHO)}, ["1/1000 3/2500", "zzz"]
     journal.write_text(json.dumps(header) + "\n" + json.dumps(first) + "\n")
     with pytest.raises(BadInput, match="damaged"):
-        branch.prove(setting(f_range=(Fraction("0.46"), None), runner=Runner(journal=journal)))
+        branch.prove(setting(options=over(Fraction("0.46")), runner=Runner(journal=journal)))
 
 
 def test_progress_moves_with_each_verdict():

@@ -7,12 +7,13 @@ from fractions import Fraction
 import pytest
 
 from cap.errors import NotProved
-from cap.explore.inventory import Inventory, inventory
+from cap.explore.inventory import inventory
 from cap.floats import candidates
 from cap.floats.candidates import Request
 from cap.floats.search import periodic
 from cap.floats.search.cycles import StroboscopicMap
 from cap.floats.search.family import families
+from cap.floats.search.inventory import Inventory
 from cap.floats.search.orbits import search
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER

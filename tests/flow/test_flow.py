@@ -14,7 +14,7 @@ from cap.errors import NotProved
 from cap.flow.event import BALLS, TAYLOR_MODELS, flies
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.strobe import oscillator, strobe
-from cap.maps.fixed_point import find_windows
+from cap.flow.windows import find_windows
 from cap.parameters import PAPER, Parameters
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball

@@ -24,7 +24,7 @@ from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
 from cap.flow.itinerary import itinerary
 from cap.flow.model import Constants
 from cap.flow.strobe import State, follow, of_constants, oscillator, strobe
-from cap.maps.fixed_point import windows_for
+from cap.flow.windows import windows_for
 from cap.parameters import PAPER, Parameters
 from cap.sets import interval
 from cap.sets.interval import Ball

@@ -16,8 +16,9 @@ from cap.errors import NotProved
 from cap.floats.search.cycles import near
 from cap.flow.event import BALLS
 from cap.flow.strobe import oscillator, strobe
+from cap.flow.windows import find_windows
 from cap.maps import fixed_point
-from cap.maps.fixed_point import Start, existence, find_windows, neighbourhood, prove
+from cap.maps.fixed_point import Start, existence, neighbourhood, prove
 from cap.parameters import PAPER
 from cap.sets import interval
 from cap.sets.interval import Ball

@@ -12,7 +12,7 @@ from systems import CASES
 from cap.floats.engine import swarm
 from cap.floats.search.orbits import from_hit_times
 from cap.maps import inventory
-from cap.maps.launch_set import UNIT, LaunchSet, System, fly, is_smooth
+from cap.maps.launch_set import UNIT, Constants, LaunchSet, fly, is_smooth
 from cap.maps.launch_window import window
 from cap.parameters import PAPER
 from cap.sets import interval
@@ -56,7 +56,7 @@ def test_flights_are_enclosed():
         half = 10.0 ** random.uniform(-5, -0.7)
         points = [(t + a * half, max(u + b * half, 1e-9)) for a in (-1, 0.3, 1) for b in (-1, 0, 1)]
         with interval.workprec(64):
-            system = System.of(interval.ball(alpha), interval.ball(G))
+            system = Constants.of(interval.ball(alpha), interval.ball(G))
             sides = (Ball(t, half), interval.hull(Ball(max(u - half, 0)), Ball(u + half)))
             now = LaunchSet.of_box(*sides, own=True)
             cap = interval.upper(sides[0]) + 3 * system.pi
@@ -97,7 +97,7 @@ def test_derivatives():
     for _ in range(rounds(20)):
         t, u, h = random.uniform(5.5, 6.3), random.uniform(0.8, 2), 1e-4
         with interval.workprec(64):
-            system = System.of(interval.ball(Fraction(2, 5)), Ball(2))
+            system = Constants.of(interval.ball(Fraction(2, 5)), Ball(2))
             now = LaunchSet.of_box(Ball(t, h), Ball(u, h), own=True)
             for _ in range(2):
                 hits = window(system, now, Ball(40))
@@ -122,7 +122,7 @@ def test_orbits_with_several_hits_are_not_excluded(p):
         u = abs(slowest.after) * float(p.omega / p.F)
         with interval.workprec(64):
             rho = p.R * p.omega**2 / p.F
-            system = System.of(interval.ball(p.f / p.F), interval.ball(rho))
+            system = Constants.of(interval.ball(p.f / p.F), interval.ball(rho))
             for half in (1e-2, 1e-4, 1e-6):
                 centre = LaunchSet.of_box(Ball(t % math.tau, half), Ball(u, half), own=True)
                 assert inventory.proved_empty(system, centre) is None
@@ -133,7 +133,9 @@ def test_bounds():
     for p, hits in CASES:
         if p.f:
             with interval.workprec(64):
-                system = System.of(interval.ball(p.f / p.F), interval.ball(p.R * p.omega**2 / p.F))
+                system = Constants.of(
+                    interval.ball(p.f / p.F), interval.ball(p.R * p.omega**2 / p.F)
+                )
                 limits = inventory.bounds(system)
             assert 2 * limits.hits >= hits
             for orbit in found(p):

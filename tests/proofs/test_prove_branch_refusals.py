@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 from closed_forms import check_cells, proved, setting
 from conftest import STARTS
-from support import proving
+from support import over, proving
 
 from cap.errors import BadInput, NotProved
 from cap.maps.fixed_point import Start
@@ -54,7 +54,7 @@ def test_ranges_without_a_pair(rho, low, high, why):
     """They are bad input, said in one line."""
     f_range = tuple(end and Fraction(end) for end in (low, high))
     with pytest.raises(BadInput, match=why) as caught:
-        branch.prove(setting(rho, f_range=f_range))
+        branch.prove(setting(rho, options=over(*f_range)))
     assert "\n" not in str(caught.value)
 
 
@@ -63,7 +63,7 @@ def test_where_the_pair_exists_is_rounded_up(rho):
     """What is said of the f below which there is a pair is not below it; at each size of F."""
     for F in (Fraction(1), Fraction(1, 10**9), Fraction(10**9)):
         p = Parameters(F, Fraction(1), F / 2, Fraction(0), Fraction(rho) * F)
-        ask = Setting(p, Start(0.0, 0.0, ()), 12, f_range=(F * 63 / 100, None))
+        ask = Setting(p, Start(0.0, 0.0, ()), 12, options=over(F * 63 / 100))
         with pytest.raises(BadInput) as caught:
             branch.prove(ask)
         with interval.workprec(200):
@@ -265,14 +265,16 @@ def test_few_digits(monkeypatch, F):
     p = Parameters(Fraction(F), Fraction(1), Fraction(F) / 2, Fraction(0), 2 * Fraction(F))
     ask = Setting(p, Start(0.0, 0.0, ()), 6 if p.F == 1 else 12)
     low = Fraction(41, 100) if p.F == 1 else None
-    check_cells(branch.prove(replace(ask, f_range=(low, None)))(Fraction(1)))
+    check_cells(branch.prove(replace(ask, options=over(low)))(Fraction(1)))
 
 
 def test_a_range_in_large_units():
     """F = 10^20 and --from: fewer decimal places than none."""
     p = Parameters(Fraction(10**20), Fraction(10**10), Fraction(1), Fraction(0), Fraction(2))
     f_range = Fraction(44 * 10**18), None
-    check_cells(branch.prove(Setting(p, STARTS["elliptic"], 12, f_range=f_range))(Fraction(1)))
+    check_cells(
+        branch.prove(Setting(p, STARTS["elliptic"], 12, options=over(*f_range)))(Fraction(1))
+    )
 
 
 def test_a_range_that_needs_more_digits():

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support import over
 
 from cap.errors import BadInput, NotProved
 from cap.floats.engine.releases import images
@@ -27,7 +28,7 @@ CLAIMS = json.loads((Path(__file__).parents[2] / "certificates/cascade-1.json").
 def setting(low, high, digits=6):
     """Return what the proof starts from."""
     f_range = Fraction(low), Fraction(high)
-    return Setting(PAPER, Start(0.0, 0.0, ()), digits, f_range=f_range)
+    return Setting(PAPER, Start(0.0, 0.0, ()), digits, options=over(*f_range))
 
 
 @pytest.mark.parametrize("k", range(5))

@@ -14,7 +14,7 @@ from cap.floats.candidates import Request
 from cap.floats.engine.swarm import follow
 from cap.floats.search.orbits import from_hit_times
 from cap.maps.inventory import Effort, TooMany, Tree, tree
-from cap.maps.launch_set import System
+from cap.maps.launch_set import Constants
 from cap.parameters import PAPER
 from cap.proofs import inventory
 from cap.proofs.fixed_point import Setting
@@ -85,7 +85,7 @@ def test_too_many_boxes(monkeypatch):
 def test_the_number_of_leaves_is_bounded(depth, most):
     """A tree of this depth has as many leaves as boxes of this size, as none is empty."""
     with interval.workprec(64):
-        system = System.of(interval.ball(Fraction(2, 5)), interval.ball(2))
+        system = Constants.of(interval.ball(Fraction(2, 5)), interval.ball(2))
         sides, effort = (interval.ball(100), interval.ball(100)), Effort(depth, most)
         if most == 16:
             assert len(tree(system, sides, effort, lambda *_: None).open) == 16

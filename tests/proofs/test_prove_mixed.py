@@ -43,7 +43,9 @@ def coarse(told):
     theorem = THEOREMS["mixed"]
     start = theorem.search(Request("mixed", PAPER)).candidates[0].start
     runner = Runner(tell=lambda *each: told.append(each))
-    found = accepted(theorem, replace(Setting(PAPER, start, 8, runner=runner), speed=Fraction(2)))
+    found = accepted(
+        theorem, Setting(PAPER, start, 8, runner=runner, options={"speed": Fraction(2)})
+    )
     patch.undo()
     return found
 
@@ -97,7 +99,7 @@ def test_other_systems(drag, share, least, words, monkeypatch):
         monkeypatch.setattr(places, name, value)
     theorem, p = THEOREMS["mixed"], replace(PAPER, f=Fraction(drag))
     start = theorem.search(Request("mixed", p)).candidates[0].start
-    found = accepted(theorem, replace(Setting(p, start, 8), speed=Fraction(2)))
+    found = accepted(theorem, Setting(p, start, 8, options={"speed": Fraction(2)}))
     shares = {name: float(ends[0]) for name, ends in found["claims"]["shares"].items()}
     assert shares[share] > least
     assert ("attractor" in found["claims"], "cycles" in found["claims"]) == (False, drag == "3/10")
@@ -222,7 +224,7 @@ def test_no_more_is_undecided_than_asked_for(monkeypatch):
         lambda *_: ((Fraction(0), Fraction(0), whole * Fraction(next(counts)), Fraction(0)), {}),
     )
     theorem = SimpleNamespace(region=lambda: (Fraction(2), Fraction(3)))
-    setting = replace(Setting(PAPER, (Fraction(0), Fraction(0)), 8), undecided=Fraction(1, 5))
+    setting = Setting(PAPER, (Fraction(0), Fraction(0)), 8, options={"undecided": Fraction(1, 5)})
     shares = mixed.lemma_shares(setting, theorem, {"places": {}})
     assert float(shares[2]) == 0.9
     assert len(tried) == 3

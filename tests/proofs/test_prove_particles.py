@@ -11,6 +11,7 @@ from support import proving
 from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Request, particles
+from cap.maps import zero
 from cap.parameters import Parameters
 from cap.proofs import particle_orbit, particles_saddle
 from cap.proofs import particles as theorem
@@ -25,8 +26,8 @@ PART = Fraction(9, 10)
 def claims_at(p, masses, digits=12, kind=theorem):
     """Return the claims at some parameters."""
     name = kind.__name__.rpartition(".")[2]
-    found = particles(Request(name, p, masses=masses)).candidates[0]
-    return kind.prove(Setting(p, found.start, digits, particles=found.particles))(PART)["claims"]
+    found = particles(Request(name, p, options={"masses": masses})).candidates[0]
+    return kind.prove(Setting(p, found.guess, digits))(PART)["claims"]
 
 
 def numbers(pairs, unit=1):
@@ -149,7 +150,7 @@ def test_no_orbit_near_the_guess():
         with pytest.raises(NotProved, match=reason):
             theorem.prove(replace(asked, particles=guess))
     with pytest.raises(NotProved, match="beyond floats"):
-        particle_orbit.inverse_of([[interval.ball(1), interval.ball(1)]] * 2)
+        zero.inverse_of([[interval.ball(1), interval.ball(1)]] * 2)
     with pytest.raises(BadInput, match="about two masses"):
         theorem.prove(replace(asked, particles=None))
 
@@ -179,8 +180,8 @@ def test_the_command(capsys, tmp_path):
         (("particles", "--masses", "1,9/10", "--f", "9/10"), "never stop, to continue from"),
         (("particles", "--masses", "1,9/10"), "inverse hyperbolic"),
         (("particles", "--masses", "1,3"), "before m = 1, 1.0"),
-        (("elliptic", "--masses", "1,9/10"), "about one mass: leave out --masses"),
-        (("elliptic", "--proportional"), "goes with --masses"),
+        (("elliptic", "--masses", "1,9/10"), "an option of: particles, particles_limits, "),
+        (("elliptic", "--proportional"), "an option of: particles, particles_limits, "),
         (("particles", "--masses", "1,9/10", "--proportional"), "keeps the signs of both"),
     ],
 )

@@ -24,8 +24,8 @@ EQUAL = Fraction(1), Fraction(1)
 @cache
 def setting():
     """Return the setting at the paper's parameters."""
-    found = lighter(Request("particles_limits", PAPER, masses=EQUAL)).candidates[0]
-    return Setting(PAPER, found.start, 10, particles=found.particles)
+    found = lighter(Request("particles_limits", PAPER, options={"masses": EQUAL})).candidates[0]
+    return Setting(PAPER, found.guess, 10)
 
 
 @cache
@@ -122,8 +122,8 @@ def test_the_checker_may_follow_with_wider_rates():
 def test_other_parameters(change, flip, stop):
     """A velocity that is slow in the last cell; a contact that passes a critical moment."""
     p = replace(PAPER, **change)
-    found = lighter(Request("particles_limits", p, masses=EQUAL)).candidates[0]
-    asked = Setting(p, found.start, 10, particles=found.particles)
+    found = lighter(Request("particles_limits", p, options={"masses": EQUAL})).candidates[0]
+    asked = Setting(p, found.guess, 10)
     claimed = theorems.accepted(theorems.THEOREMS["particles_limits"], asked)["claims"]
     for name, mass in (("flip", flip), ("stop", stop)):
         assert abs(float(claimed[name][0]) - mass) < 2e-6

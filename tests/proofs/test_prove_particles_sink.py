@@ -23,14 +23,16 @@ from cap.sets.interval import Ball
 @pytest.fixture(scope="module")
 def found():
     """Return the orbit that the search finds."""
-    request = Request("particles_sink", particle_orbits.A, masses=particle_orbits.MASSES)
+    request = Request(
+        "particles_sink", particle_orbits.A, options={"masses": particle_orbits.MASSES}
+    )
     return attracting(request).candidates[0]
 
 
 @pytest.fixture(scope="module")
 def proved(found):
     """Return the equations and the events proved, at 12 digits."""
-    setting = Setting(particle_orbits.A, found.start, 12, particles=found.particles)
+    setting = Setting(particle_orbits.A, found.guess, 12)
     with interval.workprec(setting.bits):
         model = Model(setting.parameters, found.particles.masses)
         words = tuple(words_of(model, found.particles))
@@ -96,8 +98,9 @@ def test_bad_input(capsys):
     with pytest.raises(BadInput, match="two masses"):
         attracting(Request("particles_sink", particle_orbits.A))
     frictionless = replace(particle_orbits.A, f=Fraction(0))
+    masses = {"masses": (Fraction(1), Fraction(9, 10))}
     with pytest.raises(BadInput, match="needs friction"):
-        attracting(Request("particles_sink", frictionless, masses=(Fraction(1), Fraction(9, 10))))
+        attracting(Request("particles_sink", frictionless, options=masses))
 
 
 def test_nothing_found(monkeypatch):
@@ -106,9 +109,8 @@ def test_nothing_found(monkeypatch):
     monkeypatch.setattr(particle_candidates, "_settled", lambda *_: next(ends))
     monkeypatch.setattr(particle_candidates, "SEEDS", 4)
     told = []
-    request = Request(
-        "particles_sink", particle_orbits.A, masses=particle_orbits.MASSES, progress=told.append
-    )
+    masses = {"masses": particle_orbits.MASSES}
+    request = Request("particles_sink", particle_orbits.A, options=masses, progress=told.append)
     with pytest.raises(BadInput) as failure:
         attracting(request)
     assert told[0] == "searching: 0 of 4 random states followed"

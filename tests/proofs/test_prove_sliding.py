@@ -31,7 +31,7 @@ def system_of(name):
 
 def proved(system, digits=20):
     """Return what is claimed of a system."""
-    setting = Setting(system.parameters, None, digits, particles=Guess(system.masses, ()))
+    setting = Setting(system.parameters, Guess(system.masses, ()), digits)
     return sliding.prove(setting)(Fraction(1))["claims"]
 
 

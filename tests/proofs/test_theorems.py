@@ -170,7 +170,9 @@ def middle(pair):
 @pytest.mark.parametrize("order", [3, 5])
 def test_the_remainder(name, order):
     """On the disk Φ is as close to its Taylor polynomial as claimed; the disk is in the box."""
-    claims = certified(elliptic, Setting(PAPER, STARTS[name], 20, order=order))["claims"]
+    claims = certified(elliptic, Setting(PAPER, STARTS[name], 20, options={"order": order}))[
+        "claims"
+    ]
     remainder, worst = claims["remainder"], {"x": mpf(0), "v": mpf(0)}
     assert remainder["degree"] == str(order)
     with mpmath.workdps(reference.DIGITS):
@@ -196,7 +198,9 @@ def test_the_remainder(name, order):
 def test_higher_orders_agree():
     """Order 5 claims the same numbers as order 3, and τ_2 besides, which forge computes too."""
     third, fifth = (
-        certified(elliptic, Setting(PAPER, STARTS["elliptic"], 20, order=order))["claims"]
+        certified(elliptic, Setting(PAPER, STARTS["elliptic"], 20, options={"order": order}))[
+            "claims"
+        ]
         for order in (3, 5)
     )
     (second,) = fifth["higher_twists"]

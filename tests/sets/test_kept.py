@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from numba.core.caching import FunctionCache
 
+from cap.sets.compiled import files
 from cap.sets.kept import kept
 
 ROOT = Path(__file__).parents[2]
@@ -53,6 +54,34 @@ def test_a_cache_that_fails(monkeypatch, method):
     numbers = np.array([1, 2])
     kept(twice)(numbers)
     assert list(numbers) == [2, 4]
+
+
+@pytest.mark.parametrize("kind", ["nbi", "nbc"])
+def test_a_damaged_file(kind):
+    """It is no error: the function is compiled, and the files are whole again."""
+    numbers = np.array([1.0, 2.0])
+    first = kept(twice, f"damaged {kind}")
+    first(numbers)
+    for file in Path(first.stats.cache_path).glob(f"test_kept.twice-*.{kind}"):
+        whole = file.read_bytes()
+        file.write_bytes(whole[: len(whole) // 2] + b"n" * 100)
+    hits = []
+    for _ in range(2):
+        again = kept(twice, f"damaged {kind}")
+        again(numbers)
+        hits.append(sum(again.stats.cache_hits.values()))
+    assert (list(numbers), hits) == ([8, 16], [0, 1])
+
+
+def test_the_digest_is_of_all_that_may_be_compiled():
+    """Whatever is compiled by `compiled` or `kernel` lies in a folder that the digest covers."""
+    users = {
+        path.relative_to(ROOT / "cap").parts[0]
+        for path in (ROOT / "cap").rglob("*.py")
+        if "from cap.sets.compiled import" in path.read_text(encoding="utf-8")
+    }
+    assert users <= {"areas", "boxes", "sets", "release"}
+    assert {path.name for path in files()} >= {"paths.py", "fit.py", "union.py", "compiled.py"}
 
 
 def test_no_place_to_keep_anything(tmp_path):

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats.findings import Findings, Floats, State
 from cap.floats.search.arclength import FIRST, MOST, Change, CurveFollower, DoubledFollower
-from cap.floats.search.curve import Family, Station
+from cap.floats.search.curve import FixedPoints, Station
 from cap.floats.search.cycles import near
 from cap.floats.search.fixed_point import elliptic_point, fixed_point, polished
 from cap.floats.variation import VARIABLE, value_of
@@ -124,7 +124,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     """
     runner = runner or Runner()
     state = _start(p, orbit, period)
-    family = Family(p, parameter, period)
+    family = FixedPoints(p, parameter, period)
     low, high = range or _range(p, parameter)
     if not low <= value_of(p, parameter) <= high:
         raise BadInput(
@@ -133,7 +133,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     follower = CurveFollower(family, (low / family.unit[2], high / family.unit[2]), points, runner)
     start = family.station(family.point(state), np.array([0.0, 0.0, 1.0]))
     seeds = [_Seed(follower, start)]
-    curves: list[tuple[Family, list[Station]]] = []
+    curves: list[tuple[FixedPoints, list[Station]]] = []
     special: list[Special] = []
     while seeds and len(curves) < branches and not runner.interrupted:
         seed = seeds.pop(0)
@@ -224,7 +224,7 @@ def _is_on(y: Floats, curve: list[Station]) -> bool:
     return bool(len(distance) and distance.min() < FIRST / 10)
 
 
-def _special(family: Family, change: Change, branch: int) -> Special:
+def _special(family: FixedPoints, change: Change, branch: int) -> Special:
     x, v, value = (change.station.y * family.unit).tolist()
     return Special(change.label, value, x, v, change.station.trace, branch, family.periods)
 
@@ -246,7 +246,7 @@ def _distinct(special: list[Special]) -> tuple[Special, ...]:
     return tuple(kept)
 
 
-def _branch(family: Family, curve: list[Station]) -> Branch:
+def _branch(family: FixedPoints, curve: list[Station]) -> Branch:
     y = np.array([station.y for station in curve]) * family.unit
     trace = np.array([s.trace for s in curve])
     det = np.array([s.determinant for s in curve])

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from threading import Lock, Timer
 from typing import Any
 
-from cap.command.console import say
 from cap.sets.kept import kept
+from cap.words import say
 
 PATIENCE = 3.0  # seconds: what is kept is loaded in less
 WORDS = "compiling the engine of the float mode, the first time only: about ten seconds"

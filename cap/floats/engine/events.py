@@ -21,9 +21,9 @@ from cap.floats.engine.compiled import announced
 from cap.floats.engine.flight import (
     FULL_TURN,
     NONE,
+    Constants,
     Four,
     Motion,
-    System,
     chatter,
     decay,
     event,
@@ -58,7 +58,7 @@ class Log(NamedTuple):
 
 
 @njit(error_model="numpy", forceinline=True)
-def _hit(y: System, n: Motion, close: bool) -> Motion:
+def _hit(y: Constants, n: Motion, close: bool) -> Motion:
     """Return the motion after the hit of the wall ahead, at which n is."""
     word = HIT if n.sign > 0 else HIT + 1
     grazing = n.grazing or close or n.speed <= GRAZING
@@ -66,7 +66,7 @@ def _hit(y: System, n: Motion, close: bool) -> Motion:
 
 
 @njit(error_model="numpy", forceinline=True)
-def _stop(y: System, n: Motion, close: bool) -> Motion:
+def _stop(y: Constants, n: Motion, close: bool) -> Motion:
     """Return the motion after v has vanished between the walls: it turns or sticks."""
     sign, word = 0.0, STICK
     if pushes(y, -n.sign, n.time):
@@ -76,7 +76,7 @@ def _stop(y: System, n: Motion, close: bool) -> Motion:
 
 
 @njit(error_model="numpy", forceinline=True)
-def _release(y: System, n: Motion, end: float) -> Motion:
+def _release(y: Constants, n: Motion, end: float) -> Motion:
     """Return the motion, just begun, of a mass that was at rest; or at rest at the end."""
     sign, time = 0.0, math.inf
     for side in (1.0, -1.0):
@@ -92,7 +92,7 @@ def _release(y: System, n: Motion, end: float) -> Motion:
 
 
 @njit(error_model="numpy", forceinline=True)
-def _leave(y: System, n: Motion, end: float) -> Motion:
+def _leave(y: Constants, n: Motion, end: float) -> Motion:
     """Return the motion after the capture of a mass that leaves a wall, or n if it is not yet."""
     time = chatter(y, n.speed, n.wall * n.cos)
     if n.time + time > end and time > 1e-15:  # it bounces until the end
@@ -103,7 +103,7 @@ def _leave(y: System, n: Motion, end: float) -> Motion:
 
 
 @njit(error_model="numpy", forceinline=True)
-def _leg(y: System, n: Motion, end: Motion) -> Motion:
+def _leg(y: Constants, n: Motion, end: Motion) -> Motion:
     """Fly to the next event, slow time or the end, whichever is first."""
     gap = n.depth if n.sign == n.wall else y.width - n.depth
     if gap <= 0:
@@ -144,7 +144,7 @@ def _leg(y: System, n: Motion, end: Motion) -> Motion:
 
 
 @njit(error_model="numpy", forceinline=True)
-def _step(y: System, n: Motion, end: Motion) -> Motion:
+def _step(y: Constants, n: Motion, end: Motion) -> Motion:
     """Return the motion after the next event, or slow time, or at the end."""
     if n.sign == 0:
         return _release(y, n, end.time)
@@ -156,7 +156,7 @@ def _step(y: System, n: Motion, end: Motion) -> Motion:
 
 
 @njit(error_model="numpy", forceinline=True)
-def _tangent(y: System, n: Motion, m: Motion, t: Four) -> Four:
+def _tangent(y: Constants, n: Motion, m: Motion, t: Four) -> Four:
     """Return the derivative, rows (a, b), (c, d), after the step from n to m; t is that before."""
     a, b, c, d = t
     if n.sign != 0 and m.word < CAPTURE:
@@ -178,7 +178,7 @@ def _tangent(y: System, n: Motion, m: Motion, t: Four) -> Four:
 
 
 @njit(error_model="numpy")
-def _begin(y: System, v: float, wall: float, depth: float) -> Motion:
+def _begin(y: Constants, v: float, wall: float, depth: float) -> Motion:
     """Return the motion from such a row; nan if that is no state."""
     sin, cos = math.sin(y.phase), math.cos(y.phase)
     sign = 1.0 if v > 0 else (-1.0 if v < 0 else 0.0)
@@ -188,14 +188,14 @@ def _begin(y: System, v: float, wall: float, depth: float) -> Motion:
 
 
 @njit(error_model="numpy")
-def _end(y: System, time: float) -> Motion:
+def _end(y: Constants, time: float) -> Motion:
     """Return a motion with the time and phase at the end of a period, or of a part of one."""
     theta = y.phase + (time if time < FULL_TURN else 0.0)
     return Motion(time, 0.0, 0.0, 1.0, 0.0, math.sin(theta), math.cos(theta), NONE, False)
 
 
 @njit(error_model="numpy")
-def _tabulate(y: System, table: Floats, row: int, period: int, n: Motion, m: Motion) -> None:
+def _tabulate(y: Constants, table: Floats, row: int, period: int, n: Motion, m: Motion) -> None:
     """Write down the event between n and m, if there is room."""
     if row < len(table):
         hit, captured = m.word < TURN, m.word == CAPTURE or m.word == CAPTURE + 1
@@ -219,7 +219,7 @@ def _write(rows: Floats, tangents: Floats, place: tuple[int, int], n: Motion, t:
 
 
 @njit(error_model="numpy")
-def _orbit(y: System, i: int, ends: Floats, rows: Floats, tangents: Floats, log: Log) -> None:
+def _orbit(y: Constants, i: int, ends: Floats, rows: Floats, tangents: Floats, log: Log) -> None:
     counts, first, flags, table = log
     n, t, seen = _begin(y, rows[i, 0, 0], rows[i, 0, 1], rows[i, 0, 2]), ONE, 0
     _write(rows, tangents, (i, 0), n, t)
@@ -245,13 +245,13 @@ def _orbit(y: System, i: int, ends: Floats, rows: Floats, tangents: Floats, log:
     flags[i, 0], flags[i, 1] = n.grazing, math.isnan(n.time)
 
 
-def _compiled(sources: str) -> Callable[[System, Floats, Floats, Floats, Log], None]:
+def _compiled(sources: str) -> Callable[[Constants, Floats, Floats, Floats, Log], None]:
     """Return the function that follows orbits; ``sources``, a digest, is part of its cache key.
 
     Without it, numba would not notice a change in the functions that are compiled into this one.
     """
 
-    def follow(y: System, ends: Floats, rows: Floats, tangents: Floats, log: Log) -> None:
+    def follow(y: Constants, ends: Floats, rows: Floats, tangents: Floats, log: Log) -> None:
         """Follow orbits.  ``rows`` (N, K, 3) holds v, wall and depth, first only the starts.
 
         ``ends`` are the ends in [0, 2π] of the periods.  With K = 1 the last states are written

@@ -19,7 +19,7 @@ CHATTER = 1e-9 * FULL_TURN  # a mass captured within this time is taken to be at
 Four = tuple[float, float, float, float]
 
 
-class System(NamedTuple):
+class Constants(NamedTuple):
     """The constants: α = f/F, m = μ/ω, e, R ω²/F; θ at time 0; slow and fast times in [0, 2π)."""
 
     alpha: float
@@ -76,7 +76,7 @@ def decay(m: float, d: float) -> tuple[float, float, float]:
 
 
 @njit(error_model="numpy", forceinline=True)
-def flown(y: System, n: Motion, d: float, sin: float, cos: float) -> Four:
+def flown(y: Constants, n: Motion, d: float, sin: float, cos: float) -> Four:
     """Return speed and distance flown after the time d, and sin θ, cos θ (given for d > SHORT).
 
     Written in differences, so that nothing cancels when d is small: with s cos(θ + d) expanded,
@@ -102,7 +102,7 @@ def flown(y: System, n: Motion, d: float, sin: float, cos: float) -> Four:
 
 
 @njit(error_model="numpy", forceinline=True)
-def fly(y: System, n: Motion, d: float) -> Four:
+def fly(y: Constants, n: Motion, d: float) -> Four:
     """Return speed, distance, sin θ and cos θ after the time d."""
     if d > SHORT:
         theta = y.phase + (n.time + d)
@@ -111,7 +111,7 @@ def fly(y: System, n: Motion, d: float) -> Four:
 
 
 @njit(error_model="numpy", forceinline=True)
-def step_to(y: System, n: Motion, gap: float, at: Four) -> float:
+def step_to(y: Constants, n: Motion, gap: float, at: Four) -> float:
     """Return the step to where u = 0, if gap < 0, or distance = gap, by the parabola there; or nan.
 
     ``at`` is (u, distance, sin, cos).  At the first u falls, at the second the distance rises.
@@ -127,7 +127,7 @@ def step_to(y: System, n: Motion, gap: float, at: Four) -> float:
 
 @njit(error_model="numpy")
 def event(
-    y: System, n: Motion, gap: float, guess: float, low: float, high: float
+    y: Constants, n: Motion, gap: float, guess: float, low: float, high: float
 ) -> tuple[float, float, float, float, float]:
     """Return (d, u, distance, sin, cos) where u = 0, if gap < 0, or where distance = gap.
 
@@ -163,14 +163,14 @@ def event(
 
 
 @njit(error_model="numpy", forceinline=True)
-def knots(y: System, sign: float, time: float) -> tuple[float, float]:
+def knots(y: Constants, sign: float, time: float) -> tuple[float, float]:
     """Return the next slow and the next fast time; p rises now if the fast one is earlier."""
     slow, fast = (y.slow_right, y.fast_right) if sign > 0 else (y.slow_left, y.fast_left)
     return slow + (FULL_TURN if slow <= time else 0.0), fast + (FULL_TURN if fast <= time else 0.0)
 
 
 @njit(error_model="numpy", forceinline=True)
-def pushes(y: System, sign: float, time: float) -> bool:
+def pushes(y: Constants, sign: float, time: float) -> bool:
     """Return whether the forcing exceeds friction in the direction of the sign: s cos θ > α.
 
     Decided by the known times, which count from the slow one on: a mass at rest, |cos θ| = α, moves
@@ -181,7 +181,7 @@ def pushes(y: System, sign: float, time: float) -> bool:
 
 
 @njit(error_model="numpy", forceinline=True)
-def moved(y: System, n: Motion, d: float, after: Four) -> Motion:
+def moved(y: Constants, n: Motion, d: float, after: Four) -> Motion:
     """Return the motion after the time d, where `flown` gives ``after``."""
     u, distance, sin, cos = after
     wall, depth = n.wall, max(0.0, n.depth - n.sign * n.wall * distance)
@@ -191,7 +191,7 @@ def moved(y: System, n: Motion, d: float, after: Four) -> Motion:
 
 
 @njit(error_model="numpy", forceinline=True)
-def chatter(y: System, u: float, force: float) -> float:
+def chatter(y: Constants, u: float, force: float) -> float:
     """Return the time in which bounces accumulate after one of speed u, or inf if not certain.
 
     ``force`` is that towards the wall.  Certain is the lemma in certificates/FORMAT.md with forces

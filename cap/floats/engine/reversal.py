@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from cap.errors import BadInput
 from cap.floats.engine import events
 from cap.floats.engine.events import Log
-from cap.floats.engine.flight import FULL_TURN, System
+from cap.floats.engine.flight import FULL_TURN, Constants
 from cap.floats.findings import Floats
 from cap.flow.words import WORDS
 from cap.parameters import Parameters
@@ -43,10 +43,10 @@ def retrace(p: Parameters, states: ArrayLike, periods: int) -> Floats:
     return np.stack([np.clip(x, l, r), -velocity * speed], axis=-1)
 
 
-def _pushed(p: Parameters) -> System:
+def _pushed(p: Parameters) -> Constants:
     """Return the system with negative friction; its slow and fast times follow from the ratio."""
     ratio = -float(p.f / p.F)
     arc = math.acos(ratio)
     knots = -arc, math.pi - arc, arc, math.pi + arc
     width = float(p.R * p.omega**2 / p.F)
-    return System(ratio, 0.0, 1.0, width, 0.0, *(knot % FULL_TURN for knot in knots))
+    return Constants(ratio, 0.0, 1.0, width, 0.0, *(knot % FULL_TURN for knot in knots))

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from cap.errors import BadInput
 from cap.floats.engine import events
 from cap.floats.engine.events import Floats, Log
-from cap.floats.engine.flight import FULL_TURN, System
+from cap.floats.engine.flight import FULL_TURN, Constants
 from cap.flow.words import WORDS
 from cap.parameters import Parameters
 
@@ -195,7 +195,7 @@ def _log(n: int, room: int) -> Log:
     return Log(counts, first, np.zeros((n, 2), dtype=np.bool_), np.empty((room, 7)))
 
 
-def _in_threads(system: System, ends: Floats, rows: Floats, tangents: Floats, log: Log) -> None:
+def _in_threads(system: Constants, ends: Floats, rows: Floats, tangents: Floats, log: Log) -> None:
     """Follow the orbits, those of each thread in one piece: the compiled code releases the GIL."""
     pieces = max(1, min(os.cpu_count() or 1, len(rows) // _WORTH_A_THREAD))
     cuts = [len(rows) * k // pieces for k in range(pieces + 1)]
@@ -216,7 +216,7 @@ def _in_threads(system: System, ends: Floats, rows: Floats, tangents: Floats, lo
 class _Units:
     """The system in units of 1/ω and F/ω², and the way there and back."""
 
-    system: System
+    system: Constants
     length: float
     speed: float
     omega: float
@@ -231,7 +231,9 @@ class _Units:
         arc = math.acos(p.f / p.F)
         knots = -arc, math.pi - arc, arc, math.pi + arc  # slow, fast; each to the right, the left
         alpha, m, e, width = map(float, (p.f / p.F, p.mu / p.omega, p.e, p.R * p.omega**2 / p.F))
-        system = System(alpha, m, e, width, phase, *((knot - phase) % FULL_TURN for knot in knots))
+        system = Constants(
+            alpha, m, e, width, phase, *((knot - phase) % FULL_TURN for knot in knots)
+        )
         speed, length = p.F / p.omega, p.F / p.omega**2
         walls = float(p.l), float(p.r)
         return cls(system, float(length), float(speed), float(p.omega), walls, float(t0))

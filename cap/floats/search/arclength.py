@@ -7,7 +7,7 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.findings import Floats
-from cap.floats.search.curve import Family, Station, halve
+from cap.floats.search.curve import FixedPoints, Station, halve
 from cap.flow.itinerary import oscillator
 from cap.parameters import Parameters
 from cap.runner import Runner
@@ -35,7 +35,7 @@ class CurveFollower:
     """Follows curves of a family by pseudo-arclength."""
 
     def __init__(
-        self, family: Family, limits: tuple[float, float], points: int, runner: Runner
+        self, family: FixedPoints, limits: tuple[float, float], points: int, runner: Runner
     ) -> None:
         self.family, self.limits, self.points, self.runner = family, limits, points, runner
 

@@ -24,7 +24,7 @@ SAME = 1e-6  # states that differ by less are of one orbit
 
 
 @dataclass(frozen=True)
-class Family:
+class FixedPoints:
     """The fixed points of Φⁿ for all values of one parameter."""
 
     p: Parameters
@@ -142,7 +142,7 @@ class Station:
 
 
 def halve(
-    family: Family,
+    family: FixedPoints,
     a: Station,
     b: Station,
     is_before: Callable[[Station], bool],

@@ -1,9 +1,9 @@
 """What a search for the orbits of a theorem is asked for, and what it finds."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cap.errors import BadInput
 from cap.maps.fixed_point import Start
@@ -15,16 +15,26 @@ from cap.particles.model import Guess
 class Request:
     """The theorem (a ``kind`` of orbits), the parameters, and what was said about the orbit.
 
-    ``progress`` is told, in a few words, how far a long search is.
+    ``options`` are those of the theorem that are given, by name.  ``progress`` is told, in
+    a few words, how far a long search is.
     """
 
     kind: str
     parameters: Parameters
     orbit: tuple[float, float] | None = None
     every: bool = False
-    periods: int = 1
-    masses: tuple[Fraction, ...] = ()
+    options: Mapping[str, Any] = field(default_factory=dict)
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
+
+    @property
+    def periods(self) -> int:
+        """The n of the period nT that is asked for."""
+        return int(self.options.get("period", 1))
+
+    @property
+    def masses(self) -> tuple[Fraction, ...]:
+        """The masses, if there are several."""
+        return tuple(self.options.get("masses", ()))
 
     def no_orbit(self, why: str) -> None:
         """Raise `BadInput`, which says why, if an orbit or every one is asked for."""
@@ -33,15 +43,19 @@ class Request:
 
 
 class Candidate(NamedTuple):
-    """A guess, how it is shown, and the default order to which Φ is expanded at it.
+    """A guess, and how it is shown.
 
     Of several masses the guess is ``particles``, and ``start`` the state of the first.
     """
 
     start: Start
     shown: str
-    order: int = 3
     particles: Guess | None = None
+
+    @property
+    def guess(self) -> Start | Guess:
+        """What a proof starts from."""
+        return self.particles or self.start
 
 
 class Found(NamedTuple):

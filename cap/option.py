@@ -16,13 +16,20 @@ Reader = Callable[[Sequence[str], str], Any]
 
 @dataclass(frozen=True)
 class Option:
-    """An option of a command: how it is read, from how many words."""
+    """An option of a command: how it is read, from how many words; without a value a default.
+
+    ``word`` is the keyword argument that it becomes, if that is not its name.  Where it is
+    ``about`` the theorem asked for, the name of a certificate tells its value.
+    """
 
     name: str
     reader: Reader | None
     help: str
     metavar: str | tuple[str, ...] | None = None
     nargs: int | str | None = None
+    default: Any = None
+    word: str = ""
+    about: bool = False
 
     @property
     def flag(self) -> bool:
@@ -32,7 +39,7 @@ class Option:
     @property
     def keyword(self) -> str:
         """The keyword argument that it becomes."""
-        return self.name.replace("-", "_")
+        return self.word or self.name.replace("-", "_")
 
     def read(self, text: str | Sequence[str]) -> Any:
         """Return its value; raise `BadInput` if it has none."""
@@ -63,11 +70,24 @@ def positive(words: Sequence[str], name: str) -> float:
     return value
 
 
+def exact_number(words: Sequence[str], _name: str) -> Fraction:
+    """Read a number, exactly."""
+    return exact(words[0])
+
+
 def exact_positive(words: Sequence[str], name: str) -> Fraction:
     """Read a positive number, exactly."""
     value = exact(words[0])
     if value <= 0:
         raise BadInput(f"--{name} must be positive: {words[0].strip()}")
+    return value
+
+
+def exact_part(words: Sequence[str], name: str) -> Fraction:
+    """Read a positive number less than 1, exactly."""
+    value = exact_positive(words, name)
+    if value >= 1:
+        raise BadInput(f"--{name} must be less than 1: {words[0].strip()}")
     return value
 
 

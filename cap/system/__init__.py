@@ -1,0 +1,9 @@
+"""A system with impacts and dry friction as data, and what follows from it by exact algebra.
+
+`polynomial`  exact polynomials in the state, the clock and pi
+`model`       modes, guards, resets; Lie derivatives; `validation` refuses what is none
+`form`        the model as JSON, both ways
+`flight`      the closed form of the flights of a mode, for any scalar
+`lemmas`      why a guard that is not the next event stays positive
+`friction`    one mass with dry friction between two walls, `masses` several on a line
+"""

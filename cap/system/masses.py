@@ -1,0 +1,100 @@
+"""Several masses on a line with dry friction, pushed by one force, between two walls.
+
+    m_i x_i'' = F cos wt - f sgn x_i',    l <= x_1 <= ... <= x_N <= r,    elastic contacts
+
+(eq:Nparticle, eq:Ncollision).  The modes are the signs of the velocities, as "+-0"; 0 is a mass at
+rest.  Guards: "hit l", "hit r", "meet i j" of neighbours, "stop i", and "release i" of a mass at
+rest to either side.  A contact that cannot close in a mode (the gap grows there, or nothing moves)
+is no guard of it.  Contacts may accumulate, where N > 1 also without loss: no resting mode is
+named for them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import product
+
+from cap.errors import BadInput
+from cap.parameters import Parameters
+from cap.system.model import Bounce, Guard, Mode, System
+from cap.system.polynomial import COS, ZERO, Polynomial, variable
+
+Signs = tuple[int, ...]
+MOST = 5  # masses: 3^5 modes
+
+
+def masses(p: Parameters, m: Sequence[Fraction]) -> System:
+    """Return the model of N masses, in order from the left wall."""
+    if not 1 <= len(m) <= MOST or min(m) <= 0:
+        raise BadInput(f"give from 1 to {MOST} masses, and positive ones")
+    if not p.conserves:
+        raise BadInput("the walls must be elastic, without viscosity: e = 1, mu = 0")
+    n = len(m)
+    state = tuple(f"{kind}{i}" for kind in "xv" for i in range(1, n + 1))
+    modes = {word(s): Mode(_field(p, m, s), dict(_guards(p, m, s))) for s in _signs(n)}
+    return System(state, Polynomial.of(p.omega), modes)
+
+
+def word(signs: Signs) -> str:
+    """Return the name of a mode."""
+    return "".join("-0+"[s + 1] for s in signs)
+
+
+def _signs(n: int) -> Iterator[Signs]:
+    yield from product((1, 0, -1), repeat=n)
+
+
+def _x(i: int) -> Polynomial:
+    return variable(f"x{i + 1}")
+
+
+def _v(i: int) -> Polynomial:
+    return variable(f"v{i + 1}")
+
+
+def _field(p: Parameters, m: Sequence[Fraction], signs: Signs) -> dict[str, Polynomial]:
+    """Return the field of a mode."""
+    force = variable(COS) * p.F
+    rates = {f"x{i + 1}": _v(i) if s else ZERO for i, s in enumerate(signs)}
+    return rates | {
+        f"v{i + 1}": (force - s * p.f) / m[i] if s else ZERO for i, s in enumerate(signs)
+    }
+
+
+def _guards(p: Parameters, m: Sequence[Fraction], signs: Signs) -> Iterator[tuple[str, Guard]]:
+    """Yield the guards of a mode with their names."""
+    last, force = len(signs) - 1, variable(COS) * p.F
+    if signs[0] < 0:
+        yield "hit l", _wall(_x(0) - p.l, signs, 0, p.l)
+    if signs[last] > 0:
+        yield "hit r", _wall(p.r - _x(last), signs, last, p.r)
+    for i in range(last):
+        if signs[i] >= signs[i + 1] and signs[i : i + 2] != (0, 0):
+            yield f"meet {i + 1} {i + 2}", _meeting(m, signs, i)
+    for i, s in enumerate(signs):
+        if s:
+            to = (word(_with(signs, i, -s)), word(_with(signs, i, 0)))
+            yield f"stop {i + 1}", Guard(_v(i) * s, to, {f"v{i + 1}": ZERO})
+        else:
+            for side, name in ((1, "r"), (-1, "l")):
+                away = word(_with(signs, i, side))
+                yield f"release {i + 1} {name}", Guard(p.f - force * side, (away,))
+
+
+def _wall(h: Polynomial, signs: Signs, i: int, place: Fraction) -> Guard:
+    """Return the guard of a wall."""
+    reset = {f"x{i + 1}": Polynomial.of(place), f"v{i + 1}": -_v(i)}
+    return Guard(h, (word(_with(signs, i, -signs[i])),), reset)
+
+
+def _meeting(m: Sequence[Fraction], signs: Signs, i: int) -> Guard:
+    """Return the contact of two neighbours, which separate after it, so not with signs + and -."""
+    after = ((1, 1), (-1, -1), (-1, 1))
+    to = tuple(word(signs[:i] + pair + signs[i + 2 :]) for pair in after)
+    inertia = {f"v{k + 1}": Polynomial.of(m[k]) for k in (i, i + 1)}
+    return Guard(_x(i + 1) - _x(i), to, Bounce(Polynomial.of(1), inertia))
+
+
+def _with(signs: Signs, i: int, s: int) -> Signs:
+    return (*signs[:i], s, *signs[i + 1 :])
