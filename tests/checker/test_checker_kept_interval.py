@@ -10,8 +10,7 @@ import pytest
 
 from cap.checker.attracting import attractor
 from cap.checker.attracting.attractor import into_itself, stays
-from cap.checker.folded.flights import System
-from cap.checker.folded.motion import System as Backwards
+from cap.checker.folded.motion import System, releases
 from cap.checker.folded.stops import LATE, backwards, sticks, turns
 from cap.checker.folded.units import Units
 from cap.checker.kernel.rejection import Rejected
@@ -20,7 +19,7 @@ from cap.checker.kernel.theorem import Parameters
 from checker.mixed_small import STORED, small
 
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
-Y, UNITS = System(PAPER), Units(PAPER)
+Y, UNITS = releases(PAPER), Units(PAPER)
 
 
 def distances(low, high):
@@ -50,7 +49,7 @@ def test_a_rest_near_a_wall_is_no_proof(monkeypatch):
 
 def test_no_multiple_of_pi_is_counted_twice():
     """For each region the numbers of those that count increase."""
-    theorem, V, y = small()[0], 3.0, Backwards(PAPER)
+    theorem, V, y = small()[0], 3.0, System(PAPER)
     seen = 0
     for leaf in [*theorem.sticks(y, LATE)][::2] + [*theorem.turns(y)][::2]:
         start = turns(y, leaf.region) if leaf.parts else sticks(y, LATE, leaf.region)

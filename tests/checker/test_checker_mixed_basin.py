@@ -9,7 +9,7 @@ import pytest
 from support import rounds, seeded
 
 from cap.checker.attracting.segment import Touching
-from cap.checker.folded.ahead import bounds_of
+from cap.checker.folded.basins import bounds_of
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Parameters
@@ -49,7 +49,7 @@ def contains(x, v):
     """Return whether the strip contains a state."""
     length, speed = OTHER.omega**2 / OTHER.F, OTHER.omega / OTHER.F
     p, s = q.model(one=float((x - OTHER.r) * length)), q.model(one=float(v * speed))
-    return strip().contains(bounds_of(p, s))
+    return strip().contains(bounds_of(q, p, s))
 
 
 def test_it_is_the_basin_that_is_claimed():

@@ -23,7 +23,6 @@ from cap.checker.folded.stops import (
     at_hit,
     backwards,
     flown,
-    multiple,
     places_of,
     sticks,
     turns,
@@ -80,7 +79,7 @@ def strobes(y, start, count=12, error=math.inf):
     for f, strobe in backwards(y, start.flight, count, FAST):
         k = strobe.number - f.passed
         if f.begun[1] < k * math.pi and max(f.errors) < error:
-            yield *y.at(f, multiple(y, k)[0]), k, f
+            yield *y.at(f, y.multiple(k)[0]), k, f
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
@@ -166,7 +165,7 @@ def test_polynomials_are_next_to_the_times_of_events():
     for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             kind, near, _k = upcoming(y, f)
-            d = (hitting if kind == "hit" else stopping)(y, f, near)
+            near, d = (hitting if kind == "hit" else stopping)(y, f, near)
             left = [abs(remains(y, f, kind, near, d, x)) for x in (0.2, 0.1)]
             if left[0] > 1e-10:
                 ratios[kind].append(left[0] / left[1])

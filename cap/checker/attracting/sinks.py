@@ -21,14 +21,14 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.checker.attracting.part import Part as Claimed
-from cap.checker.folded.ahead import bounds_of, sticking
-from cap.checker.folded.basins import Basins, Ellipse, Row, rounded
+from cap.checker.folded.ahead import sticking
+from cap.checker.folded.basins import Basins, Ellipse, Row, bounds_of, rounded
 from cap.checker.folded.events import after, event
-from cap.checker.folded.motion import Flight, System
+from cap.checker.folded.flights import Flight
+from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import TURN, UP, Pair, middle, times
 from cap.checker.folded.slopes import Slopes
 from cap.checker.folded.slopes import after as slopes_after
-from cap.checker.folded.stops import multiple
 from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
@@ -168,16 +168,14 @@ class Sink(NamedTuple):
         """Return a bound of |W DP W^-1| over a part."""
         f, slopes, (t, error) = self.image(y, part, Fraction(1, 2**part.n))
         d = q.moved(q.model(error, one=t), -f.ref, 0.0)
-        sides = [bounds_of(q.total(q.product(d, g.A), g.B), g.A) for g in slopes]
+        sides = [bounds_of(q, q.total(q.product(d, g.A), g.B), g.A) for g in slopes]
         rows = [(rounded(row.a), rounded(row.b)) for row in self.ellipse().rows]
         return norm([[middle(side(*row)) for side in sides] for row in rows])
 
     def shift(self, y: System) -> float:
         """Return a bound of |W (P c - c)|."""
         f, _, (t, error) = self.image(y, Part(), Fraction(0))
-        p, s = y.at(f, t, error)
-        s = q.widened(s, f.errors[0])
-        return self.ellipse().radius(bounds_of(q.widened(p, y.influence(f, t, error)), s))
+        return self.ellipse().radius(bounds_of(q, *y.states(f, t, error)))
 
     def image(self, y: System, part: Part, size: Fraction) -> Image:
         """Return what is so far from the middle of a part after so many half periods."""
@@ -186,14 +184,14 @@ class Sink(NamedTuple):
         slopes = tuple(Slopes(known(ds), known(dp)) for dp, ds in sides)
         for _ in range(_EVENTS):
             k, e = self.odd + self.halves - f.passed, event(y, f)
-            t, error = multiple(y, k)
+            t, error = y.multiple(k)
             if t + error < e.ends[0]:
                 need(f.begun[1] < t - error and k % 2 == self.odd, "which orbits are in their sink")
                 return Image(f, slopes, (t, error))
             if e.p is not None:
                 sticks = sticking(y, e, q.ends(q.widened(e.cos, e.e_all)))
                 need(not any(sticks), "the orbits from a sink may stick")
-            slopes = tuple(slopes_after(y, f, g, e) for g in slopes)
+            slopes = tuple(slopes_after(y, g, e) for g in slopes)
             f = after(y, f, e)
         raise Rejected("there are too many events")
 
@@ -208,7 +206,7 @@ def launched(y: System, odd: bool, p: Model, s: Model) -> Flight:
     """Return the flight of states at 0 or pi: A = s - sin t, B = p + cos t, t = ref."""
     need(q.ends(p)[1] < 0 < q.ends(s)[0], "the states of a sink do not move to the wall ahead")
     need(-y.width[0] + y.width[1] < q.ends(p)[0], "a sink reaches behind a wall")
-    t, error = multiple(y, int(odd))
+    t, error = y.multiple(int(odd))
     A, B = q.widened(s, 2 * error), q.moved(p, -1.0 if t else 1.0, error)
     errors = A[q.LAST], B[q.LAST]
     begun = t - 2 * error, t + 2 * error

@@ -47,7 +47,6 @@ from itertools import chain, pairwise
 from typing import Any, ClassVar
 
 from cap.checker import attracting
-from cap.checker.folded import flights
 from cap.checker.folded.ahead import Outlook
 from cap.checker.folded.areas import Areas, of_sticks, of_turns
 from cap.checker.folded.basins import Basins
@@ -240,8 +239,7 @@ class Mixed(Theorem):
 
     def outlook(self, places: Places) -> Outlook:
         """Return what tells what becomes of turns."""
-        forwards = System(self.p, forwards=True), flights.System(self.p)
-        return Outlook(*forwards, places, self.basins())
+        return Outlook(System(self.p, forwards=True), places, self.basins())
 
     def sums(self, parts: Sequence[Fraction]) -> None:
         """Compare the claims with the parts of the area."""
