@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from cap.certificate.writer import Pair
 from cap.checker.attracting.cycles import contract
-from cap.checker.folded.motion import releases
+from cap.checker.folded.motion import Releases
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.theorems.mixed import Mixed
@@ -40,7 +40,7 @@ def contracted(p: Parameters, theorem: Mixed) -> list[list[Pair]]:
 
 def largest(p: Parameters, theorem: Mixed, cycle: list[Release]) -> Intervals:
     """Return the largest intervals around a cycle found that are contracted, if there are any."""
-    y, basins = releases(theorem.p), theorem.basins()
+    y, basins = Releases(theorem.p), theorem.basins()
     for n in range(SIZES):
         intervals = list(around(p, cycle, p.R * LARGEST / 2**n))
         try:

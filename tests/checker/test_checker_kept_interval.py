@@ -10,7 +10,7 @@ import pytest
 
 from cap.checker.attracting import attractor
 from cap.checker.attracting.attractor import into_itself, stays
-from cap.checker.folded.motion import System, releases
+from cap.checker.folded.motion import Releases, System
 from cap.checker.folded.stops import LATE, backwards, sticks, turns
 from cap.checker.folded.units import Units
 from cap.checker.kernel.rejection import Rejected
@@ -19,7 +19,7 @@ from cap.checker.kernel.theorem import Parameters
 from checker.mixed_small import STORED, small
 
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
-Y, UNITS = releases(PAPER), Units(PAPER)
+Y, UNITS = Releases(PAPER), Units(PAPER)
 
 
 def distances(low, high):

@@ -139,7 +139,7 @@ def in_another(mode, f):
 
 REFUSED = {
     "the checker": lambda: check(SMALL.read_bytes(), lambda _: None),
-    "the folded flow": lambda: motion.releases(read(STORED.read_bytes()).parameters),
+    "the folded flow": lambda: motion.Releases(read(STORED.read_bytes()).parameters),
     "a task": lambda: list(each(1, abs, [1])),
 }
 

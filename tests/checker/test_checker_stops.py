@@ -89,7 +89,7 @@ def test_orbits_in_floats_come_back(name):
     y, ahead, rng = System(p), System(p, forwards=True), np.random.default_rng(3)
     for kind, region, start in regions(y):
         f0, long = start.flight, time_of(kind, y, region)
-        for place, speed, k, _f in strobes(y, start, error=1e-5 if kind == EARLY else math.inf):
+        for place, speed, k, _f in strobes(y, start, error=1e-5 if kind == EARLY else 1e-3):
             x, z = rng.uniform(-1, 1, 2)
             a, s = value(place, x, z)[0], value(speed, x, z)[0]
             if s < 0 or not -y.width[0] < a < 0:
@@ -98,7 +98,7 @@ def test_orbits_in_floats_come_back(name):
             assert math.cos(time - f0.ref - long * z) > 1 - 1e-6
             assert abs(q - value(across(region)[0], x, z)[0]) < 1e-3
             compared[kind] += 1
-    assert min(compared[LATE], compared[0]) > 15
+    assert min(compared[LATE], compared[0]) > 12
     assert compared[EARLY] > (0 if name == "weak" else 15)  # there few are not after a stop
 
 

@@ -17,7 +17,7 @@ from typing import Any
 
 from cap.checker.attracting.part import Part
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.motion import System, releases
+from cap.checker.folded.motion import Releases, System
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.units import Distances
@@ -46,7 +46,7 @@ class Chaotic(Part):
         hints = it.hints["attractor"]
         part = Certificate("attractor", it.p, it.certificate.digits, self.claim, hints)
         Attractor(part, it.step).prove()
-        into_itself(releases(it.p), self.scale.distances(self.claim["interval"]))
+        into_itself(Releases(it.p), self.scale.distances(self.claim["interval"]))
 
     def kept(self) -> list[Enclosure]:
         """Return I."""

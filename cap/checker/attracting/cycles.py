@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 
 from cap.checker.attracting.part import Part
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.motion import System, releases
+from cap.checker.folded.motion import Releases, System
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.units import Distances
@@ -31,7 +31,7 @@ class Cycles(Part):
 
     def prove(self, known: Basins) -> None:
         """Prove that the release map contracts the cycles."""
-        y = releases(self.theorem.p)
+        y = Releases(self.theorem.p)
         for cycle in self.claim:
             contract(y, known, [self.scale.distances(interval) for interval in cycle])
             self.theorem.step(

@@ -8,7 +8,6 @@ are those of a norm of functions and their derivatives.
 from __future__ import annotations
 
 import math
-from types import ModuleType
 from typing import Any
 
 from cap.checker.folded.flights import Flight, Four, Model, angles, carried, constants
@@ -29,15 +28,14 @@ class System:
     ``theta`` is arccos a, ``rest`` is arccos |a|, ``q`` the module of the models.
     """
 
-    def __init__(
-        self, p: Parameters, *, forwards: bool = False, models: ModuleType = polynomials
-    ) -> None:
+    q: Any = polynomials
+
+    def __init__(self, p: Parameters, *, forwards: bool = False) -> None:
         known, (theta, half) = constants(p), angles(p)
         a, self.a_error = known.a
         self.a = -a if forwards else a
         self.width, self.rest, self.pi, self.sine = known[1:]
         self.theta = of(half - theta) if forwards else self.rest
-        self.q: Any = models
 
     def slow(self, k: int) -> Pair:
         """Return the slow time of this number, and a bound of its error."""
@@ -116,9 +114,13 @@ class System:
         return ref, self.q.widened(d, (abs(near) + 8) * TURN + abs(k) * (self.pi[1] + 4 * TURN))
 
 
-def releases(p: Parameters) -> System:
-    """Return the flow forwards, of states that depend on one variable, the place of release."""
-    return System(p, forwards=True, models=line)
+class Releases(System):
+    """The flow forwards, of states that depend on one variable: the place of release."""
+
+    q = line
+
+    def __init__(self, p: Parameters) -> None:
+        super().__init__(p, forwards=True)
 
 
 def upcoming(y: System, f: Flight) -> tuple[str, float, int]:
