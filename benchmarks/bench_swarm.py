@@ -16,8 +16,10 @@ import numpy as np
 import pytest
 
 from cap.floats.engine import flow, swarm
+from cap.floats.models.engine import Engine
 from cap.flow.itinerary import oscillator
 from cap.parameters import PAPER
+from cap.system.friction import oscillator as model
 
 ELLIPTIC = 0.1002798898441954, 0.5419433067664584
 DAMPED = replace(PAPER, e=Fraction(9, 10), mu=Fraction(1, 20))
@@ -31,6 +33,15 @@ def spread(count):
 def report(benchmark, work):
     if benchmark.stats:  # not with --benchmark-disable
         benchmark.extra_info["states x periods / s"] = round(work / benchmark.stats.stats.median)
+
+
+@pytest.mark.parametrize("p", [PAPER, DAMPED], ids=["paper", "damped"])
+def test_from_the_model(benchmark, p):
+    """The engine made from the model: to be compared with one thread below."""
+    engine, states = Engine(model(p)), spread(10_000)
+    engine.follow(states[:1])  # compiles
+    benchmark(engine.follow, states, periods=5)
+    report(benchmark, 50_000)
 
 
 @pytest.mark.parametrize("threads", [1, 2])

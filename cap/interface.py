@@ -165,14 +165,13 @@ def prove_theorem(
         prove_theorem("branch", lowest="2/5", executor=ProcessPoolExecutor(2))
         prove_theorem("attractor", lowest="0.389", highest="0.391")  # `entropies`
 
-    ``options`` are those of ``python -m cap.prove --help``, by their names.  Parameters (F, omega,
+    ``options`` are those of ``cap.prove THEOREM --help``, by their names.  Parameters (F, omega,
     f, l, r, e, mu; default: the paper's) are exact: strings as on the command line, integers or
     fractions; a float is refused, as 0.4 is not 2/5.  So are ``masses``, one string or a pair.
     ``orbit`` (x, v), from which Newton's method starts, may be floats.  Others: ``epsilon``,
-    ``digits``; and what some theorems take: ``lowest`` and ``highest``, the range of f (--from,
-    --to); ``period``, ``order``, ``speed``, ``undecided``, ``flights``, ``jobs``, ``journal``.
-    ``executor``, any of `concurrent.futures`' kind, does what ``jobs`` processes would do: the
-    cells of `branch` and `entropies`, the area of `conservative`; compiled code runs in ``jobs``
+    ``digits``; and what the theorem declares, as ``period`` or ``jobs``; ``lowest`` and ``highest``
+    are a range of f (--from, --to).  ``executor``, any of `concurrent.futures`' kind, does what
+    ``jobs`` processes would do in a theorem that takes ``jobs``; compiled code runs in ``jobs``
     threads all the same, and the checker in processes of its own.  ``progress`` is told, in a few
     words, how far a long proof is.
 

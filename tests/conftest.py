@@ -78,6 +78,13 @@ def orbits_computed_once():
 
 
 @pytest.fixture(scope="module")
+def releases_computed_once():
+    """Let the checker compute the release map over an interval once for equal arguments."""
+    with remembered.releases_computed_once():
+        yield
+
+
+@pytest.fixture(scope="module")
 def pairs_computed_once():
     """Let the checker compute pairs of (1,1) orbits once for equal arguments."""
     with remembered.pairs_computed_once():

@@ -1,10 +1,12 @@
 """Helpers of the tests: loop counts, exact containment, random sets."""
 
+import json
 import os
 from fractions import Fraction
 from random import Random
 
 import mpmath
+import pytest
 
 from cap import prove
 from cap.sets import interval
@@ -18,6 +20,17 @@ def seeded(seed):
 def rounds(count):
     """Return how often a random test is to be repeated."""
     return max(1, round(count * float(os.environ.get("CAP_TEST_MULTIPLIER", "1"))))
+
+
+def smallest_first(paths):
+    """Return certificates for `parametrize`; all but the smallest of each theorem are slow."""
+    known, cases = set(), []
+    for path in sorted(paths, key=lambda path: (path.stat().st_size, path)):
+        theorem = json.loads(path.read_bytes())["theorem"]
+        marks = [pytest.mark.slow] * (theorem in known)
+        cases.append(pytest.param(path, id=path.stem, marks=marks))
+        known.add(theorem)
+    return cases
 
 
 def proving(capsys, *words):
@@ -39,7 +52,7 @@ def rational(value):
     """Return a number, also of mpmath, exactly."""
     if isinstance(value, mpmath.mpf):
         sign, man, exp, _ = value._mpf_
-        return Fraction(-man if sign else man) * Fraction(2) ** exp
+        return Fraction(int(-man if sign else man)) * Fraction(2) ** exp
     return Fraction(value)
 
 

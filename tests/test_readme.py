@@ -40,6 +40,14 @@ def test_two_commands():
     assert commands[-1] == second
 
 
+def test_slow_tests_are_run():
+    """By CI, since the README's command leaves them out."""
+    with (ROOT / "pyproject.toml").open("rb") as file:
+        options = tomllib.load(file)["tool"]["pytest"]["ini_options"]["addopts"]
+    assert options[-2:] == ["-m", "not slow"]
+    assert "python -m pytest -m slow" in CI
+
+
 def test_every_step():
     """No step of CI is written and not run."""
     text = "\n".join(CI)

@@ -9,7 +9,8 @@ theorem.  Only the theorem that a certificate names is loaded, with what it need
 lists these files in the order to read them.  Each begins with the mathematics that it implements.
 
     kernel      rejection, strict reading, shapes; intervals, elementary functions, jets; doubles
-    system      a system as data: polynomials, modes, guards, resets; closed forms of its flights
+    system      a system as data: polynomials, modes, guards, resets; closed forms of its flights,
+                exponentials; Lemma B (quiet legs); the lemma of chatter
     flow        flights, hits, stops, capture, itineraries; launches
     maps        fixed points of the map over n periods, and Birkhoff's normal form
     release     maps from one release to the next, over intervals of places and of f

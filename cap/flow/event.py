@@ -175,6 +175,8 @@ def slow_numbers(
     `Oscillator.slow` (s, k) is ``origin`` + kT.  Raises `NotProved` if k is uncertain by 1 or more.
     """
     origin = bound(osc.slow_right if s > 0 else osc.slow_left)
+    if origin - osc.T < start and end < origin + osc.T:  # -1 and 1 are not between
+        return range(0 if origin < start or end < origin else 1)
     first, last = (start - origin) / osc.T, (end - origin) / osc.T
     if not (first.rad() < interval.ONE and last.rad() < interval.ONE):
         raise NotProved("flight", "its time is too uncertain", {"start": start, "end": end})

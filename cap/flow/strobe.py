@@ -15,6 +15,7 @@ that the velocity had: the word is an expectation, and what does not fit it is n
 """
 
 from collections.abc import Sequence
+from operator import methodcaller
 from typing import Any
 
 from cap.flow import relaxation
@@ -28,15 +29,10 @@ from cap.sets.interval import Ball
 __all__ = ["Orbit", "State", "follow", "of_constants", "oscillator", "strobe"]
 
 
-def _sin_cos(angle: Any) -> Any:
-    """Return sine and cosine of a ball, or of a jet or Taylor model over balls."""
-    return angle.sin_cos()
-
-
 FUNCTIONS = Functions[Ball](
     constant=interval.ball,
     pi=Ball(0),
-    sin_cos=_sin_cos,
+    sin_cos=methodcaller("sin_cos"),  # of balls, and of jets and Taylor models over balls
     acos=Ball.acos,
     sqrt=Ball.sqrt,
     relax=relaxation.relax,

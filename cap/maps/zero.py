@@ -166,7 +166,7 @@ def _dot(a: Sequence[Ball], b: Sequence[Ball]) -> Ball:
 def inverse_of(rows: Rows) -> list[list[Fraction]]:
     """Return decimals of about ten digits near the inverse of a matrix."""
     try:
-        inverse = np.linalg.inv(np.array([[float(q.mid()) for q in row] for row in rows]))
+        inverse = np.linalg.inv(np.array([[float(q) for q in row] for row in rows]))
     except np.linalg.LinAlgError:
         inverse = np.full((1, 1), np.nan)
     if not np.isfinite(inverse).all():

@@ -4,6 +4,7 @@
 `model`       modes, guards, resets; Lie derivatives; `validation` refuses what is none
 `form`        the model as JSON, both ways
 `flight`      the closed form of the flights of a mode, for any scalar
+`exponential` all flights in balls, of springs as well
 `lemmas`      why a guard that is not the next event stays positive
 `friction`    one mass with dry friction between two walls, `masses` several on a line
 """

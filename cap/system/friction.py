@@ -21,7 +21,7 @@ def friction() -> System:
     stop = {"v": ZERO}
     hit_right = Guard(r - x, (LEFT,), {"x": r, "v": -e * v}, HELD_RIGHT)
     hit_left = Guard(x - l, (RIGHT,), {"x": l, "v": -e * v}, HELD_LEFT)
-    to_right, to_left = Guard(f - force, (RIGHT,)), Guard(f + force, (LEFT,))
+    to_right, to_left = Guard(f - force, (RIGHT,), stop), Guard(f + force, (LEFT,), stop)
     modes = {
         RIGHT: Mode(
             {"x": v, "v": force - f - mu * v},

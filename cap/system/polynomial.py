@@ -37,10 +37,10 @@ class Polynomial:
             return value
         if isinstance(value, int | Fraction):
             return Polynomial({(): Fraction(value)})
-        if type(value).__module__.partition(".")[0] == "sympy":
-            from cap.system.symbols import polynomial  # noqa: PLC0415 (sympy is slow to load)
+        if _is_symbolic(value):
+            from cap.system.symbols import terms  # noqa: PLC0415 (sympy is slow to load)
 
-            return polynomial(value)
+            return Polynomial(terms(value))
         raise BadInput(f"not an exact polynomial: {value!r} (write rationals as Fraction)")
 
     def __eq__(self, other: object) -> bool:
@@ -156,8 +156,14 @@ class Quotient:
 
     @staticmethod
     def of(value: object) -> Quotient:
-        """Return a quotient, or what `Polynomial.of` takes, as a quotient."""
-        return value if isinstance(value, Quotient) else Quotient(Polynomial.of(value), ONE)
+        """Return a quotient, what `Polynomial.of` takes, or a rational function of sympy."""
+        if isinstance(value, Quotient):
+            return value
+        if _is_symbolic(value):
+            from cap.system.symbols import parts  # noqa: PLC0415 (sympy is slow to load)
+
+            return Quotient(*map(Polynomial.of, parts(value)))
+        return Quotient(Polynomial.of(value), ONE)
 
     def __add__(self, other: object) -> Quotient:
         a, b = self, Quotient.of(other)
@@ -213,6 +219,11 @@ def variables(names: str) -> tuple[Polynomial, ...]:
 
 
 ZERO, ONE = Polynomial({}), Polynomial({(): Fraction(1)})
+
+
+def _is_symbolic(value: object) -> bool:
+    """Return whether sympy made a value; it is not loaded here."""
+    return type(value).__module__.partition(".")[0] == "sympy"
 
 
 def _product(left: Monomial, right: Monomial) -> Monomial:

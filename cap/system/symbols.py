@@ -1,4 +1,4 @@
-"""Expressions of sympy as polynomials; nothing else of this package loads sympy for a model."""
+"""Expressions of sympy as terms of polynomials; a model that has none does not load sympy."""
 
 from __future__ import annotations
 
@@ -8,26 +8,27 @@ from typing import Any
 import sympy
 
 from cap.errors import BadInput
-from cap.system.polynomial import PI, Polynomial, Quotient
 
 
-def polynomial(expression: Any) -> Polynomial:
-    """Return a polynomial in the symbols and pi; refuse anything else, decimals as well."""
-    names = {symbol: symbol.name for symbol in expression.free_symbols} | {sympy.pi: PI}
+def terms(expression: Any) -> dict[tuple[tuple[str, int], ...], Fraction]:
+    """Return the terms of a polynomial in symbols and pi; refuse all else, decimals as well."""
+    names = {symbol: symbol.name for symbol in expression.free_symbols} | {sympy.pi: "pi"}
+    if len(set(names.values())) < len(names):
+        raise BadInput(f"two symbols have one name, or that of pi: {expression}")
     try:
-        terms = sympy.Poly(expression, *names).terms()
-        exact = {tuple(m): Fraction(int(c.p), int(c.q)) for m, c in terms}
+        found = sympy.Poly(expression, *names).terms()
+        exact = [(powers, Fraction(int(c.p), int(c.q))) for powers, c in found]
     except (sympy.PolynomialError, AttributeError):
         raise BadInput(f"not a polynomial with rational coefficients: {expression}") from None
-    order = list(names.values())
-    return Polynomial(
-        {
-            tuple(sorted((name, k) for name, k in zip(order, powers, strict=True) if k)): c
-            for powers, c in exact.items()
-        }
-    )
+    return {_monomial(names.values(), powers): c for powers, c in exact}
 
 
-def quotient(expression: Any) -> Quotient:
-    """Return a rational function of the symbols and pi."""
-    return Quotient(*map(polynomial, sympy.fraction(sympy.together(expression))))
+def parts(expression: Any) -> tuple[Any, Any]:
+    """Return numerator and denominator of a rational function."""
+    numerator, denominator = sympy.fraction(sympy.together(expression))
+    return numerator, denominator
+
+
+def _monomial(names: Any, powers: Any) -> tuple[tuple[str, int], ...]:
+    """Return the names that occur, with their powers, sorted."""
+    return tuple(sorted((name, int(k)) for name, k in zip(names, powers, strict=True) if k))

@@ -80,6 +80,7 @@ def compared(random):
     return verdict, True
 
 
+@pytest.mark.slow
 def test_agreement_with_balls():
     """Two flows with nothing in common but the mechanics prove the same of the same cells."""
     random, found = seeded(3), Counter()

@@ -99,6 +99,7 @@ def launched(p, t, u):
     return None
 
 
+@pytest.mark.slow
 def test_launches():
     """Each launch of a box has the image that is enclosed, or stops, as is said."""
     random, verdicts = seeded(9), []

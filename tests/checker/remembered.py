@@ -29,6 +29,36 @@ def orbits_computed_once():
 
 
 @contextmanager
+def releases_computed_once():
+    """Compute the release map over an interval once for equal systems, places and windows."""
+    release_map, sheared, known = home("Attractor").Attractor, home("Sheared").Sheared, {}
+    image, over, near = release_map.image, sheared.over, sheared.near
+
+    def at(proof, *arguments):
+        words, halves = proof.claims["itinerary"], proof.claims["half_periods"]
+        return _known(known, (proof.p, words, halves, *arguments), lambda: image(proof, *arguments))
+
+    def once(method):
+        def computed(H, *arguments):
+            key = (method.__name__, H, *arguments)
+            return _known(known, key, lambda: method(H, *arguments))
+
+        return computed
+
+    release_map.image, sheared.over, sheared.near = at, once(over), once(near)
+    yield
+    release_map.image, sheared.over, sheared.near = image, over, near
+
+
+def _known(known, key, compute):
+    """Return what is known by the content of a key, or is computed now."""
+    text = content(key)
+    if text not in known:
+        known[text] = compute()
+    return known[text]
+
+
+@contextmanager
 def pairs_computed_once():
     """Compute pairs of (1,1) orbits, and their twists, once for equal jets of delta."""
     known, along = {}, Pairs.along

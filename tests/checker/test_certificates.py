@@ -10,6 +10,8 @@ import pytest
 
 from cap import verify
 
+pytestmark = pytest.mark.usefixtures("releases_computed_once")
+
 HERE = Path(__file__).parents[1] / "certificates"
 REASONS = {
     "attracting_cycle_with_shifted_symbols": "symbol 1 of those repeated",

@@ -25,6 +25,8 @@ from cap.checker.verdict import words
 from checker.altered import changed, encode, fits_the_schema, rejected
 from checker.tampered import accepted
 
+pytestmark = pytest.mark.usefixtures("releases_computed_once")
+
 STORED = json.loads((Path(__file__).parents[2] / "certificates/attractor.json").read_text())
 
 
@@ -63,7 +65,6 @@ def refuses(step, why, *arguments):
         step(*arguments)
 
 
-@pytest.mark.slow
 def test_it_is_verified():
     """In six steps; the schema describes it; the line says what was proved and what was not."""
     steps = []

@@ -18,7 +18,7 @@ from cap.checker.verdict import check, words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_capture import PAPER, forcing, forge_capture, lemma
 from checker.hybrid import Flow
-from checker.parts import Interval, Parameters, capture, ratio
+from checker.parts import Interval, Parameters, bounces, capture
 
 LOSSY = PAPER | {"e": "4/5", "mu": "1/10"}
 CASES = {
@@ -170,7 +170,7 @@ def test_every_word_counts(forged):
         ("F", "2", "forcing|accumulate"),
         ("omega", "2", "hold|forcing|accumulate"),
         ("e", "0.5", ""),
-        ("mu", "20", "viscosity"),
+        ("mu", "20", "held off"),
         ("r", "1.01", "accumulate"),
         ("l", "0.9985", "not between"),
     ],
@@ -215,6 +215,21 @@ def test_the_hit_before_a_capture(l, speed, word, why):
     else:
         with pytest.raises(Rejected, match=why):
             capture(M, before, "capture r", window)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_wall_that_is_no_binary_number(side):
+    """A box that touches it is captured, although its enclosure may lie beyond the wall's."""
+    parameters = PAPER | {"e": "1/2", "mu": "1/10", "l": "-1/3", "r": "1/3"}
+    place, start = Fraction(side, 3), Fraction(0) if side > 0 else Fraction(3)
+    state = [Interval.enclosing(q - d, q + d, 64) for q, d in ((place, 0), (0, Fraction(1, 1000)))]
+    M = Mechanics(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
+    assert (M.walls[side] - M.x.value).contains_zero()
+    moment = M.moment(M.constant(M.number(start)))
+    hit = Event("hit r" if side > 0 else "hit l", moment, M.F, M.constant(M.v.value.magnitude()))
+    word = "capture r" if side > 0 else "capture l"
+    event, _ = capture(M, None if side > 0 else hit, word, (start, start + Fraction(1, 2)))
+    assert start < event.moment.t.value.upper < start + Fraction(1, 10)
 
 
 def some_system(rng):
@@ -265,7 +280,9 @@ def test_the_lemma_for_random_systems(side):
         event, rest = capture(M, hit, word, (a, b))
         assert event.moment.t.value.lo == moment.t.value.lo
         assert 0 <= event.moment.t.value.upper - rational(late[0]) < Fraction(1, 10**6)
-        assert 0 <= ratio(M, event.forcing * side).upper - rational(late[1]) < Fraction(1, 10**6)
+        assert (
+            0 <= bounces(M, hit, word, (a, b)).ratio.upper - rational(late[1]) < Fraction(1, 10**6)
+        )
         assert rest.since.lower <= b <= rest.since.upper
         assert rest.x.value.lower <= parameters[walls[side]] <= rest.x.value.upper
         with pytest.raises(Rejected, match="begins after the hit before it"):

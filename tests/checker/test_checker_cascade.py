@@ -17,6 +17,8 @@ from cap.checker.theorems.cascade import Cascade, Derivatives
 from cap.checker.verdict import words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
+pytestmark = pytest.mark.usefixtures("releases_computed_once")
+
 STORED = json.loads((Path(__file__).parents[2] / "certificates/cascade-1.json").read_text())
 
 

@@ -24,6 +24,8 @@ from cap.floats.engine.releases import images
 from cap.parameters import PAPER
 from checker.altered import changed, encode, fits_the_schema, rejected
 
+pytestmark = pytest.mark.usefixtures("releases_computed_once")
+
 STORED = json.loads((Path(__file__).parents[2] / "certificates/entropies-1.json").read_text())
 WITH_CYCLE = 1  # a piece
 
@@ -69,7 +71,6 @@ def refused(at, why, n, certificate):
         examined(at, n, certificate)
 
 
-@pytest.mark.slow
 def test_it_is_verified():
     """The schema describes it; the line says what was proved and what was not."""
     steps = []

@@ -14,6 +14,8 @@ from cap.checker.verdict import check, words
 from checker.altered import changed, encode, rejected, verify
 from checker.mixed_small import certificate, counted, even, here, parted, small
 
+pytestmark = pytest.mark.usefixtures("releases_computed_once")
+
 LATE, EARLY, TURNS = (("hints", "stops", name) for name in ("late", "early", "turns"))
 
 

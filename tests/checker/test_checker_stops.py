@@ -53,6 +53,13 @@ def value(p, x, y):
     return at, px, py
 
 
+def grid(n):
+    """Return the monomials of a model at n * n points: the values of one are ``model[:LAST] @``."""
+    t = np.linspace(-1, 1, n + 1)[:-1] + 1 / n
+    x, z = np.meshgrid(t, t)
+    return np.array([(x**i * z**j).ravel() for i, j in q.MONOMIALS])
+
+
 def regions(y):
     """Give starts of regions of stops: 0 for turns or the side, the region and the start.
 
@@ -253,8 +260,7 @@ def test_an_integral_is_a_bound_from_below():
 
 def test_parts_where_a_model_is_small():
     """What is said of a half plane is what there is; of bent models, nothing too large."""
-    rng, t = np.random.default_rng(7), np.linspace(-1, 1, 402)[:-1] + 1 / 401
-    x, z = np.meshgrid(t, t)
+    rng, points = np.random.default_rng(7), grid(401)
     for a, b in (
         (0.3, 0.2),
         (-0.2, 0.7),
@@ -264,15 +270,16 @@ def test_parts_where_a_model_is_small():
         (0.0, 0.0),
         (1e-170, 1e-170),
     ):
+        p = q.model(Y=a, X=b, one=0.01)
+        values = p[: q.LAST] @ points
         for v in np.linspace(-1.1, 1.1, 23):
-            p = q.model(Y=a, X=b, one=0.01)
-            truth = float(np.mean(value(p, x, z)[0] < v))
+            truth = float(np.mean(values < v))
             assert q.part_below(p, v) == pytest.approx(truth, abs=4e-3)
     inside = []
     for _ in range(200):
         p = (*(rng.normal(size=q.LAST) * ([1] * 3 + [0.1] * 12)).tolist(), 0.01)
         v = rng.normal()
-        found, truth = q.part_below(p, v), float(np.mean(value(p, x, z)[0] + 0.01 < v))
+        found, truth = q.part_below(p, v), float(np.mean(p[: q.LAST] @ points + 0.01 < v))
         assert found <= truth + 4e-3
         inside.append(found > 0.5 * truth > 0)
     assert sum(inside) > 50
@@ -280,13 +287,13 @@ def test_parts_where_a_model_is_small():
 
 def test_integrals_where_a_model_is_small():
     """Bounds from below of the integral, close for a density that varies little."""
-    rng, t = np.random.default_rng(8), np.linspace(-1, 1, 402)[:-1] + 1 / 401
-    x, z = np.meshgrid(t, t)
+    rng, points = np.random.default_rng(8), grid(401)
     for _ in range(100):
         p = (*(rng.normal(size=q.LAST) * ([1] * 3 + [0.003] * 12)).tolist(), 1e-4)
         density = (1.0, *(rng.normal(size=q.LAST - 1) * 0.003).tolist(), 0.0)
         v = rng.normal()
-        truth = 4 * float(np.mean(value(density, x, z)[0] * (value(p, x, z)[0] + 1e-4 < v)))
+        there = p[: q.LAST] @ points + 1e-4 < v
+        truth = 4 * float(np.mean(density[: q.LAST] @ points * there))
         found = q.integral_below(density, p, v)
         assert truth - 0.25 < found <= truth + 0.02
     assert q.integral_below(density, q.model(one=1.0), 2.0) == q.integral(density)
@@ -295,14 +302,13 @@ def test_integrals_where_a_model_is_small():
 
 def test_areas_of_what_is_slower_than_a_speed():
     """In regions that are partly faster: the part of points, but for a little, and not more."""
-    y, parts, t = System(SYSTEMS["paper"]), [], np.linspace(-1, 1, 202)[:-1] + 1 / 201
-    x, z = np.meshgrid(t, t)
+    y, parts, points = System(SYSTEMS["paper"]), [], grid(201)
     for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             for strobe in flown(y, f, FAST):
                 V = strobe.excess[0]
-                slow = value(strobe.excess, x, z)[0] < V
-                truth = 4 * np.mean(slow * value(start.density, x, z)[0])
+                slow = strobe.excess[: q.LAST] @ points < V
+                truth = 4 * np.mean(slow * (start.density[: q.LAST] @ points))
                 found = q.integral_below(start.density, strobe.excess, V)
                 assert found < truth * 1.02
                 parts.append(found / truth)

@@ -17,6 +17,8 @@ from cap.checker.theorems.window import Window
 from cap.checker.verdict import words
 from checker.altered import changed, encode, fits_the_schema, rejected
 
+pytestmark = pytest.mark.usefixtures("releases_computed_once")
+
 STORED, ZERO = (
     json.loads((Path(__file__).parents[2] / "certificates" / name).read_text())
     for name in ("window-1.json", "window-2.json")
@@ -61,7 +63,6 @@ def moved(pair, by):
     return [str(low + by * (high - low)), str(high + by * (high - low))]
 
 
-@pytest.mark.slow
 def test_it_is_verified():
     """The schema describes it; the line says what was proved and what was not."""
     steps = []

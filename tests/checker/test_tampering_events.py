@@ -25,11 +25,19 @@ FIXED_POINTS = [*PERIODIC, STORED / "persistence.json"]
 OTHERS = {"periodic-2", "periodic-3", "periodic-5", "periodic-6"}  # longer, or as periodic-1
 QUICK = [path for path in PERIODIC if path.stem not in OTHERS]
 CAPTURES = sorted(STORED.glob("capture*.json"))
-each = {
-    "orbit": pytest.mark.parametrize("path", FIXED_POINTS, ids=lambda path: path.stem),
-    "quick": pytest.mark.parametrize("path", QUICK, ids=lambda path: path.stem),
-    "capture": pytest.mark.parametrize("path", CAPTURES, ids=lambda path: path.stem),
-}
+# turns, sticks and releases, two periods, every type; captures and losses are in the other files
+SOON = {f"periodic-{n}" for n in (4, 8, 9, 11)} | {"persistence"} | {p.stem for p in CAPTURES}
+
+
+def of(paths):
+    """Return a mark for tests of files; those with no kind of event of their own are slow."""
+    cases = [
+        pytest.param(p, id=p.stem, marks=[pytest.mark.slow] * (p.stem not in SOON)) for p in paths
+    ]
+    return pytest.mark.parametrize("path", cases)
+
+
+each = {"orbit": of(FIXED_POINTS), "quick": of(QUICK), "capture": of(CAPTURES)}
 
 
 def load(path):

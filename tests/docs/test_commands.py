@@ -10,7 +10,7 @@ from cap import prove, verify
 from cap.audit import command as audit
 from cap.command.console import protected
 from cap.command.prover_options import Asked
-from cap.command.prover_parser import parser, without_options
+from cap.command.prover_parser import read, without_options
 from cap.command.verifier import main as verifier
 from cap.explore import explorer, mixed
 from cap.explore.commands import COMMANDS
@@ -18,7 +18,7 @@ from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
 
 ROOT = Path(__file__).parents[2]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PAGES = [page for page in PAGES if page.name not in ("tutorial.md", "audit.md")]
 COMMAND = re.compile(r"^    python -m (cap[.\w]+) (.*?)(?:  .*)?$", re.MULTILINE)
 ALL = [found for page in PAGES for found in COMMAND.findall(page.read_text(encoding="utf-8"))]
@@ -38,12 +38,12 @@ def test_a_command(module, words, monkeypatch):
     monkeypatch.chdir(ROOT)
     given = [protected(word) for word in shlex.split(words.replace("> audit.html", ""))]
     if module == "cap.prove":
-        options = parser().parse_args(given)
+        options = read(given)
         if options.theorem in NAMES:
             assert without_options(options) is options
         else:
             kind = None if options.list else Asked.of(options, print).request.kind
-            over_f = THEOREMS[options.theorem].over_f if options.theorem else None
+            over_f = THEOREMS[options.theorem].over_f.name if options.theorem else None
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.parser().parse_args(given)
@@ -70,10 +70,11 @@ def test_the_verdict(capsys, monkeypatch):
     assert " ".join(block("docs/certificates.md", "VERIFIED:")) == capsys.readouterr().out.strip()
 
 
+@pytest.mark.slow
 def test_shares_in_floats(capsys):
-    """`docs/theorems.md` says what its command prints of where the states end, in floats."""
+    """The page of `mixed` says what its command prints of where the states end, in floats."""
     shares = r"In floats the first two are ([.\d]+) and ([.\d]+), and ([.\d]+) never stops"
-    text = (ROOT / "docs/theorems.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs/theorems/mixed.md").read_text(encoding="utf-8")
     found = re.search(shares + r" \(`python -m cap\.explore (.*?)`", text)
     *stated, words = found.groups()
     assert explorer.main(shlex.split(words)) == 0

@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 
+import cap.checker
 from cap.audit.means.written import anchor
 
 ROOT = Path(__file__).parents[2]
-PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "certificates").glob("*.md")]
+FOLDERS = (ROOT, ROOT / "docs", ROOT / "docs/theorems", ROOT / "certificates")
+PAGES = [page for folder in FOLDERS for page in sorted(folder.glob("*.md"))]
 SOURCES = sorted([*(ROOT / "cap").rglob("*.py"), *(ROOT / "proofs").rglob("*.py")])
 TOPS = "cap|proofs|certificates|docs|tests|benchmarks"
 PATH = re.compile(rf"`((?:{TOPS})/[\w./*-]*)`")
@@ -40,6 +42,25 @@ def test_a_page(page):
             titles = re.findall(r"^#+ (.+)$", linked.read_text(encoding="utf-8"), re.MULTILINE)
             assert section[1:] in map(anchor, titles), target + section
     assert [name for name in set(NAME.findall(text)) - COMMANDS if not resolved(name)] == []
+
+
+def rooms(folder):
+    """Return the names of the packages in a folder."""
+    return {path.parent.name for path in folder.glob("*/__init__.py")}
+
+
+def test_the_rooms():
+    """The page for those who add a theorem has all packages of `cap`, and no others."""
+    text = (ROOT / "docs/adding-a-theorem.md").read_text(encoding="utf-8")
+    cells = re.findall(r"^\| (`cap/.*?) \|", text, re.MULTILINE)
+    named = set(re.findall(r"`cap/(\w+)/`", " ".join(cells)))
+    assert named == rooms(ROOT / "cap") - {"proofs"}
+
+
+def test_the_rooms_of_the_checker():
+    """Its docstring has all its packages, and the module of the verdict."""
+    named = re.findall(r"^    (\w+) +\w", cap.checker.__doc__, re.MULTILINE)
+    assert sorted(named) == sorted([*rooms(ROOT / "cap/checker"), "verdict"])
 
 
 def test_the_docstrings():

@@ -262,6 +262,7 @@ def test_more_jobs_change_nothing(tmp_path):
         assert files[0].read_bytes() == files[1].read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", [
     ["basin", "--box", "-1", "1", "-2", "2", "--points", "2000", "--periods", "1000"],
     ["plane", "--points", "200"],

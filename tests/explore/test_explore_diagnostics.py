@@ -325,6 +325,7 @@ def test_crossings_in_pieces(monkeypatch):
     np.testing.assert_array_equal(found.points, expected.points)
 
 
+@pytest.mark.slow
 def test_a_long_manifold_is_bounded(monkeypatch):
     """All its images together have no more points than one may have, and one image's more."""
     monkeypatch.setattr(manifold, "MOST", 2000)
@@ -334,6 +335,7 @@ def test_a_long_manifold_is_bounded(monkeypatch):
     assert parts == [0.25, 0.5, 0.75, 1.0]
 
 
+@pytest.mark.slow
 def test_manifolds_are_invariant_and_cross():
     """Points of the unstable manifold go to it, forwards; of the stable one backwards."""
     found = manifolds(PAPER, length=1.5, spacing=0.004, periods=20)

@@ -134,6 +134,7 @@ def test_without_a_state():
     assert three.x.shape[1] == 3
 
 
+@pytest.mark.slow
 def test_mixed_dynamics():
     """Orbits near the orbit do not stop; those from anywhere do, and slide or have period 3T."""
     found = portrait(AT, masses=MASSES, orbits=8, periods=20, runner=Runner())

@@ -131,9 +131,7 @@ def test_equal_masses():
     equal = Fraction(1), Fraction(1)
     system = Particles(PAPER, equal)
     found = particle_candidates._of_masses(system, next(from_equal_masses(system)))
-    asked = replace(
-        particle_orbits.setting(), parameters=PAPER, start=found.start, particles=found.particles
-    )
+    asked = replace(particle_orbits.setting(), parameters=PAPER, guess=found.guess)
     with interval.workprec(asked.bits):
         orbit = particle_orbits.located(asked, found.particles)
         jets = derivatives.jet(orbit.model, orbit.events)

@@ -69,7 +69,13 @@ def found():
     return compute
 
 
-@pytest.mark.parametrize("label", LABELS)
+SOON = ("fig:cover", "fig:orbit", "fig:decomp-schematic", "fig:sali", "fig:bifurcation")
+
+
+@pytest.mark.parametrize(
+    "label",
+    [pytest.param(label, marks=[pytest.mark.slow] * (label not in SOON)) for label in LABELS],
+)
 def test_a_figure_has_numbers_reasons_and_a_picture(label, found, tmp_path):
     """Every row says what, and why not; the picture has the size asked for and is not empty."""
     compared = found(label)
@@ -121,6 +127,7 @@ DIFFER = {  # and those that it gets wrong
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("expected", "rows"), [(True, AGREE), (False, DIFFER)])
 def test_known_verdicts(expected, rows, found):
     """What is known to be right or wrong in the paper comes out so."""
@@ -251,6 +258,7 @@ def test_the_data_of_a_picture_can_be_read_again(tmp_path, capsys):
     assert archive["data"]["q"].shape == archive["data"]["orbit"]["t"].shape
 
 
+@pytest.mark.slow
 def test_the_command_writes_all_into_a_directory(tmp_path, capsys, monkeypatch):
     """Pictures and one table are written, and the times said."""
     chosen = ["fig:cover", "fig:multi-particle"]

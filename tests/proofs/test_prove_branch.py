@@ -76,7 +76,7 @@ def test_resonances_by_secants_in_floats():
 RHOS = {"3/4": True, "2": True, "5/2": False}  # whether there is an end
 
 
-@pytest.mark.parametrize("rho", RHOS)
+@pytest.mark.parametrize("rho", ["3/4", "2", pytest.param("5/2", marks=pytest.mark.slow)])
 def test_branches(monkeypatch, rho):
     """All claims on cells at random points; with an end and without."""
     if rho != "2":
@@ -148,7 +148,9 @@ def test_against_the_theorem_elliptic(f):
         assert cell["twist"] == ("+" if (1 + trace) * twist > 0 else "-")
 
 
-@pytest.mark.parametrize("rho", ["0.70407", "0.705", "0.72"])
+@pytest.mark.parametrize(
+    "rho", ["0.72", *(pytest.param(rho, marks=pytest.mark.slow) for rho in ("0.70407", "0.705"))]
+)
 def test_pairs_that_end_soon_after_their_birth(rho):
     """The least speed at birth vanishes at ρ = 0.70406060652...; just above the end is near."""
     certificate = proved(branch, rho)

@@ -258,7 +258,7 @@ def test_empty_words(capsys, tmp_path, monkeypatch, line):
     assert (status, err.count("\n")) == (2, 1)
 
 
-@pytest.mark.parametrize("F", ["1", "1e20"])
+@pytest.mark.parametrize("F", ["1", pytest.param("1e20", marks=pytest.mark.slow)])
 def test_few_digits(monkeypatch, F):
     """The exceptions contain the claims on resonances of order <= 4, also of few digits."""
     monkeypatch.setattr(branch, "SMALLEST", Fraction(1, 1000))
@@ -284,7 +284,10 @@ def test_a_range_that_needs_more_digits():
         branch.prove(setting("0.7040606066"))
 
 
-@pytest.mark.parametrize(("rho", "low"), [("2.93", "1/1000"), ("2.9348", "1/10000")])
+@pytest.mark.parametrize(
+    ("rho", "low"),
+    [("2.93", "1/1000"), pytest.param("2.9348", "1/10000", marks=pytest.mark.slow)],
+)
 def test_down_to_little_friction(rho, low):
     """Near δ_max, where f = 0, cells must be shorter than twice what may be halved."""
     check_cells(proved(branch, rho, low=low))

@@ -29,11 +29,12 @@ def wide(monkeypatch):
     monkeypatch.setattr(conservative, "LOSSES", (1e-7,))
 
 
+@pytest.mark.slow
 def test_two_flights():
     """The checker accepts the theorem, and more flights leave less; in processes, or here."""
     areas = []
     for flights in (1, 2):
-        setting = replace(SETTING, flights=flights, runner=Runner(flights))
+        setting = replace(SETTING, options={"flights": flights}, runner=Runner(flights))
         found = accepted(THEOREMS["conservative"], setting)
         areas.append(Fraction(found["claims"]["area"]))
         assert Fraction(found["claims"]["speed"]) ** 2 >= Fraction(528, 100)
@@ -44,7 +45,7 @@ def test_how_far_it_is():
     """The part that is done grows, from the search to the end of the check."""
     told = []
     runner = Runner(tell=lambda *each: told.append(each))
-    accepted(THEOREMS["conservative"], replace(SETTING, flights=1, runner=runner))
+    accepted(THEOREMS["conservative"], replace(SETTING, options={"flights": 1}, runner=runner))
     parts = [part for _, part in told if part is not None]
     assert parts == sorted(parts)
     assert parts[-1] == pytest.approx(1)
@@ -68,7 +69,7 @@ def test_an_interrupted_proof_goes_on(tmp_path, monkeypatch):
 
     def setting(**more):
         runner = Runner(journal=tmp_path / "journal", whole=True, **more)
-        return replace(SETTING, flights=1, runner=runner)
+        return replace(SETTING, options={"flights": 1}, runner=runner)
 
     with pytest.raises(KeyboardInterrupt):
         conservative.prove(setting(tell=interrupt))
@@ -112,7 +113,7 @@ def test_too_many_cells(monkeypatch):
     """What the checker does not read is not proved; that is said before anything is tried."""
     monkeypatch.setattr("cap.checker.strips.columns.LONGEST", 2)
     with pytest.raises(NotProved, match="too many"):
-        conservative.prove(replace(SETTING, flights=1))
+        conservative.prove(replace(SETTING, options={"flights": 1}))
 
 
 def test_other_parameters_need_another_ceiling():

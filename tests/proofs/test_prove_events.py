@@ -285,7 +285,14 @@ def test_captures_in_other_units(capsys, tmp_path, words, latest):
 
 
 @pytest.mark.parametrize(
-    ("epsilon", "mu"), [("1/1000000", "0"), ("1/3000", "1/7000"), ("1/200", "1/200")]
+    ("epsilon", "mu"),
+    [
+        ("1/3000", "1/7000"),
+        *(
+            pytest.param(*losses, marks=pytest.mark.slow)
+            for losses in (("1/1000000", "0"), ("1/200", "1/200"))
+        ),
+    ],
 )
 def test_persistence_at_other_losses(capsys, tmp_path, monkeypatch, epsilon, mu):
     """Hardly any; no finite decimals; so many that it takes several cells to reach them."""
@@ -309,6 +316,7 @@ def test_a_restitution_that_is_a_binary_number(capsys, tmp_path, e):
     assert among(claims["determinant"], Fraction(e) ** (2 * len(claims["hit_speeds"])), 0)
 
 
+@pytest.mark.slow
 def test_all_orbits_and_their_files(capsys, tmp_path):
     """`--all` proves each of the orbits found, in files of their own."""
     words = ("periodic", "--F", "3/2", "--all", "--digits", "8", "--out", str(tmp_path))

@@ -33,6 +33,7 @@ SYSTEMS = {
 }
 
 
+LONG = ("paper", "after the pitchfork")
 TURNING = ("paper", "after the pitchfork", "other units", "wide")  # the segment exists
 
 
@@ -41,7 +42,10 @@ def setting(p):
     return Setting(p, STARTS["elliptic"], 20)
 
 
-@pytest.mark.parametrize("name", SYSTEMS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG)) for name in SYSTEMS],
+)
 def test_the_search_finds_the_same(name):
     """The checker agrees, nothing is left open, and floats find these orbits and no other."""
     p = SYSTEMS[name]
@@ -103,6 +107,7 @@ def test_what_is_left_open_is_told(monkeypatch):
     assert len(claims["fixed_points"]) == 4
 
 
+@pytest.mark.slow
 def test_progress():
     """It tells how many boxes are done."""
     told = []

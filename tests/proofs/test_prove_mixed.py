@@ -50,6 +50,7 @@ def coarse(told):
     return found
 
 
+@pytest.mark.slow
 def test_a_coarse_proof(coarse):
     """The shares leave room for what floats say."""
     shares = {k: [float(q) for q in ends] for k, ends in coarse["claims"]["shares"].items()}
@@ -65,6 +66,7 @@ def test_a_coarse_proof(coarse):
     )
 
 
+@pytest.mark.slow
 def test_how_far_it_is(coarse, told):
     """The part that is done grows, from the places to the last turn that is checked."""
     parts = [part for _, part in told if part is not None]
@@ -86,10 +88,16 @@ def test_how_far_it_is(coarse, told):
 @pytest.mark.parametrize(
     ("drag", "share", "least", "words"),
     [
-        ("3/10", "attractor", 0.4, "is attracted to a periodic orbit that sticks"),
+        pytest.param(
+            *("3/10", "attractor", 0.4, "is attracted to a periodic orbit that sticks"),
+            marks=pytest.mark.slow,
+        ),
         ("1/2", "segment", 0.6, "converges to an orbit of the segment"),
         ("3/5", "stops", 0.5, "stops at least once;"),
-        ("1/5", "attractor", 0.2, "is attracted to a periodic orbit through a state"),
+        pytest.param(
+            *("1/5", "attractor", 0.2, "is attracted to a periodic orbit through a state"),
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_other_systems(drag, share, least, words, monkeypatch):
@@ -145,6 +153,7 @@ def drawn(coarse, tmp_path_factory):
     return path, out, outlines
 
 
+@pytest.mark.slow
 def test_what_is_drawn(drawn):
     """As much is drawn as is claimed, of fates less; and floats tell the same."""
     path, out, outlines = drawn
@@ -178,6 +187,7 @@ def test_a_fate_that_is_not_shown():
         assert painting.shown(Found(2.0, (*missing, 0.0))) == fate
 
 
+@pytest.mark.slow
 def test_no_picture(drawn, tmp_path, capsys):
     """What is no certificate, or no picture, is refused."""
     path, out, _ = drawn

@@ -13,6 +13,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Request, lighter
 from cap.floats.masses.particle_orbits import continued, reduced_traces
 from cap.floats.masses.particles import Particles
+from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
 from cap.proofs import particle_cells, particles_limits, theorems
 from cap.proofs.fixed_point import Setting
@@ -112,6 +113,7 @@ def test_the_checker_may_follow_with_wider_rates():
     assert abs(float(rate.upper()) - 4) < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "flip", "stop"),
     [
@@ -139,9 +141,10 @@ def test_a_speed_that_falls_in_a_cell(monkeypatch):
 
 def test_guesses_that_are_none():
     """Without the two orbits nothing is begun."""
-    for guess in (None, replace(setting().particles, further=())):
-        with pytest.raises(BadInput, match="two equal masses"):
-            particles_limits.prove(replace(setting(), particles=guess))
+    alone = replace(setting().particles, further=())
+    for guess, why in ((Start(0.0, 0.0, ()), "several masses"), (alone, "two equal masses")):
+        with pytest.raises(BadInput, match=why):
+            particles_limits.prove(replace(setting(), guess=guess))
 
 
 @pytest.mark.parametrize(

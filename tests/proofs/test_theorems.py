@@ -27,12 +27,13 @@ THEOREMS = {
 }
 NAMES = pytest.mark.parametrize("name", THEOREMS)
 DIGITS = pytest.mark.parametrize("digits", [6, 30, 100])
+THIRD = {"order": 3}
 PRECISION = {"second saddle": 20}  # digits of the oracle's derivatives; 35 for the others
 
 
 def proved(name, digits, part=Fraction(9, 10)):
     """Return the certificate of one of the paper's orbits."""
-    return certified(THEOREMS[name], Setting(PAPER, STARTS[name], digits), part)
+    return certified(THEOREMS[name], Setting(PAPER, STARTS[name], digits, options=THIRD), part)
 
 
 @NAMES
@@ -239,7 +240,7 @@ def test_theorems_scale(name, length, omega, shift):
     x, v, times = ORBITS[name]
     x, v, times = float(size) * x + float(shift), float(size * w) * v, [t / float(w) for t in times]
     start = Start.non_sticking(x, v, times)
-    scaled = certified(THEOREMS[name], Setting(p, start, 12))["claims"]
+    scaled = certified(THEOREMS[name], Setting(p, start, 12, options=THIRD))["claims"]
     claims = proved(name, 12)["claims"]
 
     def same(key, unit, offset=Fraction(0)):

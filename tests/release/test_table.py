@@ -36,6 +36,7 @@ def found() -> Table:
         return table(PAPER, 3)
 
 
+@pytest.mark.slow
 def test_branches_and_gaps_make_up_the_interval(found):
     """They follow each other; lengths add up to R exactly; little is left."""
     spans = sorted([(b.lower, b.upper) for b in found.branches] + list(found.gaps))
@@ -48,6 +49,7 @@ def test_branches_and_gaps_make_up_the_interval(found):
     assert found.moving < PAPER.R / 12
 
 
+@pytest.mark.slow
 def test_against_floats(found):
     """Of 10 000 random places: the next release lies in the enclosure, at the time told, and the
     events are those of the branch, as far as floats count them."""
@@ -113,6 +115,7 @@ def test_against_balls(p):
     assert known > 8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("p", SYSTEMS[1:], ids=["lossy", "viscous", "narrow"])
 def test_other_systems(p, monkeypatch):
     """Branches and gaps make up [l, r]; floats agree; borders are proved."""
@@ -162,6 +165,7 @@ def test_a_mass_that_moves_on():
     assert long.half_periods[0] >= 4
 
 
+@pytest.mark.slow
 def test_borders(found):
     """Each kind is proved, with exactly one place where the events change."""
     seen = borders(found)
@@ -189,6 +193,7 @@ def test_taylor_models_take_over():
     assert kinds == {("stick", "release left")}
 
 
+@pytest.mark.slow
 def test_with_both_losses():
     """Taylor models decide most of what doubles leave; their cells agree with floats."""
     p = replace(PAPER, e=Fraction(9, 10), mu=Fraction(1, 20))
@@ -207,6 +212,7 @@ def test_with_both_losses():
         assert row.value[0] - 1e-9 <= floats.value[k] <= row.value[1] + 1e-9
 
 
+@pytest.mark.slow
 def test_second_derivative(found):
     """G'' is enclosed, as the differences of G' have it; after a capture it is zero."""
     branch = found.at(Fraction("-0.6"))
@@ -220,6 +226,7 @@ def test_second_derivative(found):
         curve(PAPER, row._replace(lower=-0.9))
 
 
+@pytest.mark.slow
 def test_unfolded(found):
     """To the left all is the mirror image."""
     right, left = (unfolded(found, side) for side in ("right", "left"))

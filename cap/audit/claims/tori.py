@@ -150,14 +150,14 @@ def elliptic_orbit_of_two_particles() -> Verdict:
     need(outer.upper < -1, "the outer multiplier may be on the unit circle")
     f, speed = elliptic.parameters["f"], other.claims["least_speeds"][1]
     return corrected(
-        "at the paper's parameters the orbit that continues the pair of P* and its mirror image "
-        f"exists at m = (1, 9/10), and no mass stops (least speed in {speed}), but one multiplier "
-        f"is in {outer}: it is not elliptic. Of one family with the same contacts one multiplier "
-        f"is -1 at an m₂ in {flip}, elliptic above it and not below, and a mass stops at an m₂ in "
-        f"{stop}. At f = {f} there is an elliptic orbit at m = (1, 9/10), without resonance of "
-        f"order at most four; its twist matrix has a determinant in {determinant}, not 0. Whether "
-        "one exists at f = 2/5 is not known. In the sense of Definition 9.2 there is none anywhere "
-        "(particles.never-stopping-set-is-empty): here collisions exchange signs",
+        "at the paper's parameters the orbit continued from P* and its mirror image exists at "
+        f"m = (1, 9/10), no mass stops (least speed in {speed}), but one multiplier is in {outer}: "
+        f"not elliptic. Of one family with the same contacts one multiplier is -1 at an m₂ in "
+        f"{flip}, elliptic above it and not below, and a mass stops at an m₂ in {stop}. At f = {f} "
+        "one at this m is elliptic, without resonance of order ≤ 4, with a twist determinant in "
+        f"{determinant}, not 0. Whether one is at f = 2/5 is unknown. In the sense of Definition "
+        "9.2 there is none anywhere (particles.never-stopping-set-is-empty): here collisions "
+        "exchange signs",
         f"Stored certificates: {TWO_PARTICLES}, {NOT_ELLIPTIC}, {LIMITS}.",
         certificate=NOT_ELLIPTIC,
     )

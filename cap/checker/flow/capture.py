@@ -1,35 +1,21 @@
 """Capture at a wall: infinitely many hits accumulate in finite time, and the mass comes to rest.
 
-*The lemma.*  Let b = F cos wt at the right wall, -F cos wt at the left: the force towards the wall;
-and b_1 <= b <= b_2 on [t_a, t_d], b_1 > f.  The height y >= 0 of the mass over the wall has
+It is the lemma of ``chatter`` for h, the guard of the wall in the mode that moves towards it; what
+it needs is read from the model.  With s the side of the wall, h = s (wall - x) is the height over
+it.  By ``one_mass`` L h = -u in that mode, u = s v; in the other one u' = -u is positive, so L h =
+u'; a hit makes v to -e v, so h' to -e h'.  Hence x = wall - s h and v = -s h' on the set B of the
+lemma, and L^2 h is a polynomial in x, v, the clock and the parameters that is enclosed over B and
+the window, in each of the two modes.  For the oscillator, if b_1 <= b <= b_2 there, b = s F cos wt
+the force towards the wall, this is
 
-    y'' = -b - f - mu y'    while y' > 0,      y'' = -b + f + mu |y'|    while y' < 0.
+    r_1 = b_1 + f,    g_1 = b_1 - f - mu q,    g_2 = b_2 - f.
 
-At the time t in [t_a, t_b] let y <= delta and |y'| <= u.  Put rise = b_1 + f, fall = b_2 - f, and
+*No rest.*  Where h' = v = 0 and h > 0, the mass moves on to the side s, if q_s < 0 there
+(``one_mass``): the guard of its release from a rest to this side, here f - b.  That is looked at
+over the window.  By (L + mu) u = -q_s it is L^2 h in the falling mode where v = 0, so that after
+the accumulation h = h' = 0 stays as long as q_s < 0.
 
-    H = delta + u^2/(2 rise),   q^2 = u^2 max(1, fall/rise) + 2 fall delta,   g = b_1 - f - mu q,
-
-    k = e sqrt(fall/rise);  let g > 0, k < 1, H < R and q^2 < 2 rise R, and, before t_d,
-
-    t_b + u/rise + sqrt(2 H/g) + (1/rise + 1/sqrt(rise g)) e q/(1 - k).
-
-Then infinitely many hits of this wall happen, with one turn between any two of them and at most
-one before the first; they accumulate at a time up to t_d, from which on the mass rests there.  Up
-to t_d nothing else happens.
-
-1. Rising, y'' <= -rise: for at most u/rise, to at most H < R.  No stick: |F cos wt| >= b_1 > f.
-2. Falling, y'' >= -fall, so y'^2 grows by at most 2 fall times the descent.  From rest at most H
-   high the mass arrives with y'^2 <= 2 fall H = u^2 fall/rise + 2 fall delta; from y' = -u and y <=
-   delta, with y'^2 <= u^2 + 2 fall delta: in both cases |y'| <= q.  Therefore y'' <= -g, and the
-   fall lasts at most sqrt(2 H/g).
-3. The mass leaves with a speed u' <= e q.  As in 1, it rises for at most u'/rise, to at most
-   u'^2/(2 rise) < R; it falls for at most u'/sqrt(rise g), and arrives with at most u'
-   sqrt(fall/rise), which is k u'/e < u'/e <= q.  So it leaves with at most k u'; speeds and times
-   decrease like k^n, and their sum is the last term.  As y'' <= -g while falling, it arrives with
-   positive speed if y > 0 or y' /= 0 before: the hits are infinitely many.
-
-*After a hit* at the time t, with the speed at most q before it: begin with 3, u' <= e q.  Then only
-g > 0, k < 1, q^2 < 2 rise R and t + (1/rise + 1/sqrt(rise g)) e q/(1 - k) <= t_d are needed.
+*No other event.*  The other guards are positive on B, in both modes: that of the other wall.
 """
 
 from __future__ import annotations
@@ -39,9 +25,16 @@ from fractions import Fraction
 
 from cap.checker.flow.hits import SIDES, Event
 from cap.checker.flow.mechanics import Ends, Mechanics
+from cap.checker.flow.one_mass import MODES
 from cap.checker.flow.stops import Rest, span
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import need
+from cap.checker.system.chatter import Chatter, Entry, Pull, States, chatter
+from cap.checker.system.evaluation import evaluate
+from cap.checker.system.friction import REST, STOP, WALL
+from cap.checker.system.model import COS, SIN
+from cap.checker.system.polynomial import Polynomial
 
 _MEANING = (
     "; here 'capture' and a wall stand for infinitely many hits of this wall, one turn before each "
@@ -62,60 +55,78 @@ def capture(M: Mechanics, before: Event | None, word: str, window: Ends) -> tupl
     the time 0, and the claim is made for orbits from its interior.  On return, the mass rests at
     the wall from the accumulation on at least until t_d, held by a force.
     """
-    side = SIDES[word.split()[1]]
-    towards = span(M, window) * side
-    need((towards - M.f).is_positive(), "the force may be too weak to hold the mass at the wall")
-    k = ratio(M, towards)
-    need(k.is_before(k.integer(1)), "the speeds at the wall may not decrease")
-    rise, fall = _low(towards) + M.f, _high(towards) - M.f
-    width = M.walls[1] - M.walls[-1]
+    side, found = SIDES[word.split()[1]], bounces(M, before, word, window)
+    begin = M.number(window[0]) if before is None else before.moment.t.value
+    last = begin + found.time
+    need(last.upper <= window[1], "the hits may not accumulate within their window")
+    moment = M.moment(M.constant(Interval(begin.lo, last.hi, M.bits)))
+    rest = Rest(M.constant(M.walls[side]), M.number(window[1]), M.period, (-side,))
+    return Event(word, moment, span(M, window)), rest
+
+
+def bounces(M: Mechanics, before: Event | None, word: str, window: Ends) -> Chatter:
+    """Return what the lemma says of the hits that begin in this window, if it is long enough."""
+    near = Near(M, SIDES[word.split()[1]], window)
+    held = near.over(M.laws.model.modes[REST].guards[MODES[near.side]].value, near.standing)
+    need((-held).is_positive(), "the force may be too weak to hold the mass at the wall")
+    entry = _entry(M, before, near.side, window)
+    inside = entry.states(near.pull(near.standing))
+    found = chatter(entry, inside, near.pull(inside), M.e.value)
+    need(near.is_clear(inside), "the other wall may be reached from this one")
+    return found
+
+
+def _entry(M: Mechanics, before: Event | None, side: int, window: Ends) -> Entry:
+    """Return how a capture begins."""
     if before is None:
         need(window[0] == 0, "the window of a capture does not begin at 0")
-        delta = _high((M.walls[side] - M.x.value) * side)
-        u = _high(M.v.value.magnitude())
-        H = delta + u.square() / (rise * 2)
-        need(H.is_before(width), "the other wall may be reached before a capture")
-        q = _high((u.square() * _at_least_one(fall / rise) + fall * delta * 2).sqrt())
-        t, wait = M.number(window[0]), u / rise + (H * 2 / _weight(M, towards, q)).sqrt()
-    else:
-        need(before.word == ("hit r" if side > 0 else "hit l"), "a capture not after its hit")
-        t, wait = before.moment.t.value, M.number(Fraction(0))
-        need(window[0] <= t.lower, "the window of a capture begins after the hit before it")
-        q = _high(before.hit_speed)
-    need(q.square().is_before(rise * width * 2), "the other wall may be reached from this one")
-    g = _weight(M, towards, q)
-    one = g.integer(1)
-    bounces = (one / rise + one / (rise * g).sqrt()) * M.e.value * q / (one - k)
-    last = t + wait + bounces
-    need(last.upper <= window[1], "the hits may not accumulate within their window")
-    moment = M.moment(M.constant(Interval(t.lo, last.hi, M.bits)))
-    rest = Rest(M.constant(M.walls[side]), M.number(window[1]), M.period, (-side,))
-    return Event(word, moment, towards * side), rest
+        height = (M.walls[side] - M.x.value) * side
+        return Entry(_ends(M.v.value.magnitude())[1], _ends(height)[1])
+    need(before.word == ("hit r" if side > 0 else "hit l"), "a capture not after its hit")
+    late = window[0] > before.moment.t.value.lower
+    need(not late, "the window of a capture begins after the hit before it")
+    return Entry(_ends(before.hit_speed)[1])
 
 
-def ratio(M: Mechanics, towards: Interval) -> Interval:
-    """Return k = e sqrt((b_2 - f)/(b_1 + f)) from the enclosure [b_1, b_2] of b."""
-    return M.e.value * ((_high(towards) - M.f) / (_low(towards) + M.f)).sqrt()
+class Near:
+    """States near a wall during a window, with a guard h that is 0 at the wall."""
+
+    def __init__(self, M: Mechanics, side: int, window: Ends) -> None:
+        self.M, self.side, self.model = M, side, M.laws.model
+        when = M.moment(M.constant(Interval.enclosing(*window, M.bits)))
+        self.known = {name: q.value for name, q in M.parameters.items()}
+        self.known |= {COS: when.cos.value, SIN: when.sin.value}
+        self.standing = States(M.number(Fraction(0)), M.number(Fraction(0)))
+
+    def over(self, g: Polynomial, states: States, sign: int = 1) -> Interval:
+        """Return an enclosure of g over these states, in which h' has this sign, or is 0."""
+        height, speed = (Interval(0, q.hi, q.bits) for q in states)
+        place = self.M.walls[self.side] - height * self.side
+        known = self.known | {"x": place, "v": speed * (-self.side * sign)}
+        jets = {name: Jet(0, {(): q}) for name, q in known.items()}
+        return evaluate(g, jets, jets[COS]).constant
+
+    def pull(self, states: States) -> Pull:
+        """Return the bounds of -L^2 h over these states."""
+        h = self.model.modes[MODES[self.side]].guards[WALL].value
+        up, down = (-self.over(self._second(h, sign), states, sign) for sign in (1, -1))
+        return Pull(Interval(up.lo, up.lo, up.bits), *_ends(down))
+
+    def _second(self, h: Polynomial, sign: int) -> Polynomial:
+        """Return L^2 h in the mode in which h rises, or falls."""
+        mode = MODES[-self.side * sign]
+        return self.model.lie(mode, self.model.lie(mode, h))
+
+    def is_clear(self, states: States) -> bool:
+        """Return whether the guards but h, and the stops, are positive over these states."""
+        for sign in (1, -1):
+            for name, guard in self.model.modes[MODES[-self.side * sign]].guards.items():
+                other = name != STOP and not (name == WALL and sign < 0)
+                if other and not self.over(guard.value, states, sign).is_positive():
+                    return False
+        return True
 
 
-def _weight(M: Mechanics, towards: Interval, q: Interval) -> Interval:
-    """Return g = b_1 - f - mu q."""
-    g = _low(towards) - M.f - M.mu.value * q
-    need(g.is_positive(), "the mass may be held off the wall by the viscosity")
-    return g
-
-
-def _at_least_one(x: Interval) -> Interval:
-    """Return an enclosure of {max(1, t) : t in x}."""
-    one = x.integer(1)
-    return Interval(max(one.lo, x.lo), max(one.hi, x.hi), x.bits)
-
-
-def _low(x: Interval) -> Interval:
-    """Return the lower end."""
-    return Interval(x.lo, x.lo, x.bits)
-
-
-def _high(x: Interval) -> Interval:
-    """Return the upper end."""
-    return Interval(x.hi, x.hi, x.bits)
+def _ends(x: Interval) -> tuple[Interval, Interval]:
+    """Return the lower and the upper end."""
+    return Interval(x.lo, x.lo, x.bits), Interval(x.hi, x.hi, x.bits)

@@ -30,12 +30,24 @@ from __future__ import annotations
 
 import math
 from functools import cached_property, lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.rejection import need
 
 SPAN = 40.0  # the longest flight that is followed
+S = TypeVar("S", float, Double)
+
+
+def speed(u: S, sines: tuple[S, S], d: S, f: S) -> S:
+    """Return v a time d after a launch, from the sines of both times."""
+    return u + sines[1] - sines[0] - f * d
+
+
+def way(u: S, sin: S, cosines: tuple[S, S], d: S, f: S) -> S:
+    """Return x a time d after a launch, from the sine then, and the cosines of both times."""
+    return u * d + cosines[0] - cosines[1] - d * sin - f * d * d * 0.5
+
 
 Taylor = tuple[Double, Double, Double]
 """Value and first derivative at s = 0, and second derivative over the whole arc."""
@@ -147,7 +159,7 @@ class Launches:
 
     def speed(self, at: Point, T: Double, sin: Double) -> Double:
         """Return v(T) at one s, or an interval for all; sin is that of T."""
-        return at.u + sin - at.sin - self.f * (T - at.t)
+        return speed(at.u, (at.sin, sin), T - at.t, self.f)
 
     def _slope(self, at: Point) -> Double:
         return at.du - (at.cos - self.f) * self.dt
@@ -167,8 +179,8 @@ class Launches:
 
     def way(self, T: Double, cos: Double) -> Double:
         """Return x(T) at s = 0; cos is that of T."""
-        at, d = self.near, T - self.near.t
-        return at.u * d + at.cos - cos - d * at.sin - self.f * d * d * 0.5
+        at = self.near
+        return way(at.u, at.sin, (at.cos, cos), T - at.t, self.f)
 
     def minima(self, low: float, high: float) -> list[Double]:
         """Return the times of the local minima of v that may be in [low, high]."""
@@ -220,10 +232,10 @@ def _guess(t: float, u: float, f: float, R: float, near: float | None) -> float:
     s, c = math.sin(t), math.cos(t)
 
     def x(T: float) -> float:
-        return u * (T - t) + c - math.cos(T) - (T - t) * s - f * (T - t) ** 2 / 2
+        return way(u, s, (c, math.cos(T)), T - t, f)
 
     def v(T: float) -> float:
-        return u + math.sin(T) - s - f * (T - t)
+        return speed(u, (s, math.sin(T)), T - t, f)
 
     low, T = (t, t) if near is None else (near - 0.125, near)
     while near is None and x(T) < R:

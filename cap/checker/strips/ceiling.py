@@ -49,6 +49,7 @@ from typing import NamedTuple
 
 from cap.checker.kernel.doubles import PI, Double, between, cos_sin
 from cap.checker.kernel.rejection import need
+from cap.checker.strips.arc import speed
 from cap.checker.strips.strips import Ceiling
 
 MOST = 60_000  # boxes: some seconds
@@ -99,7 +100,7 @@ class Flights:
         for k in range(8):
             low = Double(2 * math.pi * k - rest)  # any time will do
             if t.upper < low.mid < flight.T.lower:
-                v = u + cos_sin(low)[1] - sin_t - f * (low - t)
+                v = speed(u, (sin_t, cos_sin(low)[1]), low - t, f)
                 if v.upper < 0:
                     return True
         return False

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from cap.checker.kernel.doubles import Double
-from cap.checker.strips.arc import SPAN, Launches, least, negative
+from cap.checker.strips.arc import SPAN, Launches, least, negative, speed
 
 LATE = (1e-5, 1e-4, 1e-3, 1e-2)  # before and after a stop, v > 0 and v < 0 are tried
 
@@ -26,13 +26,16 @@ def stops(launches: Launches) -> bool:
 def _late(launches: Launches) -> list[tuple[Double, Double]]:
     """Return times B and T at which v > 0 and v < 0 are likely."""
     t, u, f = launches.near.t.mid, launches.near.u.mid, launches.f.mid
+
+    def v(T: float) -> float:
+        return speed(u, (math.sin(t), math.sin(T)), T - t, f)
+
     for T in launches.minima(t, t + SPAN):
-        if T.mid > t and u + math.sin(T.mid) - math.sin(t) - f * (T.mid - t) < 0:
+        if T.mid > t and v(T.mid) < 0:
             early, late = t, T.mid
             for _ in range(40):
                 middle = (early + late) / 2
-                rises = u + math.sin(middle) - math.sin(t) - f * (middle - t) > 0
-                early, late = (middle, late) if rises else (early, middle)
+                early, late = (middle, late) if v(middle) > 0 else (early, middle)
             around = [(Double(early - w), Double(late + w)) for w in LATE]
             return [(launches.all.t, T), *around]
     return []

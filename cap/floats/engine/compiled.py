@@ -13,34 +13,34 @@ PATIENCE = 3.0  # seconds: what is kept is loaded in less
 WORDS = "compiling the engine of the float mode, the first time only: about ten seconds"
 
 
-def announced(function: Callable[..., None]) -> Callable[..., None]:
+def announced(function: Callable[..., Any], digest: str = "") -> Callable[..., Any]:
     """Compile a function when it is first called, in nopython mode without the GIL, and keep it."""
-    return _Announced(kept(function, error_model="numpy"))
+    return _Announced(kept(function, digest, error_model="numpy"))
 
 
 class _Announced:
     """A compiled function, of one signature, whose first call prints a line if it takes long."""
 
-    def __init__(self, compiled: Callable[..., None]) -> None:
+    def __init__(self, compiled: Callable[..., Any]) -> None:
         self._compiled, self._ready, self._lock = compiled, False, Lock()
 
-    def __call__(self, *arguments: Any) -> None:
+    def __call__(self, *arguments: Any) -> Any:
         if not self._ready:
             with self._lock:  # of several threads one compiles
                 if not self._ready:
-                    self._first(*arguments)
-                    return
-        self._compiled(*arguments)
+                    return self._first(*arguments)
+        return self._compiled(*arguments)
 
-    def _first(self, *arguments: Any) -> None:
+    def _first(self, *arguments: Any) -> Any:
         timer = Timer(PATIENCE, _say)
         timer.daemon = True
         timer.start()
         try:
-            self._compiled(*arguments)
+            result = self._compiled(*arguments)
         finally:
             timer.cancel()
         self._ready = True
+        return result
 
 
 def _say() -> None:

@@ -1,0 +1,1 @@
+"""Float mode for any system: its flow in doubles, compiled from the model."""

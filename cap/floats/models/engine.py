@@ -1,0 +1,159 @@
+"""Orbits of any system in doubles, many at once, with all their events in exact order.
+
+The function that follows them is compiled from the model (`cap.floats.models.source`) when it is
+first used, and kept for the next time.  Guards must be affine in the state, cos wt and sin wt.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import lru_cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from cap.errors import BadInput
+from cap.files import replacing
+from cap.floats.engine.compiled import announced
+from cap.floats.models import roots
+from cap.floats.models.source import Source, affine
+from cap.floats.models.spectrum import Floats
+from cap.process import at_home
+from cap.system.model import System
+from cap.system.polynomial import variable
+
+OUTSIDE = 8
+"""A bit of flags beside those of `cap.floats.models.source`: it began outside its mode."""
+MOST = 2000  # events in a period
+Integers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Where N orbits end.
+
+    ``states`` (N, n), nan for an orbit that is lost; ``modes`` (N,), indices; ``counts`` (N, W) of
+    the events by name, the last one is capture; ``flags`` (N,), see `OUTSIDE`; ``log`` (E, 3 + n)
+    lists events: orbit, time, which, the state after it.
+    """
+
+    states: Floats
+    modes: Integers
+    counts: Integers
+    flags: Integers
+    log: Floats
+
+
+class Engine:
+    """The flow of a system without free parameters.
+
+    ``modes`` and ``words`` are the names of modes and of events.  Raises `BadInput` for a system
+    that floats do not follow, and says why.
+    """
+
+    def __init__(self, system: System) -> None:
+        if system.parameters:
+            raise BadInput(f"floats need numbers for {', '.join(system.parameters)}")
+        source = Source(system)
+        self.system, self.modes = system, source.modes
+        self.words = (*source.words, "capture")
+        self._numbers, self._follow = source.numbers, _compiled(source.text)
+        self._guards = [
+            np.array([affine(system, name, word) for word in mode.guards])
+            for name, mode in system.modes.items()
+        ]
+
+        self._free = np.array([is_free(system, name) for name in system.modes])
+
+    def follow(
+        self,
+        states: ArrayLike,
+        modes: Sequence[str] | Integers | None = None,
+        *,
+        periods: int = 1,
+        phase: float = 0.0,
+        log: int = 0,
+    ) -> Ends:
+        """Follow orbits from states (N, n) at the angle ``phase`` of the clock.
+
+        If no ``modes`` are given, each begins in the first one where no guard is negative and
+        nothing rests: every position changes with its velocity.  `BadInput` if there is none.  At
+        most ``log`` events are listed.
+        """
+        starts = np.ascontiguousarray(states, dtype=float)
+        if starts.ndim != 2 or starts.shape[1] != len(self.system.state):
+            raise BadInput(f"give states as rows of {', '.join(self.system.state)}")
+        if not np.isfinite(starts).all():
+            raise BadInput("a state is not finite")
+        inside = self.inside(starts, phase)
+        begun = self._begun(inside, modes)
+        N, n = starts.shape
+        ends, last = np.empty((N, n)), np.empty(N, dtype=np.int64)
+        counts = np.zeros((N, len(self.words)), dtype=np.int64)
+        flags = np.where(inside[begun, np.arange(N)], 0, OUTSIDE)
+        lines = np.full((log, 3 + n), np.nan)
+        arrays = ends, last, counts, flags, lines
+        used = self._follow(self._numbers, starts, begun, phase, periods, MOST, *arrays)
+        return Ends(ends, last, counts, flags, lines[:used])
+
+    def inside(self, states: Floats, phase: float = 0.0) -> NDArray[np.bool_]:
+        """Return (M, N) whether the guards of each mode are not negative at the states."""
+        clock = np.array([np.cos(phase), np.sin(phase), 1.0])
+        y = np.hstack([states, np.broadcast_to(clock, (len(states), 3))])
+        return np.array(
+            [
+                (y @ rows.T >= 0).all(axis=1) if len(rows) else np.ones(len(y), bool)
+                for rows in self._guards
+            ]
+        )
+
+    def _begun(self, inside: NDArray[np.bool_], modes: Sequence[str] | Integers | None) -> Integers:
+        """Return the indices of the modes in which orbits begin."""
+        if modes is None:
+            free = inside & self._free[:, np.newaxis]
+            if not free.any(axis=0).all():
+                raise BadInput("a state lies in no mode in which nothing rests: name its mode")
+            return np.asarray(np.argmax(free, axis=0), dtype=np.int64)
+        known = {name: k for k, name in enumerate(self.modes)}
+        unknown = [name for name in modes if isinstance(name, str) and name not in known]
+        if unknown:
+            raise BadInput(f"no mode {unknown[0]!r}: there are {', '.join(self.modes)}")
+        found = np.array([known.get(m, m) for m in modes], dtype=np.int64)
+        if len(found) != inside.shape[1]:
+            raise BadInput(f"{len(found)} modes for {inside.shape[1]} states")
+        return found
+
+
+def is_free(system: System, mode: str) -> bool:
+    """Return whether in a mode each position z has z' = v with its velocity v."""
+    speeds = ((z, system.velocity_of(z)) for z in system.state)
+    return all(v is None or system.modes[mode].field[z] == variable(v) for z, v in speeds)
+
+
+@lru_cache(maxsize=32)
+def _compiled(text: str) -> Callable[..., Any]:
+    """Return the function of a source, compiled when it is first called, and kept."""
+    library = Path(roots.__file__).read_text(encoding="utf-8")
+    digest = sha256((text + library).encode()).hexdigest()
+    path = _folder() / f"model_{digest[:16]}.py"
+    if at_home():
+        with suppress(OSError):  # a full disk, a home that is read-only: it is not kept
+            path.parent.mkdir(parents=True, exist_ok=True)
+            if not path.exists() or path.read_text(encoding="utf-8") != text:
+                with replacing(path) as file:
+                    file.write(text.encode())
+    names: dict[str, Any] = {"__name__": path.stem}
+    exec(compile(text, str(path), "exec"), names)  # noqa: S102 (it is our own source, not read)
+    return announced(names["follow"], digest)
+
+
+def _folder() -> Path:
+    """Return the folder of what is made from models, in the user's cache directory."""
+    home = os.environ.get("XDG_CACHE_HOME") or Path("~/.cache").expanduser()
+    return Path(home) / "cap" / "models"

@@ -1,0 +1,184 @@
+"""Compiled: a guard along a flight, and where it first comes to zero.
+
+h(d) = a_0 + a_1 d + a_2 d^2/2 + sum over j of p_j Re R_j + q_j Im R_j, with R_j = R(z_j d) of
+`cap.floats.models.spectrum`.  A guard is the tuple a of these 3 + 2J numbers; ``rates`` is that of
+all Re z_j, Im z_j, and along(a, rates, d) gives h, h', h'' at d.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any, cast
+
+from numba import njit
+
+Tuple = tuple[float, ...]
+Function = Callable[..., Any]
+ROUNDS, SHORTEST, CLOSE = 100, 1e-12, 2e-16
+SOON, FLAT = 1e-6, 1e-14
+
+
+@njit(error_model="numpy", nogil=True)
+def imaginary(_: float, y: float) -> tuple[float, float]:
+    """Return R(i y), its parts with full relative precision."""
+    q = y * y
+    if q < 0.25:
+        even = q * q / 24 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90 * (1 - q / 132))))
+        return even, -y * q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110))))
+    return math.cos(y) - 1 + q / 2, math.sin(y) - y
+
+
+@njit(error_model="numpy", nogil=True)
+def real(x: float, _: float) -> tuple[float, float]:
+    """Return R(x) with full relative precision, and 0."""
+    if abs(x) >= 0.5:
+        return math.expm1(x) - x - x * x / 2, 0.0
+    total = 1.0
+    for k in range(14, 3, -1):
+        total = 1 + x / k * total
+    return x * x * x / 6 * total, 0.0
+
+
+@njit(error_model="numpy", nogil=True)
+def remainder(x: float, y: float) -> tuple[float, float]:
+    """Return R(x + i y), its parts with full relative precision."""
+    if x * x + y * y < 0.25:
+        a, b = 1.0, 0.0
+        for k in range(16, 3, -1):
+            a, b = 1 + (x * a - y * b) / k, (x * b + y * a) / k
+        a, b = x * a - y * b, x * b + y * a
+        a, b = x * a - y * b, x * b + y * a
+        return (x * a - y * b) / 6, (x * b + y * a) / 6
+    e = math.exp(x)
+    return e * math.cos(y) - 1 - x - (x * x - y * y) / 2, e * math.sin(y) - y - x * y
+
+
+@njit(error_model="numpy", nogil=True)
+def steepest(a: Tuple, rates: Tuple, D: float) -> float:
+    """Return a bound of |h'''| on [0, D]."""
+    total = 0.0
+    for j in range(len(rates) // 2):
+        re, im = rates[2 * j], rates[2 * j + 1]
+        size = math.sqrt(re * re + im * im)
+        growth = math.exp(re * D) if re > 0 else 1.0
+        total += (abs(a[3 + 2 * j]) + abs(a[4 + 2 * j])) * size * size * size * growth
+    return total
+
+
+@njit(error_model="numpy", nogil=True)
+def parabola(h: float, h1: float, h2: float) -> float:
+    """Return when h + h1 d + h2 d^2/2 falls to zero, inf if it does not."""
+    q = h1 * h1 - 2 * h * h2
+    return 2 * h / (-h1 + math.sqrt(q)) if h1 < 0 and q > 0 else math.inf
+
+
+@njit(error_model="numpy", nogil=True)
+def positive(h: float, h1: float, h2: float, third: float, s: float) -> bool:
+    """Return whether h > 0 on (0, s], if |h'''| <= third: by a cubic in Bernstein's form."""
+    if h + h1 * s / 3 < 0 or h + 2 * h1 * s / 3 + h2 * s * s / 6 < 0:
+        return False
+    return h + h1 * s + h2 * s * s / 2 - third * s * s * s / 6 > 0
+
+
+@njit(error_model="numpy", nogil=True)
+def falling(h1: float, h2: float, third: float, s: float) -> bool:
+    """Return whether h' < 0 on [0, s], if |h'''| <= third."""
+    return h1 < 0 and h1 + h2 * s / 2 < 0 and h1 + h2 * s + third * s * s / 2 < 0
+
+
+@lru_cache
+def root_of(along: Function) -> Function:
+    """Return the function `root` for guards of one kind."""
+
+    @njit(error_model="numpy", nogil=True)
+    def root(a: Tuple, rates: Tuple, low: float, high: float, d: float) -> float:
+        """Return the zero in [low, high] before which h > 0, by parabolas; d is a guess."""
+        if not low < d < high:
+            d = low + (high - low) / 2
+        for _ in range(ROUNDS):
+            h, h1, h2 = along(a, rates, d)
+            if h > 0:
+                low = d
+            else:
+                high = d
+            q = h1 * h1 - 2 * h * h2
+            step = 2 * h / (-h1 + math.sqrt(q)) if h1 < 0 and q > 0 else math.inf
+            last = abs(step) ** 3 <= 1e-15 * d or abs(step) <= CLOSE * d
+            if not low <= d + step <= high:
+                step = low + (high - low) / 2 - d
+                last = abs(step) <= CLOSE * d
+            d += step
+            if last:
+                break
+        return d
+
+    return cast(Function, root)
+
+
+@lru_cache
+def first_of(along: Function) -> Function:
+    """Return the function `first` for guards of one kind."""
+    root = root_of(along)
+
+    @njit(error_model="numpy", nogil=True)
+    def first(a: Tuple, rates: Tuple, D: float) -> float:
+        """Return the first time in [0, D] at which h comes to zero, inf if there is none.
+
+        On each piece h > 0, or h' < 0, by Taylor's formula with a bound of h''' (Lemma B of
+        `cap.system.lemmas`).  A guard that is zero at first, or less by rounding, comes to zero at
+        once if it falls there.
+        """
+        h, h1, h2 = max(a[0], 0.0), a[1], a[2]
+        if a[0] <= 0 and (h1 < 0 or (h1 == 0 and h2 < 0)):
+            return 0.0
+        third = steepest(a, rates, D)
+        t, step = 0.0, D
+        while t < D:
+            length, falls = min(step, D - t), False
+            while length > SHORTEST and not positive(h, h1, h2, third, length):
+                falls = falling(h1, h2, third, length)
+                if falls:
+                    break
+                length *= 0.5
+            end = min(t + length, D)
+            if end >= D and not falls:
+                return math.inf
+            n, n1, n2 = along(a, rates, end)
+            if n <= 0 and (falls or n1 < 0):
+                return root(a, rates, t, end, t + parabola(h, h1, h2)) if falls else end
+            t, h, h1, h2, step = end, n, n1, n2, 2.5 * length
+        return math.inf
+
+    return cast(Function, first)
+
+
+@lru_cache
+def decreasing_of(along: Function) -> Function:
+    """Return the function `decreasing` for guards of one kind (Lemma M of `cap.system.lemmas`)."""
+    root = root_of(along)
+
+    @njit(error_model="numpy", nogil=True)
+    def decreasing(a: Tuple, rates: Tuple, D: float) -> float:
+        """Return when h comes to zero in [0, D], if it decreases there; inf if it does not."""
+        if a[0] <= 0 and (a[1] < 0 or (a[1] == 0 and a[2] < 0)):
+            return 0.0
+        h, _, _ = along(a, rates, D)
+        return math.inf if h > 0 else root(a, rates, 0.0, D, parabola(a[0], a[1], a[2]))
+
+    return cast(Function, decreasing)
+
+
+@njit(error_model="numpy", nogil=True)
+def captures(u: float, up: float, down: float, e: float, size: float) -> bool:
+    """Return whether infinitely many hits accumulate at once after one that is left at the speed u.
+
+    h'' is -up while h grows, -down while it falls.  They do if they end within `SOON`, or if h
+    stays below the rounding errors of its terms, whose ``size`` is given.
+    """
+    if not (up > 0 and down > 0 and u >= 0):
+        return False
+    ratio = e * math.sqrt(down / up)
+    left = u * (1 / up + 1 / math.sqrt(up * down))
+    return ratio < 1 and (left < SOON * (1 - ratio) or u * u < FLAT * up * size)

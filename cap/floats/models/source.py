@@ -1,0 +1,356 @@
+"""A system as source of one compiled function that follows its orbits in doubles.
+
+Each mode is a block of straight-line code.  Numbers of the model are arguments, by place: another
+value of a parameter is not compiled again.  A guard, or a derivative of it, that is zero after an
+event by an identity of polynomials is zero there, whatever rounding says: so the next event is
+never decided by a tolerance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from cap.errors import BadInput
+from cap.floats.models.spectrum import Exponential, Floats, exponential, number
+from cap.system.lemmas import Falls, lemmas
+from cap.system.model import Guard, System
+from cap.system.polynomial import COS, ONE, PI, SIN, ZERO, Polynomial, Quotient, variable
+
+ORDERS = range(3)  # h, L h, L^2 h
+SIMULTANEOUS, NO_MODE, MANY = 1, 2, 4
+"""Bits of flags: two events within `CLOSE`; no mode after an event; too many events in a period."""
+CLOSE, NEGATIVE = 1e-13, -1e-9
+KINDS = {"I": "imaginary", "R": "real", "C": "remainder"}  # of rates z, and their R(z d)
+HEAD = f'''"""Made from a model by `cap.floats.models.source`."""
+
+import math
+
+from numba import njit
+
+from cap.floats.models.roots import captures, decreasing_of, first_of, imaginary, real
+from cap.floats.models.roots import remainder
+
+TURN, CLOSE, NEGATIVE = 2 * math.pi, {CLOSE}, {NEGATIVE}
+SIMULTANEOUS, NO_MODE, MANY = {SIMULTANEOUS}, {NO_MODE}, {MANY}
+'''
+FOLLOW = '''
+
+def follow(K, starts, modes, phase, periods, most, ends, last, counts, flags, log):
+    """Follow orbits; the arrays from ``ends`` on are written, and how many lines of ``log``."""
+'''
+
+
+class Source:
+    """``text``; the ``numbers`` K; the names of ``modes``, and ``words``, which count events."""
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.modes = tuple(system.modes)
+        self.words = tuple(dict.fromkeys(n for m in system.modes.values() for n in m.guards))
+        self._numbers: list[float] = []
+        self._y = (*(f"y{i}" for i in range(len(system.state))), "c", "s", "1.0")
+        self._after = (*(f"f{i}" for i in range(len(system.state))), "c", "s", "1.0")
+        self._along: dict[str, str] = {}
+        blocks = [line for k in range(len(self.modes)) for line in self._mode(k)]
+        self.text = self._driver(blocks)
+
+    @property
+    def numbers(self) -> Floats:
+        """K: what is constant in the text is not among them."""
+        return np.array(self._numbers or [0.0])
+
+    def _number(self, value: float) -> str:
+        self._numbers.append(value)
+        return f"k{len(self._numbers) - 1}"
+
+    def _dot(self, row: Sequence[float], names: Sequence[str]) -> str:
+        """Return the source of a scalar product; factors 0, 1 and -1 are not written."""
+        terms = []
+        for value, name in zip(row, names, strict=True):
+            if value in (1.0, -1.0):
+                terms.append(f"{'-' if value < 0 else '+'} {name}")
+            elif value:
+                terms.append(f"+ {self._number(value)}" + (f" * {name}" if name != "1.0" else ""))
+        return " ".join(terms).removeprefix("+ ") or "0.0"
+
+    def _value(self, q: Polynomial | Quotient, names: Sequence[str]) -> str:
+        """Return the source of a polynomial, or of a quotient, of y."""
+        if isinstance(q, Quotient):
+            top = self._value(q.numerator, names)
+            below = q.denominator
+            return top if below == ONE else f"({top}) / ({self._value(below, names)})"
+        known = dict(zip((*self.system.state, COS, SIN), names, strict=False))
+        parts: dict[tuple[str, ...], Polynomial] = {}
+        for monomial, c in q.terms.items():
+            factors = tuple(known[n] for n, k in monomial if n != PI for _ in range(k))
+            powers = tuple((n, k) for n, k in monomial if n == PI)
+            parts[factors] = parts.get(factors, ZERO) + Polynomial({powers: c})
+        written = []
+        for factors, part in parts.items():
+            value = float(number(part))
+            sign, size = ("-", 1.0) if value == -1 else ("+", value)
+            whole = [*([self._number(size)] if size != 1 or not factors else []), *factors]
+            written.append(f"{sign} {' * '.join(whole)}")
+        return " ".join(written).removeprefix("+ ") or "0.0"
+
+    def _mode(self, k: int) -> Iterator[str]:
+        """Yield the block of a mode: its next event, the flight up to it, the reset."""
+        name = self.modes[k]
+        guards = self.system.modes[name].guards
+        E = exponential(self.system, name)
+        self._along[kinds(E)] = along(kinds(E))
+        rates = [self._number(part) for z in E.rates for part in (z.real, z.imag)]
+        yield f"{'if' if k == 0 else 'elif'} m == {k}:  # {name}"
+        yield f"    rates = ({', '.join(rates)},)"
+        found, places = lemmas(self.system, name), list(guards)
+        for word, lemma in found.items():  # a guard after those that it falls with
+            solver = "decreasing" if isinstance(lemma, Falls) else "first"
+            yield from self._next(E, name, word, places.index(word), solver)
+        yield "    d = D"
+        for j in range(len(E.rates)):
+            x, y = rates[2 * j : 2 * j + 2]
+            yield f"    u{j}, v{j} = {KINDS[kinds(E)[j]]}({x} * d, {y} * d)"
+        n = len(self.system.state)
+        for i in range(n):
+            yield f"    f{i} = y{i}" + self._moved(E, i)
+        yield "    " + "; ".join(f"y{i} = f{i}" for i in range(n))
+        yield "    if best < 0:"
+        yield "        break"
+        yield "    t += D"
+        yield "    angle = begin + w * t"
+        yield "    c, s = math.cos(angle), math.sin(angle)"
+        for g, (word, guard) in enumerate(guards.items()):
+            yield f"    {'if' if g == 0 else 'elif'} best == {g}:  # {word}"
+            yield from (f"        {line}" for line in self._event(name, word, guard))
+
+    def _next(self, E: Exponential, mode: str, word: str, g: int, solver: str) -> Iterator[str]:
+        """Yield the code that asks when a guard comes to zero, before D."""
+        rows = E.rows(affine(self.system, mode, word))
+        for order in ORDERS:
+            yield f"    a{order} = {self._dot(rows[order], self._y)}"
+            yield f"    if zeros & {1 << (3 * g + order)}:"
+            yield f"        a{order} = 0.0"
+        parts = [self._dot(row, self._y) for row in rows[3:]]
+        yield f"    d = {solver}_{kinds(E)}((a0, a1, a2, {', '.join(parts)}), rates, D)"
+        yield "    if d <= D + CLOSE and best >= 0 and abs(d - D) <= CLOSE:"
+        yield "        flags[o] |= SIMULTANEOUS"
+        yield "    if d < D:"
+        yield f"        D, best = d, {g}"
+
+    def _moved(self, E: Exponential, i: int) -> str:
+        """Return the source of what a flight adds to a variable."""
+        linear, square = self._dot(E.first[i], self._y), self._dot(E.second[i], self._y)
+        parts = [] if linear == "0.0" else [f"d * ({linear})"]
+        parts += [] if square == "0.0" else [f"d * d * 0.5 * ({square})"]
+        for j in range(len(E.rates)):
+            for basis, P in ((f"u{j}", E.real[j]), (f"v{j}", E.imaginary[j])):
+                factor = self._dot(P[i], self._y)
+                parts += [] if factor == "0.0" else [f"({factor}) * {basis}"]
+        return "".join(f" + {part}" for part in parts)
+
+    def _event(self, mode: str, word: str, guard: Guard) -> Iterator[str]:
+        """Yield the reset, and the choice of the next mode."""
+        reset = self.system.reset(mode, word)
+        for i, z in enumerate(self.system.state):
+            yield f"f{i} = {self._value(reset[z], self._y)}"
+        yield f"counts[o, {self.words.index(word)}] += 1"
+        yield from self._logged(self.words.index(word))
+        if len(guard.to) == 1:
+            yield from self._enter(mode, word, guard, guard.to[0])
+        else:
+            for n, to in enumerate(guard.to):
+                zeros = identities(self.system, mode, word, to)
+                tests = [self._sign(to, g, zeros) for g in self.system.modes[to].guards]
+                yield f"fits{n} = min({', '.join([*filter(None, tests), 'math.inf'])})"
+            best = [f"fits{n}" for n in range(len(guard.to))]
+            yield f"most_fitting = max({', '.join(best)})"
+            yield "if most_fitting < NEGATIVE:"
+            yield "    flags[o] |= NO_MODE"
+            yield "    break"
+            for n, to in enumerate(guard.to):
+                yield f"{'if' if n == 0 else 'elif'} most_fitting == fits{n}:"
+                yield from (f"    {line}" for line in self._enter(mode, word, guard, to))
+        yield "; ".join(f"y{i} = f{i}" for i in range(len(self.system.state)))
+
+    def _sign(self, mode: str, word: str, zeros: dict[str, int]) -> str:
+        """Return h just after an event, or its first derivative that is no identical zero."""
+        h = self.system.guard(mode, word).value
+        for order in ORDERS:
+            if order not in orders(zeros[word]):
+                return self._value(h, self._after)
+            h = self.system.lie(mode, h)
+        return ""
+
+    def _enter(self, mode: str, word: str, guard: Guard, to: str) -> Iterator[str]:
+        """Yield how a mode begins; or the end of infinitely many events."""
+        zeros = identities(self.system, mode, word, to)
+        bits = sum(
+            1 << (3 * g + order)
+            for g, name in enumerate(self.system.modes[to].guards)
+            for order in orders(zeros[name])
+        )
+        yield f"m, zeros = {self.modes.index(to)}, {bits}"
+        e = restitution(self.system, mode, word, to)
+        if guard.rest is not None and e is not None:
+            yield from self._capture(mode, guard, to, e)
+
+    def _capture(self, mode: str, guard: Guard, to: str, e: Polynomial) -> Iterator[str]:
+        """Yield the test whether infinitely many events follow at once."""
+        h, lie = guard.value, self.system.lie
+        speed = self._value(lie(to, h), self._after)
+        up, down = (self._value(-lie(k, lie(k, h)), self._after) for k in (to, mode))
+        terms = Polynomial({monomial: abs(c) for monomial, c in h.terms.items()})
+        size = self._value(terms, [f"abs({z})" for z in self._after])
+        yield f"e, size = {self._number(float(number(e)))}, {size}"
+        yield f"if captures({speed}, {up}, {down}, e, size):"
+        for i, value in enumerate(resting(self.system, mode, guard)):
+            yield f"    y{i} = {self._value(value, self._after)}"
+        yield "    " + "; ".join(f"f{i} = y{i}" for i in range(len(self.system.state)))
+        yield f"    m, zeros = {self.modes.index(str(guard.rest))}, 0"
+        yield f"    counts[o, {len(self.words)}] += 1"
+        yield from (f"    {line}" for line in self._logged(len(self.words)))
+
+    def _logged(self, word: int) -> Iterator[str]:
+        """Yield the code that writes an event down: orbit, time, which one, the state after it."""
+        n = len(self.system.state)
+        yield "if lines < len(log):"
+        yield f"    log[lines, 0], log[lines, 1], log[lines, 2] = o, period * span + t, {word}"
+        yield from (f"    log[lines, {3 + i}] = f{i}" for i in range(n))
+        yield "    lines += 1"
+
+    def _driver(self, blocks: Sequence[str]) -> str:
+        """Return the whole text."""
+        n = len(self.system.state)
+        w = self._number(float(number(self.system.omega)))
+        state = ", ".join(f"y{i}" for i in range(n))
+        lines = [
+            f"w, span, lines = {w}, TURN / {w}, 0",
+            "for o in range(len(starts)):",
+            *(f"    y{i} = starts[o, {i}]" for i in range(n)),
+            "    m, zeros = modes[o], 0",
+            "    for period in range(periods):",
+            "        t, begin = 0.0, (phase + period * TURN) % TURN",
+            "        c, s = math.cos(begin), math.sin(begin)",
+            "        for event in range(most):",
+            "            D, best = span - t, -1",
+            *(f"            {line}" for line in blocks),
+            "        else:",
+            "            flags[o] |= MANY",
+            "        zeros = 0",
+            "        if flags[o] & (MANY | NO_MODE):",
+            f"            {state} = ({', '.join(['math.nan'] * n)},)",
+            "            break",
+            *(f"    ends[o, {i}] = y{i}" for i in range(n)),
+            "    last[o] = m",
+            "return lines",
+        ]
+        numbers = [f"k{i} = K[{i}]" for i in range(len(self._numbers))]
+        body = "\n".join(f"    {line}" for line in [*numbers, *lines])
+        return f"{HEAD}{''.join(self._along.values())}{FOLLOW}{body}\n"
+
+
+def kinds(E: Exponential) -> str:
+    """Return a letter for each rate: imaginary, real or complex."""
+    return "".join("R" if not z.imag else "C" if z.real else "I" for z in E.rates)
+
+
+def along(kinds: str) -> str:
+    """Return the source of h, h', h'' on flights with rates of these kinds."""
+    lines = ["h, h1, h2 = a[0] + d * (a[1] + d * a[2] / 2), a[1] + d * a[2], a[2]"]
+    for j, kind in enumerate(kinds):
+        lines += [
+            f"p, q, re, im = a[{3 + 2 * j}], a[{4 + 2 * j}], rates[{2 * j}], rates[{2 * j + 1}]",
+            "x, y = re * d, im * d",
+            f"u, v = {KINDS[kind]}(x, y)",
+            "h += p * u + q * v",
+            "u, v = u + (x * x - y * y) / 2, v + x * y",
+            "p, q = p * re + q * im, q * re - p * im",
+            "h1 += p * u + q * v",
+            "u, v = u + x, v + y",
+            "p, q = p * re + q * im, q * re - p * im",
+            "h2 += p * u + q * v",
+        ]
+    body = "".join(f"    {line}\n" for line in [*lines, "return h, h1, h2"])
+    head = f'\n\n@njit(error_model="numpy", nogil=True)\ndef along_{kinds}(a, rates, d):\n'
+    solvers = [f"{name}_{kinds} = {name}_of(along_{kinds})" for name in ("first", "decreasing")]
+    return "\n".join([head + body, "", *solvers, ""])
+
+
+def affine(system: System, mode: str, word: str) -> Floats:
+    """Return the row (Z,) of a guard h = row.y; refuse one that is not affine."""
+    h = system.guard(mode, word).value
+    if h.degree > 1:
+        raise BadInput(
+            f"floats follow guards of degree 1 in the state, cos wt and sin wt: {word} of the "
+            f"mode {mode} has the degree {h.degree}"
+        )
+    names = (*system.state, COS, SIN)
+    return np.array([float(number(q)) for q in (*map(h.derivative, names), h.without(*names))])
+
+
+def identities(system: System, mode: str, word: str, to: str) -> dict[str, int]:
+    """Return for each guard of ``to`` the bits of the h, L h, L^2 h that vanish after an event.
+
+    They do so by an identity: with the reset they are zero, or a multiple of the event's guard.
+    """
+    event, reset = system.guard(mode, word).value, system.reset(mode, word)
+    found = {}
+    for name, guard in system.modes[to].guards.items():
+        h, bits = guard.value, 0
+        for order in ORDERS:
+            bits |= vanishes(_after(h, reset).numerator, event) << order
+            h = system.lie(to, h)
+        found[name] = bits
+    return found
+
+
+def orders(bits: int) -> list[int]:
+    """Return the orders whose bits are set."""
+    return [order for order in ORDERS if bits >> order & 1]
+
+
+def vanishes(q: Polynomial, event: Polynomial) -> bool:
+    """Return whether q is zero, or a number times the guard of an event."""
+    factor = _multiple(q, event)
+    return not q or factor is not None
+
+
+def _multiple(q: Polynomial, of: Polynomial) -> Polynomial | None:
+    """Return the rational number c with q = c of, if there is one."""
+    if not of or q.terms.keys() != of.terms.keys():
+        return None
+    monomial = next(iter(of.terms))
+    c = Polynomial.of(q.terms[monomial] / of.terms[monomial])
+    return c if q == c * of else None
+
+
+def _after(h: Polynomial, reset: dict[str, Quotient]) -> Quotient:
+    """Return h after a reset, a function of y before it."""
+    names = {name: reset.get(name, Quotient.of(variable(name))) for name in h.variables}
+    constant = lambda c: Quotient.of(Polynomial.of(c))  # noqa: E731
+    return Quotient.of(h.evaluated(names, constant, Quotient.of(variable(PI))))
+
+
+def restitution(system: System, mode: str, word: str, to: str) -> Polynomial | None:
+    """Return e with L h after = - e L h before, if it is a number; h is the event's guard."""
+    h = system.guard(mode, word).value
+    before, after = system.lie(mode, h), _after(system.lie(to, h), system.reset(mode, word))
+    if after.denominator != ONE or not before:
+        return None
+    monomial = next(iter(before.terms))
+    e = Polynomial.of(-after.numerator.terms.get(monomial, 0) / before.terms[monomial])
+    return e if after.numerator == -e * before else None
+
+
+def resting(system: System, mode: str, guard: Guard) -> Iterator[Polynomial | Quotient]:
+    """Yield the state with h = L h = 0: one position is moved, and one velocity."""
+    moved: dict[str, Polynomial | Quotient] = {}
+    for h in (guard.value, system.lie(mode, guard.value)):
+        for z in system.state:
+            slope = h.derivative(z)
+            if slope and z not in moved and len(slope.terms) == 1 and slope.is_number:
+                moved[z] = variable(z) - h / slope
+                break
+    yield from (moved.get(z, variable(z)) for z in system.state)

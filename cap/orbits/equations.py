@@ -1,0 +1,135 @@
+"""The equations of a periodic orbit by its contacts, F(z) = 0, for any system.
+
+The unknowns are the times and states just before the K contacts, z = (t_k, q_k), n + 1 numbers for
+each.  With R_k the reset, and the flight in the mode after it,
+
+    h_k(q_k, t_k) = 0,      flight(R_k(q_k, t_k) from t_k to t_(k+1)) - q_(k+1) = 0,
+
+where the contact after the last is the first one, p periods of the clock later.  No contact is
+located and no flight is long, so nothing wraps as it does where a period is one map.
+
+*Derivative.*  (t, q)_(k+1) is a function of (t, q)_k: the time is that at which the next guard comes
+to zero, its derivative follows from h_(k+1) = 0.  The product over a round has the multipliers of
+the orbit as eigenvalues, and 0.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from cap.errors import NotProved
+from cap.orbits.itinerary import Itinerary
+from cap.orbits.leg import Kinds
+from cap.orbits.numbers import Numbers
+from cap.sets import interval
+from cap.sets.interval import Ball, Matrix
+
+Unknowns = Sequence[Any]
+
+
+class Place(NamedTuple):
+    """Where the unknowns of a contact stand, and those of the next; whether a round ends there."""
+
+    here: int
+    there: int
+    wraps: bool
+
+
+class Block(NamedTuple):
+    """Derivatives of a leg: of h by (t, q), and of each variable on arrival by (t, q, t_next)."""
+
+    guard: Sequence[Any]
+    rows: Sequence[Sequence[Any]]
+
+
+class Equations:
+    """F and F' of the orbits with an itinerary; ``kinds`` may serve several of one system."""
+
+    def __init__(self, itinerary: Itinerary, kinds: Kinds | None = None) -> None:
+        self.itinerary = itinerary
+        self.kinds = kinds = kinds or Kinds(itinerary.system)
+        self.legs = [kinds.leg(contact) for contact in itinerary.contacts]
+        self.n, count = len(itinerary.system.state), len(self.legs)
+        step = self.n + 1
+        self.size = step * count
+        self.places = [
+            Place(step * k, step * (k + 1) % self.size, k + 1 == count) for k in range(count)
+        ]
+
+    def value(self, z: Unknowns, of: Numbers) -> list[Any]:
+        """Return F(z)."""
+        result: list[Any] = []
+        for leg, (_, there, _), arguments in self._arguments(z, of):
+            h, *reached = of.of(leg.value)(*arguments)
+            result.append(h)
+            result += [a - b for a, b in zip(reached, z[there + 1 :], strict=False)]
+        return result
+
+    def blocks(self, z: Unknowns, of: Numbers) -> list[Block]:
+        """Return the derivatives of each leg."""
+        found, n = [], self.n
+        for leg, _, arguments in self._arguments(z, of):
+            flat = of.of(leg.slope)(*arguments)
+            rows = [flat[i : i + n + 2] for i in range(n + 1, len(flat), n + 2)]
+            found.append(Block(flat[: n + 1], rows))
+        return found
+
+    def rows(self, blocks: Sequence[Block]) -> list[list[Any]]:
+        """Return F' by rows."""
+        result: list[list[Any]] = []
+        for block, (here, there, _) in zip(blocks, self.places, strict=True):
+            first = [0] * self.size
+            first[here : here + self.n + 1] = block.guard
+            result.append(first)
+            for i, entries in enumerate(block.rows):
+                row: list[Any] = [0] * self.size
+                row[here : here + self.n + 1] = entries[:-1]
+                row[there] = row[there] + entries[-1]
+                row[there + 1 + i] = row[there + 1 + i] - 1
+                result.append(row)
+        return result
+
+    def _arguments(self, z: Unknowns, of: Numbers) -> Iterator[tuple[Any, Place, list[Any]]]:
+        """Yield each leg with the places of its unknowns and its inputs."""
+        clocks = {place.here: of.clock(z[place.here]) for place in self.places}
+        for leg, place in zip(self.legs, self.places, strict=True):
+            t0, t1 = z[place.here], self.end(z, place, of)
+            q = z[place.here + 1 : place.here + self.n + 1]
+            arguments = [t0, *clocks[place.here], *q, t1, *clocks[place.there]]
+            if leg.motion.generator:
+                arguments += of.exponential(leg.motion, t1 - t0)
+            yield leg, place, arguments
+
+    def end(self, z: Unknowns, place: Place, of: Numbers) -> Any:
+        """Return the time of the next contact."""
+        t = z[place.there]
+        return t + of.period * self.itinerary.periods if place.wraps else t
+
+
+def derivative(blocks: Sequence[Block]) -> Matrix:
+    """Return the product of the derivatives of (t, q)_(k+1) by (t, q)_k, enclosed.
+
+    Raises `NotProved` unless L h < 0 is certain where each guard comes to zero.
+    """
+    total: Matrix | None = None
+    for k, block in enumerate(blocks):
+        guard = blocks[(k + 1) % len(blocks)].guard
+        step = _step(block, guard, (k + 1) % len(blocks))
+        total = step if total is None else step * total
+    return total
+
+
+def _step(block: Block, guard: Sequence[Ball], number: int) -> Matrix:
+    """Return d(t, q)_(k+1) by (t, q)_k, where dh = ``guard`` at the end."""
+    slopes = [(g, row) for g, row in zip(guard[1:], block.rows, strict=True) if not _is_zero(g)]
+    rate = guard[0] + interval.total(g * row[-1] for g, row in slopes)
+    if not rate < 0:
+        reason = f"the guard of contact {number + 1} may not be crossed: a graze"
+        raise NotProved("multipliers", reason, {"L h": rate})
+    size = len(guard)
+    time = [-interval.total(g * row[j] for g, row in slopes) / rate for j in range(size)]
+    state = [[row[j] + row[-1] * time[j] for j in range(size)] for row in block.rows]
+    return interval.matrix([time, *state])
+
+
+def _is_zero(x: Any) -> bool:
+    return bool(x == 0)

@@ -1,0 +1,109 @@
+"""The itinerary of a periodic orbit: its contacts in one round, and what vanishes after each.
+
+*What vanishes.*  Some variables are numbers at a contact of every orbit with the itinerary: a reset
+made them so, and no flight since then moved them.  With these, a guard h or its derivatives L h,
+L² h may vanish just after a contact by an identity of polynomials, because the reset makes them
+zero, or a multiple of the guard that has come to zero.  That, and no enclosure, decides what starts
+at zero.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from cap.errors import BadInput
+from cap.system.model import COS, SIN, System
+from cap.system.polynomial import Polynomial
+
+Facts = Mapping[str, Polynomial]
+MOST = 3  # derivatives looked at
+
+
+class Contact(NamedTuple):
+    """A guard of a mode comes to zero, and the system goes on in the mode ``to``."""
+
+    mode: str
+    guard: str
+    to: str
+
+
+@dataclass(frozen=True)
+class Itinerary:
+    """The contacts of one round, in order, after which ``periods`` of the clock have passed."""
+
+    system: System
+    contacts: Sequence[Contact]
+    periods: int = 1
+
+    def __post_init__(self) -> None:
+        modes = self.system.modes
+        if self.system.parameters:
+            raise BadInput(f"the parameters {list(self.system.parameters)} have no values: use .at")
+        if not self.contacts or self.periods < 1:
+            raise BadInput("an itinerary has a contact and takes a period, at least")
+        for k, contact in enumerate(self.contacts):
+            mode, guard, to = contact
+            if mode not in modes or guard not in modes[mode].guards:
+                raise BadInput(f"contact {k + 1}: there is no guard {guard} of a mode {mode}")
+            if to not in modes[mode].guards[guard].to:
+                raise BadInput(f"contact {k + 1}: {guard} does not lead from {mode} to {to}")
+            if self.following(k).mode != to:
+                raise BadInput(f"contact {k + 1} leads to {to}, the next is in another mode")
+
+    def following(self, k: int) -> Contact:
+        """Return the contact after the k-th, counted from 0."""
+        return self.contacts[(k + 1) % len(self.contacts)]
+
+    @cached_property
+    def vanishing(self) -> list[dict[str, int]]:
+        """For each contact and guard of the mode after it: how many of h, L h, .. vanish there."""
+        facts: Facts = {}
+        for contact in self.contacts:  # one round, to know what the first contact begins with
+            facts = self._moved(contact, self._reset(contact, facts))
+        found = []
+        for contact in self.contacts:
+            after = self._reset(contact, facts)
+            guards = self.system.modes[contact.to].guards
+            found.append({name: self._order(contact, name, facts) for name in guards})
+            facts = self._moved(contact, after)
+        return found
+
+    def _reset(self, contact: Contact, facts: Facts) -> Facts:
+        """Return the variables that are numbers after a contact."""
+        found = {}
+        for z, q in self.system.reset(contact.mode, contact.guard).items():
+            value = q.numerator.substituted(facts)
+            if value.is_number and q.denominator == 1:
+                found[z] = value
+        return found
+
+    def _moved(self, contact: Contact, facts: Facts) -> Facts:
+        """Return those that the flight after the contact does not move."""
+        field = self.system.modes[contact.to].field
+        kept = facts
+        while moved := [z for z in kept if field[z].substituted(kept)]:
+            kept = {z: q for z, q in kept.items() if z not in moved}
+        return kept
+
+    def _order(self, contact: Contact, name: str, facts: Facts) -> int:
+        """Return how many of h, L h, .. vanish just after a contact, by an identity."""
+        system, mode = self.system, contact.to
+        reset = system.reset(contact.mode, contact.guard)
+        zero = system.guard(contact.mode, contact.guard).value.substituted(facts)
+        h = system.guard(mode, name).value
+        for order in range(MOST):
+            if any(reset[z].denominator != 1 for z in h.variables - {COS, SIN}):
+                return order
+            values = {z: reset[z].numerator for z in h.variables - {COS, SIN}}
+            if not _is_multiple(h.substituted(values).substituted(facts), zero):
+                return order
+            h = system.lie(mode, h)
+        return MOST
+
+
+def _is_multiple(q: Polynomial, of: Polynomial) -> bool:
+    """Return whether q is a rational multiple of another polynomial; 0 is one."""
+    for monomial, c in of.terms.items():
+        return q == of * (q.terms.get(monomial, 0) / c)
+    return not q

@@ -1,0 +1,151 @@
+"""Functions of one leg of an orbit, written once for each kind of leg.
+
+A leg begins just before a contact: at the time t0, in the state q, where the guard of the contact
+comes to zero; the reset follows, and a flight in the mode in which the system goes on, to t1.
+Functions take times, states and, with each time, the clock (cos wt, sin wt); then the entries of X
+(`cap.orbits.motion`).
+"""
+
+from functools import cached_property
+
+from cap.orbits.itinerary import Contact
+from cap.orbits.motion import Clock, Motion, named, scalars
+from cap.system.lemmas import Lemma, lemmas
+from cap.system.model import System
+from cap.system.polynomial import Polynomial
+from cap.system.source import Function
+from cap.system.tape import Gradient, Tape, Term, gradients
+
+START, END = ("t0", "c0", "s0"), ("t1", "c1", "s1")
+
+
+class Kinds:
+    """The functions of a system, each written when it is first asked for."""
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self._legs = dict[Contact, Leg]()
+        self._motions = dict[str, Motion]()
+        self._watches = dict[tuple[str, str], Watch]()
+        self._lemmas = dict[str, dict[str, Lemma]]()
+
+    def leg(self, contact: Contact) -> "Leg":
+        """Return the functions of the legs that begin with such a contact."""
+        if contact not in self._legs:
+            self._legs[contact] = Leg(self.system, contact, self.motion(contact.to))
+        return self._legs[contact]
+
+    def watch(self, mode: str, guard: str) -> "Watch":
+        """Return the functions of a guard along the flights of a mode."""
+        if (mode, guard) not in self._watches:
+            self._watches[mode, guard] = Watch(self.system, mode, guard, self.motion(mode))
+        return self._watches[mode, guard]
+
+    def lemmas(self, mode: str) -> dict[str, Lemma]:
+        """Return the lemmas by which the guards of a mode stay positive."""
+        if mode not in self._lemmas:
+            self._lemmas[mode] = lemmas(self.system, mode)
+        return self._lemmas[mode]
+
+    def motion(self, mode: str) -> Motion:
+        """Return the flights of a mode."""
+        if mode not in self._motions:
+            self._motions[mode] = Motion(self.system, mode)
+        return self._motions[mode]
+
+
+class Leg:
+    """The guard at the start, the state after the reset and that on arrival, with derivatives."""
+
+    def __init__(self, system: System, contact: Contact, motion: Motion) -> None:
+        self.motion, self._system, tape = motion, system, Tape()
+        self._q = [f"q{i}" for i in range(len(system.state))]
+        self.inputs = [*START, *self._q, *END, *motion.inputs]
+        t0, t1 = tape.input("t0"), tape.input("t1")
+        start, end = _clock(tape, "c0", "s0"), _clock(tape, "c1", "s1")
+        before = named(system, [tape.input(q) for q in self._q], start)
+        of, reset = scalars(tape), system.reset(contact.mode, contact.guard)
+        self._tape = tape
+        self._h = of.value(system.guard(contact.mode, contact.guard).value, before)
+        self._after = [of.value(reset[z], before) for z in system.state]
+        reached = motion.arrival(self._after, start, t1 - t0, end)
+        self._reached = [reached[z] for z in system.state]
+
+    @cached_property
+    def after(self) -> Function:
+        """The state after the reset, of (cos, sin, q)."""
+        return Function(["c0", "s0", *self._q], self._after)
+
+    @cached_property
+    def value(self) -> Function:
+        """h at the start, and the state on arrival."""
+        return Function(self.inputs, [self._h, *self._reached])
+
+    @cached_property
+    def slope(self) -> Function:
+        """dh by (t0, q), then for each variable on arrival its derivatives by (t0, q, t1)."""
+        tape, one = self._tape, self._tape.number(1)
+        w = scalars(tape).value(self._system.omega, {})
+        by: dict[str, Gradient] = {name: {name: one} for name in ("t0", "t1", *self._q)}
+        for t, c, s in (START, END):
+            by |= {c: {t: -w * tape.input(s)}, s: {t: w * tape.input(c)}}
+        rates = self.motion.rates(tape)
+        by |= {x: {"t1": rate, "t0": -rate} for x, rate in rates.items()}
+        h, *reached = gradients([self._h, *self._reached], by)
+        zero, start = tape.number(0), ["t0", *self._q]
+        rows = [h.get(v, zero) for v in start]
+        rows += [z.get(v, zero) for z in reached for v in (*start, "t1")]
+        return Function(self.inputs, rows)
+
+
+class Watch:
+    """A guard h and its derivatives L h, L² h, along flights, and where a flight begins or ends.
+
+    Along a flight they are functions of the clock and the state at its start, the duration d, the
+    clock then, and X; at a place, of the clock and the state there.
+    """
+
+    def __init__(self, system: System, mode: str, guard: str, motion: Motion) -> None:
+        self.motion, q = motion, [f"q{i}" for i in range(len(system.state))]
+        h = system.guard(mode, guard).value
+        rate = system.lie(mode, h)
+        self._towers = h, rate, system.lie(mode, rate)
+        self._tape = tape = Tape()
+        self.inputs = ["c0", "s0", *q, "d", "c1", "s1", *motion.inputs]
+        self._place = ["c0", "s0", *q]
+        start, end = _clock(tape, "c0", "s0"), _clock(tape, "c1", "s1")
+        state = [tape.input(z) for z in q]
+        self._here = named(system, state, start)
+        self._there = motion.arrival(state, start, tape.input("d"), end)
+
+    def _of(self, q: Polynomial, *, along: bool) -> Term:
+        return scalars(self._tape).value(q, self._there if along else self._here)
+
+    @cached_property
+    def along(self) -> Function:
+        """h and L h."""
+        return Function(self.inputs, [self._of(q, along=True) for q in self._towers[:2]])
+
+    @cached_property
+    def height(self) -> Function:
+        """h alone."""
+        return Function(self.inputs, [self._of(self._towers[0], along=True)])
+
+    @cached_property
+    def bend(self) -> Function:
+        """L² h."""
+        return Function(self.inputs, [self._of(self._towers[2], along=True)])
+
+    @cached_property
+    def at(self) -> Function:
+        """h at a place."""
+        return Function(self._place, [self._of(self._towers[0], along=False)])
+
+    @cached_property
+    def rate(self) -> Function:
+        """L h at a place."""
+        return Function(self._place, [self._of(self._towers[1], along=False)])
+
+
+def _clock(tape: Tape, c: str, s: str) -> Clock:
+    return tape.input(c), tape.input(s)

@@ -1,0 +1,74 @@
+"""What the equations of an orbit need of numbers: the clock, exponentials, and functions of them.
+
+`Balls` enclose, at the precision at which they are made; `Floats` are for searches.
+"""
+
+from collections.abc import Sequence
+from math import cos, pi, sin
+from typing import Any, Protocol
+
+from cap.orbits.motion import Motion
+from cap.sets import interval
+from cap.sets.interval import Ball
+from cap.system.exponential import exponential, number
+from cap.system.model import System
+from cap.system.source import Evaluated, Function
+
+Clock = tuple[Any, Any]
+
+
+class Numbers(Protocol):
+    """Numbers of one kind: the period of the clock, and what functions of them need."""
+
+    period: Any
+
+    def clock(self, t: Any) -> Clock:
+        """Return cos wt and sin wt."""
+
+    def exponential(self, motion: Motion, d: Any) -> Sequence[Any]:
+        """Return the inputs of a motion, the entries of X = exp(N d)."""
+
+    def of(self, function: Function) -> Evaluated:
+        """Return a function of such numbers."""
+
+
+class Balls:
+    """Balls at the precision at which this is made."""
+
+    def __init__(self, system: System) -> None:
+        self.bits, self._omega = interval.working_bits(), number(system.omega)
+        self.period = 2 * interval.pi() * number(system.omega.reciprocal())
+
+    def clock(self, t: Ball) -> Clock:
+        """Return an enclosure of cos wt and sin wt."""
+        s, c = (self._omega * t).sin_cos()
+        return c, s
+
+    def exponential(self, motion: Motion, d: Ball) -> Sequence[Ball]:
+        """Return an enclosure of the entries of exp(N d) in the rows of the state."""
+        return exponential(motion.generator, d).entries()[: len(motion.inputs)]
+
+    def of(self, function: Function) -> Evaluated:
+        """Return a function of balls."""
+        return function.balls()
+
+
+class Floats:
+    """Doubles; nothing is rounded outwards."""
+
+    def __init__(self, system: System) -> None:
+        self._omega = float(number(system.omega))
+        self.period = 2 * pi / self._omega
+
+    def clock(self, t: float) -> Clock:
+        """Return cos wt and sin wt."""
+        return cos(self._omega * t), sin(self._omega * t)
+
+    def exponential(self, motion: Motion, d: float) -> Sequence[float]:
+        """Return the entries of exp(N d)."""
+        rows = exponential(motion.generator, Ball(d)).entries()
+        return [float(x) for x in rows[: len(motion.inputs)]]
+
+    def of(self, function: Function) -> Evaluated:
+        """Return a function of doubles."""
+        return function.floats()

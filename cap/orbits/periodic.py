@@ -1,0 +1,190 @@
+"""A periodic orbit of any system, from a guess to a proof.
+
+*Theorem.*  `prove` returns only if the system has an orbit with the itinerary, which is p-periodic
+(in periods of the clock, for z = (t, q) as in `cap.orbits.equations`), such that
+
+1. it is the only one whose contacts lie within ``reach`` of the centre of ``hint``: by Krawczyk's
+   inclusion F has exactly one zero there, and it lies in ``box``;
+2. it has these contacts and no others: on each leg every guard of the mode is positive between the
+   contacts (`cap.orbits.quiet`; ``reasons`` says by which lemma), and L h < 0 where one comes to
+   zero;
+3. the derivative of a round by (t, q) lies in ``derivative``: its eigenvalues are the n multipliers
+   and 0.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from cap.errors import BadInput, NotProved
+from cap.maps import zero
+from cap.maps.zero import Box, Hint, Problem
+from cap.orbits.along import Along, End, Leg
+from cap.orbits.equations import Block, Equations, derivative
+from cap.orbits.itinerary import Itinerary
+from cap.orbits.minima import Minimum, minima
+from cap.orbits.numbers import Balls, Floats
+from cap.orbits.quiet import Reason, reason
+from cap.sets import interval
+from cap.sets.interval import Ball, Matrix
+
+STEPS = 40  # of Newton's iteration in doubles
+
+
+@dataclass(frozen=True)
+class PeriodicOrbit:
+    """A proved orbit; see the theorem of this module."""
+
+    itinerary: Itinerary
+    hint: Hint
+    reach: tuple[Fraction, ...]
+    box: Box
+    reasons: list[Reason]
+    derivative: Matrix
+
+    @property
+    def contacts(self) -> list[tuple[Ball, Box]]:
+        """The times of the contacts and the states just before them, enclosed."""
+        step = len(self.itinerary.system.state) + 1
+        places = range(0, len(self.box), step)
+        return [(self.box[i], self.box[i + 1 : i + step]) for i in places]
+
+    @property
+    def trace(self) -> Ball:
+        """The sum of the multipliers."""
+        return self.symmetric[0]
+
+    @cached_property
+    def symmetric(self) -> list[Ball]:
+        """The elementary symmetric functions of the n multipliers: their sum, .., their product."""
+        coefficients = self.derivative.charpoly().coeffs()
+        n = len(self.itinerary.system.state)
+        return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
+
+
+class Prover:
+    """Proves orbits with one itinerary; what depends on that alone, or the precision, is kept."""
+
+    def __init__(self, equations: Equations) -> None:
+        self.equations, self.itinerary = equations, equations.itinerary
+        self._balls = dict[int, Balls]()
+        self._minima = dict[tuple[int, str, str], list[Minimum] | None]()
+
+    @property
+    def balls(self) -> Balls:
+        """The numbers at the precision here."""
+        bits = interval.working_bits()
+        if bits not in self._balls:
+            self._balls[bits] = Balls(self.itinerary.system)
+        return self._balls[bits]
+
+    @property
+    def problem(self) -> Problem:
+        """F and F' in balls."""
+        equations, of = self.equations, self.balls
+        return Problem(
+            lambda z: equations.value(z, of), lambda z: equations.rows(equations.blocks(z, of))
+        )
+
+    def existence(
+        self, hint: Hint, reach: Sequence[Fraction]
+    ) -> tuple[Box, list[Block], list[Reason]]:
+        """Prove that one orbit lies within ``reach`` of the hint, and that nothing else happens.
+
+        Returns a box that contains its contacts, the derivatives of the legs over all points within
+        reach, and why nothing else happens.
+        """
+        equations, box = self.equations, hint.box(reach)
+        with interval.guarded():  # K cannot be narrower than F(m)
+            value = equations.value(hint.point, self.balls)
+        blocks = equations.blocks(box, self.balls)
+        k = zero.contract(hint, value, interval.matrix(equations.rows(blocks)), box)
+        return k, blocks, self.reasons(k)
+
+    def reasons(self, box: Box) -> list[Reason]:
+        """Prove that nothing else happens on the orbits whose contacts lie in a box."""
+        found, vanishing = list[Reason](), self.itinerary.vanishing
+        for leg in self._legs(box):
+            mode = self.itinerary.contacts[leg.number].to
+            following = self.itinerary.following(leg.number).guard
+            if not leg.start.time < leg.end.time:
+                sets = {"from": leg.start.time, "to": leg.end.time}
+                raise NotProved(f"leg {leg.number + 1}", "the contacts may not be in order", sets)
+            for name, lemma in self.equations.kinds.lemmas(mode).items():
+                watch = self.equations.kinds.watch(mode, name)
+                zeros = vanishing[leg.number][name]
+                along = Along(leg, name, watch, zeros, name == following)
+                found.append(reason(along, lemma, self._minima_of(mode, name)))
+        return found
+
+    def _legs(self, box: Box) -> list[Leg]:
+        equations, of, n = self.equations, self.balls, self.equations.n
+        clocks = {place.here: of.clock(box[place.here]) for place in equations.places}
+        found = []
+        for k, (leg, place) in enumerate(zip(equations.legs, equations.places, strict=True)):
+            here, there, _ = place
+            before = box[here + 1 : here + n + 1]
+            after = of.of(leg.after)(*clocks[here], *before)
+            end = End(equations.end(box, place, of), clocks[there], box[there + 1 : there + n + 1])
+            found.append(Leg(k, End(box[here], clocks[here], after), end, of))
+        return found
+
+    def _minima_of(self, mode: str, name: str) -> list[Minimum] | None:
+        key = interval.working_bits(), mode, name
+        if key not in self._minima:
+            lemma = self.equations.kinds.lemmas(mode)[name]
+            self._minima[key] = minima(lemma, self.balls)
+        return self._minima[key]
+
+    def prove(self, guess: Sequence[float], digits: int) -> PeriodicOrbit:
+        """Prove that there is an orbit near the guess; see the theorem of this module.
+
+        Raises `NotProved` with the step that failed and the sets at which it did.
+        """
+        near = [Fraction(q) for q in self.newton(guess)]
+        point = [interval.ball(q) for q in near]
+        matrix = zero.inverse_of(self.problem.slope(point))
+        hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
+        reach = (Fraction(100, 10**digits),) * len(near)
+        box, _, _ = self.existence(hint, reach)
+        box = self.problem.tightened(hint, box)
+        blocks = self.equations.blocks(box, self.balls)
+        reasons = self.reasons(box)
+        return PeriodicOrbit(self.itinerary, hint, reach, box, reasons, derivative(blocks))
+
+    def newton(self, guess: Sequence[float]) -> list[float]:
+        """Return a zero of F near a guess, in doubles: the last step is below 1e-10."""
+        equations, of = self.equations, Floats(self.itinerary.system)
+        z = np.array(guess, float)
+        if z.shape != (equations.size,):
+            raise BadInput(f"the guess must be {equations.size} numbers, times and states")
+        for _ in range(STEPS):
+            step = self._step(z, of)
+            z = z - step
+            if not np.abs(step).max() < 1e6:
+                break
+            if np.abs(step).max() < 1e-10 * (1 + np.abs(z).max()):
+                return [float(q) for q in z]
+        raise NotProved("Newton", "the iteration does not converge near the guess", {"z": list(z)})
+
+    def _step(self, z: Any, of: Floats) -> Any:
+        """Return F'(z)^-1 F(z)."""
+        at, equations = [float(q) for q in z], self.equations
+        try:
+            rows = np.array(equations.rows(equations.blocks(at, of)), float)
+            return np.linalg.solve(rows, np.array(equations.value(at, of), float))
+        except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+            raise NotProved("Newton", "F' is singular in doubles", {"z": at}) from None
+
+
+def prove(itinerary: Itinerary, guess: Sequence[float], digits: int = 10) -> PeriodicOrbit:
+    """Prove that a system has a periodic orbit with an itinerary near a guess.
+
+    The guess has the time and the state just before each contact.  See the theorem of this module.
+    """
+    with interval.workprec(53 + 7 * max(0, digits - 8)):
+        return Prover(Equations(itinerary)).prove(guess, digits)

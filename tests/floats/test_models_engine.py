@@ -1,0 +1,177 @@
+"""The float engine made from a model: against the hand-written ones, and against dense sampling."""
+
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+
+import mpmath
+import numpy as np
+import pytest
+from models import ball, parabola, spring
+
+from cap.errors import BadInput
+from cap.floats.engine import swarm
+from cap.floats.masses.particles import Particles, Unresolved
+from cap.floats.masses.particles import follow as follow_masses
+from cap.floats.models.engine import OUTSIDE, Engine
+from cap.floats.models.source import MANY
+from cap.floats.models.spectrum import exponential, matrix
+from cap.parameters import PAPER
+from cap.system.friction import friction, oscillator
+from cap.system.masses import masses
+from cap.system.model import Guard, Mode, System
+from cap.system.polynomial import ONE, variables
+
+LOSSY = replace(PAPER, e=Fraction(9, 10), mu=Fraction(1, 20))
+SCALED = replace(PAPER, F=Fraction(2), omega=Fraction(3, 2), f=Fraction(1, 2), e=Fraction(4, 5))
+TWO = Fraction(1), Fraction(9, 10)
+
+
+@cache
+def engine(system):
+    """Return the engine of one of the systems here; each is compiled once."""
+    made = {"ball": ball, "spring": spring, "masses": lambda: masses(PAPER, TWO)}
+    return Engine(made[system]() if isinstance(system, str) else oscillator(system))
+
+
+SOME = pytest.param(SCALED, marks=pytest.mark.slow)  # compiled anew: other factors are 1
+
+
+@pytest.mark.parametrize("p", [PAPER, LOSSY, SOME], ids=["paper", "lossy", "scaled"])
+def test_friction_as_the_hand_written_engine(p):
+    """The same states after three periods, hits and captures, of 2000 orbits."""
+    random = np.random.default_rng(7)
+    states = random.uniform([-1, -2], [1, 2], size=(2000, 2))
+    found, other = engine(p).follow(states, periods=3), swarm.follow(p, states, 3)
+    assert not found.flags.any()
+    assert np.abs(found.states - other.states).max() < 1e-9
+    assert found.counts[:, -1].sum() == other.captured.sum() > 0
+    assert (found.counts[:, -1] > 0).tolist() == (other.captured > 0).tolist()
+
+
+@pytest.mark.slow
+def test_two_masses_as_the_hand_written_engine():
+    """The same states and number of events, of orbits whose contacts do not accumulate."""
+    random = np.random.default_rng(3)
+    system, same = Particles(PAPER, TWO), 0
+    for _ in range(40):
+        x, v = np.sort(random.uniform(-0.9, 0.9, 2)), random.uniform(-2, 2, 2)
+        mode = "".join("+" if u > 0 else "-" for u in v)
+        found = engine("masses").follow([[*x, *v]], [mode])
+        if found.flags[0] & MANY:
+            continue
+        try:
+            path = follow_masses(system, x, v, 2 * np.pi)
+        except Unresolved:  # contacts accumulate, or last
+            continue
+        assert found.states[0] == pytest.approx([*path.x, *path.v], abs=1e-9)
+        same += 1
+    assert same > 20
+
+
+def sampled(system, mode, y, times):
+    """Return the states at the times after y = (state, cos, sin, 1) on one flight, to 15 digits."""
+    with mpmath.workdps(30):
+        M = matrix(system, mode)
+        start = mpmath.matrix([float(z) for z in y])
+        return np.array([[float(z) for z in mpmath.expm(M * t) * start] for t in times])
+
+
+@pytest.mark.parametrize(
+    ("name", "box"),
+    [
+        pytest.param("ball", ([0.0, -3], [3, 3]), marks=pytest.mark.slow),
+        ("spring", ([-2, -2], [0, 2])),
+    ],
+)
+def test_no_event_is_missed(name, box):
+    """On flights sampled densely, by another exponential, each guard is positive up to the event
+    that is told, and zero there."""
+    E = engine(name)
+    random = np.random.default_rng(5)
+    states = random.uniform(*box, size=(30, 2))
+    states[:, 0] += 1.3 if name == "ball" else 0  # above the table
+    found = E.follow(states, ["fly"] * len(states), log=400)
+    assert len(found.log) < 400
+    flights = 0
+    for orbit, state in enumerate(states):
+        t, y = 0.0, state
+        events = [line for line in found.log if line[0] == orbit]
+        for line in events[:4]:
+            if E.words[int(line[2])] != E.words[0] or line[1] - t < 1e-6:
+                break
+            w = float(E.system.omega.terms[()])
+            start = [*y, np.cos(w * t), np.sin(w * t), 1.0]
+            path = sampled(E.system, "fly", start, np.linspace(0, line[1] - t, 60)[1:])
+            rows = E._guards[0]
+            assert (path[:-1] @ rows.T > -1e-12).all()
+            assert np.abs(path[-1] @ rows.T).max() < 1e-10
+            t, y, flights = line[1], line[3:], flights + 1
+    assert flights > 10
+
+
+@pytest.mark.parametrize("p", [PAPER, LOSSY])
+def test_exponential(p):
+    """R and its projectors make up exp(M d), also for short flights, to full relative precision."""
+    system = oscillator(p)
+    E = exponential(system, "left")
+    for d in (1e-8, 0.3, 4.0):
+        x = E.rates * d
+        with mpmath.workdps(40):
+            R = [complex(mpmath.exp(z) - 1 - z - z * z / 2) for z in map(mpmath.mpc, x)]
+            exact = mpmath.expm(matrix(system, "left") * d) - mpmath.eye(5)
+        total = E.first * d + E.second * d**2 / 2
+        for r, re, im in zip(R, E.real, E.imaginary, strict=True):
+            total = total + re * r.real + im * r.imag
+        error = np.abs(total - np.array(exact.tolist(), dtype=float))
+        assert error.max() < 4e-15 * d * np.exp(d)
+
+
+@pytest.mark.slow
+def test_rest_at_the_wall_of_a_ball():
+    """A ball that bounces lower and lower lies on the table until the table falls faster than g."""
+    E = engine("ball")
+    found = E.follow([[1.3, 0.0]], ["fly"], periods=6, log=4000)
+    told = [E.words[int(line[2])] for line in found.log]
+    assert "capture" in told
+    assert told[told.index("capture") + 1] == "leave"
+
+
+def test_it_may_be_asked_again():
+    """Another value of a parameter compiles nothing: the source is the same, its numbers differ."""
+    near = replace(LOSSY, f=Fraction(41, 100))
+    one, other = engine(LOSSY), Engine(oscillator(near))
+    assert one._follow is other._follow
+    assert (one.follow([[0.2, 0.5]]).states != other.follow([[0.2, 0.5]]).states).any()
+
+
+def test_what_is_outside_is_flagged():
+    """A start at which a guard of its mode is negative."""
+    assert engine(PAPER).follow([[0.0, 0.5]], ["left"]).flags[0] & OUTSIDE
+    assert not engine(PAPER).follow([[0.0, 0.5]]).flags[0]
+
+
+def double():
+    """Return a system in resonance: x'' = - x + cos t."""
+    x, v, cos = variables("x v cos")
+    mode = Mode({"x": v, "v": cos - x}, {"wall": Guard(1 - x, ("fly",), {"v": -v})})
+    return System(("x", "v"), ONE, {"fly": mode})
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: Engine(friction()), "numbers for F, omega"),
+        (lambda: Engine(parabola()), "guards of degree 1"),
+        (lambda: Engine(double()), "resonance"),
+        (lambda: engine(PAPER).follow([0.0, 1.0]), "rows of x, v"),
+        (lambda: engine(PAPER).follow([[0.0, np.nan]]), "not finite"),
+        (lambda: engine(PAPER).follow([[9.0, 1.0]], ["up"]), "no mode 'up'"),
+        (lambda: engine(PAPER).follow([[0.0, 1.0]], ["left", "left"]), "2 modes for 1"),
+        (lambda: engine(PAPER).follow([[9.0, 1.0]]), "in no mode"),
+    ],
+)
+def test_refusals(make, words):
+    """What cannot be followed is told in a line."""
+    with pytest.raises(BadInput, match=words):
+        make()
