@@ -26,7 +26,7 @@ from cap.checker.folded.basins import Basins, Ellipse, Row, bounds_of, rounded
 from cap.checker.folded.events import after, event
 from cap.checker.folded.flights import Flight
 from cap.checker.folded.motion import System
-from cap.checker.folded.numbers import TURN, UP, Pair, middle, times
+from cap.checker.folded.numbers import TURN, UP, Pair, times
 from cap.checker.folded.slopes import Slopes
 from cap.checker.folded.slopes import after as slopes_after
 from cap.checker.folded.units import Units
@@ -216,6 +216,12 @@ def launched(y: System, odd: bool, p: Model, s: Model) -> Flight:
 def known(x: Fraction) -> Model:
     """Return the model of a number."""
     return q.model(abs(float(x)) * TURN, one=float(x))
+
+
+def middle(ends: Pair) -> Pair:
+    """Return the middle and the radius of an interval."""
+    m = (ends[0] + ends[1]) / 2
+    return m, max(ends[1] - m, m - ends[0]) * UP + abs(m) * TURN
 
 
 def norm(rows: Sequence[Sequence[Pair]]) -> float:

@@ -57,7 +57,7 @@ class System:
         return q.total(q.scaled(cos, -1.0), q.total(ahead, f.B))
 
     def start(self, A: Model, d: Model, cos: Model) -> Model:
-        """Return -cos t - a d^2/2 - A d with this -cos t: B, but for p."""
+        """Return cos t - a d^2/2 - A d, t = ref + d, with this cosine: B, if p = 0 then."""
         q = self.q
         half = q.scaled(d, -self.a / 2, self.a_error)
         return q.total(cos, q.product(d, q.total(half, q.scaled(A, -1.0))))
