@@ -47,7 +47,7 @@ from cap.certificate.writer import dumps
 from cap.checker.folded.masses import Places
 from cap.checker.folded.tree import NOTHING
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.theorem import WITHOUT_LOSSES
+from cap.checker.system.walls import WITHOUT_LOSSES
 from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput, NotProved, TooFewDigits
 from cap.floats import candidates

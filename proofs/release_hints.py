@@ -12,7 +12,7 @@ from cap.certificate import writer as certificate
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Certificate
-from cap.checker.kernel.theorem import Parameters as Checked
+from cap.checker.system.walls import Parameters as Checked
 from cap.checker.theorems.attractor import Attractor
 from cap.errors import NotProved
 from cap.flow.event import TAYLOR_MODELS

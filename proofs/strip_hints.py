@@ -13,9 +13,9 @@ from typing import Any
 from cap.certificate.writer import window
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
-from cap.checker.kernel.theorem import Parameters as Checked
 from cap.checker.release.sheared import Line, Near, Passage
 from cap.checker.release.strip import Strip
+from cap.checker.system.walls import Parameters as Checked
 from cap.errors import NotProved
 from cap.flow.windows import Itinerary
 from cap.release import piece

@@ -18,11 +18,11 @@ from typing import Any
 
 from cap.checker.kernel.certificate import DIGITS
 from cap.checker.kernel.choices import Cases, OneOrOther, OrNone, Taken
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
     First,
     Later,
-    Letters,
     Many,
     Maybe,
     Quantity,
@@ -33,7 +33,7 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import Theorem, parameter_shapes
+from cap.checker.kernel.theorem import Theorem
 from cap.checker.theorems import NAMES, load
 from cap.files import replacing
 from cap.words import say
@@ -88,7 +88,7 @@ def _certificate(name: str, theorem: type[Theorem]) -> Json:
         {
             "format": {"const": "cap-certificate/1"},
             "theorem": {"const": name},
-            "parameters": schema(parameter_shapes(theorem.PARAMETERS)),
+            "parameters": schema(theorem.PARAMETERS),
             "digits": schema(DIGITS),
             "claims": schema({field.name: field.shape for field in theorem.CLAIMS}),
             "hints": schema({field.name: field.shape for field in theorem.HINTS}),

@@ -1,0 +1,1 @@
+"""Periodic orbits of any system by their contacts: search, proof, multipliers (`periodic`)."""

@@ -8,9 +8,9 @@ each.  With R_k the reset, and the flight in the mode after it,
 where the contact after the last is the first one, p periods of the clock later.  No contact is
 located and no flight is long, so nothing wraps as it does where a period is one map.
 
-*Derivative.*  (t, q)_(k+1) is a function of (t, q)_k: the time is that at which the next guard comes
-to zero, its derivative follows from h_(k+1) = 0.  The product over a round has the multipliers of
-the orbit as eigenvalues, and 0.
+*Derivative.*  (t, q)_(k+1) is a function of (t, q)_k: the time is that at which the next guard
+comes to zero, its derivative follows from h_(k+1) = 0.  The product over a round has the
+multipliers of the orbit as eigenvalues, and 0.
 """
 
 from collections.abc import Iterator, Sequence
@@ -110,26 +110,23 @@ def derivative(blocks: Sequence[Block]) -> Matrix:
 
     Raises `NotProved` unless L h < 0 is certain where each guard comes to zero.
     """
-    total: Matrix | None = None
+    total = interval.identity(len(blocks[0].guard))
     for k, block in enumerate(blocks):
-        guard = blocks[(k + 1) % len(blocks)].guard
-        step = _step(block, guard, (k + 1) % len(blocks))
-        total = step if total is None else step * total
+        following = (k + 1) % len(blocks)
+        total = _step(block, blocks[following].guard, following) * total
     return total
 
 
 def _step(block: Block, guard: Sequence[Ball], number: int) -> Matrix:
     """Return d(t, q)_(k+1) by (t, q)_k, where dh = ``guard`` at the end."""
-    slopes = [(g, row) for g, row in zip(guard[1:], block.rows, strict=True) if not _is_zero(g)]
-    rate = guard[0] + interval.total(g * row[-1] for g, row in slopes)
+    rate, time = guard[0], [interval.ZERO] * len(guard)
+    for g, row in zip(guard[1:], block.rows, strict=True):
+        if not g.is_zero():
+            rate = rate + g * row[-1]
+            time = [a + g * b for a, b in zip(time, row, strict=False)]
     if not rate < 0:
         reason = f"the guard of contact {number + 1} may not be crossed: a graze"
         raise NotProved("multipliers", reason, {"L h": rate})
-    size = len(guard)
-    time = [-interval.total(g * row[j] for g, row in slopes) / rate for j in range(size)]
-    state = [[row[j] + row[-1] * time[j] for j in range(size)] for row in block.rows]
+    time = [-a / rate for a in time]
+    state = [[a + row[-1] * b for a, b in zip(row, time, strict=False)] for row in block.rows]
     return interval.matrix([time, *state])
-
-
-def _is_zero(x: Any) -> bool:
-    return bool(x == 0)

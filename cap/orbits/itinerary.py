@@ -13,8 +13,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 from cap.errors import BadInput
-from cap.system.model import COS, SIN, System
-from cap.system.polynomial import Polynomial
+from cap.system.model import System
+from cap.system.polynomial import COS, SIN, Polynomial
 
 Facts = Mapping[str, Polynomial]
 MOST = 3  # derivatives looked at

@@ -119,7 +119,8 @@ class Watch:
         self._there = motion.arrival(state, start, tape.input("d"), end)
 
     def _of(self, q: Polynomial, *, along: bool) -> Term:
-        return scalars(self._tape).value(q, self._there if along else self._here)
+        term: Term = scalars(self._tape).value(q, self._there if along else self._here)
+        return term
 
     @cached_property
     def along(self) -> Function:

@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 
 from cap.errors import BadInput
 from cap.system.flight import Flights, Scalars, flights, response
-from cap.system.model import COS, SIN, System
-from cap.system.polynomial import Polynomial
+from cap.system.model import System
+from cap.system.polynomial import COS, SIN, Polynomial
 from cap.system.tape import Tape, Term
 
 Clock = tuple[Term, Term]

@@ -1,6 +1,7 @@
 """Nothing else happens: on each leg of an orbit all guards of its mode are positive.
 
-Between the contacts at its ends each guard h of the mode is positive by one of (`cap.system.lemmas`)
+Between the contacts at its ends each guard h of the mode is positive by a lemma of
+`cap.system.lemmas`:
 
 * *Lemma M*: h falls, so it is positive before its value at the end, which is positive or zero;
 * *Lemma C*: h is positive at the times of `cap.orbits.minima`, and not negative at both ends;

@@ -6,7 +6,7 @@ caller makes of rationals and π.  Jets and Taylor models over balls take the fu
 """
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from math import pi
 from typing import Any
@@ -19,19 +19,25 @@ Evaluated = Callable[..., tuple[Any, ...]]
 
 
 class Function:
-    """Outputs as a function of inputs, both in a fixed order."""
+    """Outputs as a function of inputs, both in a fixed order.
 
-    def __init__(self, inputs: Sequence[str], outputs: Sequence[Term]) -> None:
+    ``parameters`` are inputs that get their values once, when the function is bound.
+    """
+
+    def __init__(
+        self, inputs: Sequence[str], outputs: Sequence[Term], parameters: Sequence[str] = ()
+    ) -> None:
         self.inputs, self.outputs = tuple(inputs), tuple(outputs)
+        self.parameters = tuple(parameters)
         self._at: dict[object, Evaluated] = {}
 
     @cached_property
     def source(self) -> str:
-        """A function ``make`` of the numbers that occur, which returns the function."""
-        writer = _Writer(self.outputs)
+        """A function ``make`` of numbers and parameters, which returns the function."""
+        writer = _Writer(self.outputs, self.parameters)
         ends = "".join(f"{writer.text[term.place]}, " for term in self.outputs)
         return (
-            f"def make({', '.join(writer.numbers)}):\n"
+            f"def make({', '.join((*writer.numbers, *self.parameters))}):\n"
             + "".join(f"    {line}\n" for line in writer.once)
             + f"    def function({', '.join(self.inputs)}):\n"
             + "".join(f"        {line}\n" for line in writer.body)
@@ -50,9 +56,12 @@ class Function:
         make: Callable[..., Evaluated] = scope["make"]
         return make
 
-    def bound(self, constant: Callable[[Number], Any]) -> Evaluated:
-        """Return the function, its constants made by ``constant``."""
-        return self._make(*map(constant, self.numbers))
+    def bound(
+        self, constant: Callable[[Number], Any], values: Mapping[str, Any] | None = None
+    ) -> Evaluated:
+        """Return the function, its constants made by ``constant``, with values of parameters."""
+        given = [values[name] for name in self.parameters] if values else []
+        return self._make(*map(constant, self.numbers), *given)
 
     def balls(self) -> Evaluated:
         """Return the function over balls: an enclosure, at the precision here."""
@@ -82,13 +91,14 @@ def rounded(number: Number) -> float:
 class _Writer:
     """The lines of a function; a term that is used once is written where it is used."""
 
-    def __init__(self, outputs: Sequence[Term]) -> None:
+    def __init__(self, outputs: Sequence[Term], parameters: Sequence[str]) -> None:
         self.text: dict[int, str] = {}
         self.numbers: list[str] = []
-        self.once: list[str] = []  # lines for terms without inputs
+        self.once: list[str] = []  # lines for terms without inputs, but for parameters
         self.body: list[str] = []
         terms = needed(outputs)
         self._constant = set[int]()
+        self._parameters = set(parameters)
         self._uses = Counter(place for term in terms for place in term.operation.operands)
         self._uses.update(term.place for term in outputs)
         for term in terms:
@@ -102,6 +112,8 @@ class _Writer:
             self._constant.add(place)
         elif not operands:
             self.text[place] = term.operation.name
+            if term.operation.name in self._parameters:
+                self._constant.add(place)
         else:
             self._operate(term, constant=self._constant.issuperset(operands))
 

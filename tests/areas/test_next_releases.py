@@ -18,9 +18,12 @@ from cap.checker.folded.paths import next_release as followed
 from cap.checker.folded.rests import height as resting
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters as Given
+from cap.checker.system.walls import Parameters as Given
 from cap.floats.engine import swarm
 from cap.parameters import PAPER, Parameters
+
+# compiled anew in a fresh clone: tens of seconds; the checker has its own code
+pytestmark = pytest.mark.slow
 
 OTHER = Parameters(
     **{k: Fraction(z) for k, z in {"F": 3, "omega": 2, "f": "4/3", "l": "-1/2", "r": "3/4"}.items()}

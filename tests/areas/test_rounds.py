@@ -17,6 +17,9 @@ from cap.checker.strips.columns import columns
 from cap.errors import BadInput
 from cap.runner import Runner
 
+# compiled anew in a fresh clone: tens of seconds; the checker has its own code
+pytestmark = pytest.mark.slow
+
 CEILING = 0.8, 0.1, 0.64
 GRAIN = strips.GRAIN._replace(step=1e-4)
 ROUNDS = Rounds((Round(1, GRAIN, 1e-6), Round(2, GRAIN, 0)), 1 / 32)

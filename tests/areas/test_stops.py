@@ -25,6 +25,9 @@ from cap.floats.engine import swarm
 from cap.parameters import PAPER, Parameters
 from cap.runner import Runner
 
+# compiled anew in a fresh clone: tens of seconds; the checker has its own code
+pytestmark = pytest.mark.slow
+
 V, WIDTH = Fraction(3), 2.0
 SYSTEM, THETA = system_of(PAPER), system_of(PAPER, forwards=True).theta
 STICKS = SYSTEM.theta - math.pi / 2

@@ -22,6 +22,9 @@ from cap.flow.words import WORDS
 from cap.parameters import PAPER
 from cap.sets import interval
 
+# compiled anew in a fresh clone: tens of seconds; no theorem uses it
+pytestmark = pytest.mark.slow
+
 ELLIPTIC = 0.1002798898441954, 0.5419433067664584
 MEETING = Fraction(1, 10**25)  # of enclosures that are known to 80 bits
 
@@ -80,7 +83,6 @@ def compared(random):
     return verdict, True
 
 
-@pytest.mark.slow
 def test_agreement_with_balls():
     """Two flows with nothing in common but the mechanics prove the same of the same cells."""
     random, found = seeded(3), Counter()

@@ -18,6 +18,9 @@ from cap.floats.engine.flow import one_period
 from cap.flow.itinerary import oscillator
 from cap.parameters import PAPER
 
+# compiled anew in a fresh clone: tens of seconds; no theorem uses it
+pytestmark = pytest.mark.slow
+
 TRACES = {"elliptic": -0.46029, "mirror": -0.46029, "saddle": 3.3755, "second saddle": 1336.05}
 
 
@@ -99,7 +102,6 @@ def launched(p, t, u):
     return None
 
 
-@pytest.mark.slow
 def test_launches():
     """Each launch of a box has the image that is enclosed, or stops, as is said."""
     random, verdicts = seeded(9), []

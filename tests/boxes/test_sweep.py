@@ -19,6 +19,9 @@ from cap.errors import BadInput
 from cap.parameters import PAPER
 from cap.runner import Runner
 
+# compiled anew in a fresh clone: tens of seconds; no theorem uses it
+pytestmark = pytest.mark.slow
+
 GRID = Grid((Fraction(-1), Fraction(1)), (Fraction(-2), Fraction(2)), 30, 20)
 REQUEST = Sweep(PAPER, GRID, 2, goals=Goals(stops=1))
 

@@ -10,7 +10,7 @@ import pytest
 from cap.checker.flow.free import Free
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 P = Parameters(*map(Fraction, (3, 2, 1, -1, 1)))
 KAPPA = Fraction(1, 2)  # (F - f)/(F + f)

@@ -12,7 +12,7 @@ from support import number, rational, rounds, seeded
 
 from cap.certificate.latex import macros
 from cap.checker.flow.hits import Event
-from cap.checker.flow.mechanics import Mechanics
+from cap.checker.flow.losses import Lossy as Mechanics
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check, words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify

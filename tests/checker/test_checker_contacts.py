@@ -14,11 +14,11 @@ import pytest
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.particles import monodromy as linear
 from cap.checker.particles import normal_form, orbit
 from cap.checker.particles.existence import defects
 from cap.checker.particles.mechanics import Contact, Mechanics, contacts
+from cap.checker.system.masses import MassParameters as Parameters
 from cap.checker.theorems.particles import from_integers
 from cap.floats.masses.particles import Particles, follow
 from cap.parameters import PAPER

@@ -11,7 +11,7 @@ import pytest
 from mpmath import mp, mpf
 from support import rounds, seeded
 
-from cap.checker.flow.mechanics import Mechanics
+from cap.checker.flow.losses import Lossy as Mechanics
 from cap.checker.one_one import pairs as pairs_of_orbits
 from cap.checker.one_one.closed_form import friction
 from cap.checker.one_one.taylor_model import rounded

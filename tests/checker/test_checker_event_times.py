@@ -12,7 +12,7 @@ from cap.checker.flow.events import LossyMap
 from cap.checker.flow.hits import Zero, event_time
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 BITS = 100
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))

@@ -10,12 +10,12 @@ from support import rational, seeded
 
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.mechanics import Mechanics
+from cap.checker.flow.losses import Lossy as Mechanics
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.series import composed, reciprocal
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from checker.altered import rejected
 from checker.forge_hybrid import PERIODIC, forge_periodic, valid
 from checker.hybrid import Flow

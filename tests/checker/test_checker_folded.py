@@ -11,7 +11,7 @@ from cap.checker.folded.flights import constants
 from cap.checker.folded.motion import Releases
 from cap.checker.folded.rests import height
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
 

@@ -9,9 +9,9 @@ import pytest
 import sympy as sp
 
 from cap.checker.folded.motion import System
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.system.friction import LEFT, RIGHT, friction
 from cap.checker.system.polynomial import Polynomial, variable
+from cap.checker.system.walls import Parameters
 
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
 t, A, B, ref, a = sp.symbols("t A B ref a", real=True)

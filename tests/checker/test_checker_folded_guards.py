@@ -16,7 +16,7 @@ from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.line import DEGREE
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
 A = 0.4  # the friction

@@ -10,9 +10,9 @@ import pytest
 from cap.checker.flow.hits import Event
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.release import halts
 from cap.checker.release.driven import DrivenMap, phases
+from cap.checker.system.walls import Parameters
 
 BITS = 96
 

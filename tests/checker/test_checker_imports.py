@@ -17,8 +17,8 @@ from checker.altered import changed
 
 MODULES = [m.name for m in pkgutil.walk_packages(cap.checker.__path__, "cap.checker.")]
 STORED = Path(__file__).parents[2] / "certificates"
-BARE = {"kernel", "theorems", "verdict"}
-FLOW = BARE | {"flow", "maps", "system"}
+BARE = {"kernel", "system", "theorems", "verdict"}
+FLOW = BARE | {"flow", "maps"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
 ROOMS |= dict.fromkeys(("attractor", "cascade", "entropies", "window"), FLOW | {"release"})
 ROOMS |= {"impulse": BARE, "mixed": BARE | {"attracting", "folded", "release"}}
@@ -32,7 +32,7 @@ MORE = {
     "persistence": {"periodic"},
 }
 LOADERS = {"theorems", "attracting"}  # rooms whose files are loaded by their names
-FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy"}
+FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy", "numba", "matplotlib"}
 
 
 def printed(code, *words):

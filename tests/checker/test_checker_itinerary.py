@@ -9,7 +9,7 @@ import pytest
 from cap.checker.flow.itinerary import PeriodMap
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from checker.altered import changed, rejected
 from checker.forge import PARAMETERS
 

@@ -10,8 +10,9 @@ import pytest
 from mpmath import mp
 
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Centred, Jet, cos_sin_jet, lift, powers, substituted, tightened
+from cap.checker.kernel.jet import Centred, Jet, cos_sin_jet, lift, tightened
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.substitution import powers, substituted
 
 BITS = 128
 

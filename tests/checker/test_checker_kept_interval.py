@@ -15,7 +15,7 @@ from cap.checker.folded.stops import LATE, backwards, sticks, turns
 from cap.checker.folded.units import Units
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import enclosure
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from checker.mixed_small import STORED, small
 
 PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from cap.checker.flow.itinerary import limit_work
-from cap.checker.kernel.certificate import read, read_parameters
+from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.shapes import tabled
+from cap.checker.kernel.shapes import matched, tabled
 from cap.checker.theorems import branch, load
 from checker.altered import changed, encode, rejected
 
@@ -21,6 +21,12 @@ WINDOW = ["1", "2"]
 def stored(name):
     """Return a stored certificate."""
     return json.loads((STORED / f"{name}.json").read_text())
+
+
+def read_parameters(value):
+    """Read the parameters of a capture."""
+    theorem = load("capture")
+    return theorem.parameters(matched(value, theorem.PARAMETERS, "parameters"))
 
 
 def hinted(theorem, bits, events, order=None, cells=None):
@@ -96,18 +102,18 @@ def test_parameters_are_not_too_large(name, sign):
     """They would have more bits than the precision: 10^30 is read, more is not."""
     parameters = stored("capture")["parameters"] | {"f": "0"}
     most = ("-" if sign == "-1" else "") + "1" + "0" * 30
-    read_parameters(load("capture"), parameters | {name: most})
+    read_parameters(parameters | {name: most})
     with pytest.raises(Rejected, match="in size"):
-        read_parameters(load("capture"), parameters | {name: most + ".1"})
+        read_parameters(parameters | {name: most + ".1"})
 
 
 @pytest.mark.parametrize("name", ["F", "omega", "r"])
 def test_parameters_are_not_too_small(name):
     """Their inverses would be as large: F, omega and R = r = 10^-30 are read, less is not."""
     parameters = stored("capture")["parameters"] | {"f": "0", "l": "0"}
-    read_parameters(load("capture"), parameters | {name: "0." + "0" * 29 + "1"})
+    read_parameters(parameters | {name: "0." + "0" * 29 + "1"})
     with pytest.raises(Rejected, match="in size"):
-        read_parameters(load("capture"), parameters | {name: "0." + "0" * 30 + "9"})
+        read_parameters(parameters | {name: "0." + "0" * 30 + "9"})
 
 
 def test_the_worst_takes_well_under_a_minute():

@@ -12,7 +12,7 @@ from cap.checker.attracting.segment import Touching
 from cap.checker.folded.basins import bounds_of
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.shapes import Enclosure
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 OTHER = Parameters(*map(Fraction, (3, 2, "3/5", "-1/2", 1)))
 NEAR = 1e-6

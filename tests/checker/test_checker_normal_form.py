@@ -9,8 +9,9 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Jet, substituted
+from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.substitution import substituted
 from cap.checker.maps.normal_form import (
     Complex,
     elliptic_frame,

@@ -11,12 +11,12 @@ from mpmath import mp, mpf
 
 from cap.checker.flow import free, launches
 from cap.checker.flow.free import Free
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.strips import arc, ceiling
-from cap.checker.system.course import course, forcing, reciprocal_number
+from cap.checker.system.course import course, response
 from cap.checker.system.friction import RIGHT
 from cap.checker.system.model import COS, SIN
 from cap.checker.system.polynomial import variable
+from cap.checker.system.walls import Parameters
 from checker.oscillator import oscillator
 
 t, T, u, f, R, s = sympy.symbols("t T u f R s", positive=True)
@@ -78,18 +78,15 @@ def from_the_model(model, z, start, times, functions):
     rational, cos, sin, exp = functions
     w = rational(model.omega)
     clock = [{COS: cos(w * time), SIN: sin(w * time)} for time in times]
-    U, V = forcing(model, RIGHT).response(model.omega, lambda q: q, reciprocal_number)
-    response = {
-        y: variable(COS) * a + variable(SIN) * b for y, a, b in zip("xv", U, V, strict=True)
-    }
-    known = {y: start[y] - value(response[y], clock[0], rational) for y in "xv"} | {"f": f}
+    forced = {y: response(model, RIGHT, y) for y in "xv"}
+    known = {y: start[y] - value(forced[y], clock[0], rational) for y in "xv"} | {"f": f}
     terms, rate = course(model, RIGHT, variable(z))
     d, k = times[1] - times[0], len(terms) - 1
     powers, lam = [d**n / factorial(n) for n in range(k + 1)], value(rate, {}, rational)
     if lam:  # d^k phi_k(lam d) is what e^(lam d) has beyond its first k terms
         powers[k] = (exp(lam * d) - sum(lam**n * powers[n] for n in range(k))) / lam**k
     total = sum(value(q, known, rational) * power for q, power in zip(terms, powers, strict=True))
-    return total + value(response[z], clock[1], rational)
+    return total + value(forced[z], clock[1], rational)
 
 
 SYMBOLS = sympy.Rational, sympy.cos, sympy.sin, sympy.exp

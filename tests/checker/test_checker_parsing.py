@@ -8,7 +8,8 @@ from fractions import Fraction
 import pytest
 
 from cap.checker.kernel.certificate import read
-from cap.checker.kernel.reading import MAX_BYTES, decimal, number, parsed
+from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.reading import MAX_BYTES, number, parsed
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Whole, enclosure
 from checker.altered import encode, rejected, verify

@@ -12,9 +12,9 @@ import pytest
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.particles import passage, stops, zero
 from cap.checker.particles.mechanics import Mechanics
+from cap.checker.system.masses import MassParameters as Parameters
 from cap.checker.verdict import check, words
 from cap.floats.masses.particles import Particles, follow
 from cap.parameters import PAPER

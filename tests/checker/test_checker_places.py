@@ -18,7 +18,7 @@ from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
 from cap.checker.folded.tree import nodes
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 

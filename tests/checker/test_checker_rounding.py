@@ -156,6 +156,7 @@ def test_another_mode_is_refused(mode):
     assert rounds_to_nearest()
 
 
+@pytest.mark.slow
 @only_where_known
 @pytest.mark.parametrize("mode", ALL)
 def test_the_compiled_flow_of_the_prover_refuses_it(mode):

@@ -16,7 +16,7 @@ from cap.checker.folded.table import ATTRACTOR, NONE
 from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 

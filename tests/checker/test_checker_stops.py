@@ -29,7 +29,7 @@ from cap.checker.folded.stops import (
 )
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 from checker.mixed_small import even

@@ -10,7 +10,7 @@ from support import seeded
 
 from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.system.course import course, forcing, reciprocal_number
+from cap.checker.system.course import ELAPSED, GROWTH, INVERSE, course, flight, response
 from cap.checker.system.friction import LEFT, REST, RIGHT
 from cap.checker.system.model import COS, SIN, Mode, Model
 from cap.checker.system.polynomial import ONE, ZERO, Polynomial, variable
@@ -59,6 +59,12 @@ def test_the_algebra_of_polynomials():
             (p.without(["x", "v"]), a.subs({"x": 0, "v": 0})),
         ):
             assert sympy.expand(symbolic(found) - truth) == 0
+        a_x = [sympy.diff(a, "x", n).subs("x", 0) / sympy.factorial(n) for n in range(4)]
+        found = [*map(symbolic, p.coefficients("x")), 0, 0, 0]
+        assert not any(sympy.expand(c - truth) for c, truth in zip(found, a_x, strict=False))
+        swapped = symbolic(p.substituted({"x": variable("v") * 2, "v": q}))
+        names = {"x": 2 * sympy.Symbol("v"), "v": b}
+        assert sympy.expand(swapped - a.subs(names, simultaneous=True)) == 0
         assert p.variables == {str(z) for z in sympy.expand(a).free_symbols}
         assert (p == q) == (sympy.expand(a - b) == 0)
         assert p + q - q == p
@@ -92,15 +98,18 @@ def viscosity(mu):
     return symbolic(Polynomial.of(mu)).subs("mu", sympy.Symbol("mu", positive=True))
 
 
-def response(model, mode, mu):
-    """Return U and V of the response in a mode, for sympy."""
-    equations = forcing(model, mode)
-    assert equations.is_exact == (not isinstance(mu, Polynomial))
-    if equations.is_exact:
-        U, V = equations.response(model.omega, lambda q: q, reciprocal_number)
-        return [list(map(symbolic, part)) for part in (U, V)]
-    U, V = equations.response(model.omega, symbolic, lambda q: 1 / q)
-    return [[q.subs("mu", viscosity(mu)) for q in part] for part in (U, V)]
+def unfolded(q, mu):
+    """Return a polynomial of ``course`` for sympy, with what its names stand for."""
+    m = viscosity(mu)
+    names = {name: integrals(k, -m * d) for k, name in enumerate(GROWTH)}
+    names |= {INVERSE: 1 / (sympy.Rational(OMEGA) ** 2 + m**2), ELAPSED: d, "mu": m}
+    return symbolic(q).subs({sympy.Symbol(name): value for name, value in names.items()})
+
+
+def parts(model, mode, mu):
+    """Return U and V of the responses of x and v in a mode, for sympy."""
+    found = [response(model, mode, z) for z in "xv"]
+    return [[unfolded(q.derivative(z), mu) for q in found] for z in (COS, SIN)]
 
 
 def integrals(k, z):
@@ -112,12 +121,8 @@ def integrals(k, z):
 
 
 def followed(model, mode, z, mu):
-    """Return x or v less its response after the time d by its course, for sympy."""
-    terms, rate = course(model, mode, variable(z))
-    *lower, last = [symbolic(q).subs("mu", viscosity(mu)) for q in terms]
-    k, rate = len(lower), symbolic(rate).subs("mu", viscosity(mu))
-    total = sum(q * d**n / sympy.factorial(n) for n, q in enumerate(lower))
-    return total + last * d**k * integrals(k, rate * d)
+    """Return x or v less its response after the time d, for sympy."""
+    return unfolded(flight(model, mode, z) - response(model, mode, z), mu)
 
 
 @pytest.mark.parametrize("mu", VISCOSITIES)
@@ -125,7 +130,7 @@ def followed(model, mode, z, mu):
 def test_courses_and_responses_solve_the_equation(s, mu):
     """Symbolically: their sum has the derivative of the field, and begins at x, v."""
     model = oscillator(OMEGA, mu=mu)
-    U, V = response(model, MODES[s], mu)
+    U, V = parts(model, MODES[s], mu)
     angle = sympy.Rational(OMEGA) * (t + d)
     forced = [u * sympy.cos(angle) + v * sympy.sin(angle) for u, v in zip(U, V, strict=True)]
     rests = [followed(model, MODES[s], z, mu) for z in "xv"]
@@ -143,7 +148,7 @@ def test_they_are_the_closed_forms_of_the_oscillator(s, mu):
     x less x_p is X + A d - C k(d), v less v_p is A - C h(d), C = mu A + s f; h, k as below."""
     model, m, omega = oscillator(OMEGA, mu=mu), viscosity(mu), sympy.Rational(OMEGA)
     P = 2 / (m**2 + omega**2)
-    U, V = response(model, MODES[s], mu)
+    U, V = parts(model, MODES[s], mu)
     for found, truth in zip((*U, *V), (-P, P * m, P * m / omega, P * omega), strict=True):
         assert is_zero(found - truth)
     x, A = sympy.symbols("x v")
@@ -173,15 +178,22 @@ def test_other_courses():
             course(bare(**field), "mode", X)
 
 
+def test_cubic_flights():
+    """Four variables, of which each drives the one before: x is a cubic and its response."""
+    model = bare(OMEGA, x=V, v=variable("u"), u=1 + C)
+    x = flight(model, "mode", "x")
+    over = Fraction(1) / OMEGA
+    D = variable(ELAPSED)
+    cubic = X + V * D + variable("u") * D * D * Fraction(1, 2) + D * D * D * Fraction(1, 6)
+    assert x == cubic - S * over**3
+
+
 def test_other_responses():
-    """Only of linear fields; at resonance there is none."""
-    for field in (V * X, V * C, C * C, C * S, V * V * V, X * X + C):
+    """Only of linear fields, and where no variable drives one that comes after it."""
+    for field in (V * X, V * C, C * C, C * S, V * V * V, X * X + C, C - X):
         with pytest.raises(Rejected, match="not linear"):
-            forcing(bare(x=V, v=field), "mode")
-    spring = bare(x=V, v=C - X)
-    with pytest.raises(Rejected, match="not determined"):
-        forcing(spring, "mode").response(spring.omega, lambda q: q, reciprocal_number)
-    spring = bare(Fraction(2), x=V, v=C - X)
-    cosines, sines = forcing(spring, "mode").response(spring.omega, lambda q: q, reciprocal_number)
-    third = Polynomial.of(Fraction(1, 3))
-    assert [*cosines, *sines] == [-third, ZERO, ZERO, third * 2]
+            response(bare(x=V, v=field), "mode", "v")
+    with pytest.raises(Rejected, match="not of a known form"):
+        flight(bare(x=V, v=C - X), "mode", "x")
+    grown = response(bare(Fraction(2), x=X + 5 * C), "mode", "x")
+    assert grown == S * 2 - C

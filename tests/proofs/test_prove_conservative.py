@@ -41,6 +41,7 @@ def test_two_flights():
     assert areas[1] < areas[0] < 3
 
 
+@pytest.mark.slow
 def test_how_far_it_is():
     """The part that is done grows, from the search to the end of the check."""
     told = []
@@ -60,6 +61,7 @@ def test_how_far_it_is():
     ]
 
 
+@pytest.mark.slow
 def test_an_interrupted_proof_goes_on(tmp_path, monkeypatch):
     """With a journal; ctrl-C leaves one that has all that was done."""
 

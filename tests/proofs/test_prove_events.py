@@ -68,6 +68,11 @@ PERIODIC = {  # the command's words; a guess; n; the type
 }
 
 
+def but_for(cases, *slow):
+    """Return cases for `parametrize`, some of them slow."""
+    return [pytest.param(case, marks=[pytest.mark.slow] * (case in slow)) for case in cases]
+
+
 def said(number, text):
     """Return whether a number stands in a text: as it is claimed, or as the same fraction."""
     exact = re.fullmatch(r"-?\d+(\.\d+)?", number) and str(Fraction(number))
@@ -79,7 +84,7 @@ def flowing(text):
     return " ".join(text.split())
 
 
-@pytest.mark.parametrize("name", PERIODIC)
+@pytest.mark.parametrize("name", but_for(PERIODIC, "losses"))
 def test_periodic_orbits(capsys, tmp_path, name):
     """The page has the numbers of the certificate, and they are those of an exact orbit."""
     words, kind = PERIODIC[name]
@@ -185,7 +190,7 @@ CAPTURES = {
 }
 
 
-@pytest.mark.parametrize("name", CAPTURES)
+@pytest.mark.parametrize("name", but_for(CAPTURES, "after a hit", "the left wall"))
 def test_captures(capsys, tmp_path, name):
     """Random states of the box: captured after the events told, when told, released when told."""
     path = tmp_path / "c.json"

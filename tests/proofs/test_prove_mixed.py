@@ -85,19 +85,14 @@ def test_how_far_it_is(coarse, told):
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("drag", "share", "least", "words"),
     [
-        pytest.param(
-            *("3/10", "attractor", 0.4, "is attracted to a periodic orbit that sticks"),
-            marks=pytest.mark.slow,
-        ),
+        ("3/10", "attractor", 0.4, "is attracted to a periodic orbit that sticks"),
         ("1/2", "segment", 0.6, "converges to an orbit of the segment"),
         ("3/5", "stops", 0.5, "stops at least once;"),
-        pytest.param(
-            *("1/5", "attractor", 0.2, "is attracted to a periodic orbit through a state"),
-            marks=pytest.mark.slow,
-        ),
+        ("1/5", "attractor", 0.2, "is attracted to a periodic orbit through a state"),
     ],
 )
 def test_other_systems(drag, share, least, words, monkeypatch):
@@ -117,6 +112,7 @@ def test_other_systems(drag, share, least, words, monkeypatch):
     assert words in " ".join(report.theorem(found).split())
 
 
+@pytest.mark.slow
 def test_many_gaps_are_not_halved(monkeypatch):
     """Where orbits do not come to sticks, the search for places ends."""
     p = replace(PAPER, f=Fraction(1, 5))

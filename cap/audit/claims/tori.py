@@ -154,10 +154,10 @@ def elliptic_orbit_of_two_particles() -> Verdict:
         f"m = (1, 9/10), no mass stops (least speed in {speed}), but one multiplier is in {outer}: "
         f"not elliptic. Of one family with the same contacts one multiplier is -1 at an m₂ in "
         f"{flip}, elliptic above it and not below, and a mass stops at an m₂ in {stop}. At f = {f} "
-        "one at this m is elliptic, without resonance of order ≤ 4, with a twist determinant in "
-        f"{determinant}, not 0. Whether one is at f = 2/5 is unknown. In the sense of Definition "
-        "9.2 there is none anywhere (particles.never-stopping-set-is-empty): here collisions "
-        "exchange signs",
+        "one at this m is elliptic, without resonance of order up to 4, with a twist determinant "
+        f"in {determinant}, not 0. Whether one is at f = 2/5 is unknown. In the sense of "
+        "Definition 9.2 there is none anywhere (particles.never-stopping-set-is-empty): here "
+        "collisions exchange signs",
         f"Stored certificates: {TWO_PARTICLES}, {NOT_ELLIPTIC}, {LIMITS}.",
         certificate=NOT_ELLIPTIC,
     )

@@ -31,8 +31,9 @@ from cap.checker.folded.slopes import Slopes
 from cap.checker.folded.slopes import after as slopes_after
 from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
+from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.polynomials import Model
-from cap.checker.kernel.reading import MAX_SIZE, decimal, number
+from cap.checker.kernel.reading import MAX_SIZE, number
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Many, Whole
 

@@ -104,7 +104,7 @@ class Near:
         place = self.M.walls[self.side] - height * self.side
         known = self.known | {"x": place, "v": speed * (-self.side * sign)}
         jets = {name: Jet(0, {(): q}) for name, q in known.items()}
-        return evaluate(g, jets, jets[COS]).constant
+        return evaluate(g, jets).constant
 
     def pull(self, states: States) -> Pull:
         """Return the bounds of -L^2 h over these states."""

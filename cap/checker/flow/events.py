@@ -14,6 +14,7 @@ from cap.checker.flow.capture import capture
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.hits import Event, hit
 from cap.checker.flow.itinerary import Passage, PeriodMap, limit_work
+from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics
 from cap.checker.flow.stops import Rest, release, stick, turn
 from cap.checker.kernel.interval import Interval
@@ -38,7 +39,7 @@ class LossyMap(PeriodMap):
 
     def mechanics(self, box: Box, m: Box, order: int) -> Mechanics:
         """Return the mechanics over a box."""
-        return Mechanics(self.p, box, m, order, self.periods, self.sets)
+        return Lossy(self.p, box, m, order, self.periods, self.sets)
 
     def event(self, M: Any, before: list[Event], now: Any, word: str, window: Ends) -> Any:
         """Prove the next event, and return it with the state after it.

@@ -56,7 +56,7 @@ from cap.checker.flow.exponential import phi
 from cap.checker.kernel.elementary import arccos, cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Theorem
+from cap.checker.system.walls import BetweenWalls
 
 
 class Velocity(NamedTuple):
@@ -69,7 +69,7 @@ class Velocity(NamedTuple):
     stroke: Interval
 
 
-class Free(Theorem):
+class Free(BetweenWalls):
     """A theorem about orbits that touch nothing."""
 
     def velocity(self) -> Velocity:

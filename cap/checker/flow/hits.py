@@ -68,7 +68,7 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, F
     before, after = ((M.place(flight, m).value - wall) * s for m in (first, last))
     need((-before).is_positive(), "the wall may be reached before a window begins")
     need(after.is_positive(), "the wall may not be reached when a window ends")
-    guard = M.laws.model.modes[MODES[s]].guards[WALL]
+    guard = M.laws.guard(s, WALL)
     moment = M.moment(event_time(M, flight, window, Zero.of(M, s, guard.value)))
     event = Event(word, moment, moment.cos.value * M.F, M.speed(flight, moment), flight)
     x, v = M.known(guard.reset["x"]), M.value(flight, guard.reset["v"], moment)

@@ -24,7 +24,7 @@ from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics, least
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, lift
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 MAX_EVENTS = 64
 MAX_WORK = 3 << 18

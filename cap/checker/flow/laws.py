@@ -2,48 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
-from typing import NamedTuple
 
-from cap.checker.flow.one_mass import MODES, OneMass, one_mass
-from cap.checker.kernel.theorem import Parameters
-from cap.checker.system.course import Course, Forcing, course, forcing, reciprocal_number
+from cap.checker.flow.one_mass import MODES, one_mass
+from cap.checker.system.course import ELAPSED, flight, response
 from cap.checker.system.friction import friction
-from cap.checker.system.model import COS, SIN, Model
+from cap.checker.system.model import Guard, Model
 from cap.checker.system.polynomial import Polynomial, variable
+from cap.checker.system.walls import Parameters
 
 
-class Laws(NamedTuple):
-    """A model with what follows from it, some of its constants being parameters.
+class Laws:
+    """A model with its constants, and with its flights and responses for both directions."""
 
-    For both directions: the courses of x and v, the equations of the response, and the response.
-    """
+    def __init__(self, model: Model) -> None:
+        self.model, self.mass = model, one_mass(model)
+        modes, state = MODES.items(), model.state
+        self.flights = {s: {z: flight(model, mode, z) for z in state} for s, mode in modes}
+        self.rests = {
+            s: {z: variable(z) - response(model, mode, z) for z in state} for s, mode in modes
+        }
+        self._along: dict[tuple[int, Polynomial], list[Polynomial]] = {}
 
-    model: Model
-    mass: OneMass
-    courses: Mapping[tuple[int, str], Course]
-    forcing: Mapping[int, Forcing]
-    responses: Mapping[int, Mapping[str, Polynomial]]
+    def guard(self, s: int, name: str) -> Guard:
+        """Return a guard of the mode of a direction."""
+        return self.model.modes[MODES[s]].guards[name]
+
+    def along(self, s: int, g: Polynomial) -> list[Polynomial]:
+        """Return a polynomial in the state on the flights of a direction, by the powers of d."""
+        if (s, g) not in self._along:
+            self._along[s, g] = g.substituted(self.flights[s]).coefficients(ELAPSED)
+        return self._along[s, g]
 
 
 @cache
 def laws(p: Parameters, names: tuple[str, ...]) -> Laws:
     """Return the laws of the oscillator, in which these constants are parameters."""
     numbers = {name: Polynomial.of(getattr(p, name)) for name in ("F", "f", "l", "r", "e", "mu")}
-    model = friction(p.omega, numbers | {name: variable(name) for name in names})
-    modes = MODES.items()
-    courses = {(s, z): course(model, mode, variable(z)) for s, mode in modes for z in model.state}
-    equations = {s: forcing(model, mode) for s, mode in modes}
-    responses = {s: _response(model, s, equations[s]) for s in MODES}
-    return Laws(model, one_mass(model), courses, equations, responses)
-
-
-def _response(model: Model, s: int, equations: Forcing) -> dict[str, Polynomial]:
-    """Return U cos wt + V sin wt in a mode; U and V are numbers, or further parameters."""
-    if equations.is_exact:
-        U, V = equations.response(model.omega, lambda q: q, reciprocal_number)
-    else:
-        U, V = ([variable(f"{part} {s} {z}") for z in model.state] for part in "UV")
-    parts = zip(model.state, U, V, strict=True)
-    return {z: variable(COS) * u + variable(SIN) * v for z, u, v in parts}
+    return Laws(friction(p.omega, numbers | {name: variable(name) for name in names}))

@@ -1,8 +1,8 @@
 """The flights of a mass between two walls, from the data of its model (``friction``).
 
-*Flights.*  ``course`` gives the closed form of x(t) and v(t) in each mode: for the direction s =
-+-1, x'' = F cos wt - s f - mu x'.  Any polynomial in the state, as a guard, and its derivative in
-time, its Lie derivative, is known along a flight with them.
+*Flights.*  ``course`` gives x(t) and v(t) in each mode as polynomials: for the direction s = +-1,
+x'' = F cos wt - s f - mu x'.  Any polynomial in the state, as a guard, and its derivative in time,
+its Lie derivative, is known along a flight with them.
 
 *The sign of the velocity.*  p(t) = e^(mu t) s v(t) has p' = e^(mu t) (s F cos wt - f) (Lemma C of
 ``lemmas``; ``one_mass``).  Since f < F, p' has simple zeros, and p its local minima at those with s
@@ -21,24 +21,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from functools import partial
-from math import factorial
 from typing import NamedTuple
 
-from cap.checker.flow.exponential import phi
 from cap.checker.flow.laws import laws
-from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.series import composed, divided, reciprocal
-from cap.checker.kernel.theorem import Parameters
-from cap.checker.system.course import Forcing
 from cap.checker.system.evaluation import evaluate
 from cap.checker.system.friction import STOP
 from cap.checker.system.model import COS, SIN
 from cap.checker.system.polynomial import Polynomial, variable
+from cap.checker.system.walls import Parameters
 
 Ends = tuple[Fraction, Fraction]
 Box = Sequence[Interval]
@@ -73,37 +67,24 @@ class Flight(NamedTuple):
 class Mechanics:
     """The mechanics at given parameters, over a box of initial states with a centre m.
 
-    Every method holds for all orbits from the box, and rejects if it does not succeed.  ``sets``
-    are intervals for some of the constants e and mu, in the place of those in the parameters: the
-    last variables of the box.
+    Every method holds for all orbits from the box, and rejects if it does not succeed.  Here
+    all constants are numbers, and mu = 0; with mu > 0 the flights have exponentials (``losses``).
     """
 
-    def __init__(
-        self,
-        p: Parameters,
-        box: Box,
-        m: Box,
-        order: int,
-        periods: int = 1,
-        sets: Mapping[str, Ends] | None = None,
-    ) -> None:
+    def __init__(self, p: Parameters, box: Box, m: Box, order: int, periods: int = 1) -> None:
         self.bits, self.order = box[0].bits, order
-        more = [Interval.enclosing(*q, self.bits) for q in (sets or {}).values()]
-        box, m = [*box, *more], [*m, *(q.midpoint() for q in more)]
         self.offsets = [z - c for z, c in zip(box, m, strict=True)]
         self.variables = [self._variable(n, *q) for n, q in enumerate(zip(box, m, strict=True))]
         self.x, self.v = (*self.variables, self.constant(self.number(Fraction(0))))[:2]
-        self.parameters = self._parameters(p, list(sets or ()))
+        self.parameters = self._parameters(p)
         self.laws = laws(p, tuple(self.parameters))
-        self.omega = self.number(self.laws.model.omega)
+        mass = self.laws.mass
+        self.omega, self.F = self.number(self.laws.model.omega), self.number(mass.F)
+        self.friction, self.e, self.mu = (self.known(q) for q in (mass.f, mass.e, mass.mu))
+        self.f = self.friction.value
+        self.walls = {s: self.known(wall).value for s, wall in mass.walls.items()}
         self.period = pi(self.bits) * 2 / self.omega
         self.horizon = self.period * periods
-        mass = self.laws.mass
-        self.F, self.friction = self.number(mass.F), self.known(mass.f)
-        self.e, self.mu = self.known(mass.e), self.known(mass.mu)
-        self.walls = {s: self.known(wall).value for s, wall in mass.walls.items()}
-        self.f = self.friction.value
-        self.parameters |= self._responses()
         self.minima = self._minima(periods)
 
     def _variable(self, n: int, box: Interval, m: Interval) -> Centred:
@@ -113,28 +94,9 @@ class Mechanics:
         jets = (Jet(self.order, {origin: z, unit: z.integer(1)}) for z in (m, box))
         return self.centred(*jets)
 
-    def _parameters(self, p: Parameters, names: Sequence[str]) -> dict[str, Centred]:  # noqa: ARG002
-        """Return the constants that are no numbers: the last variables."""
-        return dict(zip(names, self.variables[len(self.variables) - len(names) :], strict=True))
-
-    def _responses(self) -> dict[str, Centred]:
-        """Return U and V of both directions where they are no numbers, as ``laws`` names them."""
-        centre = {name: q.centre for name, q in self.parameters.items()}
-        box = {name: q.box for name, q in self.parameters.items()}
-        found = dict[str, Centred]()
-        for s, equations in self.laws.forcing.items():
-            if not equations.is_exact:
-                names = [f"{part} {s} {z}" for part in "UV" for z in self.laws.model.state]
-                jets = (self._response(equations, values) for values in (centre, box))
-                found |= {name: self.centred(*q) for name, *q in zip(names, *jets, strict=True)}
-        return found
-
-    def _response(self, equations: Forcing, values: Mapping[str, RealJet]) -> list[RealJet]:
-        """Return U and V as jets."""
-        like = next(iter(values.values()))
-        element = partial(evaluate, values=values, like=like)
-        U, V = equations.response(self.laws.model.omega, element, reciprocal)
-        return [*U, *V]
+    def _parameters(self, p: Parameters) -> dict[str, Centred]:  # noqa: ARG002
+        """Return the constants that are no numbers."""
+        return {}
 
     def _minima(self, periods: int) -> dict[int, Minima]:
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
@@ -165,11 +127,12 @@ class Mechanics:
 
     def known(self, q: Polynomial) -> Centred:
         """Return a number, or a polynomial in parameters."""
-        names = sorted(q.variables)
-        if not names:
-            return self.constant(self.number(q.number))
-        given = [self.parameters[name] for name in names]
-        return lift(lambda *jets: evaluate(q, dict(zip(names, jets, strict=True)), jets[0]), *given)
+        return self.of(q, {}) if q.variables else self.constant(self.number(q.number))
+
+    def of(self, q: Polynomial, values: Mapping[str, Centred]) -> Centred:
+        """Return a polynomial in these values and in parameters."""
+        given = {**values, **self.parameters}
+        return lift(lambda *jets: evaluate(q, dict(zip(given, jets, strict=True))), *given.values())
 
     def instant(self, t: Interval, cos: Interval, sin: Interval) -> Moment:
         """Return a moment that is the same for all orbits."""
@@ -185,42 +148,27 @@ class Mechanics:
         """Return the moment of a time that is a multiple of the period."""
         return self.instant(t, t.integer(1), t.integer(0))
 
-    # formulas for jets: of a flight, that is x and v less their responses, its start and the
-    # parameters; and of t, cos wt, sin wt
+    # formulas for jets: of a flight, that is of its rests, its start and the parameters (``arc``);
+    # and of t, cos wt, sin wt
 
     def along(self, s: int, g: Polynomial) -> Formula:
         """Return the formula of a polynomial in the state on the flights of a direction."""
-        needed = [z for z in self.laws.model.state if z in g.variables]
+        powers, names = self.laws.along(s, g), ("x", "v", "start", *self.parameters, "t", COS, SIN)
 
         def formula(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
-            x, v, start, *parameters = arc
-            t, cos, sin = when
-            values = dict(zip(self.parameters, parameters, strict=True))
-            values |= {COS: cos, SIN: sin}
-            rest, d = values | {"x": x, "v": v}, t - start
-            for z in needed:
-                values[z] = self._rest(s, z, rest, d) + self._forced(s, z, values, t)
-            return evaluate(g, values, t)
+            values = dict(zip(names, (*arc, *when), strict=True))
+            return self.after(values["t"] - values["start"], powers, values)
 
         return formula
 
-    def _rest(self, s: int, z: str, start: Mapping[str, RealJet], d: RealJet) -> RealJet:
-        """Return x or v less its response, after a time d (``course``)."""
-        terms, rate = self.laws.courses[s, z]
-        k = len(terms) - 1
-        total = evaluate(terms[k], start, d)
-        if rate.terms:
-            y = evaluate(rate, start, d) * d
-            series = [phi(k, y.constant, n) * factorial(k) for n in range(d.order + 1)]
-            total = total * composed(series, y)
-        for n in range(k, 0, -1):
-            total = d * total if n == 1 else divided(d * total, n)
-            total = evaluate(terms[n - 1], start, d) + total
+    def after(
+        self, d: RealJet, powers: Sequence[Polynomial], values: Mapping[str, RealJet]
+    ) -> RealJet:
+        """Return the sum of polynomials times powers of d, by Horner's rule."""
+        *lower, total = (evaluate(q, values) for q in powers)
+        for q in reversed(lower):
+            total = d * total + q
         return total
-
-    def _forced(self, s: int, z: str, values: Mapping[str, RealJet], like: RealJet) -> RealJet:
-        """Return the response of x or v."""
-        return evaluate(self.laws.responses[s][z], values, like)
 
     # flights over the box
 
@@ -228,15 +176,9 @@ class Mechanics:
         self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
     ) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
-
-        def rest(z: str, value: Centred) -> Centred:
-            def formula(now: RealJet, cos: RealJet, sin: RealJet, *parameters: RealJet) -> RealJet:
-                values = dict(zip(self.parameters, parameters, strict=True))
-                return now - self._forced(s, z, values | {COS: cos, SIN: sin}, now)
-
-            return lift(formula, value, start.cos, start.sin, *self.parameters.values())
-
-        return Flight(s, rest("x", x), rest("v", v), start, at_rest, minima)
+        given = {"x": x, "v": v, COS: start.cos, SIN: start.sin}
+        rest_x, rest_v = (self.of(q, given) for q in self.laws.rests[s].values())
+        return Flight(s, rest_x, rest_v, start, at_rest, minima)
 
     def arc(self, flight: Flight) -> tuple[Centred, ...]:
         """Return what determines the state on a flight."""
@@ -265,7 +207,7 @@ class Mechanics:
 
     def speed(self, flight: Flight, at: Moment) -> Centred:
         """Return the speed s v on a flight at a moment."""
-        return self.value(flight, self.laws.model.modes[MODES[flight.s]].guards[STOP].value, at)
+        return self.value(flight, self.laws.guard(flight.s, STOP).value, at)
 
     def least_speed(self, flight: Flight, end: Moment) -> Interval:
         """Return an enclosure of the least of s v at the start, the end, and the minima of p.

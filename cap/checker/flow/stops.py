@@ -28,7 +28,6 @@ from typing import NamedTuple
 
 from cap.checker.flow.hits import SIDES, Event, Zero, event_time, windowed
 from cap.checker.flow.mechanics import Ends, Flight, Mechanics
-from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
@@ -47,7 +46,7 @@ class Rest(NamedTuple):
 
 def rest_of(M: Mechanics, s: int) -> Zero:
     """Return s v(t), for a direction s."""
-    return Zero.of(M, s, M.laws.model.modes[MODES[s]].guards[STOP].value)
+    return Zero.of(M, s, M.laws.guard(s, STOP).value)
 
 
 def stop(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Centred]:

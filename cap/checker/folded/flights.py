@@ -39,7 +39,7 @@ from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import need_doubles
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 _BITS = 160
 Four = tuple[Pair, Pair, Pair, Pair]

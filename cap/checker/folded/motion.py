@@ -16,7 +16,7 @@ from cap.checker.folded.scout import Middle, scout
 from cap.checker.kernel import line, polynomials
 from cap.checker.kernel.angles import cos_sin, of
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 _ARCS = 12  # of a flight
 _NEAR = 1e-13  # more than the errors of the times here, all below 90

@@ -14,7 +14,7 @@ from cap.checker.folded.motion import Releases, System
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 NOTHING, FOLLOWED, HALVED = "0", "1", "2"
 LETTERS = NOTHING + FOLLOWED + HALVED

@@ -13,7 +13,7 @@ from cap.checker.folded.numbers import Pair
 from cap.checker.folded.portions import roof
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.walls import Parameters
 
 
 class Distances(NamedTuple):

@@ -111,27 +111,6 @@ def raised(p: Power) -> list[Power]:
 RealJet = Jet[Interval]
 
 
-def powers(jet: Jet[S], highest: int) -> list[Jet[S]]:
-    """Return jet^1, ..., jet^highest."""
-    result = [jet]
-    for _ in range(1, highest):
-        result.append(result[-1] * jet)
-    return result
-
-
-def substituted(polynomial: Jet[S], arguments: Sequence[Jet[S]]) -> Jet[S]:
-    """Return a polynomial with jets in the place of its variables, all without constant term."""
-    order = min(polynomial.order, arguments[0].order)
-    known = [powers(argument, order) for argument in arguments]
-    total = Jet[S](order, {})
-    for power, c in polynomial.coefficients.items():
-        first, *others = (known[n][k - 1] for n, k in enumerate(power) if k)
-        for factor in others:
-            first = first * factor
-        total = total + first * c
-    return total
-
-
 def cos_sin_jet(angle: RealJet) -> tuple[RealJet, RealJet]:
     """Return the cosine and the sine of a jet with intervals as coefficients."""
     cos, sin = cos_sin(angle.constant)

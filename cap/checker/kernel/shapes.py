@@ -9,7 +9,7 @@ must match it exactly: the same keys, but for those that are ``Maybe``; the same
     enclosure     an enclosure of one number, or of what a quantity takes, of any width
     region        a set of which something is claimed for all its points
 
-A *unit* is a product of powers of R = r - l, omega, F and m, the first mass, as "R^2 omega^-1".
+A *unit* is a product of powers of the units of the theorem, as "R^2 omega^-1".
 """
 
 from __future__ import annotations
@@ -118,20 +118,6 @@ class Word(NamedTuple):
         """Read it."""
         need(value in self.words, f"{where} is none of: {', '.join(self.words)}")
         return str(value)
-
-
-class Letters(NamedTuple):
-    """A sequence of these letters, so many at most."""
-
-    letters: str
-    most: int
-
-    def __call__(self, value: Any, where: str) -> str:
-        """Read it."""
-        read = text(value, where)
-        fits = 0 < len(read) <= self.most and set(read) <= set(self.letters)
-        need(fits, f"{where} is not a sequence of at most {self.most} letters {self.letters}")
-        return read
 
 
 class Whole(NamedTuple):

@@ -8,14 +8,13 @@ as narrow as the digits that are claimed.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Table, Whole
 
@@ -23,51 +22,24 @@ MAX_BITS = 4096
 BITS = Field("bits", Whole(64, MAX_BITS), "", "", "precision: numbers are multiples of 2^-bits")
 
 
-class Parameters(NamedTuple):
-    """The exact parameters of m x'' = F cos(omega t) - f sgn x' - mu x', l < x < r, v -> -e v.
-
-    Without masses m = 1.
-    """
-
-    F: Fraction
-    omega: Fraction
-    f: Fraction
-    l: Fraction
-    r: Fraction
-    e: Fraction = Fraction(1)
-    mu: Fraction = Fraction(0)
-    masses: tuple[Fraction, ...] = ()
-
-
-WITH_LOSSES = Parameters._fields[:7]
-SYSTEM = (
-    "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
-    "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
-)
-WITHOUT_LOSSES = WITH_LOSSES[:5]  # then e = 1, mu = 0
-FOR_ALL_F = ("F", "omega", "l", "r")
-TWO_MASSES = (*WITHOUT_LOSSES, "masses")
-
-
-def parameter_shapes(names: Sequence[str]) -> dict[str, Any]:
-    """Return the shapes of these parameters: numbers, but for the two masses."""
-    return {name: [number] * 2 if name == "masses" else number for name in names}
-
-
 class Certificate(NamedTuple):
     """What a certificate says; ``claims`` and ``hints`` have the shapes of its theorem's tables."""
 
     theorem: str
-    parameters: Parameters
+    parameters: Any
     digits: int
     claims: dict[str, Any]
     hints: dict[str, Any]
 
 
 class Theorem(ABC):
-    """A theorem, for one certificate.  Each step of its proof is reported, or rejects."""
+    """A theorem, for one certificate.  Each step of its proof is reported, or rejects.
 
-    PARAMETERS: ClassVar[tuple[str, ...]] = WITHOUT_LOSSES
+    ``PARAMETERS`` are their shapes; what a theorem is about, a subclass in ``system`` says: it
+    reads the parameters, and gives the ``units`` of claims as numbers.
+    """
+
+    PARAMETERS: ClassVar[dict[str, Any]]
     HINTS: ClassVar[Table]
     CLAIMS: ClassVar[Table]
     CITES: ClassVar[tuple[Citation, ...]] = ()
@@ -79,7 +51,13 @@ class Theorem(ABC):
         self.tell: Callable[[str, float], None] = lambda _words, _part: None  # how far a proof is
         self.p, self.claims = certificate.parameters, certificate.claims
         self.hints = certificate.hints
-        self.R, self.omega = self.p.r - self.p.l, self.p.omega
+
+    units: Mapping[str, Fraction]
+
+    @classmethod
+    @abstractmethod
+    def parameters(cls, given: dict[str, Any]) -> Any:
+        """Return the parameters of the system; those of no such system reject."""
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
@@ -112,12 +90,6 @@ class Theorem(ABC):
         for name, _, power in powers:
             value *= self.units[name] ** int(power or 1)
         return value
-
-    @property
-    def units(self) -> dict[str, Fraction]:
-        """Return what a unit is a product of: m is the first mass."""
-        mass = self.p.masses[0] if self.p.masses else Fraction(1)
-        return {"R": self.R, "omega": self.omega, "F": self.p.F, "m": mass}
 
     def confirm(self, **computed: Any) -> None:
         """Compare claims with what is computed."""

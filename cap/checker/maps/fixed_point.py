@@ -32,7 +32,8 @@ from cap.checker.kernel.jet import lift
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, enclosure, region
-from cap.checker.kernel.theorem import BITS, Theorem
+from cap.checker.kernel.theorem import BITS
+from cap.checker.system.walls import BetweenWalls
 
 STATE = {"x": region, "v": region}
 WINDOWS = Many(enclosure, 1, MAX_EVENTS)
@@ -75,7 +76,7 @@ def krawczyk(
     return K[0], K[1]
 
 
-class FixedPoint(Theorem):
+class FixedPoint(BetweenWalls):
     """A theorem about a fixed point."""
 
     # fmt: off

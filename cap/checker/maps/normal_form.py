@@ -38,8 +38,9 @@ from typing import NamedTuple
 from cap.checker.kernel.complex import Complex
 from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Jet, RealJet, substituted
+from cap.checker.kernel.jet import Jet, RealJet
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.substitution import substituted
 
 NORMAL_FORM = (
     "in a complex coordinate z around it, with dx^dv = (i/2) dz^dz^- there (so that positive "

@@ -6,8 +6,8 @@ from typing import Any
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.shapes import Field, Quantity
-from cap.checker.kernel.theorem import Theorem
 from cap.checker.one_one.closed_form import Symmetric
+from cap.checker.system.walls import BetweenWalls
 
 ONE_ONE = "T-periodic, with a velocity that never vanishes and one hit of each wall per period"
 _SYSTEM = (
@@ -28,7 +28,7 @@ STATE = (
 # fmt: on
 
 
-class Scaled(Theorem):
+class Scaled(BetweenWalls):
     """A theorem on (1,1) orbits: units and constants."""
 
     @property

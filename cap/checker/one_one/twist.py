@@ -49,9 +49,10 @@ from __future__ import annotations
 
 from typing import Generic, NamedTuple
 
-from cap.checker.kernel.jet import Jet, substituted
+from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.series import K, divided, nilpotent, plus, square_root
+from cap.checker.kernel.substitution import substituted
 from cap.checker.one_one.pairs import Pair, Pairs
 
 _ORDER = 3

@@ -23,7 +23,6 @@ from fractions import Fraction
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.particles.existence import (
     SIZE,
     Ends,
@@ -37,9 +36,10 @@ from cap.checker.particles.existence import (
 )
 from cap.checker.particles.mechanics import Contact, Mechanics, contacts
 from cap.checker.particles.orbit import Moment
+from cap.checker.system.masses import MassParameters
 
 
-def with_second(p: Parameters, mass: Fraction) -> Parameters:
+def with_second(p: MassParameters, mass: Fraction) -> MassParameters:
     """Return the parameters with this second mass."""
     return p._replace(masses=(p.masses[0], mass))
 
@@ -47,7 +47,7 @@ def with_second(p: Parameters, mass: Fraction) -> Parameters:
 class Family(Mechanics):
     """All systems whose second mass lies in an interval."""
 
-    def __init__(self, p: Parameters, second: Ends, bits: int) -> None:
+    def __init__(self, p: MassParameters, second: Ends, bits: int) -> None:
         lower, upper = second
         need(0 < lower <= upper < p.masses[0], "the second mass may not be below the first")
         super().__init__(with_second(p, upper), bits)
@@ -117,7 +117,7 @@ class Family(Mechanics):
         return result
 
 
-def moved(p: Parameters, second: Ends, itinerary: Sequence[str], c: Row, bits: int) -> Moved:
+def moved(p: MassParameters, second: Ends, itinerary: Sequence[str], c: Row, bits: int) -> Moved:
     """Return G(c) for all second masses of an interval, in mean value form around its middle."""
     family, middle = Family(p, second, bits), (second[0] + second[1]) / 2
     at = Mechanics(with_second(p, middle), bits)

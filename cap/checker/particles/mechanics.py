@@ -26,7 +26,7 @@ from typing import NamedTuple
 from cap.checker.kernel.elementary import arccos, cos_sin, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
+from cap.checker.system.masses import MassParameters
 
 NORMALS = {"hit l": (1, 0), "hit r": (0, 1), "meet 1 2": (1, -1)}
 Pair = tuple[Interval, Interval]
@@ -62,7 +62,7 @@ class Flight(NamedTuple):
 class Mechanics:
     """The system in intervals."""
 
-    def __init__(self, p: Parameters, bits: int) -> None:
+    def __init__(self, p: MassParameters, bits: int) -> None:
         self.p, self.bits = p, bits
         self.F, self.omega, self.f = (self.number(q) for q in (p.F, p.omega, p.f))
         self.m = [self.number(m) for m in p.masses]

@@ -39,8 +39,9 @@ from collections.abc import Sequence
 
 from cap.checker.kernel.complex import Complex
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Jet, Power, RealJet, substituted
+from cap.checker.kernel.jet import Jet, Power, RealJet
 from cap.checker.kernel.rejection import need
+from cap.checker.kernel.substitution import substituted
 from cap.checker.particles.existence import Matrix
 from cap.checker.particles.mechanics import NORMALS, Contact, Instant, Mechanics, sign
 from cap.checker.particles.monodromy import Plane

@@ -15,15 +15,14 @@ from typing import Any, ClassVar
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import TWO_MASSES, Theorem
 from cap.checker.particles.existence import Ends, Equations, krawczyk, lies_in, needs_matrix
 from cap.checker.particles.mechanics import Mechanics
+from cap.checker.system.masses import TwoMasses
 
 
-class ZeroOfEvents(Theorem):
+class ZeroOfEvents(TwoMasses):
     """An orbit of two masses, by its events; claims named in ``LISTED`` have one entry for each."""
 
-    PARAMETERS = TWO_MASSES
     LISTED: ClassVar[tuple[str, ...]]
 
     @classmethod

@@ -11,19 +11,19 @@ variables separately; conditions are tested with enclosures over the box, of f a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from cap.checker.flow.events import LossyMap
 from cap.checker.flow.hits import Event
-from cap.checker.flow.mechanics import Box, Ends, Mechanics, Minima, Moment
+from cap.checker.flow.losses import Lossy
+from cap.checker.flow.mechanics import Box, Ends, Minima, Moment
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, cos_sin_jet, lift
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.release.halts import HALTS, halt
+from cap.checker.system.walls import Parameters
 
 
 def phases(p: Parameters, f: Ends, bits: int) -> Interval:
@@ -31,10 +31,10 @@ def phases(p: Parameters, f: Ends, bits: int) -> Interval:
     return arccos(Interval.enclosing(f[0] / p.F, f[1] / p.F, bits))
 
 
-class Driven(Mechanics):
+class Driven(Lossy):
     """The mechanics with theta for the last variable; the f of the parameters is not used."""
 
-    def _parameters(self, p: Parameters, names: Sequence[str]) -> dict[str, Centred]:  # noqa: ARG002
+    def varying(self, p: Parameters) -> dict[str, Centred]:
         """Return f as a function of theta."""
         self.theta = self.variables[-1]
         theta, F = self.theta.value, self.number(p.F)

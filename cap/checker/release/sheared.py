@@ -17,9 +17,9 @@ from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, lift, raised
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.release.driven import Driven, DrivenMap
 from cap.checker.release.releases import next_release
+from cap.checker.system.walls import Parameters
 
 _HORIZON = 17  # periods
 

@@ -11,11 +11,11 @@ from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.theorem import Parameters
 from cap.checker.maps.fixed_point import ends
 from cap.checker.release.driven import phases
 from cap.checker.release.kneading import doubling, extreme, order, tent
 from cap.checker.release.sheared import Line, Near, Passage, Sheared
+from cap.checker.system.walls import Parameters
 
 MOST_ENTROPY = Fraction(693148, 10**6)  # above log 2: no unimodal map has more
 

@@ -1,20 +1,18 @@
 """exp(M d) for a matrix M of rational numbers: rows of it at a point, and over an interval.
 
-*At a point* d: the i-th row of exp(M d) is the sum of the rows T_0 = the i-th unit row and T_j =
-T_(j-1) M d/j.  The loop computes them in units 2^-p, each entry rounded to nearest.  Let c be the
-largest column sum of |M|, so that no entry of a row times M is above c times the largest entry of
-that row; a = c |d| and m = 2 floor(a) + 2 > 2 a.  The errors e_j <= e_(j-1) a/j + 1/2 are at most
-
-    e_j <= (1/2) sum over i < j of a^i/i! < e^a/2 < 2^m,
-
-for (j - i)!/j! <= 1/i!.  The loop ends with j = N when T_N, as computed, is 0 and N >= m.  So the
-true T_N is below 2^m, and each later one at most half of the one before, as a/(N + 1) < 1/2:
-together below 2^(m+1).  With the N terms before, the sum is wrong by less than (N + 2) 2^m.
+*At a point* d = 2^s y, |y| <= 1: the i-th row of exp(M d) is the sum of the rows c_j y^j, c_j =
+(the i-th unit row) (2^s M)^j/j!.  Let c be the largest column sum of |M|, so that no entry of a row
+times M is above c times the largest entry of that row; with a = 2^s c no entry of c_j is above b_j
+= a^j/j!.  The c_j are computed exactly, and rounded to nearest in units 2^-p; those from j = N on
+are left out, where N >= 2a and b_N <= 2^-p: each b_j is at most half of the one before, so together
+they are at most two units.  Horner's rule rounds each product with y down; an error is not enlarged
+by the products after it.  So the sum is wrong by at most N/2 + N + 2 units.
 
 *Over an interval* [a, b], R_k = (unit row) exp(M t) M^k has the derivative R_(k+1).  An entry of
 R_k whose derivative has one sign lies between its values at the ends; any other one lies, by the
-mean value theorem, in its value at a + (its derivatives) [0, b - a].  For the last R_(k+1) needed,
-let D = [0, b - a] and z = c (b - a) <= 1:
+mean value theorem, in its value at a + (its derivatives) [0, b - a]; so does any one if b - a is so
+small that R_k(b) is not computed.  For the last R_(k+1) needed, let D = [0, b - a] and z = c (b -
+a) <= 1:
 
     R_0(t) lies in R_0(a) (1 + M D + M^2 D^2/2) + [-r, r],    r = |R_0(a)| z^3/2,
 
@@ -30,7 +28,8 @@ from math import lcm
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 
-MOST = 200  # of c |d|
+MOST = 400  # of a
+GUARD = 16  # p - bits
 Row = list[Interval]
 
 
@@ -44,45 +43,55 @@ class Exponential:
         self.columns = [[(k, int(x * self.common)) for k, x in column] for column in columns]
         self.norm = max(sum((abs(x) for _, x in column), Fraction(0)) for column in columns)
         self._known = dict[tuple[int, int], Row]()
+        self._tables = dict[tuple[int, int], list[list[int]]]()
 
     def over(self, i: int, d: Interval, order: int = 0) -> list[Row]:
         """Return enclosures of the i-th row of M^k exp(M t) for all t in d, k = 0, ..., order."""
-        left, right = (self._rates(self.at(i, z), order) for z in (d.lo, d.hi))
+        left = self._rates(self.at(i, d.lo), order)
         if d.lo == d.hi:
             return left
-        span = Interval(0, d.hi - d.lo, self.bits)
+        span, narrow = Interval(0, d.width, self.bits), d.width < 1 << self.bits // 2
+        right = left if narrow else self._rates(self.at(i, d.hi), order)
         above = self._rates(self._whole(left[0], span), order + 1)[-1]
         rows = list[Row]()
         for a, b in zip(reversed(left), reversed(right), strict=True):
-            above = [_between(*entry, span) for entry in zip(a, b, above, strict=True)]
+            if narrow:
+                above = [x + slope * span for x, slope in zip(a, above, strict=True)]
+            else:
+                above = [_between(*entry, span) for entry in zip(a, b, above, strict=True)]
             rows.append(above)
         return rows[::-1]
 
     def at(self, i: int, z: int) -> Row:
         """Return the i-th row at the point z 2^-bits."""
         if (i, z) not in self._known:
-            self._known[i, z] = self._at(i, z)
+            s = max(0, abs(z).bit_length() - self.bits)
+            if (i, s) not in self._tables:
+                self._tables[i, s] = self._table(i, s)
+            p, row = self.bits + GUARD, Row()
+            for column in self._tables[i, s]:
+                total = 0
+                for c in column:
+                    total = c + (total * z >> self.bits + s)
+                error = 2 * len(column) + 2
+                row.append(Interval(total - error, total + error, p).with_bits(self.bits))
+            self._known[i, z] = row
         return self._known[i, z]
 
-    def _at(self, i: int, z: int) -> Row:
-        """Return the sum of the series."""
-        a = self.norm * abs(z)
-        need(a <= MOST << self.bits, "a flight is too long for an exponential")
-        m = 2 * (int(a) >> self.bits) + 2
-        p = self.bits + m + 16
-        term = [int(i == j) << p for j in range(len(self.columns))]
-        total, j = [0] * len(term), 0
-        while any(term) or j < m:
-            total = [s + t for s, t in zip(total, term, strict=True)]
+    def _table(self, i: int, s: int) -> list[list[int]]:
+        """Return for each column its entries of c_(N-1), ..., c_0."""
+        a, p = self.norm * 2**s, self.bits + GUARD
+        need(a <= MOST, "a flight is too long for an exponential")
+        power = [int(i == j) for j in range(len(self.columns))]  # c_j = power/divisor
+        found, divisor, bound, j = list[list[int]](), 1, 1 << p, 0
+        least = 2 * a
+        while j < least or bound > 1:
+            found.append([((x << p + 1) + divisor) // (2 * divisor) for x in power])
             j += 1
-            term = self._next(term, z, self.common * j << self.bits)
-        error = (j + 2) << m
-        return [Interval(s - error, s + error, p).with_bits(self.bits) for s in total]
-
-    def _next(self, term: list[int], z: int, unit: int) -> list[int]:
-        """Return T M z/unit, rounded to nearest."""
-        sums = (sum(term[k] * x for k, x in column) for column in self.columns)
-        return [(2 * z * s + unit) // (2 * unit) for s in sums]
+            sums = (sum(power[k] * x for k, x in column) for column in self.columns)
+            power, divisor = [x << s for x in sums], divisor * self.common * j
+            bound = -(-bound * a.numerator // (a.denominator * j))
+        return [list(column) for column in zip(*reversed(found), strict=True)]
 
     def _rates(self, row: Row, order: int) -> list[Row]:
         """Return the row, and the row times M, ..., M^order."""

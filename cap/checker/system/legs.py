@@ -22,7 +22,7 @@ from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import need
 from cap.checker.system.evaluation import evaluate
 from cap.checker.system.exponential import Exponential
-from cap.checker.system.model import CLOCK, COS, Model
+from cap.checker.system.model import CLOCK, Model
 from cap.checker.system.polynomial import Polynomial
 
 
@@ -56,14 +56,16 @@ class Leg:
 
     def state(self, t: Interval) -> dict[str, Interval]:
         """Return the state at all times of an interval, for all of the flights."""
-        values = dict(zip(CLOCK, self._clock(t), strict=True))
-        for i, z in enumerate(self.model.state):
-            row = self.exponential.over(i, t - self.start)[0]
-            terms = (a * y for a, y in zip(row, self.begin, strict=True))
-            values[z] = sum(terms, t.integer(0))
-        return values
+        return {z: self._variable(z, t) for z in self.model.state}
+
+    def _variable(self, z: str, t: Interval) -> Interval:
+        """Return one of its variables."""
+        row = self.exponential.over(self.model.state.index(z), t - self.start)[0]
+        return sum((a * y for a, y in zip(row, self.begin, strict=True)), t.integer(0))
 
     def over(self, g: Polynomial, t: Interval) -> Interval:
         """Return a polynomial in the state at all times of an interval, for all of the flights."""
-        jets = {name: Jet(0, {(): q}) for name, q in self.state(t).items()}
-        return evaluate(g, jets, jets[COS]).constant
+        values = dict(zip(CLOCK, self._clock(t), strict=True))
+        values |= {z: self._variable(z, t) for z in self.model.state if z in g.variables}
+        jets = {name: Jet(0, {(): q}) for name, q in values.items()}
+        return evaluate(g, jets).constant

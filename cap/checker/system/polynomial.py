@@ -73,6 +73,24 @@ class Polynomial:
                 total += Polynomial({tuple(sorted(others)): c * power[name]})
         return total
 
+    def substituted(self, values: Mapping[str, Polynomial]) -> Polynomial:
+        """Return the polynomial with others in the place of some variables."""
+        total = ZERO
+        for monomial, c in self.terms.items():
+            term = Polynomial({(): c})
+            for name in monomial:
+                term = term * values.get(name, variable(name))
+            total += term
+        return total
+
+    def coefficients(self, name: str) -> list[Polynomial]:
+        """Return the coefficients of the powers of a variable, from the power 0 on."""
+        found: list[Polynomial] = [ZERO] * (1 + max((m.count(name) for m in self.terms), default=0))
+        for monomial, c in self.terms.items():
+            others = tuple(z for z in monomial if z != name)
+            found[monomial.count(name)] += Polynomial({others: c})
+        return found
+
     def without(self, names: Iterable[str]) -> Polynomial:
         """Return the terms in which none of these variables occurs."""
         left = set(names)

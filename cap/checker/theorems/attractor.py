@@ -47,13 +47,14 @@ from typing import Any, ClassVar, NamedTuple
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.mechanics import Ends
+from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
-from cap.checker.kernel.reading import decimal, number
+from cap.checker.kernel.letters import Letters
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Field,
-    Letters,
     Many,
     Quantity,
     Table,
@@ -62,11 +63,12 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import BITS, MAX_BITS, SYSTEM, WITH_LOSSES, Theorem
+from cap.checker.kernel.theorem import BITS, MAX_BITS
 from cap.checker.maps.fixed_point import STATE, ends
 from cap.checker.release.cited import ENTROPY
 from cap.checker.release.kneading import doubling, order, tent
 from cap.checker.release.releases import next_release
+from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
@@ -90,7 +92,7 @@ class Cell(NamedTuple):
     curve: int
 
 
-class Attractor(Theorem):
+class Attractor(BetweenWalls):
     """The interval, its unimodal map, and its entropy."""
 
     PARAMETERS = WITH_LOSSES

@@ -38,12 +38,13 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word, enclosure, region
-from cap.checker.kernel.theorem import BITS, FOR_ALL_F, Certificate
+from cap.checker.kernel.theorem import BITS, Certificate
 from cap.checker.one_one import pairs
 from cap.checker.one_one.closed_form import birth
 from cap.checker.one_one.scaled import SYSTEM_FOR_ALL_F, Scaled
 from cap.checker.one_one.taylor_model import TaylorModel
 from cap.checker.one_one.twist import regularised_twist
+from cap.checker.system.walls import FOR_ALL_F
 
 MAX_CELLS = 512
 MAX_WORK = 1 << 27  # bits^2 times cells and zeros of the twist

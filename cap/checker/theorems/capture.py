@@ -16,14 +16,15 @@ from cap.checker.flow.itinerary import MAX_EVENTS
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word, bound, enclosure
-from cap.checker.kernel.theorem import BITS, SYSTEM, WITH_LOSSES, Theorem
+from cap.checker.kernel.theorem import BITS
 from cap.checker.maps.fixed_point import STATE, WINDOWS, ends
+from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
 
 _ORDER = 3  # of the jets over the box
 _HORIZON = 16  # periods
 
 
-class Capture(Theorem):
+class Capture(BetweenWalls):
     """All orbits from the interior of a box are captured."""
 
     PARAMETERS = WITH_LOSSES

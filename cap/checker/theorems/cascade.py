@@ -39,9 +39,10 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, enclosure
-from cap.checker.kernel.theorem import BITS, WITH_LOSSES, Theorem
+from cap.checker.kernel.theorem import BITS
 from cap.checker.maps.fixed_point import ends
 from cap.checker.release.sheared import Passage, Sheared
+from cap.checker.system.walls import WITH_LOSSES, BetweenWalls
 
 _MAX_EVENTS, _MAX_DOUBLINGS, _MAX_PERIOD, _MAX_POINTS = 16, 8, 12, 512
 _MAX_BITS, _MAX_WORK = 1024, 3 << 20
@@ -82,10 +83,10 @@ class Doubling(NamedTuple):
     derivatives: Derivatives
 
 
-class Cascade(Theorem):
+class Cascade(BetweenWalls):
     """The values of f where cycles double their period, and the ratios of their differences."""
 
-    PARAMETERS = tuple(name for name in WITH_LOSSES if name != "f")
+    PARAMETERS = {name: shape for name, shape in WITH_LOSSES.items() if name != "f"}  # noqa: RUF012
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS._replace(shape=Whole(64, _MAX_BITS)),

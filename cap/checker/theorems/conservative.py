@@ -48,16 +48,16 @@ from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, bound
-from cap.checker.kernel.theorem import SYSTEM, Theorem
 from cap.checker.strips.ceiling import Flights, closed, descends, returns_in_time
 from cap.checker.strips.columns import Column, columns, lines
 from cap.checker.strips.overlap import gaps, left
 from cap.checker.strips.strips import Ceiling, World
+from cap.checker.system.walls import SYSTEM, BetweenWalls
 
 _CEILING = {"height": number, "phase": number, "level": number}
 
 
-class Conservative(Theorem):
+class Conservative(BetweenWalls):
     """An upper bound of the area of the states whose velocity never vanishes."""
 
     # fmt: off

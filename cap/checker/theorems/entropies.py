@@ -40,12 +40,12 @@ from typing import Any, ClassVar
 from cap.checker.flow.events import WORDS
 from cap.checker.kernel.choices import OrNone
 from cap.checker.kernel.citation import cite
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import (
     Enclosure,
     Field,
-    Letters,
     Many,
     Table,
     Whole,
@@ -53,10 +53,11 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import BITS, MAX_BITS, WITH_LOSSES, Theorem
+from cap.checker.kernel.theorem import BITS, MAX_BITS
 from cap.checker.maps.fixed_point import ends
 from cap.checker.release.halts import HALTS
 from cap.checker.release.strip import Strip, pieces_ends
+from cap.checker.system.walls import WITH_LOSSES, BetweenWalls
 
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
 _MAX_PERIOD = 16
@@ -82,10 +83,10 @@ CELL = {
 }
 
 
-class Entropies(Theorem):
+class Entropies(BetweenWalls):
     """The strips, their pieces, and the share of the range with positive entropy."""
 
-    PARAMETERS = tuple(name for name in WITH_LOSSES if name != "f")
+    PARAMETERS = {name: shape for name, shape in WITH_LOSSES.items() if name != "f"}  # noqa: RUF012
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS._replace(shape=Whole(64, MAX_BITS // 4)),

@@ -35,10 +35,11 @@ from __future__ import annotations
 from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
-from cap.checker.kernel.theorem import BITS, SYSTEM, WITH_LOSSES, Theorem
+from cap.checker.kernel.theorem import BITS
+from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
 
 
-class Impulse(Theorem):
+class Impulse(BetweenWalls):
     """Every motion comes to rest."""
 
     PARAMETERS = WITH_LOSSES

@@ -57,9 +57,10 @@ from cap.checker.flow.launches import Gap, Phase, Window, empty, phase
 from cap.checker.kernel.choices import OrNone
 from cap.checker.kernel.elementary import arccos, cos_sin
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.shapes import Field, Letters, Many, Quantity, Whole, Word, bound
+from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, Word, bound
 from cap.checker.kernel.theorem import BITS
 from cap.checker.one_one.closed_form import Symmetric, birth, friction
 from cap.checker.one_one.pairs import over_intervals, slowest

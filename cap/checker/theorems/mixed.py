@@ -59,13 +59,15 @@ from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.folded.units import Units, below
 from cap.checker.kernel.citation import Citation
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
-from cap.checker.kernel.shapes import Field, Later, Letters, Maybe, Whole, enclosure, region
-from cap.checker.kernel.theorem import BITS, SYSTEM, WITHOUT_LOSSES, Certificate, Theorem
+from cap.checker.kernel.shapes import Field, Later, Maybe, Whole, enclosure, region
+from cap.checker.kernel.theorem import BITS, Certificate
 from cap.checker.release.cited import ENTROPY
+from cap.checker.system.walls import SYSTEM, BetweenWalls, Parameters
 
 MOST_FLIGHTS = 1 << 25
 _MOST_SIZE = MAX_SIZE**3  # of speeds, products of parameters
@@ -92,10 +94,10 @@ def where_claimed(citation: Citation) -> Citation:
     return citation | {"hypotheses": found}
 
 
-class Mixed(Theorem):
+class Mixed(BetweenWalls):
     """The shares of the states that tend to the attractor, to the segment, or stop."""
 
-    PARAMETERS = WITHOUT_LOSSES
+    p: Parameters
     PARTS: ClassVar[dict[str, str]] = {
         name: f"{attracting.__name__}.{name}" for name in attracting.NAMES
     }

@@ -32,7 +32,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word
-from cap.checker.kernel.theorem import BITS, TWO_MASSES, Theorem
+from cap.checker.kernel.theorem import BITS
 from cap.checker.particles.existence import (
     SIZE,
     Ends,
@@ -54,6 +54,7 @@ from cap.checker.particles.orbit import (
     speeds,
 )
 from cap.checker.particles.periodic_orbit import LEAST, MOST, listed
+from cap.checker.system.masses import TwoMasses
 
 MOST_NODES, MOST_WORK = 512, 1 << 33
 POINT = listed([number] * SIZE)
@@ -75,10 +76,9 @@ class Crossing(NamedTuple):
     ends: list[tuple[Mechanics, list[Contact]]]
 
 
-class ParticlesLimits(Theorem):
+class ParticlesLimits(TwoMasses):
     """The second mass at which ellipticity is lost, and the one at which a mass stops."""
 
-    PARAMETERS = TWO_MASSES
     # fmt: off
     HINTS = (
         BITS,

@@ -49,7 +49,6 @@ from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
-from cap.checker.kernel.theorem import SYSTEM, WITH_LOSSES
 from cap.checker.maps.fixed_point import (
     KRAWCZYK_ORDER,
     WINDOWS,
@@ -59,6 +58,7 @@ from cap.checker.maps.fixed_point import (
     ends,
     krawczyk_theorem,
 )
+from cap.checker.system.walls import SYSTEM, WITH_LOSSES
 
 MAX_PERIODS = 16
 SINKS = ("superstable", "sink focus", "sink node")

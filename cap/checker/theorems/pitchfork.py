@@ -30,10 +30,11 @@ from __future__ import annotations
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Field, Quantity
-from cap.checker.kernel.theorem import BITS, FOR_ALL_F
+from cap.checker.kernel.theorem import BITS
 from cap.checker.one_one.closed_form import Symmetric, birth, friction
 from cap.checker.one_one.pairs import over_intervals
 from cap.checker.one_one.scaled import STATE, SYSTEM_FOR_ALL_F, Scaled
+from cap.checker.system.walls import FOR_ALL_F
 
 
 class Pitchfork(Scaled):

@@ -19,11 +19,13 @@ open set of the area 2 (L d - a_1 d^2/2 - a_2 d^3/3), L = right - left, if D(d) 
 from __future__ import annotations
 
 from cap.checker.flow.free import Free, Velocity
+from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.reading import decimal, number
+from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
-from cap.checker.kernel.theorem import BITS, SYSTEM, WITH_LOSSES
+from cap.checker.kernel.theorem import BITS
+from cap.checker.system.walls import SYSTEM, WITH_LOSSES
 
 
 class Segment(Free):

@@ -43,13 +43,13 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
-from cap.checker.kernel.theorem import BITS, TWO_MASSES
+from cap.checker.kernel.theorem import BITS
+from cap.checker.system.masses import TwoMasses
 
 
-class Sliding(Free):
+class Sliding(TwoMasses, Free):
     """Two masses that touch nothing."""
 
-    PARAMETERS = TWO_MASSES
     HINTS = (BITS,)
     # fmt: off
     CLAIMS = (

@@ -24,8 +24,9 @@ from itertools import chain, combinations, cycle
 from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Letters, Many, Quantity, Table, enclosure, region
+from cap.checker.kernel.shapes import Field, Many, Quantity, Table, enclosure, region
 from cap.checker.maps.fixed_point import ends
 from cap.checker.theorems.attractor import Attractor
 

@@ -1,0 +1,73 @@
+"""What theorems about a mass between two walls share: its parameters, its units, its sentence.
+
+    x'' = F cos(omega t) - f sgn x' - mu x',    l < x < r,    v -> -e v at the walls
+
+Claims are in units of R = r - l, omega, F, and m, which is 1 here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from cap.checker.kernel.reading import MAX_SIZE, number
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.theorem import Certificate, Theorem
+
+
+class Parameters(NamedTuple):
+    """The exact parameters."""
+
+    F: Fraction
+    omega: Fraction
+    f: Fraction
+    l: Fraction
+    r: Fraction
+    e: Fraction = Fraction(1)
+    mu: Fraction = Fraction(0)
+
+
+Shapes = dict[str, Any]
+WITH_LOSSES: Shapes = dict.fromkeys(Parameters._fields, number)
+WITHOUT_LOSSES: Shapes = dict.fromkeys(Parameters._fields[:5], number)  # then e = 1, mu = 0
+FOR_ALL_F: Shapes = dict.fromkeys(("F", "omega", "l", "r"), number)
+SYSTEM = (
+    "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
+    "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
+)
+
+
+class BetweenWalls(Theorem):
+    """A theorem about a mass between two walls."""
+
+    PARAMETERS = WITHOUT_LOSSES
+
+    def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
+        super().__init__(certificate, step)
+        self.R: Fraction = self.p.r - self.p.l
+        self.omega: Fraction = self.p.omega
+        self.units = {"R": self.R, "omega": self.omega, "F": self.p.F, "m": Fraction(1)}
+
+    @classmethod
+    def parameters(cls, given: dict[str, Any]) -> Any:
+        """Return the parameters; where a theorem is about all f, f is set to 0, and is not used."""
+        p = Parameters(**{"f": Fraction(0)} | given)
+        confirm_walls(p)
+        need(0 < p.e <= 1, "0 < e <= 1 does not hold")
+        need(p.mu >= 0, "mu >= 0 does not hold")
+        confirm_sizes((p.F, p.omega, abs(p.l), abs(p.r), p.mu), (p.F, p.omega, p.r - p.l))
+        return p
+
+
+def confirm_walls(p: Any) -> None:
+    """Reject an oscillation, friction or walls that are none."""
+    need(p.omega > 0, "omega is not positive")
+    need(0 <= p.f < p.F, "0 <= f < F does not hold")
+    need(p.l < p.r, "l < r does not hold")
+
+
+def confirm_sizes(large: Iterable[Fraction], small: Iterable[Fraction]) -> None:
+    """Reject numbers that are too large, and positive ones that are too small."""
+    fits = max(large) <= MAX_SIZE and min(small) * MAX_SIZE >= 1
+    need(fits, "the parameters are not between 10^-30 and 10^30 in size")
