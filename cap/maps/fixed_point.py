@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from cap.errors import NotProved
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
+from cap.flow.image import image
 from cap.flow.model import Oscillator
 from cap.flow.strobe import Orbit, strobe
 from cap.flow.windows import Itinerary, find_windows, is_capture
@@ -88,8 +89,8 @@ def existence(
     box = hint.box(reach)
     orbit = strobe(osc, box, expected, BALLS, periods)
     with interval.guarded():  # K cannot be narrower than Φⁿ(m)
-        image = strobe(osc, hint.point, tightened(orbit, expected), BALLS, periods).end
-    return Existence(contract(hint, image, orbit.monodromy, box), orbit, image)
+        end = image(osc, hint.point, tightened(orbit, expected), periods)
+    return Existence(contract(hint, end, orbit.monodromy, box), orbit, end)
 
 
 def tightened(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
@@ -119,11 +120,11 @@ def prove(
     radius, n = Fraction(100, 10**digits), start.periods
     reach = radius * scale[0], radius * scale[1]
     expected = find_windows(osc, hint.box(reach), events, BALLS, n)
-    box, orbit, image = existence(osc, hint, reach, expected, n)
+    box, orbit, end = existence(osc, hint, reach, expected, n)
     expected, m = tightened(orbit, expected), hint.point
     while True:  # P* in box implies P* in K(box), with Φ' between m and P*: until nothing is gained
         way = interval.hull(box[0], m[0]), interval.hull(box[1], m[1])
-        k = operator(hint, image, strobe(osc, way, expected, BALLS, n).monodromy, box)
+        k = operator(hint, end, strobe(osc, way, expected, BALLS, n).monodromy, box)
         tighter = interval.intersection(k[0], box[0]), interval.intersection(k[1], box[1])
         if not any(10 * new.rad() < 9 * old.rad() for new, old in zip(tighter, box, strict=True)):
             return FixedPoint(hint, reach, box, strobe(osc, box, expected, BALLS, n), n)
@@ -192,8 +193,8 @@ def neighbourhood(osc: Oscillator[Any], point: FixedPoint, reach: Reach) -> Neig
     x, v = state
     expected = find_windows(osc, (x, v), point.events, TAYLOR_MODELS, n)
     slope = strobe(osc, (x, v), expected, TAYLOR_MODELS, n).monodromy
-    image = strobe(osc, m, expected, BALLS, n).end
-    contract(hint, image, slope, box, TAYLOR_MODELS.bound)
+    end = image(osc, m, expected, n)
+    contract(hint, end, slope, box, TAYLOR_MODELS.bound)
     return Neighbourhood(reach, expected)
 
 
