@@ -1,7 +1,7 @@
 """Cycles of releases that attract: intervals around them that the release map contracts.
 
-See `cap.checker.folded.cycles` for what is shown, in doubles, as by the checker: the intervals are
-the largest of some for which it succeeds.
+See `cap.checker.attracting.cycles` for what is shown, in doubles, as by the checker: the intervals
+are the largest of some for which it succeeds.
 """
 
 import math
@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from cap.certificate.writer import Pair
-from cap.checker.folded.cycles import contract
-from cap.checker.folded.flights import System
+from cap.checker.attracting.cycles import contract
+from cap.checker.folded.motion import Releases
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.theorems.mixed import Mixed
@@ -31,7 +31,7 @@ def contracted(p: Parameters, theorem: Mixed) -> list[list[Pair]]:
     taken = theorem.kept()
     for cycle in releasing_again(p):
         if intervals := largest(p, theorem, cycle):
-            inner = [theorem.distances(each).inner for each in intervals]
+            inner = [theorem.scale.distances(each).inner for each in intervals]
             if all(b < c or d < a for a, b in inner for c, d in taken):
                 taken += inner
                 found.append([list(each.text) for each in intervals])
@@ -40,11 +40,11 @@ def contracted(p: Parameters, theorem: Mixed) -> list[list[Pair]]:
 
 def largest(p: Parameters, theorem: Mixed, cycle: list[Release]) -> Intervals:
     """Return the largest intervals around a cycle found that are contracted, if there are any."""
-    y, basins = System(theorem.p), theorem.basins()
+    y, basins = Releases(theorem.p), theorem.basins()
     for n in range(SIZES):
         intervals = list(around(p, cycle, p.R * LARGEST / 2**n))
         try:
-            contract(y, basins, [theorem.distances(each) for each in intervals])
+            contract(y, basins, [theorem.scale.distances(each) for each in intervals])
         except Rejected:
             continue
         return intervals

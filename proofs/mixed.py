@@ -26,7 +26,8 @@ nor orbits as in `segment` are found and proved, nothing is said of them.
 The theorems `attractor` and `segment` are proved here in balls; places, and the regions of stops,
 are followed in outward-rounded doubles (`cap.areas.folded`).  There is one proof alone, the
 checker's, of cycles, of sinks, and of how much of the places has a fate
-(`cap.checker.folded.cycles`, `sinks` and `masses`): its functions are called here.
+(`cap.checker.attracting.cycles`, `sinks`, and `cap.checker.folded.masses`): its functions are
+called here.
 """
 
 from dataclasses import replace
@@ -255,7 +256,7 @@ def areas_of(tree: Sticks, known: Known) -> tuple[Floats, ...]:
 
 def by_places(setting: Setting, theorem: Mixed, tell: Tell) -> tuple[Places, str]:
     """Return what is known of places of release, and the tree of those that are followed."""
-    parts = theorem.basins(), theorem.kept(), theorem.width()
+    parts = theorem.basins(), theorem.kept(), theorem.scale.width()
     search = places.Search(setting.parameters, *parts, tell)
     tree = search.run(places.WORTHS)
     return search.places(places.LEVEL), tree

@@ -122,7 +122,7 @@ class Search:
             return True
         low, high = line.ends(after)
         grain = 2.0 ** (node.m - GRAIN)
-        sharp = after[1] <= TOLERANCE * grain * line.size((0.0, *after[0][1:]))
+        sharp = after[1] <= TOLERANCE * grain * line.rest(line.exact(after))
         return sharp or after[1] < TINY or any(a < low and high < b for a, b in self.kept)
 
     # what is known

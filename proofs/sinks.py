@@ -1,8 +1,8 @@
 """Sinks that turn: ellipses around states of a cycle that the flow contracts.
 
-See `cap.checker.folded.sinks` for what is shown, in doubles, as by the checker: the ellipses are
-the largest of some for which it succeeds.  They are discs where the derivative is a rotation and a
-contraction, or diagonal.
+See `cap.checker.attracting.sinks` for what is shown, in doubles, as by the checker: the ellipses
+are the largest of some for which it succeeds.  They are discs where the derivative is a rotation
+and a contraction, or diagonal.
 """
 
 import math
@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 
 from cap.areas.folded.missing import Floats
+from cap.checker.attracting.sinks import MOST_HALVES, MOST_SINKS, sink
 from cap.checker.folded.motion import System
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems.mixed import MOST_HALVES, MOST_SINKS, Mixed
+from cap.checker.theorems.mixed import Mixed
 from cap.floats.candidates import Turning, turning
 from cap.parameters import Parameters
 from cap.sets import interval
@@ -37,7 +38,7 @@ def largest(p: Parameters, theorem: Mixed, cycle: Turning) -> dict[str, Any] | N
     y = System(theorem.p, forwards=True)
     for claim in around(p, cycle):
         try:
-            theorem.sink(read(claim)).contract(y)
+            sink(theorem.scale, read(claim)).contract(y)
         except Rejected:
             continue
         return claim

@@ -33,6 +33,11 @@ def smallest_first(paths):
     return cases
 
 
+def only(cases, *soon):
+    """Return cases for `parametrize`; all but some are slow."""
+    return [pytest.param(case, marks=[pytest.mark.slow] * (case not in soon)) for case in cases]
+
+
 def proving(capsys, *words):
     """Return (status, standard output, standard error) of a command of `cap.prove`."""
     try:

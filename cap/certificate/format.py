@@ -22,6 +22,7 @@ from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
     First,
+    Later,
     Many,
     Maybe,
     Quantity,
@@ -108,8 +109,8 @@ def schema(shape: Any) -> Json:  # noqa: C901, PLR0911, PLR0912
             if same:
                 return _listed(schema(shape[0]), len(shape), len(shape))
             return _listed(None, len(shape), len(shape)) | {"prefixItems": [*map(schema, shape)]}
-        case Maybe(part):
-            return schema(part)
+        case Maybe() | Later():
+            return schema(shape.shape)
         case Many(part, least, most):
             return _listed(schema(part), least, most)
         case First(parts):
@@ -248,6 +249,8 @@ def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
             return "[" + ", ".join(map(form, shape)) + "]"
         case Maybe(part):
             return f"{form(part)}, or missing"
+        case Later():
+            return form(shape.shape)
         case Many(part, least, most):
             return f"list of {least} to {most}: {form(part)}"
         case First(parts):
@@ -285,8 +288,10 @@ def _units(shape: Any) -> Iterator[str]:
             parts = shape
         case First(shapes):
             parts = list(shapes)
-        case Maybe(part) | OrNone(part) | Many(part, _, _) | OneOrOther(part, _):
+        case OneOrOther(part, _):
             parts = [part]
+        case Maybe() | Later() | OrNone() | Many():
+            parts = [shape.shape]
         case Cases(_, cases):
             parts = list(cases.values())
         case _:

@@ -13,7 +13,7 @@ from typing import Any
 from cap.checker.kernel.choices import Cases, OneOrOther, OrNone
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Enclosure, First, Many, Maybe, region
+from cap.checker.kernel.shapes import Enclosure, First, Later, Many, Maybe, region
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.theorems import load
 
@@ -53,8 +53,8 @@ def _leaves(value: Any, shape: Any, path: str) -> Iterator[tuple[str, Any, Any]]
             yield from _leaves(value, thing if isinstance(value, dict) else other, path)
         case Cases(key, cases):
             yield from _leaves(value, {key: text, **cases[value[key]]}, path)
-        case Maybe(part) | OrNone(part):
-            yield from _leaves(value, part, path) if value is not None else ()
+        case Maybe() | OrNone() | Later():
+            yield from _leaves(value, shape.shape, path) if value is not None else ()
         case _:
             yield path, value, shape
 

@@ -21,6 +21,7 @@ from cap.parameters import PAPER, Parameters
 
 LONGEST = 120  # characters of a name
 NEAR = Fraction(1, 10**6)  # in the units R and R omega: orbits that are the same in floats
+LOSSLESS = {"e": Fraction(1), "mu": Fraction(0)}  # of a theorem whose parameters have no losses
 
 State = tuple[float, float]
 
@@ -74,7 +75,8 @@ def _is_about(old: Certificate, theorem: str, p: Parameters, state: State) -> bo
 
     What has no box of states is about no one state.
     """
-    same = all(getattr(old.parameters, key) == getattr(p, key) for key in _told(theorem, p))
+    given = {**LOSSLESS, **old.parameters._asdict()}
+    same = all(given[key] == getattr(p, key) for key in _told(theorem, p))
     if old.theorem != theorem or not same or not isinstance(old.claims.get("box"), dict):
         return old.theorem == theorem and same
     where = old.claims if "x" in old.claims else old.claims["box"]

@@ -15,7 +15,8 @@ lists these files in the order to read them.  Each begins with the mathematics t
     flow        flights, hits, stops, capture, itineraries; launches
     maps        fixed points of the map over n periods, and Birkhoff's normal form
     release     maps from one release to the next, over intervals of places and of f
-    folded      the flow folded by its symmetry, in doubles: places of release, first stops, sinks
+    folded      the flow folded by its symmetry, in doubles: places of release, first stops
+    attracting  what attracts there, a file each: loaded only where a certificate claims it
     strips      launches from wall to wall that go on in vain, level by level
     one_one     the orbits with one hit of each wall per period, in closed form
     particles   two masses: flights, contacts, periodic orbits, the normal form

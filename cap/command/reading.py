@@ -1,8 +1,9 @@
 """What a referee of a theorem has to read: the files of the checker that its certificates load.
 
 In an order in which nothing is used before it was read, with lines of code, and of mathematics:
-docstrings and comments.  The files are those that are loaded now, so nothing else may have been
-loaded before.
+docstrings and comments.  Some theorems have parts that a certificate may claim or not, and whose
+files are loaded only then: what each adds is listed after the rest.  The files are those that are
+loaded now, so nothing else may have been loaded before.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 import ast
 import sys
 from collections.abc import Iterator, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 
@@ -30,11 +32,15 @@ class Page(NamedTuple):
 def pages(theorem: str) -> list[Page]:
     """Return the files for a theorem in their order; packages without code are left out."""
     theorems.load(theorem)
-    found: dict[str, Page] = {}
-    for module in (f"{theorems.__name__}.{theorem}", verdict.__name__):
-        for name in _ordered(module, set()):
-            found.setdefault(name, _page(name))
-    return [page for page in found.values() if page.code]
+    return _pages(f"{theorems.__name__}.{theorem}", verdict.__name__)
+
+
+def added(theorem: str) -> Iterator[tuple[str, list[Page]]]:
+    """Give what may be claimed, with the files that it adds to those for all certificates."""
+    known = {page.name for page in pages(theorem)}
+    for name, module in theorems.load(theorem).PARTS.items():
+        import_module(module)
+        yield name, [page for page in _pages(module) if page.name not in known]
 
 
 def told(pages: Sequence[Page]) -> Iterator[str]:
@@ -44,6 +50,15 @@ def told(pages: Sequence[Page]) -> Iterator[str]:
         yield f"{code:4d}  {mathematics:11d}  {name}"
     code, mathematics = sum(p.code for p in pages), sum(p.mathematics for p in pages)
     yield f"{code:4d}  {mathematics:11d}  in all"
+
+
+def _pages(*modules: str) -> list[Page]:
+    """Return the files of loaded modules, and of what they import."""
+    found: dict[str, Page] = {}
+    for module in modules:
+        for name in _ordered(module, set()):
+            found.setdefault(name, _page(name))
+    return [page for page in found.values() if page.code]
 
 
 def _ordered(module: str, seen: set[str]) -> Iterator[str]:

@@ -95,10 +95,14 @@ def _parser() -> Parser:
 
 def _reading(theorem: str) -> int:
     """Say what a referee of a theorem has to read; return 0."""
-    from cap.command.reading import pages, told  # noqa: PLC0415 (for people, if they ask)
+    from cap.command.reading import added, pages, told  # noqa: PLC0415 (for people, if they ask)
 
     for line in told(pages(theorem)):
         say(line, sys.stdout)
+    for name, more in added(theorem):
+        say(f"besides, where `{name}` is claimed:", sys.stdout)
+        for line in told(more):
+            say(line, sys.stdout)
     return 0
 
 

@@ -14,6 +14,7 @@ multipliers of the orbit as eigenvalues, and 0.
 """
 
 from collections.abc import Iterator, Sequence
+from functools import reduce
 from typing import Any, NamedTuple
 
 from cap.errors import NotProved
@@ -110,11 +111,10 @@ def derivative(blocks: Sequence[Block]) -> Matrix:
 
     Raises `NotProved` unless L h < 0 is certain where each guard comes to zero.
     """
-    total = interval.identity(len(blocks[0].guard))
-    for k, block in enumerate(blocks):
-        following = (k + 1) % len(blocks)
-        total = _step(block, blocks[following].guard, following) * total
-    return total
+    count = len(blocks)
+    following = [(k + 1) % count for k in range(count)]
+    steps = [_step(block, blocks[j].guard, j) for block, j in zip(blocks, following, strict=True)]
+    return reduce(lambda total, step: step * total, steps)
 
 
 def _step(block: Block, guard: Sequence[Ball], number: int) -> Matrix:

@@ -21,10 +21,11 @@ from numpy.typing import NDArray
 from cap.checker.folded.ahead import Found, Outlook, found
 from cap.checker.folded.areas import stuck
 from cap.checker.folded.events import after, event
+from cap.checker.folded.flights import Flight
 from cap.checker.folded.masses import Places
-from cap.checker.folded.motion import Flight, System
+from cap.checker.folded.motion import System
 from cap.checker.folded.regions import Leaf
-from cap.checker.folded.stops import Start, Strobe, at_hit, flown, multiple, sticks, turns
+from cap.checker.folded.stops import Start, Strobe, at_hit, flown, sticks, turns
 from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import BACK, SIDES, TURNS, Map, Mixed
@@ -175,7 +176,7 @@ def outline(y: System, f: Flight, k: int) -> Points:
 
     Folded, the mass moves to the right backwards; at odd multiples of pi the picture is mirrored.
     """
-    p, s = (on_boundary(z) for z in y.at(f, multiple(y, k)[0]))
+    p, s = (on_boundary(z) for z in y.at(f, y.multiple(k)[0]))
     s = np.maximum(s, 0.0)
     return np.column_stack([-p, s] if k % 2 else [y.width[0] + p, -s])
 

@@ -3,9 +3,7 @@
 import numpy as np
 
 from cap.areas.folded.basins import compiled_basins, fate_of, fate_of_lines
-from cap.checker.folded.ahead import bounds_of
-from cap.checker.folded.basins import Basins, Ellipse, Row, Strip
-from cap.checker.folded.paths import bounds_of as bounds_of_lines
+from cap.checker.folded.basins import Basins, Ellipse, Row, Strip, bounds_of
 from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT
 from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q
@@ -41,8 +39,8 @@ def test_states_in_basins():
             (Basins(ellipses=(ellipse,)), ATTRACTOR, 2),
             (Basins(odd=(ellipse,)), ATTRACTOR, 3),
         ):
-            found, known = basins.fate(k, bounds_of(p, s)), compiled_basins(basins)
-            assert not basins.fate(k + 1, bounds_of(p, s))
+            found, known = basins.fate(k, bounds_of(q, p, s)), compiled_basins(basins)
+            assert not basins.fate(k + 1, bounds_of(q, p, s))
             if found:
                 assert found == fate
                 assert all(inside(basins, corner) for corner in corners)
@@ -63,7 +61,7 @@ def test_lines_in_basins():
             for a, b in zip(middle.tolist(), sides[:, 0].tolist(), strict=True)
         )
         both = Basins((strip,), (ellipse,))
-        found = both.fate(0, bounds_of_lines(p, s))
+        found = both.fate(0, bounds_of(line, p, s))
         quick = fate_of_lines(compiled_basins(both), 0, (*p[0], p[1]), (*s[0], s[1]))
         assert quick == found or quick in (NONE, ATTRACTOR)
         agreed += quick == found

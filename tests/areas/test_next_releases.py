@@ -13,7 +13,7 @@ from cap.areas.folded.next_releases import HELD, next_release, next_releases
 from cap.areas.folded.paths import LOST, RELEASED
 from cap.areas.folded.rests import height
 from cap.checker.folded.basins import Basins, Ellipse, Row, Strip
-from cap.checker.folded.flights import System
+from cap.checker.folded.motion import Releases
 from cap.checker.folded.paths import next_release as followed
 from cap.checker.folded.rests import height as resting
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
@@ -83,7 +83,11 @@ def test_orbits_in_floats(p):
 @pytest.mark.parametrize("p", [PAPER, OTHER], ids=["paper", "other"])
 def test_the_checker_follows_the_same(p):
     """The same intervals, and to the same places."""
-    y, other, random = system_of(p, forwards=True), System(given(p)), seeded("next releases, twice")
+    y, other, random = (
+        system_of(p, forwards=True),
+        Releases(given(p)),
+        seeded("next releases, twice"),
+    )
     places = drawn(random, y.width, 250)
     found = next_releases(y, NOWHERE, places)
     assert 30 < (found.kinds == RELEASED).sum() < 245
@@ -106,7 +110,7 @@ def test_a_basin_holds_orbits():
 
     def becomes(basins):
         found = next_release(y, compiled_basins(basins), low, high, room)[0]
-        same = followed(System(given(PAPER)), basins, (low, high))
+        same = followed(Releases(given(PAPER)), basins, (low, high))
         assert (found == HELD + same) if isinstance(same, int) else (found == RELEASED)
         return found
 
@@ -135,7 +139,7 @@ def test_nothing_is_followed_across_a_border():
 
 def test_rests_after_slow_hits():
     """As the checker finds them, but for what is close to the border."""
-    y, other, random = system_of(PAPER, forwards=True), System(given(PAPER)), seeded("rests")
+    y, other, random = system_of(PAPER, forwards=True), Releases(given(PAPER)), seeded("rests")
     resting_near = [0, 0, 0]
     for _ in range(3000):
         t, speed = random.uniform(-1.5, 1.5), 10 ** random.uniform(-3, -0.3)

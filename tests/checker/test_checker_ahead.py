@@ -9,18 +9,17 @@ import numpy as np
 import pytest
 
 from cap.areas.folded.next_event import HIT, NOTHING, next_event, place_at, speed_at
-from cap.checker.folded import ahead, flights, slopes
+from cap.checker.folded import ahead, slopes
 from cap.checker.folded.ahead import (
     FATES,
     PARTS,
     Outlook,
     at_wall,
-    bounds_of,
     found,
     over,
     over_places,
 )
-from cap.checker.folded.basins import Basins, Row, Strip
+from cap.checker.folded.basins import Basins, Row, Strip, bounds_of
 from cap.checker.folded.events import after, event
 from cap.checker.folded.motion import System
 from cap.checker.folded.regions import UNIT, leaves
@@ -61,7 +60,7 @@ class Comb:
 
 def outlook(p, fates, basins=NOWHERE):
     """Return what is ahead, with these fates of places."""
-    return Outlook(System(p, forwards=True), flights.System(p), fates, basins)
+    return Outlook(System(p, forwards=True), fates, basins)
 
 
 def parts(p, halvings, cuts, step):
@@ -171,7 +170,7 @@ def test_derivatives_are_those_of_orbits(name):
                 e = event(y, f)
                 if e.p and q.ends(e.cos)[1] > y.a - 1e-3:
                     break
-                g, f = slopes.after(y, f, g, e), after(y, f, e)
+                g, f = slopes.after(y, g, e), after(y, f, e)
             except Rejected:
                 break
             s, q_ = next(one), next(other)
@@ -244,7 +243,7 @@ def test_models_in_a_strip():
     rows = Row(1.0, 0.0, -1.5, -0.5), Row(0.0, 1.0, 0.2, 0.4), Row(1.0, 2.0, -0.9, 0.1)
     strip = Strip(rows)
     p, s = q.model(one=-1.0, X=0.1), q.model(one=0.3, Y=0.05)
-    assert strip.contains(bounds_of(p, s))
+    assert strip.contains(bounds_of(q, p, s))
     for wrong in (
         (q.model(one=-1.0, X=0.6), s),
         (p, q.model(one=0.3, Y=0.2)),
@@ -252,7 +251,7 @@ def test_models_in_a_strip():
         (q.model(one=-0.55), q.model(one=0.35, Y=0.01)),
         (q.model(one=-1.45), q.model(one=0.25, Y=0.01)),
     ):
-        assert not strip.contains(bounds_of(*wrong))
+        assert not strip.contains(bounds_of(q, *wrong))
 
 
 def test_models_over_parts():

@@ -9,8 +9,8 @@ import pytest
 
 from cap.checker.folded import motion, paths
 from cap.checker.folded.events import after, event
+from cap.checker.kernel import line
 from cap.checker.kernel import polynomials as q
-from cap.checker.kernel.line import DEGREE
 from checker.test_checker_folded_guards import AHEAD, BACK, BEGUN, LINES, falling, flight, path
 
 HITS = [(-1.0, 2.0, 0.0), (-0.5, 1.5, -0.8), (-1.5, 1.4, -0.3), (-0.9, 2.5, 0.8)]
@@ -23,10 +23,12 @@ RADII = [(1e-3, 0.0), (0.0, 1e-3), (0.02, 0.01), (0.01, 0.02)]
 def one_variable(state, n=(0.0, 0.0), r=(0.0, 0.0)):
     """Return the next flight of a state, of which A and B are moved by n and wrong by r."""
     f = path(*state, r)
-    f = f._replace(A=(f.A[0] + n[0], *f.A[1:]), B=(f.B[0] + n[1], *f.B[1:]))
-    kind, near, k = paths.upcoming(LINES, f)
-    until, g = paths.hit(LINES, f, near) if kind == "hit" else paths.stop(LINES, f, near, k)
-    return kind, until, g
+    A, B = (line.exact(line.moved(z, a, 0.0)) for z, a in zip((f.A, f.B), n, strict=True))
+    f = f._replace(A=A, B=B)
+    e = event(LINES, f)
+    if e.p is None:
+        paths.rested(LINES, e)
+    return "stop" if e.p else "hit", e.ends[0], after(LINES, f, e)
 
 
 def two_variables(y, state, n=(0.0, 0.0), r=(0.0, 0.0)):
@@ -49,17 +51,21 @@ def test_the_influence_of_errors_on_the_place(angle):
                 abs((d + e) * (c * x - s * y) + s * x + c * y)
                 for e, x, y in product((-far, far), (-r1, r1), (-r2, r2))
             )
-            D = (d, *[0.0] * DEGREE), far
-            one = paths.influence(path(-1, 1)._replace(**known), D)
+            one = LINES.influence(path(-1, 1)._replace(**known), d, far)
             two = AHEAD.influence(flight(-1, 1)._replace(**known), d, far)
             for found in (one, two):
                 assert truth <= found <= truth + 2.1 * far * errors[0] + 1e-12
 
 
+def constant(model):
+    """Return the constant coefficient of a model in one variable or two."""
+    return model[0] if isinstance(model[0], float) else model[0][0]
+
+
 def moved(g, ref, drag):
     """Return A and B of a flight for another ref, but for errors."""
     d = ref - g.ref
-    A, B = g.A[0], g.B[0]
+    A, B = constant(g.A), constant(g.B)
     s = math.sin(ref) - drag * d + A
     p = -math.cos(ref) - drag * d * d / 2 + A * d + B
     return s - math.sin(ref), p + math.cos(ref)
@@ -74,7 +80,7 @@ def check(following, state, radii, drag, kind):
         n = [sign * r for sign, r in zip(signs, radii, strict=True)]
         _, time, other = following(state, n=n)
         A, B = moved(other, g.ref, drag)
-        u, w = A - g.A[0], B - g.B[0]
+        u, w = A - constant(g.A), B - constant(g.B)
         assert until <= time + 1e-12
         assert g.begun[0] <= other.begun[0] + 1e-12
         assert other.begun[1] <= g.begun[1] + 1e-12
@@ -92,7 +98,7 @@ def check(following, state, radii, drag, kind):
 )
 def test_flights_in_one_variable(state, kind, radii):
     """Of places, for releases."""
-    check(one_variable, state, radii, LINES.a, kind)
+    check(one_variable, state, radii, -LINES.a, kind)
 
 
 @pytest.mark.parametrize("radii", RADII)
@@ -123,12 +129,12 @@ def test_turns_in_two_variables(state, radii):
 @pytest.mark.parametrize("state", FAST)
 def test_large_errors(state, radii):
     """Of fast flights: in one variable and in two."""
-    check(one_variable, state, radii, LINES.a, "hit")
+    check(one_variable, state, radii, -LINES.a, "hit")
 
     def following(*given, **options):
         return two_variables(AHEAD, *given, **options)
 
-    check(following, state, radii, LINES.a, "hit")
+    check(following, state, radii, -LINES.a, "hit")
 
 
 @pytest.mark.parametrize("radii", [*RADII, *WIDE])

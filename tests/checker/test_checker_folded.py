@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.folded.flights import System, constants
+from cap.checker.folded.flights import constants
+from cap.checker.folded.motion import Releases
 from cap.checker.folded.rests import height
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.walls import Parameters
@@ -28,7 +29,7 @@ def test_constants():
 
 def test_rests_after_slow_hits():
     """A capture at the wall, a rest near it, neither for a fast hit or a late one."""
-    y = System(PAPER)
+    y = Releases(PAPER)
     assert height(y, (0.1, 0.11), 0.01) == 0
     assert 0 < height(y, (1.1595, 1.1596), 0.01) < 1e-3
     assert height(y, (0.1, 0.11), 0.5) is None
@@ -43,4 +44,4 @@ def test_without_friction_there_is_no_folded_flow():
         PAPER._replace(e=Fraction(1, 2)),
     ):
         with pytest.raises(Rejected, match="needs f > 0"):
-            System(other)
+            Releases(other)

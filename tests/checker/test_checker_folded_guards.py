@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.folded import cycles, events, flights, motion, paths, sinks
+from cap.checker.attracting import cycles, sinks
+from cap.checker.folded import events, flights, motion, paths
 from cap.checker.folded.events import hit, stop
 from cap.checker.folded.instants import stopping
 from cap.checker.folded.motion import upcoming
@@ -22,7 +23,7 @@ A = 0.4  # the friction
 THETA = math.acos(A)
 SLOW = 2 * math.pi - THETA  # the first slow time after 0, at which the first arc ends
 AHEAD, BACK = motion.System(PAPER, forwards=True), motion.System(PAPER)
-LINES = flights.System(PAPER)
+LINES = motion.Releases(PAPER)
 EXACT = (1.0, 0.0, 0.0, 1.0)
 BEGUN = 1.3  # in the first arc, in which masses stop
 
@@ -30,14 +31,14 @@ BEGUN = 1.3  # in the first arc, in which masses stop
 def flight(p, s, t=0.0, errors=(0.0, 0.0)):
     """Return the flight of one state, as models in two variables."""
     models = q.model(one=s - math.sin(t)), q.model(one=p + math.cos(t))
-    return motion.Flight((t, t), t, *models, EXACT, errors, errors, 1, 0)
+    return flights.Flight((t, t), t, *models, EXACT, errors, errors, 1, 0)
 
 
 def path(p, s, t=0.0, errors=(0.0, 0.0)):
     """Return the flight of one state, as models in one variable."""
     zeros = (0.0,) * DEGREE
-    models = (s - math.sin(t), *zeros), (p + math.cos(t), *zeros)
-    return flights.Path((t, t), t, *models, EXACT, errors, errors, 1)
+    models = ((s - math.sin(t), *zeros), 0.0), ((p + math.cos(t), *zeros), 0.0)
+    return flights.Flight((t, t), t, *models, EXACT, errors, errors, 1, 0)
 
 
 def falling(T, t=BEGUN):
@@ -52,9 +53,9 @@ def test_a_hit_is_refused_if_the_speed_may_vanish():
     """The errors of the speed are larger than the speed."""
     f = flight(-1, 2)
     _, near, _ = upcoming(AHEAD, f)
-    slowest = hit(AHEAD, f, near).speeds[0]
+    slowest = q.ends(hit(AHEAD, f, near).s)[0]
     hit(AHEAD, flight(-1, 2, errors=(0.1 * slowest, 0.0)), near)
-    with pytest.raises(Rejected, match="the mass may stop, or hit"):
+    with pytest.raises(Rejected, match="the time of an event is not certain"):
         hit(AHEAD, flight(-1, 2, errors=(1.1 * slowest, 0.0)), near)
 
 
@@ -62,11 +63,11 @@ def test_a_hit_is_refused_if_its_time_is_not_certain():
     """The error of the place is not small beside the square of the speed: it may not take place."""
     f = flight(-1, 2)
     _, near, _ = upcoming(AHEAD, f)
-    square = hit(AHEAD, f, near).speeds[0] ** 2
-    known = hit(AHEAD, flight(-1, 2, errors=(0.0, square / 9)), near)
-    assert known.e_all == pytest.approx(2 * math.sqrt(square) / 9, rel=1e-6)
-    with pytest.raises(Rejected, match="the time of a hit is not certain"):
-        hit(AHEAD, flight(-1, 2, errors=(0.0, square / 7)), near)
+    square = q.ends(hit(AHEAD, f, near).s)[0] ** 2
+    known = hit(AHEAD, flight(-1, 2, errors=(0.0, square / 6)), near)
+    assert known.e_all == pytest.approx(2 * math.sqrt(square) / 6, rel=1e-6)
+    with pytest.raises(Rejected, match="the time of an event is not certain"):
+        hit(AHEAD, flight(-1, 2, errors=(0.0, square / 5)), near)
 
 
 def test_a_hit_is_refused_if_it_may_be_at_times_far_apart():
@@ -75,11 +76,11 @@ def test_a_hit_is_refused_if_it_may_be_at_times_far_apart():
     _, near, _ = upcoming(BACK, f)
     ends = hit(BACK, flight(-1, 8, errors=(0.0, 5.6)), near).ends
     assert 2.5 < ends[1] - ends[0] < 3
-    with pytest.raises(Rejected, match="the time of a hit is not certain"):
+    with pytest.raises(Rejected, match="the time of an event is not certain"):
         hit(BACK, flight(-1, 8, errors=(0.0, 6.4)), near)
 
 
-@pytest.mark.parametrize("y", [AHEAD, BACK])
+@pytest.mark.parametrize("y", [AHEAD, BACK, LINES])
 def test_a_hit_is_refused_if_it_may_be_before_the_start(y):
     """A slow time, or it may be the one before, lies between; else it is after the start."""
     slow = y.slow(0)[0]
@@ -102,12 +103,10 @@ def test_a_hit_is_refused_if_it_may_be_before_the_start(y):
 
 def test_a_flight_is_refused_if_it_is_too_long():
     """In either number of variables; the mass moves at all slow times that are looked at."""
-    AHEAD.moving(flight(-1, 50), 30)
-    with pytest.raises(Rejected, match="a flight is too long"):
-        AHEAD.moving(flight(-1, 50), 40)
-    paths.moving(LINES, path(-1, 50), 60)
-    with pytest.raises(Rejected, match="a flight is too long"):
-        paths.moving(LINES, path(-1, 50), 80)
+    for y, f in ((AHEAD, flight(-1, 50)), (LINES, path(-1, 50))):
+        y.moving(f, 60)
+        with pytest.raises(Rejected, match="a flight is too long"):
+            y.moving(f, 80)
 
 
 def test_a_flight_is_refused_if_the_mass_may_stop():
@@ -116,7 +115,7 @@ def test_a_flight_is_refused_if_the_mass_may_stop():
         s = falling(SLOW) + left
         for moving in (
             lambda s=s: AHEAD.moving(flight(-20, s, BEGUN), 6),
-            lambda s=s: paths.moving(LINES, path(-20, s, BEGUN), 6),
+            lambda s=s: LINES.moving(path(-20, s, BEGUN), 6),
         ):
             if moves:
                 moving()
@@ -135,7 +134,7 @@ def test_a_stop_is_refused_if_its_time_is_not_certain():
     square = (A - math.cos(T)) ** 2
     known = stop(AHEAD, f._replace(errors=(square / 5, 0.0), R=(square / 5, 0.0)), T, 1)
     assert known.e_all == pytest.approx(2 * math.sqrt(square) / 5, rel=1e-6)
-    with pytest.raises(Rejected, match="the time of a stop is not certain"):
+    with pytest.raises(Rejected, match="the time of an event is not certain"):
         stop(AHEAD, f._replace(errors=(square / 3, 0.0), R=(square / 3, 0.0)), T, 1)
 
 
@@ -143,7 +142,7 @@ def bouncing():
     """Return speed and time of a stop that the formula forgets: it stops again, an arc later."""
     s = falling(SLOW) - 0.05
     f = flight(-20, s, BEGUN)
-    return s, 9.2 + stopping(AHEAD, f, 9.2)[0]
+    return s, stopping(AHEAD, f, 9.2)[0]
 
 
 def test_a_stop_is_refused_in_another_arc():
@@ -154,7 +153,7 @@ def test_a_stop_is_refused_in_another_arc():
     with pytest.raises(Rejected, match="the mass may stop, or not"):
         stop(AHEAD, flight(-20, s, BEGUN), T, 2)
     f = flight(-20, s + 0.1, BEGUN)
-    later = T + stopping(AHEAD, f, T)[0]
+    later = stopping(AHEAD, f, T)[0]
     assert stop(AHEAD, f, later, 2).ends[0] > SLOW
     for k in (1, 3):
         with pytest.raises(Rejected, match="a stop may be in another arc"):
@@ -172,15 +171,30 @@ def test_a_stop_is_refused_if_the_flight_may_begin_after_its_arc():
 # in one variable
 
 
-@pytest.mark.parametrize("m", [1.0, -1.0])
-def test_an_event_is_refused_if_its_time_is_not_certain(m):
-    """What is left of p or s, or how the slope varies, is too much for a contraction."""
-    h = paths.event(path(-1, 2), (0.5, *[0.0] * DEGREE))
-    assert paths.certain(h, m, 0.0, (0.1, 0.2), 1.2).e_all == pytest.approx(0.4)
-    assert paths.certain(h, m, 0.4, (0.0, 0.0), 1.2).e_all == 0
-    for change, left, K in ((0.0, 0.6, 0.0), (0.6, 0.0, 1.2), (0.0, 0.3, 1.2), (0.3, 0.1, 1.2)):
+@pytest.mark.parametrize("models", [line, q])
+def test_an_event_is_refused_if_its_time_is_not_certain(models):
+    """What is left of p or s, or how the slope varies, is too much."""
+    root = models.root
+    one, known = (line.constant(1.0), line.constant(1.0, 0.4))
+    if models is q:
+        one, known = q.model(one=1.0), q.model(0.4, one=1.0)
+    assert root(one, 1.2, 0.1, 0.2) == pytest.approx((0.2, 0.4))
+    assert root(known, 1.2, 0.0, 0.0) == pytest.approx((0, 0))
+    for slope, left, K in (
+        (one, 0.3, 1.2),
+        (known, 0.2, 1.2),
+        (models.widened(known, 0.7), 0.0, 1.2),
+        (models.scaled(one, -1.0), 0.0, 1.2),
+    ):
         with pytest.raises(Rejected, match="the time of an event is not certain"):
-            paths.certain(h, m, change, (0.0, left), K)
+            root(slope, K, 0.0, left)
+
+
+def test_functions_are_known_to_vanish_only_close_by():
+    """In the norm of functions, up to a distance of 1, and where slopes vary little."""
+    for slope, left in ((line.constant(1.0), 0.6), (line.constant(1.0, 0.6), 0.0)):
+        with pytest.raises(Rejected, match="the time of an event is not certain"):
+            line.root(slope, 0.0, 0.0, left)
 
 
 def test_a_path_hits_forwards(monkeypatch):
@@ -189,7 +203,7 @@ def test_a_path_hits_forwards(monkeypatch):
 
     def ahead(t):
         d = t - BEGUN
-        return -math.cos(t) - A * d * d / 2 + f.A[0] * d + f.B[0]
+        return -math.cos(t) - A * d * d / 2 + f.A[0][0] * d + f.B[0][0]
 
     low, high = 2.0, 4.0
     assert ahead(low) > 0 > ahead(high)
@@ -197,29 +211,9 @@ def test_a_path_hits_forwards(monkeypatch):
         middle = (low + high) / 2
         low, high = (middle, high) if ahead(middle) > 0 else (low, middle)
     assert low < SLOW
-    monkeypatch.setattr(paths, "hit_guess", lambda *_: (low, *[0.0] * DEGREE))
-    with pytest.raises(Rejected, match="the mass may stop, or hit"):
-        paths.hit(LINES, f, low)
-
-
-def test_a_path_hits_after_its_start():
-    """Times from which it is not known that the start was before."""
-    slow = LINES.slows[0][0]
-    for low, start, certain in (
-        (slow - 0.1, slow - 0.2, True),
-        (slow - 0.2, slow - 0.1, True),
-        (slow - 0.1, slow + 0.1, False),
-        (slow + 0.1, slow + 0.2, True),
-        (SLOW - 0.1, SLOW + 0.1, False),
-        (slow - 6.1, slow - 0.1, False),
-        (slow - 5.9, slow - 0.1, True),
-    ):
-        f = path(-1, 1)._replace(begun=(start, start))
-        if certain:
-            paths.since_start(LINES, f, low)
-        else:
-            with pytest.raises(Rejected, match="a hit may be before the start"):
-                paths.since_start(LINES, f, low)
+    monkeypatch.setattr(events, "hitting", lambda *_: (low, line.constant(0.0)))
+    with pytest.raises(Rejected, match="the time of an event is not certain"):
+        hit(LINES, f, low)
 
 
 @pytest.mark.parametrize("border", [math.pi - THETA, math.pi + THETA])
@@ -227,11 +221,12 @@ def test_a_path_sticks_or_turns(border):
     """What stops at a border does either; so does what stops next to it, less well known."""
 
     def stopped(T, error=0.0):
-        return paths.stop(LINES, path(-9, falling(T), BEGUN, (error, 0.0)), T, 1)[1]
+        e = stop(LINES, path(-9, falling(T), BEGUN, (error, 0.0)), T, 1)
+        return paths.stuck(LINES, e, e.p[1])
 
     outwards = math.copysign(0.01, border - math.pi)
-    assert isinstance(stopped(border - outwards), flights.Path)
-    assert not isinstance(stopped(border + outwards), flights.Path)
+    assert stopped(border - outwards) is None
+    assert stopped(border + outwards) is not None
     for T, error in ((border, 0.0), (border - outwards, 0.01), (border + outwards, 0.01)):
         with pytest.raises(Rejected, match="a stick or a turn"):
             stopped(T, error)
@@ -241,25 +236,18 @@ def test_a_path_stops_in_its_arc():
     """Not in another one, nor before it begins."""
     s, T = bouncing()
     with pytest.raises(Rejected, match="a stop may be in another arc"):
-        paths.stop(LINES, path(-20, s, BEGUN), T, 1)
+        stop(LINES, path(-20, s, BEGUN), T, 1)
     with pytest.raises(Rejected, match="the mass may stop, or not"):
-        paths.stop(LINES, path(-20, s, BEGUN), T, 2)
+        stop(LINES, path(-20, s, BEGUN), T, 2)
     f = path(-20, s + 0.1, BEGUN)
-    assert paths.stop(LINES, f, T, 2)[0] > SLOW
+    assert stop(LINES, f, T, 2).ends[0] > SLOW
     for k in (1, 3):
         with pytest.raises(Rejected, match="a stop may be in another arc"):
-            paths.stop(LINES, f, T, k)
+            stop(LINES, f, T, k)
     f = path(-5, falling(2.3), BEGUN)
-    paths.stop(LINES, f._replace(begun=(BEGUN, SLOW - 0.1)), 2.3, 1)
+    stop(LINES, f._replace(begun=(BEGUN, SLOW - 0.1)), 2.3, 1)
     with pytest.raises(Rejected, match="a flight may begin after the arc of a stop"):
-        paths.stop(LINES, f._replace(begun=(BEGUN, SLOW + 0.1)), 2.3, 1)
-
-
-def test_a_path_is_folded_by_known_multiples_of_pi():
-    """Times that are too large are refused."""
-    h = paths.event(path(-1, 2), (100.0, *[0.0] * DEGREE))
-    with pytest.raises(Rejected, match="a flight is too long"):
-        paths.folded(LINES, h)
+        stop(LINES, f._replace(begun=(BEGUN, SLOW + 0.1)), 2.3, 1)
 
 
 # sinks
@@ -286,9 +274,10 @@ def test_a_stop_is_transversal(monkeypatch):
     """Where the force drives the mass on it does not stop, whatever is guessed."""
     T = 0.5
     s = falling(T, 0.1)
-    monkeypatch.setattr(paths, "stop_guess", lambda *_: (T, *[0.0] * DEGREE))
-    with pytest.raises(Rejected, match="a stop is not transversal"):
-        paths.stop(LINES, path(-5, s, 0.1), T, 1)
-    monkeypatch.setattr(events, "stopping", lambda *_: q.model())
-    with pytest.raises(Rejected, match="a stop is not transversal"):
-        stop(AHEAD, flight(-5, s, 0.1), T, 1)
+    for y, f, zero in (
+        (LINES, path(-5, s, 0.1), line.constant(0.0)),
+        (AHEAD, flight(-5, s, 0.1), q.model()),
+    ):
+        monkeypatch.setattr(events, "stopping", lambda *_, zero=zero: (T, zero))
+        with pytest.raises(Rejected, match="the time of an event is not certain"):
+            stop(y, f, T, 1)

@@ -9,7 +9,7 @@ import pytest
 
 from cap.areas.folded import mirrored
 from cap.areas.folded import paths as compiled_paths
-from cap.checker.folded import numbers, paths
+from cap.checker.folded import numbers
 from cap.checker.kernel import line
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
@@ -62,14 +62,7 @@ def test_an_arccosine_that_is_wrong_hides_no_minimum(monkeypatch):
 def test_the_spread_of_the_times_of_an_event(half, certain):
     """Flights begin within 1.5 of [-pi, pi], as slow times before are not looked at."""
     T = (0.0, half, *[0.0] * (line.DEGREE - 1))
-    nothing = line.constant(0.0)
     given = 1.0, 0.0, (0.0, 0.0), 1.0
-    h = paths.Happening(T, nothing, nothing, nothing, 0.0)
-    if certain:
-        assert paths.certain(h, *given).ends[1] > half
-    else:
-        with pytest.raises(Rejected, match="time of an event is not certain"):
-            paths.certain(h, *given)
     h = compiled_paths.Happening(
         (*T, 0.0), *[(*[0.0] * (line.DEGREE + 2),)] * 3, 0.0, True, 0.0, 0.0, (0.0, 0.0)
     )

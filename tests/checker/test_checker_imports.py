@@ -21,7 +21,7 @@ BARE = {"kernel", "system", "theorems", "verdict"}
 FLOW = BARE | {"flow", "maps"}
 ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
 ROOMS |= dict.fromkeys(("attractor", "cascade", "entropies", "window"), FLOW | {"release"})
-ROOMS |= {"impulse": BARE, "mixed": FLOW | {"release", "folded"}}
+ROOMS |= {"impulse": BARE, "mixed": BARE | {"attracting", "folded", "release"}}
 ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
 ROOMS |= {"conservative": BARE | {"strips"}}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}}
@@ -30,8 +30,8 @@ ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
 MORE = {
     "window": {"attractor"},
     "persistence": {"periodic"},
-    "mixed": {"attractor", "segment"},
 }
+LOADERS = {"theorems", "attracting"}  # rooms whose files are loaded by their names
 FOREIGN = {"flint", "mpmath", "numpy", "sympy", "gmpy2", "scipy", "numba", "matplotlib"}
 
 
@@ -78,14 +78,58 @@ def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem, tmp_path):
     assert {m.partition(".")[0] for m in used} == ROOMS.get(theorem, FLOW)
     theorems = {m.partition(".")[2] for m in used if m.startswith("theorems.")}
     assert theorems == {theorem} | MORE.get(theorem, set())
+    packages = ROOMS.get(theorem, FLOW) - LOADERS
+    assert sorted(listed(theorem)[""]) == sorted(used - packages | {"verdict"})
+
+
+def listed(theorem):
+    """Return the modules that ``--reading`` lists for a theorem: always, and where so much is
+    claimed."""
     lines = printed(f"from cap import verify; verify.main(['--reading', {theorem!r}])")
-    files = [line.split()[-1] for line in lines if line.endswith(".py")]
-    listed = [
-        file.removesuffix(".py").removesuffix("/__init__").replace("/", ".") for file in files
-    ]
-    assert sorted(listed) == sorted(used - ROOMS.get(theorem, FLOW) | {"theorems", "verdict"})
-    counts = [list(map(int, line.split()[:2])) for line in lines[1:]]
-    assert counts[-1] == [sum(n) for n in zip(*counts[:-1], strict=True)]
+    found, name, counts = {}, "", []
+    for line in lines:
+        if line.endswith("claimed:"):
+            name = line.split("`")[1]
+        elif line.endswith(".py"):
+            file = line.split()[-1].removesuffix(".py").removesuffix("/__init__")
+            found.setdefault(name, []).append(file.replace("/", "."))
+            counts.append(list(map(int, line.split()[:2])))
+        elif line.endswith("in all"):
+            assert list(map(int, line.split()[:2])) == [sum(n) for n in zip(*counts, strict=True)]
+            counts = []
+    return found
+
+
+CLAIMED = {
+    "attractor": [],
+    "segment": [],
+    "cycles": [[["-0.2323", "-0.2072"]]],
+    "sinks": [{"x": "0", "v": "1", "matrix": [["9", "0"], ["0", "9"]], "halves": "2"}],
+}
+
+
+@pytest.mark.parametrize("name", CLAIMED)
+def test_what_is_claimed_to_attract_is_loaded_only_then(name, tmp_path):
+    """Each of them adds the files that are listed, and no others: of sinks nothing is read where
+    none is claimed."""
+    lie = json.loads((STORED / "mixed.json").read_text())
+    claims = lie["claims"]
+    if CLAIMED[name]:
+        claims[name] = CLAIMED[name]
+    for other in set(CLAIMED) - {name}:
+        claims.pop(other, None)
+    if name != "attractor":
+        del lie["hints"]["attractor"]
+    claims["box"] = {"x": ["-1", "2"], "v": ["-3", "3"]}
+    path = tmp_path / "mixed.json"
+    path.write_text(json.dumps(lie))
+    modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
+    used = {m.removeprefix("cap.checker.") for m in modules if m.startswith("cap.checker.")}
+    pages = listed("mixed")
+    rooms = {m for m in used if (Path(cap.checker.__path__[0]) / m.replace(".", "/")).is_dir()}
+    assert sorted(pages[""] + pages[name]) == sorted(used - rooms | LOADERS)
+    if name != "attractor":
+        assert not used & {"theorems.attractor", "kernel.jet", "release.kneading"}
 
 
 def test_every_module_can_be_imported_alone():
@@ -102,8 +146,8 @@ for module in sys.argv[1:]:
 
 
 def test_no_import_is_late():
-    """What a module of the checker needs it imports at its beginning; only theorems are loaded
-    by their names."""
+    """What a module of the checker needs it imports at its beginning; only theorems, and what
+    attracts, are loaded by their names."""
     for module in MODULES:
         path = Path(__import__(module, fromlist=["x"]).__file__)
         text = path.read_text(encoding="ascii")
@@ -111,7 +155,7 @@ def test_no_import_is_late():
         found = [n for n in ast.walk(tree) if isinstance(n, ast.Import | ast.ImportFrom)]
         assert all(node in tree.body for node in found), module
         by_name = "import_module" in text or "__import__" in text
-        assert by_name == (module == "cap.checker.theorems"), module
+        assert by_name == (module.removeprefix("cap.checker.") in LOADERS), module
 
 
 def test_the_checker_contains_no_assert():

@@ -26,10 +26,10 @@ def check(p, f):
     for x in (-1.0, -0.7, -0.1, 0.3, 0.8, 1.0):
         inner = max(-1 + H, min(1 - H, x))
         value = sum(a * x**k for k, a in enumerate(p[0]))
-        assert abs(f(x) - value) <= p[1] + 1e-14 * line.bound(p)
+        assert abs(f(x) - value) <= p[1] + 1e-14 * line.size(p)
         slope = (f(inner + H) - f(inner - H)) / (2 * H)
         rest = slope - sum(k * a * inner ** (k - 1) for k, a in enumerate(p[0]) if k)
-        assert abs(f(x) - value) + abs(rest) / 4 <= p[1] + 1e-8 * (1 + line.bound(p))
+        assert abs(f(x) - value) + abs(rest) / 4 <= p[1] + 1e-8 * (1 + line.size(p))
         low, high = line.slopes(p)
         assert low - 1e-7 <= slope <= high + 1e-7
         low, high = line.ends(p)
@@ -51,10 +51,10 @@ def test_sums_products_cosines(seed):
         check(line.half(p, side), lambda x, side=side: f((x + side) / 2))
     c = p[0]
     angle = lambda x: sum(a * x**k for k, a in enumerate(c))  # noqa: E731
-    cos, sin = line.trigonometric(c)
+    cos, sin = line.trigonometric((c, 0.0))
     check(cos, lambda x: math.cos(angle(x)))
     check(sin, lambda x: math.sin(angle(x)))
-    k = line.BEND * (line.bound(cos) + line.bound(sin))
+    k = line.BEND * (line.size(cos) + line.size(sin))
     check(line.widened(cos, k * p[1]), lambda x: math.cos(f(x)))
     check(line.widened(sin, k * p[1]), lambda x: math.sin(f(x)))
     low, high = line.at_ends(p)
@@ -75,6 +75,6 @@ def test_large_angles_and_coefficients():
     """Cosine and sine where the series leaves much: the error grows, and is no less than needed."""
     for size in (0.1, 0.5, 1.0, 2.0):
         c = (7.0, size, -size / 2, *(0.0,) * (line.DEGREE - 2))
-        cos, sin = line.trigonometric(c)
+        cos, sin = line.trigonometric((c, 0.0))
         check(cos, lambda x, s=size: math.cos(7 + s * x - s / 2 * x * x))
         check(sin, lambda x, s=size: math.sin(7 + s * x - s / 2 * x * x))

@@ -8,11 +8,11 @@ from types import SimpleNamespace
 import pytest
 from support import rounds, seeded
 
-from cap.checker.folded.ahead import bounds_of
+from cap.checker.attracting.segment import Touching
+from cap.checker.folded.basins import bounds_of
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.shapes import Enclosure
 from cap.checker.system.walls import Parameters
-from cap.checker.theorems.mixed import Mixed
 
 OTHER = Parameters(*map(Fraction, (3, 2, "3/5", "-1/2", 1)))
 NEAR = 1e-6
@@ -42,16 +42,14 @@ def room(x, v):
 
 def strip():
     """Return the strip."""
-    units = SimpleNamespace(p=OTHER, omega=OTHER.omega, claims={"segment": CLAIMS})
-    units.length, units.speed = lambda x: Mixed.length(units, x), lambda v: Mixed.speed(units, v)
-    return Mixed.strip(units)
+    return Touching(SimpleNamespace(p=OTHER), CLAIMS).strip()
 
 
 def contains(x, v):
     """Return whether the strip contains a state."""
     length, speed = OTHER.omega**2 / OTHER.F, OTHER.omega / OTHER.F
     p, s = q.model(one=float((x - OTHER.r) * length)), q.model(one=float(v * speed))
-    return strip().contains(bounds_of(p, s))
+    return strip().contains(bounds_of(q, p, s))
 
 
 def test_it_is_the_basin_that_is_claimed():

@@ -10,8 +10,8 @@ import pytest
 
 from cap.checker.folded import settled
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.flights import System
 from cap.checker.folded.masses import Places
+from cap.checker.folded.motion import Releases
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece, portion
 from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
@@ -51,7 +51,7 @@ def nexts(p, places):
 def test_next_releases_of_orbits_in_floats(name):
     """Values and difference quotients, from intervals of several sizes."""
     p, rng, compared = SYSTEMS[name], random.Random(7), 0  # noqa: S311
-    y = System(p)
+    y = Releases(p)
     for n in range(60):
         width = y.width[0] * 10 ** -(2 + n % 5)
         low = rng.uniform(0, y.width[0] - width)
@@ -73,7 +73,7 @@ def test_next_releases_of_orbits_in_floats(name):
 
 def test_nothing_is_followed_across_a_border():
     """An interval whose orbits meet other events; all places at once."""
-    y = System(SYSTEMS["paper"])
+    y = Releases(SYSTEMS["paper"])
     for ends in ((0.0, 2.0), (0.5, 1.0), (1.2, 1.3)):
         with pytest.raises(Rejected):
             next_release(y, NOWHERE, ends)

@@ -10,7 +10,7 @@ import pytest
 from cap.checker.folded import ahead, slopes, stops
 from cap.checker.folded.regions import Region
 from cap.checker.kernel import polynomials as q
-from checker.test_checker_folded_guards import AHEAD, LINES, flight
+from checker.test_checker_folded_guards import AHEAD, flight
 
 
 def delayed(monkeypatch, z):
@@ -39,7 +39,7 @@ def test_a_rest_near_the_wall_is_so_near(monkeypatch):
     monkeypatch.setattr(ahead, "height", lambda *_: near)
     monkeypatch.setattr(ahead, "at_wall", lambda _o, low: seen.append(low) or [0.0] * 3)
     monkeypatch.setattr(ahead, "seen", lambda *_, **__: 0)
-    assert list(ahead.losses(SimpleNamespace(y=AHEAD, still=LINES), flight(-1, 2))) == [[0.0] * 3]
+    assert list(ahead.losses(SimpleNamespace(y=AHEAD), flight(-1, 2))) == [[0.0] * 3]
     assert seen == [near]
 
 

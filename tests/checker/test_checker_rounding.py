@@ -14,7 +14,7 @@ import pytest
 
 from cap.areas.folded.constants import system_of
 from cap.areas.folded.next_releases import next_releases
-from cap.checker.folded import flights
+from cap.checker.folded import motion
 from cap.checker.folded.basins import Basins
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.processes import each
@@ -139,7 +139,7 @@ def in_another(mode, f):
 
 REFUSED = {
     "the checker": lambda: check(SMALL.read_bytes(), lambda _: None),
-    "the folded flow": lambda: flights.System(read(STORED.read_bytes()).parameters),
+    "the folded flow": lambda: motion.Releases(read(STORED.read_bytes()).parameters),
     "a task": lambda: list(each(1, abs, [1])),
 }
 

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from cap.checker.folded import sinks
-from cap.checker.folded.ahead import bounds_of
-from cap.checker.folded.basins import Basins
+from cap.checker.attracting import sinks
+from cap.checker.attracting.sinks import Part, Sink, norm
+from cap.checker.attracting.sinks import sink as of_claim
+from cap.checker.folded.basins import Basins, bounds_of
 from cap.checker.folded.motion import System
-from cap.checker.folded.sinks import Part, Sink, norm
 from cap.checker.folded.table import ATTRACTOR, NONE
+from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.walls import Parameters
-from cap.checker.theorems.mixed import Mixed
 from cap.floats.engine import swarm
 from cap.parameters import Parameters as Given
 
@@ -49,10 +48,7 @@ def rescaled(claim, name):
 
 def sink(claim, name="weak"):
     """Return a sink."""
-    p = SYSTEMS[name]
-    units = SimpleNamespace(p=p, omega=p.omega)
-    units.length, units.speed = lambda x: Mixed.length(units, x), lambda v: Mixed.speed(units, v)
-    return Mixed.sink(units, claim)
+    return of_claim(Units(SYSTEMS[name]), claim)
 
 
 def contract(claim, name="weak"):
@@ -190,17 +186,17 @@ def test_states_in_an_ellipse():
     ellipse = sink(NODE).ellipse()
     x, v = float(NODE["x"]) - 1, float(NODE["v"])
     inside = q.model(one=x, X=0.005), q.model(one=v, Y=0.005)
-    assert ellipse.contains(bounds_of(*inside))
-    assert Basins(ellipses=(ellipse,)).fate(0, bounds_of(*inside)) == ATTRACTOR
+    assert ellipse.contains(bounds_of(q, *inside))
+    assert Basins(ellipses=(ellipse,)).fate(0, bounds_of(q, *inside)) == ATTRACTOR
     for p, s in (
         (q.model(one=x, X=0.1), inside[1]),
         (inside[0], q.model(0.03, one=v)),
         (q.model(one=x + 0.3), inside[1]),
     ):
-        assert Basins(ellipses=(ellipse,)).fate(0, bounds_of(p, s)) == NONE
+        assert Basins(ellipses=(ellipse,)).fate(0, bounds_of(q, p, s)) == NONE
     W = np.array(NODE["matrix"], float)
     for angle in np.linspace(0, 6, 50):
         for size in (0.999, 1.001):
             z = np.linalg.solve(W, size * np.array([np.cos(angle), np.sin(angle)]))
-            at = bounds_of(q.model(one=x + z[0]), q.model(one=v + z[1]))
+            at = bounds_of(q, q.model(one=x + z[0]), q.model(one=v + z[1]))
             assert ellipse.contains(at) == (size < 1)

@@ -23,7 +23,6 @@ from cap.checker.folded.stops import (
     at_hit,
     backwards,
     flown,
-    multiple,
     places_of,
     sticks,
     turns,
@@ -87,7 +86,7 @@ def strobes(y, start, count=12, error=math.inf):
     for f, strobe in backwards(y, start.flight, count, FAST):
         k = strobe.number - f.passed
         if f.begun[1] < k * math.pi and max(f.errors) < error:
-            yield *y.at(f, multiple(y, k)[0]), k, f
+            yield *y.at(f, y.multiple(k)[0]), k, f
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
@@ -97,7 +96,7 @@ def test_orbits_in_floats_come_back(name):
     y, ahead, rng = System(p), System(p, forwards=True), np.random.default_rng(3)
     for kind, region, start in regions(y):
         f0, long = start.flight, time_of(kind, y, region)
-        for place, speed, k, _f in strobes(y, start, error=1e-5 if kind == EARLY else math.inf):
+        for place, speed, k, _f in strobes(y, start, error=1e-5 if kind == EARLY else 1e-3):
             x, z = rng.uniform(-1, 1, 2)
             a, s = value(place, x, z)[0], value(speed, x, z)[0]
             if s < 0 or not -y.width[0] < a < 0:
@@ -106,7 +105,7 @@ def test_orbits_in_floats_come_back(name):
             assert math.cos(time - f0.ref - long * z) > 1 - 1e-6
             assert abs(q - value(across(region)[0], x, z)[0]) < 1e-3
             compared[kind] += 1
-    assert min(compared[LATE], compared[0]) > 15
+    assert min(compared[LATE], compared[0]) > 12
     assert compared[EARLY] > (0 if name == "weak" else 15)  # there few are not after a stop
 
 
@@ -173,7 +172,7 @@ def test_polynomials_are_next_to_the_times_of_events():
     for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             kind, near, _k = upcoming(y, f)
-            d = (hitting if kind == "hit" else stopping)(y, f, near)
+            near, d = (hitting if kind == "hit" else stopping)(y, f, near)
             left = [abs(remains(y, f, kind, near, d, x)) for x in (0.2, 0.1)]
             if left[0] > 1e-10:
                 ratios[kind].append(left[0] / left[1])

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from support import only
 
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
@@ -37,7 +38,7 @@ def run(*words):
     return explore.main([*words, "--jobs", "1"])
 
 
-@pytest.mark.parametrize("name", TINY)
+@pytest.mark.parametrize("name", only(TINY, "attractor"))
 def test_data_and_picture(name, tmp_path, capsys):
     """Each writes and draws the same again; the masses are told, written and read back."""
     files = [tmp_path / f"{name}.{kind}" for kind in ("png", "npz", "csv")]

@@ -86,7 +86,13 @@ def systems():
         yield p, side, phase / w, far, speed, Fraction(random.randint(1, 40), 40) / w, random
 
 
-@pytest.mark.parametrize("leaving", [True, False], ids=["from the wall", "near the wall"])
+@pytest.mark.parametrize(
+    "leaving",
+    [
+        pytest.param(True, id="from the wall", marks=pytest.mark.slow),
+        pytest.param(False, id="near the wall"),
+    ],
+)
 def test_against_bounces(leaving):
     """Where the lemma applies: no bounce too high, too fast, too late; the speeds fall as told."""
     found = 0

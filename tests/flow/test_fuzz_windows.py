@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 from mpmath import workdps
 from random_orbits import KINDS, case
-from support import rational, rounds, seeded
+from support import only, rational, rounds, seeded
 from test_fuzz_propagation import DIGITS, check_events, check_state, simulated
 
 from cap.errors import NotProved
@@ -79,7 +79,7 @@ def attempt(random, case, state, events):
     return Image(told, (kind.bound(orbit.end[0]), kind.bound(orbit.end[1])), zero, 0)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", only(KINDS, "flying"))
 def test_only_the_truth_is_told(kind):
     """Of itineraries as they are, and spoilt ones: events and state are those of the orbit."""
     random, count = seeded(kind), Counter()

@@ -30,7 +30,7 @@ ROW = (  # of Church and Fortin, a = 1.8, e = 0.75, E = 1.5: t, x, v, w just bef
 
 
 def test_the_elliptic_orbit_is_that_of_the_stroboscopic_map():
-    """Hit times, state at t = 0 and trace agree with the special flow to 22 digits."""
+    """Hit times and trace overlap those of the special flow, and are known to 20 digits."""
     orbit = prove(Itinerary(oscillator(PAPER), HITS), GUESS, 15)
     start = fixed_point.Start.non_sticking(0.10028, 0.54194, (1.0992, 3.5161))
     with interval.workprec(120):

@@ -91,6 +91,7 @@ def family(flights):
     return world, *found
 
 
+@pytest.mark.slow
 def test_what_is_worth_little_is_left_out():
     """The more, the more area a cell has to take away."""
     _, one, two = family(2)

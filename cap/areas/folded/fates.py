@@ -97,7 +97,7 @@ def _phase(y: System, event: Event) -> Phase:
 
 @kernel
 def _kind(y: System, phase: Phase) -> int:
-    """Return what a stop is."""
+    """Return whether all stops in a range of phases are sticks or turns, early or late."""
     low, high, more = phase
     theta = y.theta + more
     if high < -theta:
@@ -173,7 +173,10 @@ def _over(known: Known, x: Model, beyond: float, w: Model, less: float, s: Share
 
 @kernel
 def _lost(known: Known, fate: int, low: float, high: float, each: float) -> float:
-    """Return what is missing over an interval of places, each of which stands for so much."""
+    """Return a bound of the area without a fate, of releases from an interval of places.
+
+    A unit of places without it stands for the area ``each``; if that is infinite, none may be.
+    """
     if each == math.inf:
         room = ROOM * (high - low)
         return 0.0 if all_have(known, fate, low - room, high + room) else math.inf

@@ -82,7 +82,7 @@ class Turns(Tree):
     fated: Floats
 
     def onwards(self, chosen: Mask) -> Floats:
-        """Return what of the area with a fate each node would give, below or at a chosen one."""
+        """Return the area with a fate that each node below a chosen one, or it, would give."""
         weights = np.zeros(len(chosen))
         for n in np.flatnonzero(chosen).tolist():
             weights[n : self.past[n]] = self.strobes[n]

@@ -41,7 +41,7 @@ def _lost(cover: Cover, j: int, s: float, E: float, flights: int) -> int:
 
 @kernel
 def _column(family: tuple[Cover, Cover], j: int, chance: Chance, lost: Floats) -> None:
-    """Add what of the gaps of a column was lost, and where, to ``lost`` (C,)."""
+    """Add the areas of the gaps of a column to ``lost`` (C,), by the column that lost them."""
     one, two = family
     C, width, g, h = len(lost), one.lines[j + 1] - one.lines[j], chance.one, chance.two
     for k in range(PLACES):

@@ -79,7 +79,10 @@ want = kept(_want, sources(), error_model="numpy")
 
 
 def _weigh(cover: Cover, other: Cover, worth: Floats, gaps: Floats) -> None:
-    """Write the areas of the cells (N,) in the gaps of the other family; ``gaps`` is room."""
+    """Write the areas of the cells (N,) in the gaps of the other family.
+
+    ``gaps`` is an array in which those of a place are noted meanwhile.
+    """
     C = len(cover.top)
     for j in range(C):
         width = cover.lines[j + 1] - cover.lines[j]

@@ -38,17 +38,17 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple, Protocol
 
-from cap.checker.folded import flights
-from cap.checker.folded.basins import Basins, Bounds
+from cap.checker.folded.basins import Basins
 from cap.checker.folded.events import Event, after, event
-from cap.checker.folded.motion import Flight, System
+from cap.checker.folded.flights import Flight
+from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import Region
 from cap.checker.folded.rests import height
 from cap.checker.folded.slopes import BEGIN, Slopes, of_place
 from cap.checker.folded.slopes import after as slopes_after
-from cap.checker.folded.stops import multiple, turns
-from cap.checker.folded.table import ATTRACTOR, EITHER, NONE, SEGMENT
+from cap.checker.folded.stops import turns
+from cap.checker.folded.table import ATTRACTOR, EITHER, SEGMENT
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
 from cap.checker.kernel.rejection import Rejected, need
@@ -71,10 +71,9 @@ class Fates(Protocol):
 
 
 class Outlook(NamedTuple):
-    """The flow forwards, in two forms, and what is known of places and states."""
+    """The flow forwards, and what is known of places and states."""
 
     y: System
-    still: flights.System
     fates: Fates
     basins: Basins
 
@@ -110,7 +109,7 @@ def losses(o: Outlook, f: Flight) -> Iterator[Sequence[float]]:
             yield [0.0 if known & wanted else math.inf for wanted in FATES]
             return
         if e.p is None:
-            low, rested = height(o.still, e.ends, e.speeds[1]), False
+            low, rested = height(y, e.ends, q.ends(e.s)[1]), False
             if low is not None:
                 yield at_wall(o, low)
                 return
@@ -121,7 +120,7 @@ def losses(o: Outlook, f: Flight) -> Iterator[Sequence[float]]:
                 yield stuck(o, e, e.p[1], g)
             if every:
                 return
-        f, g = after(y, f, e), slopes_after(y, f, g, e)
+        f, g = after(y, f, e), slopes_after(y, g, e)
     raise Rejected("there is no stick for long")
 
 
@@ -198,23 +197,4 @@ def seen(o: Outlook, f: Flight, e: Event, *, rested: bool) -> int:
     """Return the fate of all states, if it is known at a multiple of pi before an event."""
     between = rested and e.p is not None
     basins = o.basins if between else o.basins._replace(strips=())
-    k = math.ceil(f.begun[1] / math.pi)
-    while any(basins) and k * math.pi < e.ends[0]:
-        t, error = multiple(o.y, k)
-        if basins.at(k) and f.begun[1] < t - error and t + error < e.ends[0]:
-            p, s = o.y.at(f, t, error)
-            s = q.widened(s, f.errors[0])
-            bounds = bounds_of(q.widened(p, o.y.influence(f, t, error)), s)
-            if known := basins.fate(k, bounds):
-                return known
-        k += 1
-    return NONE
-
-
-def bounds_of(p: Model, s: Model) -> Bounds:
-    """Return what gives bounds of sums of p and s."""
-
-    def bounds(a: Pair, b: Pair) -> Pair:
-        return q.ends(q.total(q.scaled(p, *a), q.scaled(s, *b)))
-
-    return bounds
+    return basins.seen(o.y, f, e.ends[0])

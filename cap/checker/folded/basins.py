@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from cap.checker.folded.flights import Flight, Model
+from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT
 
@@ -72,9 +74,32 @@ class Basins(NamedTuple):
         ellipses = self.odd if k % 2 else self.ellipses
         return ATTRACTOR if any(each.contains(bounds) for each in ellipses) else NONE
 
+    def seen(self, y: System, f: Flight, until: float) -> int:
+        """Return the fate of all states of a flight, if it is known at a multiple of pi that all
+        pass before a time, or 0.
+        """
+        k = math.ceil(f.begun[1] / math.pi)
+        while any(self) and k * math.pi < until:
+            t, error = y.multiple(k)
+            passed = self.at(k) and f.begun[1] < t - error and t + error < until
+            if passed and (known := self.fate(k, bounds_of(y.q, *y.states(f, t, error)))):
+                return known
+            k += 1
+        return NONE
+
     def at(self, k: int) -> bool:
         """Return whether something is known at a multiple k pi."""
         return bool(self.odd if k % 2 else self.strips or self.ellipses)
+
+
+def bounds_of(q: Any, p: Model, s: Model) -> Bounds:
+    """Return what gives bounds of sums of p and s, models of the module q."""
+
+    def bounds(a: Pair, b: Pair) -> Pair:
+        low, high = q.ends(q.total(q.scaled(p, *a), q.scaled(s, *b)))
+        return low, high
+
+    return bounds
 
 
 def distance(row: Row, bounds: Bounds) -> float:

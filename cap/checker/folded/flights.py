@@ -1,7 +1,8 @@
 """Flights between two walls, folded by the symmetry of the system, for all orbits of a kind.
 
-*Units.*  Time 1/omega, length F/omega^2: x'' = cos t - a sgn x', a = f/F in (0, 1), and the walls
-are W = (r - l) omega^2/F apart; e = 1, mu = 0.
+*Units.*  Time 1/omega, length F/omega^2: forwards x'' = cos t + a sgn x' with a = -f/F in (-1, 0);
+backwards, with -t for t, the same with a = f/F.  The walls are W = (r - l) omega^2/F apart; e = 1,
+mu = 0.
 
 *Folding.*  The flow commutes with (x, v, t) -> (l + r - x, -v, t + pi).  So a flight to the left is
 described as one to the right, its time shifted by pi; and after a hit or a turn the next flight has
@@ -10,11 +11,12 @@ its time shifted by pi.  What remains is the distance p <= 0 to the wall ahead, 
 
 *A flight* has the speed s >= 0 and the distance p,
 
-    s(t) = sin t - a d + A,      p(t) = -cos t - a d^2/2 + A d + B,      d = t - ref,
+    s(t) = sin t + a d + A,      p(t) = -cos t + a d^2/2 + A d + B,      d = t - ref,
 
-s' = cos t - a.  Let theta = arccos a.  s has its minima at the *slow* times 2 pi k - theta, its
-maxima at 2 pi k + theta.  So s > 0 after the start up to a time if s >= 0 at the start and s > 0
-there and at the slow times between; and as long as that holds, p increases.
+s' = cos t + a.  Let theta = arccos a.  s has its minima at the *slow* times 2 pi k - (pi - theta),
+and decreases in the arcs (pi - theta, pi + theta) modulo 2 pi only: there a mass stops.  So s > 0
+after the start up to a time if s >= 0 at the start and s > 0 there and at the slow times between;
+and as long as that holds, p increases.
 
 *Errors.*  A = A_0 + u, B = B_0 + w with polynomials A_0, B_0 in one variable or two, and (u, w) = C
 n, |n_1| <= R_1, |n_2| <= R_2, C nearly a rotation.  The map to the next flight is differentiable;
@@ -29,20 +31,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.kernel.angles import of, rounded
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.line import Coefficients
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import need_doubles
 from cap.checker.system.walls import Parameters
 
 _BITS = 160
-ARCS = 12  # of a flight
 Four = tuple[Pair, Pair, Pair, Pair]
+Model = Any
+"""A model of `cap.checker.kernel.line` or of `cap.checker.kernel.polynomials`."""
 
 
 class Constants(NamedTuple):
@@ -71,40 +73,22 @@ def constants(p: Parameters) -> Constants:
     return Constants(rounded(p.f / p.F), width, *map(of, (*angles(p), sine)))
 
 
-class Path(NamedTuple):
-    """A flight with A_0, B_0 in one variable, and errors that have derivatives: see ``paths``."""
+class Flight(NamedTuple):
+    """A flight: bounds of the time of its start, ref, A_0, B_0, C, R, bounds of the errors u, w.
+
+    ``slow`` is the number of the first slow time that counts, ``passed`` how many multiples of pi
+    its times have been shifted since the first flight.
+    """
 
     begun: Pair
     ref: float
-    A: Coefficients
-    B: Coefficients
+    A: Model
+    B: Model
     C: tuple[float, float, float, float]
     R: Pair
     errors: Pair
     slow: int
-
-
-class System:
-    """The constants, each a double with a bound of its error."""
-
-    def __init__(self, p: Parameters) -> None:
-        known = constants(p)
-        self.a, self.a_error = known.a
-        self.width, self.theta, self.pi, self.sine = known[1:]
-        theta, half = angles(p)
-        self.turns = {k: of(half * (2 * k)) for k in range(-2, ARCS + 3)}
-        self.strobes = {k: of(half * k) for k in range(2 * ARCS + 4)}
-        self.slows = {k: of(half * (2 * k) - theta) for k in range(ARCS + 3)}
-        self.first, self.last = of(half - theta), of(half + theta)  # turns are between them
-
-    def slow_time(self, k: int) -> Pair:
-        """Return the slow time of this number; its error covers those of its cosine and sine."""
-        t, e = self.slows[k]
-        return t, e + self.a_error + self.sine[1]
-
-    def first_slow(self, begun: Pair) -> int:
-        """Return the number of the first slow time that may follow a start in [-pi, pi]."""
-        return 1 if begun[0] > self.slows[0][0] + self.slows[0][1] else 0
+    passed: int
 
 
 Errors = tuple[tuple[float, float, float, float], Pair, Pair]

@@ -1,56 +1,34 @@
-"""The flow in both directions of time, folded by its symmetry, for all states of a region.
+"""The flow in both directions of time, for all states of a kind: see `cap.checker.folded.flights`.
 
-*Units and folding* are those of `cap.checker.folded.flights`.  With a = -f/F forwards, and a = f/F
-backwards, with t for -t, x'' = cos t + a sgn x'.  While the mass moves to the right, the wall ahead
-at p = 0,
-
-    s(t) = sin t + a d + A,      p(t) = -cos t + a d^2/2 + A d + B,      d = t - ref,
-
-s' = cos t + a.  Let theta = arccos a.  s has its minima at the *slow* times 2 pi k - (pi - theta),
-and decreases in the arcs (pi - theta, pi + theta) modulo 2 pi only: there a mass stops.
+A state depends on one variable or two: what is computed are models, of `cap.checker.kernel.line` or
+of `cap.checker.kernel.polynomials`, two modules with the same functions.  For ``line`` all bounds
+are those of a norm of functions and their derivatives.
 """
 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any
 
-from cap.checker.folded.flights import Four, angles, carried, constants
+from cap.checker.folded.flights import Flight, Four, Model, angles, carried, constants
 from cap.checker.folded.numbers import TURN, UP, Pair, shifted
 from cap.checker.folded.scout import Middle, scout
-from cap.checker.kernel import polynomials as q
+from cap.checker.kernel import line, polynomials
 from cap.checker.kernel.angles import cos_sin, of
-from cap.checker.kernel.polynomials import LAST, Model
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.system.walls import Parameters
 
-_ARCS = 6  # of a flight
-_NEAR = 1e-13  # more than the errors of the times here, all below 50
-
-
-class Flight(NamedTuple):
-    """A flight: bounds of its start, ref, A, B, C, R, bounds of the errors of A and B.
-
-    As in `cap.checker.folded.flights`.  ``slow`` is the number of the first slow time that counts,
-    ``passed`` how many multiples of pi its times have been shifted.
-    """
-
-    begun: Pair
-    ref: float
-    A: Model
-    B: Model
-    C: tuple[float, float, float, float]
-    R: Pair
-    errors: Pair
-    slow: int
-    passed: int
+_ARCS = 12  # of a flight
+_NEAR = 1e-13  # more than the errors of the times here, all below 90
 
 
 class System:
     """The constants of one direction of time, each a double with a bound of its error.
 
-    ``rest`` is arccos |a|.
+    ``theta`` is arccos a, ``rest`` is arccos |a|, ``q`` the module of the models.
     """
+
+    q: Any = polynomials
 
     def __init__(self, p: Parameters, *, forwards: bool = False) -> None:
         known, (theta, half) = constants(p), angles(p)
@@ -64,29 +42,41 @@ class System:
         t = (2 * k - 1) * self.pi[0] + self.theta[0]
         return t, (2 * k + 1) * self.pi[1] + self.theta[1] + _NEAR
 
+    def multiple(self, k: int) -> Pair:
+        """Return a multiple of pi, and a bound of its error."""
+        return k * self.pi[0], abs(k) * (self.pi[1] + TURN)
+
     def speed(self, A: Model, d: Model, sin: Model) -> Model:
         """Return s at the time ref + d with this sine."""
-        return q.total(q.total(sin, q.scaled(d, self.a, self.a_error)), A)
+        return self.q.total(self.q.total(sin, self.q.scaled(d, self.a, self.a_error)), A)
 
     def place(self, f: Flight, d: Model, cos: Model) -> Model:
         """Return p, without errors, at the time ref + d with this cosine."""
+        q = self.q
         ahead = q.product(d, q.total(q.scaled(d, self.a / 2, self.a_error), f.A))
         return q.total(q.scaled(cos, -1.0), q.total(ahead, f.B))
 
     def start(self, A: Model, d: Model, cos: Model) -> Model:
-        """Return -cos t - a d^2/2 - A d with this cosine of t: B, but for p."""
+        """Return cos t - a d^2/2 - A d, t = ref + d, with this cosine: B, if p = 0 then."""
+        q = self.q
         half = q.scaled(d, -self.a / 2, self.a_error)
         return q.total(cos, q.product(d, q.total(half, q.scaled(A, -1.0))))
 
     def at(self, f: Flight, t: float, e: float = 0.0) -> tuple[Model, Model]:
         """Return (p, s), without errors, at a time within e of t."""
+        q, d = self.q, t - f.ref
         cos, sin = cos_sin(t)
-        d = t - f.ref
         e += (abs(t) + abs(f.ref) + 1) * TURN
         error = (q.size(f.A) + abs(d) + 2) * e + self.a_error * abs(d)
         s = q.moved(f.A, sin + self.a * d, error)
         p = q.total(q.scaled(f.A, d, e), f.B)
         return q.moved(p, -cos + self.a * d * d / 2, error * (1 + abs(d))), s
+
+    def states(self, f: Flight, t: float, e: float) -> tuple[Model, Model]:
+        """Return (p, s) at a time within e of t."""
+        p, s = self.at(f, t, e)
+        p = self.q.widened(p, self.influence(f, t, e))
+        return p, self.q.widened(s, f.errors[0])
 
     def influence(self, f: Flight, t: float, e: float) -> float:
         """Return a bound of A d + B for the errors A, B, at a time within e of t."""
@@ -102,8 +92,8 @@ class System:
             t, e = self.slow(k)
             if t - e > until:
                 return
-            s = q.widened(self.at(f, t, e)[1], f.errors[0])
-            need(q.ends(s)[0] > 0, "the mass may stop, or not")
+            s = self.q.widened(self.at(f, t, e)[1], f.errors[0])
+            need(self.q.ends(s)[0] > 0, "the mass may stop, or not")
         raise Rejected("a flight is too long")
 
     def since_start(self, f: Flight, low: float) -> None:
@@ -121,29 +111,39 @@ class System:
         """Return ref in [-pi, pi] and d' with near + d - pi = ref + d', modulo 2 pi."""
         k = 1 + 2 * round((near - math.pi) / (2 * math.pi))
         ref = near - k * self.pi[0]
-        return ref, q.widened(d, (abs(near) + 8) * TURN + abs(k) * (self.pi[1] + 4 * TURN))
+        return ref, self.q.widened(d, (abs(near) + 8) * TURN + abs(k) * (self.pi[1] + 4 * TURN))
+
+
+class Releases(System):
+    """The flow forwards, of states that depend on one variable: the place of release."""
+
+    q = line
+
+    def __init__(self, p: Parameters) -> None:
+        super().__init__(p, forwards=True)
 
 
 def upcoming(y: System, f: Flight) -> tuple[str, float, int]:
     """Return what comes next in the middle of the region, when, and in which arc: it steers."""
     slows = ((k, y.slow(k)[0]) for k in range(f.slow, _ARCS))
-    middle = Middle(-y.a, f.A[0], f.B[0], f.ref)
+    middle = Middle(-y.a, y.q.first(f.A), y.q.first(f.B), f.ref)
     return scout(middle, (f.begun[0] + f.begun[1]) / 2, slows, 2 * y.theta[0])
 
 
-def since(f: Flight, near: float, d: Model) -> tuple[Model, float]:
-    """Return near + d - ref, and a bound of the rounding of near + d."""
-    lag = (abs(near) + abs(f.ref)) * TURN
-    return q.moved(d, near - f.ref, lag), lag
+def since(y: System, f: Flight, near: float, d: Model) -> Model:
+    """Return near + d - ref."""
+    return y.q.moved(d, near - f.ref, (abs(near) + abs(f.ref)) * TURN)
 
 
-def followed(f: Flight, ends: Pair, near: Pair, models: tuple[Model, Model], J: Four) -> Flight:
+def followed(
+    y: System, f: Flight, ends: Pair, near: Pair, models: tuple[Model, Model], J: Four
+) -> Flight:
     """Return the flight with models A, B after the flight f, the errors of which J carries.
 
     ``ends`` are the bounds of the time that ended f, ``near`` are near and the new ref.
     """
     A, B = models
-    begun = shifted(ends, *near)
-    C, R, errors = carried((f.C, f.R, f.errors), J, (A[LAST], B[LAST]))
+    begun, q = shifted(ends, *near), y.q
+    C, R, errors = carried((f.C, f.R, f.errors), J, (q.error(A), q.error(B)))
     passed = f.passed + round((near[0] - near[1]) / math.pi)
     return Flight(begun, near[1], q.exact(A), q.exact(B), C, R, errors, 1, passed)

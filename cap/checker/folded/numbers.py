@@ -17,12 +17,6 @@ UP, TURN, TINY = 1 + 2.0**-40, 2.0**-49, 2.0**-900
 _STEPS = 40  # of a search that steers
 
 
-def middle(ends: Pair) -> Pair:
-    """Return the middle and the radius of an interval."""
-    m = (ends[0] + ends[1]) / 2
-    return m, max(ends[1] - m, m - ends[0]) * UP + abs(m) * TURN
-
-
 def times(x: Pair, y: Pair) -> Pair:
     """Return a product."""
     m = x[0] * y[0]

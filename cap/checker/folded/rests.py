@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 
-from cap.checker.folded.flights import System
+from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.kernel.angles import cos_sin
 
@@ -32,24 +32,24 @@ def height(y: System, ends: Pair, speed: float) -> float | None:
     """Return how far from the wall the mass may rest after a slow hit, or None."""
     if speed > _SLOW:
         return None
-    turn, e = y.turns[round((ends[0] + ends[1]) / (4 * math.pi))]
+    turn, e = y.multiple(2 * round((ends[0] + ends[1]) / (4 * math.pi)))
     begin, latest = ends[0] - turn - e - 1e-13, ends[1] - turn + e + 1e-13
     if captures(y, (begin, latest), speed):
         return 0.0
-    low = speed * speed / (2 * y.a) * UP
+    low = speed * speed / (2 * -y.a) * UP
     return low if low < _LOW and settles(y, (begin, latest), speed) else None
 
 
 def captures(y: System, ends: Pair, speed: float) -> bool:
     """Return whether a capture follows a hit at a time between these, modulo 2 pi."""
-    theta = y.theta[0] - y.theta[1]
+    theta, a = y.rest[0] - y.rest[1], -y.a
     for wait in _WAITS:
         until = ends[1] + wait * speed
         if not (-theta < ends[0] and until < theta):
             return False
         ahead = [cos_sin(t)[0] for t in (ends[0], until)]
         least, most = min(ahead) - 1e-12, 1.0 if ends[0] <= 0 <= until else max(ahead) + 1e-12
-        rise, fall, g = least + y.a - 1e-12, most - y.a + 1e-12, least - y.a - 1e-12
+        rise, fall, g = least + a - 1e-12, most - a + 1e-12, least - a - 1e-12
         if g > 0 and fall < rise and speed * speed < rise * y.width[0]:
             bounces = (1 / rise + 1 / math.sqrt(rise * g)) / (1 - math.sqrt(fall / rise)) * speed
             if ends[1] + bounces * (1 + 1e-9) <= until:
@@ -59,8 +59,8 @@ def captures(y: System, ends: Pair, speed: float) -> bool:
 
 def settles(y: System, ends: Pair, speed: float) -> bool:
     """Return whether the mass comes to rest near the wall after a hit, by the second lemma."""
-    late = max(ends[1], y.theta[0]) + 0.2
+    late = max(ends[1], y.rest[0]) + 0.2
     if ends[0] < 0 or late > 1.5:
         return False
-    drag = y.a - cos_sin(late)[0] - 1e-12
-    return drag > 0 and late + (speed / drag + speed / y.a) * (1 + 1e-9) <= 1.57
+    drag = -y.a - cos_sin(late)[0] - 1e-12
+    return drag > 0 and late + (speed / drag + speed / -y.a) * (1 + 1e-9) <= 1.57

@@ -43,7 +43,7 @@ class Settled:
         return [(ends, ATTRACTOR) for ends in self.kept]
 
     def _outside(self, intervals: Iterable[Pair], fate: int) -> list[Known]:
-        """Return what of these intervals is not kept, with a fate."""
+        """Return the parts of these intervals outside those that are kept, all with one fate."""
         found = list(intervals)
         for low, high in self.kept:
             found = [part for a, b in found for part in ((a, min(b, low)), (max(a, high), b))]

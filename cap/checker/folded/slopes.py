@@ -14,7 +14,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cap.checker.folded.events import Event
-from cap.checker.folded.motion import Flight, System
+from cap.checker.folded.motion import System
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
 
@@ -34,13 +34,12 @@ def of_place(g: Slopes, e: Event) -> Model:
     return q.total(q.product(q.widened(e.D, e.e_all), g.A), g.B) if any(g.A) else g.B
 
 
-def after(y: System, f: Flight, g: Slopes, e: Event) -> Slopes:
-    """Return the derivatives after an event that ends the flight f."""
+def after(y: System, g: Slopes, e: Event) -> Slopes:
+    """Return the derivatives after an event."""
     w, cos = of_place(g, e), q.widened(e.cos, e.e_all)
     later = y.folded(e.near, q.widened(e.d, e.e_all))[1]
     if e.p is None:
-        s = q.widened(y.speed(f.A, e.D, e.sin), f.errors[0] + 2 * e.e_all)
-        A = q.total(g.A, q.product(q.product(q.scaled(cos, -2.0), q.inverse(s)), w))
+        A = q.total(g.A, q.product(q.product(q.scaled(cos, -2.0), q.inverse(e.s)), w))
     else:
         w, least = q.scaled(w, -1.0), q.inverse(q.moved(cos, y.a, y.a_error))
         A = q.product(g.A, q.product(q.moved(q.scaled(cos, -1.0), y.a, y.a_error), least))

@@ -4,9 +4,15 @@
 folded, at the distance q <= 0 to the wall ahead, at a time with cos t > -a.  A state at t = 0 that
 stops is given by its first stop and by how many multiples of pi, in the folded time, are passed
 backwards from there to it (odd or even: the mass arrives from the left or from the right):
-different states by different pairs.  So the areas of these states, for any regions of stops that do
-not overlap and all multiples of pi passed, add up.  Backwards it ends where the mass is at rest: a
-stop before.
+different states by different pairs, as a state has one orbit, so one first stop, and the number of
+multiples of pi between them.  So the areas of these states, for any regions of stops that do not
+overlap and all multiples of pi passed, add up, if none is counted twice for a region.  Backwards it
+ends where the mass is at rest: a stop before.
+
+*None is counted twice.*  The multiples of pi that are counted in a flight follow each other from
+`first` on, the first one after the latest start of the flight.  The last of them are not after the
+latest end of the flight, which is the latest start of the next one, where `first` is larger.  So
+the numbers, which are counted from the stop on (``passed``), increase from flight to flight.
 
 *Kinds of stops.*  If |t| < theta, cos t > a: the mass turns, and sets out from there, at the place
 q and the time -t of the flow forwards.  If cos t < a, it sticks: late, in the arc (theta - pi,
@@ -33,7 +39,8 @@ from itertools import count
 from typing import NamedTuple
 
 from cap.checker.folded.events import Event, after, event
-from cap.checker.folded.motion import Flight, System
+from cap.checker.folded.flights import Flight
+from cap.checker.folded.motion import System
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import CUT, UNIT, Region
 from cap.checker.kernel import polynomials as q
@@ -156,15 +163,13 @@ def backwards(y: System, f: Flight, flights: int, V: float) -> Iterator[tuple[Fl
 def flown(y: System, f: Flight, V: float) -> Iterator[Strobe]:
     """Give the multiples of pi that all orbits pass before anything happens."""
     for k in count(first(f)):
-        t, error = multiple(y, k)
+        t, error = y.multiple(k)
         try:
             y.moving(f, t + error)
         except Rejected:
             return
-        p, s = y.at(f, t, error)
-        s = q.widened(s, f.errors[0])
-        nearest = q.ends(q.widened(p, y.influence(f, t, error)))[1]
-        if not (q.ends(s)[0] > 0 and nearest < 0):
+        p, s = y.states(f, t, error)
+        if not (q.ends(s)[0] > 0 and q.ends(p)[1] < 0):
             return
         yield Strobe(k + f.passed, q.moved(s, -V, 0.0))
 
@@ -172,10 +177,10 @@ def flown(y: System, f: Flight, V: float) -> Iterator[Strobe]:
 def at_hit(y: System, f: Flight, e: Event, flown: int, V: float) -> list[Strobe]:
     """Return the multiples of pi up to the end of the next hit, but for those ``flown``."""
     found, k = list[Strobe](), first(f) + flown
-    while sum(multiple(y, k)) <= e.ends[1]:
-        t, error = multiple(y, k)
+    while sum(y.multiple(k)) <= e.ends[1]:
+        t, error = y.multiple(k)
         later = max(0.0, t + error - e.ends[0]) * UP
-        if not later < e.speeds[0]:
+        if not later < q.ends(e.s)[0]:
             break
         excess = q.moved(y.at(f, t, error)[1], 2 * later - V, f.errors[0])
         found.append(Strobe(k + f.passed, excess))
@@ -186,8 +191,3 @@ def at_hit(y: System, f: Flight, e: Event, flown: int, V: float) -> list[Strobe]
 def first(f: Flight) -> int:
     """Return the number of the first multiple of pi certainly after the start of a flight."""
     return math.ceil(f.begun[1] / math.pi + 1e-9)
-
-
-def multiple(y: System, k: int) -> Pair:
-    """Return a multiple of pi, and a bound of its error."""
-    return k * y.pi[0], abs(k) * (y.pi[1] + TURN)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.flights import System
+from cap.checker.folded.motion import Releases, System
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece
 from cap.checker.kernel.rejection import Rejected, need
@@ -24,7 +24,7 @@ DEEPEST, MOST = 30, 1 << 16  # a node, and how many may be followed
 @cache
 def system(p: Parameters) -> System:
     """Return the constants at these parameters."""
-    return System(p)
+    return Releases(p)
 
 
 def nodes(tree: str) -> list[Node]:

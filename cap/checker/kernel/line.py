@@ -27,10 +27,12 @@ r with |r| = d <= 1 is added to g, |cos(a + g + r) - cos(a + g)| <= |cos(a + g)|
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import accumulate
 from operator import add, mul
 
 from cap.checker.kernel.angles import cos_sin
+from cap.checker.kernel.rejection import need
 
 Coefficients = tuple[float, ...]
 Line = tuple[Coefficients, float]
@@ -40,6 +42,8 @@ _UP, _ROUND, _TINY = 1 + 2.0**-40, 2.0**-48, 2.0**-900
 _WEIGHTS = tuple(1 + k / 4 for k in range(DEGREE + 1))
 _ORDERS = tuple(range(DEGREE + 1))
 _ZEROS = (0.0,) * DEGREE
+DEGREES = _ORDERS
+PARTS = [(k, k, k + 1) for k in _ORDERS[1:]]
 _BINOMIALS = [[1.0]]
 for _k in range(DEGREE):
     _row = _BINOMIALS[-1]
@@ -58,21 +62,65 @@ def across(ends: tuple[float, float]) -> Line:
     return (mid, rad, *_ZEROS[1:]), (abs(ends[0]) + abs(ends[1])) * _ROUND
 
 
-def size(c: Coefficients) -> float:
+def norm(c: Coefficients) -> float:
     """Return a bound of the norm of a polynomial."""
     a0, a1, a2, a3, a4, a5, a6 = map(abs, c)
     norm = a0 + 1.25 * a1 + 1.5 * a2 + 1.75 * a3 + 2 * a4 + 2.25 * a5 + 2.5 * a6
     return norm * _UP + _TINY
 
 
-def bound(p: Line) -> float:
+def size(p: Line) -> float:
     """Return a bound of the norm of p."""
-    return (size(p[0]) + p[1]) * _UP
+    return (norm(p[0]) + p[1]) * _UP
 
 
 def rest(p: Line) -> float:
     """Return a bound of the norm of p - c_0."""
-    return (size((0.0, *p[0][1:])) + p[1]) * _UP
+    return (norm((0.0, *p[0][1:])) + p[1]) * _UP
+
+
+def first(p: Line) -> float:
+    """Return the constant coefficient."""
+    return p[0][0]
+
+
+def error(p: Line) -> float:
+    """Return the bound of what is left."""
+    return p[1]
+
+
+def exact(p: Line) -> Line:
+    """Return the polynomial of a model."""
+    return p[0], 0.0
+
+
+def with_constant(p: Line, c: float) -> Line:
+    """Return p with another constant coefficient."""
+    return (c, *p[0][1:]), p[1]
+
+
+def ball(p: Line) -> tuple[float, float]:
+    """Return a number, and a bound of the norm of its difference from p."""
+    return p[0][0], rest(p)
+
+
+def bend(cos: Line, sin: Line) -> float:
+    """Return a bound of the change of a cosine and a sine, per change of the angle, if <= 1."""
+    return BEND * (size(cos) + size(sin)) * _UP
+
+
+def root(slope: Line, bend: float, left: float, left_all: float) -> tuple[float, float]:
+    """Return how far T_0 is from a zero T of F, by the lemma of `cap.checker.folded.events`.
+
+    ``slope`` is F' at T_0, positive, which changes by ``bend`` per time; ``left`` bounds F(T_0),
+    without and with the errors of F.
+    """
+    m = slope[0][0]
+    need(m > 0, "the time of an event is not certain")
+    e, e_all = 2 * left / m * _UP, 2 * left_all / m * _UP
+    certain = e_all <= 1 and (rest(slope) + bend * e_all) * _UP <= m / 2
+    need(certain, "the time of an event is not certain")
+    return e, e_all
 
 
 def widened(p: Line, e: float) -> Line:
@@ -89,14 +137,14 @@ def moved(p: Line, a: float, e: float) -> Line:
 def scaled(p: Line, a: float, e: float = 0.0) -> Line:
     """Return p times a number within e of a."""
     c, d = p
-    more = size(c) * (abs(a) * _ROUND + e) + d * (abs(a) + e)
+    more = norm(c) * (abs(a) * _ROUND + e) + d * (abs(a) + e)
     return tuple([a * z for z in c]), (more + _TINY) * _UP
 
 
 def total(p: Line, q: Line) -> Line:
     """Return p + q."""
     c = tuple(map(add, p[0], q[0]))
-    return c, (p[1] + q[1] + size(c) * _ROUND) * _UP
+    return c, (p[1] + q[1] + norm(c) * _ROUND) * _UP
 
 
 def product(p: Line, q: Line) -> Line:
@@ -128,8 +176,9 @@ def ends(p: Line) -> tuple[float, float]:
     return c[0] - (spread + more) * _UP, c[0] + (spread + more) * _UP
 
 
-def trigonometric(c: Coefficients) -> tuple[Line, Line]:
-    """Return the cosine and the sine of a polynomial."""
+def trigonometric(p: Line) -> tuple[Line, Line]:
+    """Return the cosine and the sine of the polynomial of p."""
+    c = p[0]
     C, S = waves(c)
     slopes = list(map(mul, map(abs, c[1:]), _ORDERS[1:]))  # of degrees 0 to n - 1
     sizes = [abs(a) + abs(b) for a, b in zip(C, S, strict=True)]
@@ -151,6 +200,21 @@ def waves(c: Coefficients) -> tuple[Coefficients, Coefficients]:
         C.append(-sum(map(mul, past, S)) / k)
         S.append(sum(map(mul, past, C)) / k)
     return tuple(C), tuple(S)
+
+
+def coefficients(p: Line) -> Coefficients:
+    """Return the coefficients of the polynomial."""
+    return p[0]
+
+
+def of_coefficients(c: Sequence[float]) -> Line:
+    """Return a polynomial."""
+    return tuple(c), 0.0
+
+
+def part(w: int, f: Sequence[float], g: Sequence[float]) -> tuple[float]:
+    """Return the term of degree w of f g, for f without a constant."""
+    return (sum(map(mul, f[1 : w + 1], g[w - 1 :: -1])),)
 
 
 def half(p: Line, side: float) -> Line:

@@ -34,6 +34,7 @@ G^3/(1 - G).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from operator import add, itemgetter
 
 from cap.checker.kernel.angles import cos_sin
@@ -44,6 +45,8 @@ Model = tuple[float, ...]
 DEGREE = 4
 MONOMIALS = [(i, degree - i) for degree in range(DEGREE + 1) for i in range(degree + 1)]
 LAST = len(MONOMIALS)  # where the bound is
+DEGREES = [i + j for i, j in MONOMIALS]
+PARTS = [(w, w * (w + 1) // 2, (w + 1) * (w + 2) // 2) for w in range(1, DEGREE + 1)]
 _UP = 1 + 2.0**-40
 _SUM, _PRODUCT, _TINY = 2.0**-51, 2.0**-49, 2.0**-900
 _FLAT = 2.0**-200  # so small u and w are added to h
@@ -65,6 +68,56 @@ def model(e: float = 0.0, **coefficients: float) -> Model:
 def size(p: Model) -> float:
     """Return a bound of |p|."""
     return sum(map(abs, p)) * _UP + _TINY
+
+
+def rest(p: Model) -> float:
+    """Return a bound of |p - p_0|, p_0 the constant coefficient."""
+    return sum(map(abs, p[1:])) * _UP + _TINY
+
+
+def first(p: Model) -> float:
+    """Return the constant coefficient."""
+    return p[0]
+
+
+def error(p: Model) -> float:
+    """Return the bound of what is left."""
+    return p[LAST]
+
+
+def ball(p: Model) -> tuple[float, float]:
+    """Return a number, and a bound of its difference from p."""
+    low, high = ends(p)
+    m = (low + high) / 2
+    return m, max(high - m, m - low) * _UP + abs(m) * _SUM
+
+
+def bend(_cos: Model, _sin: Model) -> float:
+    """Return a bound of the change of a cosine and a sine, per change of the angle."""
+    return 1.0
+
+
+def root(slope: Model, bend: float, left: float, left_all: float) -> tuple[float, float]:
+    """Return how far T_0 is from a zero T of F, by the lemma of `cap.checker.folded.events`.
+
+    ``slope`` is F' at T_0, positive, which changes by ``bend`` per time; ``left`` bounds F(T_0),
+    without and with the errors of F.
+    """
+    least = ends(slope)[0]
+    need(least > 0, "the time of an event is not certain")
+    e, e_all = 2 * left / least * _UP, 2 * left_all / least * _UP
+    need(2 * bend * e_all * _UP < least, "the time of an event is not certain")
+    return e, e_all
+
+
+def coefficients(p: Model) -> Model:
+    """Return the coefficients of the polynomial."""
+    return p[:LAST]
+
+
+def of_coefficients(c: Sequence[float]) -> Model:
+    """Return a polynomial."""
+    return (*c, 0.0)
 
 
 def with_constant(p: Model, c: float) -> Model:
@@ -221,4 +274,29 @@ def trigonometric(p: Model) -> tuple[Model, Model]:
     return (
         total(scaled(cos, c, e), scaled(sin, -s, e)),
         total(scaled(cos, s, e), scaled(sin, c, e)),
+    )
+
+
+def part(w: int, f: Sequence[float], g: Sequence[float]) -> tuple[float, ...]:
+    """Return the part of degree w of f g, for f without a constant, w from 1 to 4."""
+    if w == 1:
+        return f[1] * g[0], f[2] * g[0]
+    _, f1, f2, f3, f4, f5, f6, f7, f8, f9, *last = f
+    g0, g1, g2, g3, g4, g5, g6, g7, g8, g9, *_ = g
+    if w == 2:
+        return f1 * g1 + f3 * g0, f1 * g2 + f2 * g1 + f4 * g0, f2 * g2 + f5 * g0
+    if w == 3:
+        return (
+            f1 * g3 + f3 * g1 + f6 * g0,
+            f1 * g4 + f2 * g3 + f3 * g2 + f4 * g1 + f7 * g0,
+            f1 * g5 + f2 * g4 + f4 * g2 + f5 * g1 + f8 * g0,
+            f2 * g5 + f5 * g2 + f9 * g0,
+        )
+    f10, f11, f12, f13, f14 = last
+    return (
+        f1 * g6 + f3 * g3 + f6 * g1 + f10 * g0,
+        f1 * g7 + f2 * g6 + f3 * g4 + f4 * g3 + f6 * g2 + f7 * g1 + f11 * g0,
+        f1 * g8 + f2 * g7 + f3 * g5 + f4 * g4 + f5 * g3 + f7 * g2 + f8 * g1 + f12 * g0,
+        f1 * g9 + f2 * g8 + f4 * g5 + f5 * g4 + f8 * g2 + f9 * g1 + f13 * g0,
+        f2 * g9 + f5 * g5 + f9 * g2 + f14 * g0,
     )

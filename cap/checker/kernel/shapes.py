@@ -15,7 +15,7 @@ A *unit* is a product of powers of the units of the theorem, as "R^2 omega^-1".
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -72,9 +72,14 @@ def fields(value: Any, shape: dict[str, Any], where: str) -> dict[str, Any]:
     return {key: matched(value[key], part, f"{where}.{key}") for key, part in present}
 
 
+def columns(table: Table) -> dict[str, Any]:
+    """Return the shape of an object with the fields of a table."""
+    return {field.name: field.shape for field in table}
+
+
 def tabled(value: Any, table: Table, where: str) -> dict[str, Any]:
     """Return an object with the fields of a table."""
-    return fields(value, {field.name: field.shape for field in table}, where)
+    return fields(value, columns(table), where)
 
 
 def enclosure(value: Any, where: str) -> Enclosure:
@@ -159,6 +164,21 @@ class Maybe(NamedTuple):
     """The value of a field that may be missing."""
 
     shape: Any
+
+    def __call__(self, value: Any, where: str) -> Any:
+        """Read it."""
+        return matched(value, self.shape, where)
+
+
+class Later(NamedTuple):
+    """A value of a shape that is looked up when there is one: its file may not be loaded before."""
+
+    look_up: Callable[[], Any]
+
+    @property
+    def shape(self) -> Any:
+        """The shape."""
+        return self.look_up()
 
     def __call__(self, value: Any, where: str) -> Any:
         """Read it."""

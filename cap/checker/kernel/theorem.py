@@ -43,6 +43,7 @@ class Theorem(ABC):
     HINTS: ClassVar[Table]
     CLAIMS: ClassVar[Table]
     CITES: ClassVar[tuple[Citation, ...]] = ()
+    PARTS: ClassVar[dict[str, str]] = {}  # modules that are loaded only where so much is claimed
     jobs: int = 1  # processes that a long proof may use
 
     def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:

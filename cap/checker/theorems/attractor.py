@@ -47,7 +47,6 @@ from typing import Any, ClassVar, NamedTuple
 from cap.checker.flow.events import WORDS, LossyMap
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.mechanics import Ends
-from cap.checker.kernel.citation import cite
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
@@ -66,6 +65,7 @@ from cap.checker.kernel.shapes import (
 )
 from cap.checker.kernel.theorem import BITS, MAX_BITS
 from cap.checker.maps.fixed_point import STATE, ends
+from cap.checker.release.cited import ENTROPY
 from cap.checker.release.kneading import doubling, order, tent
 from cap.checker.release.releases import next_release
 from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
@@ -74,10 +74,6 @@ _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
 _MAX_EVENTS, _MAX_CELLS, _MAX_SYMBOLS = 32, 512, 8192
 _MAX_WORK = 5 << 22
-_POSITIVE = (
-    "only where the lower end of entropy is positive: then the entropy of the continuous map G of "
-    "the interval is"
-)
 _WINDOWS = Many(enclosure, 2, _MAX_EVENTS)
 
 
@@ -127,32 +123,8 @@ class Attractor(BetweenWalls):
               "every orbit from it at t = 0 comes to be released in I, or to the left in its "
               "mirror image"),
     )
-    CITES = (
-        cite(
-            "Milnor-Thurston",
-            "Milnor and Thurston, On iterated maps of the interval, Springer LNM 1342, 1988",
-            ("unimodal", "G is continuous on the interval, maps it into itself, and has one "
-             "critical point there, on both sides of which it is strictly monotone",
-             "interval, itinerary, critical_point"),
-            ("order", "the kneading sequence of G is decided up to where it differs from those of "
-             "the tent maps with the slopes exp(lower) and exp(upper), lower and upper the ends "
-             "of entropy (if lower = 0, from none; if upper = 0, from the limit of period "
-             "doubling)", "kneading, entropy"),
-        ),
-        cite(
-            "Misiurewicz",
-            "Misiurewicz, Horseshoes for mappings of the interval, Bull. Acad. Polon. Sci. 27, "
-            "1979",
-            ("positive", _POSITIVE, "entropy"),
-        ),
-        cite(
-            "Li-Yorke",
-            "Li and Yorke, Period three implies chaos, Amer. Math. Monthly 82, 1975; Block and "
-            "Coppel, Dynamics in One Dimension, Springer LNM 1513, 1992",
-            ("positive", _POSITIVE, "entropy"),
-        ),
-    )
     # fmt: on
+    CITES = ENTROPY
 
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:

@@ -9,22 +9,43 @@ time by multiples of T.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
 
+from cap.checker.attracting.part import Part
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.flights import System
+from cap.checker.folded.motion import Releases, System
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.folded.paths import next_release
+from cap.checker.folded.units import Distances
 from cap.checker.kernel import line
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.shapes import Enclosure, Many, region
+
+_MOST, _LONGEST = 16, 32
 
 
-class Distances(NamedTuple):
-    """Distances to the wall ahead: an interval that contains those meant, and one within them."""
+class Cycles(Part):
+    """Cycles of intervals of places."""
 
-    outer: Pair
-    inner: Pair
+    CLAIM = Many(Many(region, 1, _LONGEST), 1, _MOST)
+
+    def prove(self, known: Basins) -> None:
+        """Prove that the release map contracts the cycles."""
+        y = Releases(self.theorem.p)
+        for cycle in self.claim:
+            contract(y, known, [self.scale.distances(interval) for interval in cycle])
+            self.theorem.step(
+                "the release map takes a cycle of intervals into itself, and contracts it"
+            )
+
+    def kept(self) -> list[Enclosure]:
+        """Return the intervals."""
+        return [interval for cycle in self.claim for interval in cycle]
+
+    def words(self) -> Iterator[str]:
+        """Give the periodic orbits."""
+        for cycle in self.claim:
+            yield _PERIODIC.format(" and then in ".join(map(str, cycle)))
 
 
 def contract(y: System, basins: Basins, cycle: Sequence[Distances]) -> None:
@@ -45,3 +66,12 @@ def slope(place: line.Line, ends: Pair) -> float:
     need(any(place[0][1:]), "a cycle of releases may rest near a wall")
     low, high = line.slopes(place)
     return max(-low, high) / ((ends[1] - ends[0]) / 2) * UP
+
+
+_PERIODIC = (
+    "a periodic orbit that sticks and is released again and again in {} (releases to the left "
+    "mirrored), or to its image by S; up to S and shifts of the time by multiples of T no other "
+    "periodic orbit is released so"
+)
+
+PART = Cycles

@@ -18,25 +18,79 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from cap.checker.folded.ahead import bounds_of, sticking
-from cap.checker.folded.basins import Ellipse, Row, rounded
+from cap.checker.attracting.part import Part as Claimed
+from cap.checker.folded.ahead import sticking
+from cap.checker.folded.basins import Basins, Ellipse, Row, bounds_of, rounded
 from cap.checker.folded.events import after, event
-from cap.checker.folded.motion import Flight, System
-from cap.checker.folded.numbers import TURN, UP, Pair, middle, times
+from cap.checker.folded.flights import Flight
+from cap.checker.folded.motion import System
+from cap.checker.folded.numbers import TURN, UP, Pair, times
 from cap.checker.folded.slopes import Slopes
 from cap.checker.folded.slopes import after as slopes_after
-from cap.checker.folded.stops import multiple
+from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
+from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.polynomials import Model
+from cap.checker.kernel.reading import MAX_SIZE, number
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.shapes import Many, Whole
+
+MOST_SINKS, MOST_HALVES = 16, 64
+_MOST_SIZE = MAX_SIZE**3  # of lengths and speeds, products of parameters
 
 _EVENTS = 256
 _DEEPEST, _MOST = 5, 300  # quarterings of a square, and parts that are followed
 _EXACT = (1.0, 0.0, 0.0, 1.0)  # how errors of (A, B) are carried, at first
 
 Vector = tuple[Fraction, Fraction]
+
+
+class Sinks(Claimed):
+    """Ellipses of states."""
+
+    CLAIM = Many(
+        {"x": number, "v": number, "matrix": [[number] * 2] * 2, "halves": Whole(1, MOST_HALVES)},
+        1,
+        MOST_SINKS,
+    )
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claim: Any) -> None:  # noqa: ARG003
+        """Bound the sizes of numbers."""
+        for sink in claim:
+            sizes = map(abs, (sink["x"], sink["v"], *sink["matrix"][0], *sink["matrix"][1]))
+            need(max(sizes) <= _MOST_SIZE, "a number of a sink is larger than 10^90")
+
+    def prove(self, known: Basins) -> None:  # noqa: ARG002
+        """Prove that the flow contracts the ellipses."""
+        y = System(self.theorem.p, forwards=True)
+        for claim in self.claim:
+            sink(self.scale, claim).contract(y)
+            self.theorem.step("the flow takes an ellipse of states into itself, and contracts it")
+
+    def basins(self) -> Basins:
+        """Return the ellipses."""
+        sinks = [sink(self.scale, claim) for claim in self.claim]
+        even, odd = (tuple(z.ellipse() for z in sinks if z.odd is side) for side in (False, True))
+        return Basins((), even, odd)
+
+    def words(self) -> Iterator[str]:
+        """Give the periodic orbits."""
+        for claim in self.claim:
+            rows = [", ".join(map(decimal, row)) for row in claim["matrix"]]
+            yield _SINK.format(decimal(claim["x"]), decimal(claim["v"]), *rows)
+
+
+def sink(units: Units, claim: dict[str, Any]) -> Sink:
+    """Return a sink, of which nothing is proved yet: p = x - r, or l - x mirrored, at pi."""
+    x, v = units.length(Fraction(1)), units.speed(Fraction(1))
+    first, second = ((a / x, b / v) for a, b in claim["matrix"])
+    left = claim["v"] < 0
+    place = units.p.l - claim["x"] if left else claim["x"] - units.p.r
+    centre = units.length(place), units.speed(abs(claim["v"]))
+    return Sink(centre, (first, second), claim["halves"], left)
 
 
 class Part(NamedTuple):
@@ -115,16 +169,14 @@ class Sink(NamedTuple):
         """Return a bound of |W DP W^-1| over a part."""
         f, slopes, (t, error) = self.image(y, part, Fraction(1, 2**part.n))
         d = q.moved(q.model(error, one=t), -f.ref, 0.0)
-        sides = [bounds_of(q.total(q.product(d, g.A), g.B), g.A) for g in slopes]
+        sides = [bounds_of(q, q.total(q.product(d, g.A), g.B), g.A) for g in slopes]
         rows = [(rounded(row.a), rounded(row.b)) for row in self.ellipse().rows]
         return norm([[middle(side(*row)) for side in sides] for row in rows])
 
     def shift(self, y: System) -> float:
         """Return a bound of |W (P c - c)|."""
         f, _, (t, error) = self.image(y, Part(), Fraction(0))
-        p, s = y.at(f, t, error)
-        s = q.widened(s, f.errors[0])
-        return self.ellipse().radius(bounds_of(q.widened(p, y.influence(f, t, error)), s))
+        return self.ellipse().radius(bounds_of(q, *y.states(f, t, error)))
 
     def image(self, y: System, part: Part, size: Fraction) -> Image:
         """Return what is so far from the middle of a part after so many half periods."""
@@ -133,14 +185,14 @@ class Sink(NamedTuple):
         slopes = tuple(Slopes(known(ds), known(dp)) for dp, ds in sides)
         for _ in range(_EVENTS):
             k, e = self.odd + self.halves - f.passed, event(y, f)
-            t, error = multiple(y, k)
+            t, error = y.multiple(k)
             if t + error < e.ends[0]:
                 need(f.begun[1] < t - error and k % 2 == self.odd, "which orbits are in their sink")
                 return Image(f, slopes, (t, error))
             if e.p is not None:
                 sticks = sticking(y, e, q.ends(q.widened(e.cos, e.e_all)))
                 need(not any(sticks), "the orbits from a sink may stick")
-            slopes = tuple(slopes_after(y, f, g, e) for g in slopes)
+            slopes = tuple(slopes_after(y, g, e) for g in slopes)
             f = after(y, f, e)
         raise Rejected("there are too many events")
 
@@ -155,7 +207,7 @@ def launched(y: System, odd: bool, p: Model, s: Model) -> Flight:
     """Return the flight of states at 0 or pi: A = s - sin t, B = p + cos t, t = ref."""
     need(q.ends(p)[1] < 0 < q.ends(s)[0], "the states of a sink do not move to the wall ahead")
     need(-y.width[0] + y.width[1] < q.ends(p)[0], "a sink reaches behind a wall")
-    t, error = multiple(y, int(odd))
+    t, error = y.multiple(int(odd))
     A, B = q.widened(s, 2 * error), q.moved(p, -1.0 if t else 1.0, error)
     errors = A[q.LAST], B[q.LAST]
     begun = t - 2 * error, t + 2 * error
@@ -165,6 +217,12 @@ def launched(y: System, odd: bool, p: Model, s: Model) -> Flight:
 def known(x: Fraction) -> Model:
     """Return the model of a number."""
     return q.model(abs(float(x)) * TURN, one=float(x))
+
+
+def middle(ends: Pair) -> Pair:
+    """Return the middle and the radius of an interval."""
+    m = (ends[0] + ends[1]) / 2
+    return m, max(ends[1] - m, m - ends[0]) * UP + abs(m) * TURN
 
 
 def norm(rows: Sequence[Sequence[Pair]]) -> float:
@@ -181,3 +239,12 @@ def inner(u: Sequence[Pair], v: Sequence[Pair]) -> float:
     """Return a bound of the size of an inner product."""
     (x, e), (z, f) = (times(a, b) for a, b in zip(u, v, strict=True))
     return (abs(x + z) + e + f + (abs(x) + abs(z)) * TURN) * UP
+
+
+_SINK = (
+    "a periodic orbit through a state (x, v) at t = 0 with |W (x - {}, v - {})| < 1 in the "
+    "Euclidean norm, W = [[{}], [{}]], or to its image by S; up to S and shifts of the time by "
+    "multiples of T it is the only periodic orbit through such a state"
+)
+
+PART = Sinks
