@@ -4,8 +4,8 @@
     that this needs, a cos(omega t) - x - 2 d u, is at most s in size
 
 Units in which mass and spring are 1; u is the speed of the belt, k the kinetic friction, s >= k the
-static one.  The mass sticks whenever it reaches the speed of the belt: where more than s is needed
-there, no mode goes on.  (If s > k, to go on slipping would be a solution, too.)
+static one.  A mass that reaches the speed of the belt sticks.  Where more than s would be needed
+for that, the model does not say what follows: floats release the mass at once, no proof is found.
 
 J. P. Den Hartog, Mechanical Vibrations (1934); B. Feeny, A. Guran, N. Hinrichs, K. Popp, A
 historical review on dry friction and stick-slip phenomena, Appl. Mech. Rev. 51 (1998).

@@ -19,7 +19,9 @@ from cap import Bounce, Guard, Mode, System, variables
 x, v, cos = variables("x v cos")
 
 
-def gear_rattle(a=2, b=1, m=Fraction(0), d=Fraction(1, 10), e=Fraction(9, 10)):
+def gear_rattle(
+    a=Fraction(3, 2), b=Fraction(1, 2), m=Fraction(1, 10), d=Fraction(1, 10), e=Fraction(1, 2)
+):
     """Return the gears; all numbers in units of the period 2 pi."""
     torque, still = m + a * cos, {"x": 0, "v": 0}
     front = Guard(b - x, "free", Bounce(e), rest="in front")

@@ -20,9 +20,7 @@ from cap import Bounce, Guard, Mode, System, variables
 x, v, cos = variables("x v cos")
 
 
-def impact_oscillator(
-    omega=Fraction(14, 5), e=Fraction(4, 5), d=Fraction(1, 20), gap=Fraction(1, 10)
-):
+def impact_oscillator(omega=2, e=Fraction(4, 5), d=Fraction(1, 20), gap=Fraction(1, 10)):
     """Return the oscillator with the damping d and the restitution e."""
     wall = Guard(gap - x, "free", Bounce(e), rest="held")
     leave = Guard(cos - gap, "free", {"x": gap, "v": 0})
