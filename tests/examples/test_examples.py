@@ -31,6 +31,10 @@ BOXES = {  # of states from which orbits are followed
     "impact_oscillator": ([-2, -2], [0, 2]),
     "oscillator": ([-1, -2], [1, 2]),
 }
+HELD = {  # guards of resting modes
+    **dict.fromkeys(("ball", "impact_oscillator", "coupled_masses"), 1),
+    **dict.fromkeys(("harvester", "gear_rattle", "oscillator"), 2),
+}
 QUICK = ("harvester",)  # the others take longer to compile
 
 
@@ -65,6 +69,26 @@ def test_they_are_those_of_the_tests():
 def numbers():
     """Return the parameters of the oscillator, without the friction."""
     return {name: getattr(PAPER, name) for name in friction.NAMES if name != "f"}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_rests_is_released_by_the_contact_force(name):
+    """A mass held at h = 0 leaves where L² h of the mode it leaves to becomes positive."""
+    system = read(EXAMPLES / f"{name}.py")
+    held = [
+        (guard.value, release)
+        for mode in system.modes.values()
+        for guard in mode.guards.values()
+        if guard.rest
+        for release in system.modes[guard.rest].guards.values()
+    ]
+    assert len(held) == HELD.get(name, 0)
+    for h, release in held:
+        (to,) = release.to
+        start = {z: new.numerator for z, new in release.reset.items()}
+        speed = system.lie(to, h)
+        assert not speed.substituted(start)
+        assert system.lie(to, speed).substituted(start) == -release.value
 
 
 def test_the_floats_refuse_the_billiard():
