@@ -154,10 +154,12 @@ def _run(work: Callable[[], Result], file: Path) -> Result:
     try:
         return work()
     except SyntaxError as error:
-        raise BadInput(f"{file}:{error.lineno}: not Python: {_line(error.msg)}") from None
+        place = f"{file}:{error.lineno}" if error.lineno else str(file)
+        raise BadInput(f"{place}: not Python: {_line(error.msg)}") from None
     except (Exception, SystemExit) as error:  # noqa: BLE001 (any code may stand there)
-        kind = "" if isinstance(error, BadInput) else f"{type(error).__name__}: "
-        raise BadInput(f"{_place(error, file)}: {kind}{_line(str(error))}") from None
+        kind = [] if isinstance(error, BadInput) else [type(error).__name__]
+        said = [_line(str(error))] if str(error) else []
+        raise BadInput(": ".join([_place(error, file), *kind, *said])) from None
 
 
 def _place(error: BaseException, file: Path) -> str:

@@ -80,6 +80,8 @@ class Mode:
     guards: Mapping[str, Guard] = dataclasses.field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        _each(self.field, object, "a field names the variables, and their rates")
+        _each(self.guards, Guard, "guards are named: a dictionary of Guard")
         rates = {z: _read(Polynomial.of, rate, f"{z}'") for z, rate in self.field.items()}
         object.__setattr__(self, "field", rates)
 
@@ -98,6 +100,7 @@ class System:
     parameters: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
+        _each(self.modes, Mode, "modes are named: a dictionary of Mode")
         names = self.state.split() if isinstance(self.state, str) else self.state
         object.__setattr__(self, "state", tuple(names))
         object.__setattr__(self, "omega", _read(Polynomial.of, self.omega, "the frequency"))
@@ -178,6 +181,12 @@ class System:
         modes = {name: _mode_at(mode, numbers) for name, mode in self.modes.items()}
         left = tuple(name for name in self.parameters if name not in values)
         return System(self.state, self.omega.substituted(numbers), modes, left)
+
+
+def _each(parts: object, kind: type, message: str) -> None:
+    """Refuse what is not a dictionary of some kind of values."""
+    if not isinstance(parts, Mapping) or not all(isinstance(q, kind) for q in parts.values()):
+        raise BadInput(message)
 
 
 def _read(of: Callable[[object], Exact], value: object, what: str) -> Exact:
