@@ -6,6 +6,9 @@
     proved.claims["x"].lower, proved.floats["x"], print(proved)
     cap.verify_certificate("certificates/saddle.json")
 
+A system of one's own is a `cap.System` of `cap.Mode` with `cap.Guard` and `cap.Bounce`, written
+with `cap.variables` (docs/own-systems.md).
+
 Nothing is imported before it is asked for, so that the checker can be loaded alone.
 """
 
@@ -20,22 +23,33 @@ if TYPE_CHECKING:
         prove_theorem,
         verify_certificate,
     )
+    from cap.system.model import Bounce, Guard, Mode, System
+    from cap.system.polynomial import variables
 
 __version__ = "0.1.0"
 __all__ = [
     "BadInput",
+    "Bounce",
     "Enclosure",
+    "Guard",
+    "Mode",
     "NotProved",
+    "System",
     "Verified",
     "prove_theorem",
+    "variables",
     "verify_certificate",
 ]
+_ELSEWHERE = {
+    **dict.fromkeys(("Bounce", "Guard", "Mode", "System"), "cap.system.model"),
+    "variables": "cap.system.polynomial",
+}
 
 
 def __getattr__(name: str) -> object:
-    """Load the Python interface when something of it is asked for."""
+    """Load what is asked for, and no more: a name of the Python interface, or of the model."""
     if name not in __all__:
         raise AttributeError(f"module 'cap' has no attribute {name!r}")
     from importlib import import_module  # noqa: PLC0415
 
-    return getattr(import_module("cap.interface"), name)
+    return getattr(import_module(_ELSEWHERE.get(name, "cap.interface")), name)

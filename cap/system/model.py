@@ -15,6 +15,8 @@ infinitely many such events end that accumulate, and in which h stays zero.
 *A reset* names the variables that change and their new values, rational functions of y; or it is a
 `Bounce`: an impact against h = 0.
 
+Wherever a polynomial is asked for, an int, a `Fraction` or an expression of sympy will do.
+
 *Lie derivative.*  L h = sum of (dh/dz) z' over the state, - w sin dh/dcos + w cos dh/dsin, is the
 derivative in time of h along the flights of a mode.
 """
@@ -22,13 +24,16 @@ derivative in time of h along the flights of a mode.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TypeVar
 
 from cap.errors import BadInput
 from cap.system.polynomial import COS, ONE, SIN, ZERO, Polynomial, Quotient, over, variable
 from cap.system.validation import CLOCK, validate
+
+Exact = TypeVar("Exact", Polynomial, Quotient)
 
 
 @dataclass(frozen=True)
@@ -43,8 +48,8 @@ class Bounce:
     masses: Mapping[str, Polynomial] = dataclasses.field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "e", Polynomial.of(self.e))
-        masses = {name: Polynomial.of(m) for name, m in self.masses.items()}
+        object.__setattr__(self, "e", _read(Polynomial.of, self.e, "the restitution"))
+        masses = {v: _read(Polynomial.of, m, f"the mass of {v}") for v, m in self.masses.items()}
         object.__setattr__(self, "masses", masses)
 
 
@@ -58,12 +63,12 @@ class Guard:
     rest: str | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "value", Polynomial.of(self.value))
+        object.__setattr__(self, "value", _read(Polynomial.of, self.value, "a guard"))
         object.__setattr__(self, "to", (self.to,) if isinstance(self.to, str) else tuple(self.to))
         if not isinstance(self.reset, Bounce):
             if not isinstance(self.reset, Mapping):
                 raise BadInput("a reset names the variables that change, and their new values")
-            reset = {name: Quotient.of(value) for name, value in self.reset.items()}
+            reset = {z: _read(Quotient.of, new, f"the new {z}") for z, new in self.reset.items()}
             object.__setattr__(self, "reset", reset)
 
 
@@ -75,7 +80,9 @@ class Mode:
     guards: Mapping[str, Guard] = dataclasses.field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        rates = {name: Polynomial.of(rate) for name, rate in self.field.items()}
+        _each(self.field, object, "a field names the variables, and their rates")
+        _each(self.guards, Guard, "guards are named: a dictionary of Guard")
+        rates = {z: _read(Polynomial.of, rate, f"{z}'") for z, rate in self.field.items()}
         object.__setattr__(self, "field", rates)
 
 
@@ -83,6 +90,7 @@ class Mode:
 class System:
     """Modes of one state and one clock; ``omega`` is its frequency, a rational times pi^k.
 
+    The names of the state are a tuple, or one string with spaces between them.
     Raises `BadInput` unless all parts fit together (`cap.system.validation`).
     """
 
@@ -92,8 +100,10 @@ class System:
     parameters: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "state", tuple(self.state))
-        object.__setattr__(self, "omega", Polynomial.of(self.omega))
+        _each(self.modes, Mode, "modes are named: a dictionary of Mode")
+        names = self.state.split() if isinstance(self.state, str) else self.state
+        object.__setattr__(self, "state", tuple(names))
+        object.__setattr__(self, "omega", _read(Polynomial.of, self.omega, "the frequency"))
         object.__setattr__(self, "parameters", tuple(self.parameters))
         validate(self)
 
@@ -171,6 +181,20 @@ class System:
         modes = {name: _mode_at(mode, numbers) for name, mode in self.modes.items()}
         left = tuple(name for name in self.parameters if name not in values)
         return System(self.state, self.omega.substituted(numbers), modes, left)
+
+
+def _each(parts: object, kind: type, message: str) -> None:
+    """Refuse what is not a dictionary of some kind of values."""
+    if not isinstance(parts, Mapping) or not all(isinstance(q, kind) for q in parts.values()):
+        raise BadInput(message)
+
+
+def _read(of: Callable[[object], Exact], value: object, what: str) -> Exact:
+    """Return an exact value; say what it is if there is none."""
+    try:
+        return of(value)
+    except BadInput as error:
+        raise BadInput(f"{what}: {error}") from None
 
 
 def _mode_at(mode: Mode, numbers: Mapping[str, Polynomial]) -> Mode:

@@ -41,7 +41,9 @@ class Polynomial:
             from cap.system.symbols import terms  # noqa: PLC0415 (sympy is slow to load)
 
             return Polynomial(terms(value))
-        raise BadInput(f"not an exact polynomial: {value!r} (write rationals as Fraction)")
+        why = "" if callable(value) else " (write rationals as Fraction)"
+        shown = "a function" if callable(value) else repr(value)
+        raise BadInput(f"not an exact polynomial: {shown}{why}")
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, int | Fraction):
@@ -66,6 +68,8 @@ class Polynomial:
         return Polynomial({monomial: -c for monomial, c in self.terms.items()})
 
     def __sub__(self, other: object) -> Polynomial:
+        if isinstance(other, Quotient):
+            return NotImplemented
         return self + -Polynomial.of(other)
 
     def __rsub__(self, other: object) -> Polynomial:
@@ -84,11 +88,21 @@ class Polynomial:
     __radd__, __rmul__ = __add__, __mul__
 
     def __pow__(self, power: int) -> Polynomial:
-        return reduce(mul, [self] * power, ONE)
+        if not isinstance(power, int):
+            raise BadInput(f"only a whole power of a polynomial is one: {power!r}")
+        base = self if power >= 0 else self.reciprocal()
+        return reduce(mul, [base] * abs(power), ONE)
 
-    def __truediv__(self, other: object) -> Polynomial:
-        """Return the quotient by a number, a rational times a power of pi."""
-        return self * Polynomial.of(other).reciprocal()
+    def __truediv__(self, other: object) -> Any:
+        """Return a polynomial if the other is a rational times a power of pi, else a `Quotient`."""
+        if isinstance(other, Quotient):
+            return NotImplemented
+        below = Polynomial.of(other)
+        simple = below.is_number and len(below.terms) == 1
+        return self * below.reciprocal() if simple else over(self, below)
+
+    def __rtruediv__(self, other: object) -> Any:
+        return Polynomial.of(other) / self
 
     def __repr__(self) -> str:
         return " + ".join(map(_shown, self.terms, self.terms.values())) or "0"
@@ -178,6 +192,9 @@ class Quotient:
     def __sub__(self, other: object) -> Quotient:
         return self + -Quotient.of(other)
 
+    def __rsub__(self, other: object) -> Quotient:
+        return Quotient.of(other) - self
+
     def __mul__(self, other: object) -> Quotient:
         b = Quotient.of(other)
         return over(self.numerator * b.numerator, self.denominator * b.denominator)
@@ -187,6 +204,9 @@ class Quotient:
     def __truediv__(self, other: object) -> Quotient:
         b = Quotient.of(other)
         return self * Quotient(b.denominator, b.numerator)
+
+    def __rtruediv__(self, other: object) -> Quotient:
+        return Quotient.of(other) / self
 
     @property
     def variables(self) -> set[str]:

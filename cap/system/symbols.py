@@ -19,7 +19,10 @@ def terms(expression: Any) -> dict[tuple[tuple[str, int], ...], Fraction]:
         found = sympy.Poly(expression, *names).terms()
         exact = [(powers, Fraction(int(c.p), int(c.q))) for powers, c in found]
     except (sympy.PolynomialError, AttributeError):
-        raise BadInput(f"not a polynomial with rational coefficients: {expression}") from None
+        raise BadInput(
+            f"not a polynomial with rational coefficients: {expression} (cos wt and sin wt of the "
+            "clock are the names cos and sin; other functions are out of reach)"
+        ) from None
     return {_monomial(names.values(), powers): c for powers, c in exact}
 
 

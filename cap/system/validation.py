@@ -68,7 +68,11 @@ def _mode(system: System, mode: str) -> None:
         _need(z in system.state, f"{place} gives the rate of {z}, no variable of the state")
         _known(system, rate, f"{z}' in {place}")
         linear = all(system.is_constant(rate.derivative(y)) for y in (*system.state, *CLOCK))
-        _need(linear, f"{z}' in {place} is not linear in the state and the clock: {rate}")
+        _need(
+            linear,
+            f"{z}' in {place} is not linear in the state and the clock: {rate} "
+            "(flights that are not linear are out of reach)",
+        )
     _few(system.modes[mode].guards, GUARDS, f"guards of {place}")
 
 

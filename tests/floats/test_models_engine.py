@@ -106,7 +106,7 @@ def test_no_event_is_missed(name, box):
             rows = E._guards[0]
             assert (path[:-1] @ rows.T > -1e-12).all()
             assert np.abs(path[-1] @ rows.T).max() < 1e-10
-            t, y, flights = line[1], line[3:], flights + 1
+            t, y, flights = line[1], line[4:], flights + 1
     assert flights > 10
 
 

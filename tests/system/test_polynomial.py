@@ -103,17 +103,41 @@ def test_names_of_symbols():
             Polynomial.of(sympy.Symbol("pi") * other)
 
 
+def test_division_by_a_polynomial():
+    """It makes a quotient, with which one goes on; division by a number makes a polynomial."""
+    assert v / (2 * pi) == v * (2 * pi) ** -1 == v * pi**-1 / 2
+    assert isinstance(v / (2 * pi), Polynomial)
+    for ours, numerator, denominator in (
+        (v / (1 + x), v, 1 + x),
+        (1 / (1 + x), ONE, 1 + x),
+        (v - 1 / x, v * x - 1, x),
+        (1 - v / x, x - v, x),
+        (x / (x / v), v, ONE),
+        (2 / (x / v), 2 * v, x),
+        (v / (1 + pi), v, 1 + pi),
+    ):
+        assert ours.numerator * denominator == numerator * ours.denominator
+
+
 @pytest.mark.parametrize("bottom", [x, 1 + pi, ZERO])
-def test_division_by_numbers_only(bottom):
-    """Only a rational times a power of pi divides a polynomial."""
+def test_reciprocals_of_numbers_only(bottom):
+    """Only a rational times a power of pi has a reciprocal that is a polynomial."""
     with pytest.raises(BadInput, match="cannot divide"):
-        v / bottom
+        bottom**-1
+
+
+def test_whole_powers():
+    """A root is no polynomial."""
+    with pytest.raises(BadInput, match="whole power"):
+        x ** Fraction(1, 2)
 
 
 def test_zero_denominator():
     """It is refused."""
     with pytest.raises(BadInput, match="zero"):
         over(x, ZERO)
+    with pytest.raises(BadInput, match="zero"):
+        x / 0
 
 
 def test_sympy_is_not_loaded():

@@ -39,8 +39,8 @@ class Ends:
     """Where N orbits end.
 
     ``states`` (N, n), nan for an orbit that is lost; ``modes`` (N,), indices; ``counts`` (N, W) of
-    the events by name, the last one is capture; ``flags`` (N,), see `OUTSIDE`; ``log`` (E, 3 + n)
-    lists events: orbit, time, which, the state after it.
+    the events by name, the last one is capture; ``flags`` (N,), see `OUTSIDE`; ``log`` (E, 4 + n)
+    lists events: orbit, time, which, the mode and the state after it.
     """
 
     states: Floats
@@ -97,7 +97,7 @@ class Engine:
         ends, last = np.empty((N, n)), np.empty(N, dtype=np.int64)
         counts = np.zeros((N, len(self.words)), dtype=np.int64)
         flags = np.where(inside[begun, np.arange(N)], 0, OUTSIDE)
-        lines = np.full((log, 3 + n), np.nan)
+        lines = np.full((log, 4 + n), np.nan)
         arrays = ends, last, counts, flags, lines
         used = self._follow(self._numbers, starts, begun, phase, periods, MOST, *arrays)
         return Ends(ends, last, counts, flags, lines[:used])

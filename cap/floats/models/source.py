@@ -156,7 +156,6 @@ class Source:
         for i, z in enumerate(self.system.state):
             yield f"f{i} = {self._value(reset[z], self._y)}"
         yield f"counts[o, {self.words.index(word)}] += 1"
-        yield from self._logged(self.words.index(word))
         if len(guard.to) == 1:
             yield from self._enter(mode, word, guard, guard.to[0])
         else:
@@ -192,6 +191,7 @@ class Source:
             for order in orders(zeros[name])
         )
         yield f"m, zeros = {self.modes.index(to)}, {bits}"
+        yield from self._logged(self.words.index(word))
         e = restitution(self.system, mode, word, to)
         if guard.rest is not None and e is not None:
             yield from self._capture(mode, guard, to, e)
@@ -213,11 +213,12 @@ class Source:
         yield from (f"    {line}" for line in self._logged(len(self.words)))
 
     def _logged(self, word: int) -> Iterator[str]:
-        """Yield the code that writes an event down: orbit, time, which one, the state after it."""
+        """Yield the code that writes an event down: orbit, time, which; mode and state after it."""
         n = len(self.system.state)
         yield "if lines < len(log):"
         yield f"    log[lines, 0], log[lines, 1], log[lines, 2] = o, period * span + t, {word}"
-        yield from (f"    log[lines, {3 + i}] = f{i}" for i in range(n))
+        yield "    log[lines, 3] = m"
+        yield from (f"    log[lines, {4 + i}] = f{i}" for i in range(n))
         yield "    lines += 1"
 
     def _driver(self, blocks: Sequence[str]) -> str:
