@@ -5,7 +5,7 @@
 
 Units in which mass and spring are 1; u is the speed of the belt, k the kinetic friction, s >= k the
 static one.  A mass that reaches the speed of the belt sticks.  Where more than s would be needed
-for that, the model does not say what follows: floats release the mass at once, no proof is found.
+for that, the model does not say what follows: floats flag the orbit (no mode), no proof is found.
 
 J. P. Den Hartog, Mechanical Vibrations (1934); B. Feeny, A. Guran, N. Hinrichs, K. Popp, A
 historical review on dry friction and stick-slip phenomena, Appl. Mech. Rev. 51 (1998).

@@ -13,6 +13,7 @@ import pytest
 from cap.errors import BadInput
 from cap.floats.models.contacts import contacts
 from cap.floats.models.engine import Engine
+from cap.floats.models.source import NO_MODE
 from cap.orbits.itinerary import Contact, Itinerary
 from cap.orbits.periodic import prove
 from cap.parameters import PAPER
@@ -194,3 +195,11 @@ def test_what_has_no_list_of_contacts():
         with pytest.raises(BadInput, match=message) as refusal:
             contacts(E, state, mode, periods)
         assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.slow
+def test_a_catch_that_friction_cannot_hold_is_flagged():
+    """At x = -3 the spring pulls with more than s = 3/2: no mode fits after the catch."""
+    found = engine("belt").follow([[-3.0, 0.49], [-0.75, -0.3]], ["slower", "slower"])
+    assert found.flags.tolist() == [NO_MODE, 0]
+    assert np.isnan(found.states[0]).all()

@@ -156,21 +156,18 @@ class Source:
         for i, z in enumerate(self.system.state):
             yield f"f{i} = {self._value(reset[z], self._y)}"
         yield f"counts[o, {self.words.index(word)}] += 1"
-        if len(guard.to) == 1:
-            yield from self._enter(mode, word, guard, guard.to[0])
-        else:
-            for n, to in enumerate(guard.to):
-                zeros = identities(self.system, mode, word, to)
-                tests = [self._sign(to, g, zeros) for g in self.system.modes[to].guards]
-                yield f"fits{n} = min({', '.join([*filter(None, tests), 'math.inf'])})"
-            best = [f"fits{n}" for n in range(len(guard.to))]
-            yield f"most_fitting = max({', '.join(best)})"
-            yield "if most_fitting < NEGATIVE:"
-            yield "    flags[o] |= NO_MODE"
-            yield "    break"
-            for n, to in enumerate(guard.to):
-                yield f"{'if' if n == 0 else 'elif'} most_fitting == fits{n}:"
-                yield from (f"    {line}" for line in self._enter(mode, word, guard, to))
+        for n, to in enumerate(guard.to):
+            zeros = identities(self.system, mode, word, to)
+            tests = [self._sign(to, g, zeros) for g in self.system.modes[to].guards]
+            yield f"fits{n} = min({', '.join([*filter(None, tests), 'math.inf'])})"
+        best = ", ".join(f"fits{n}" for n in range(len(guard.to)))
+        yield f"most_fitting = max({best}, NEGATIVE)"
+        yield "if most_fitting == NEGATIVE:"
+        yield "    flags[o] |= NO_MODE"
+        yield "    break"
+        for n, to in enumerate(guard.to):
+            yield f"{'if' if n == 0 else 'elif'} most_fitting == fits{n}:"
+            yield from (f"    {line}" for line in self._enter(mode, word, guard, to))
         yield "; ".join(f"y{i} = f{i}" for i in range(len(self.system.state)))
 
     def _sign(self, mode: str, word: str, zeros: dict[str, int]) -> str:
