@@ -19,6 +19,7 @@ from cap.checker.verdict import check
 from cap.flow.event import BALLS, TAYLOR_MODELS
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.strobe import oscillator, strobe
+from cap.flow.windows import find_windows
 from cap.maps import fixed_point
 from cap.maps.fixed_point import Start
 from cap.parameters import PAPER
@@ -39,7 +40,7 @@ class Hints:
         with interval.workprec(240):
             self.hint = fixed_point.prove(oscillator(PAPER), START, 55).hint
         self.box = self.hint.box(REACH)
-        self.expected = fixed_point.find_windows(self.osc, self.box, START.expected(), BALLS)
+        self.expected, _ = find_windows(self.osc, self.box, START.expected(), BALLS)
 
     def existence(self):
         """Prove existence over the box; return it with the trace and rotation number."""

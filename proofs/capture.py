@@ -121,8 +121,7 @@ def _followed(osc: Oscillator[Any], setting: Setting, side: int, size: Fraction)
         return follow(osc, state, events, end, TAYLOR_MODELS)
 
     expected = start.expected()
-    events = windows_for(attempt, expected, TAYLOR_MODELS.bound)
-    orbit = attempt(events)
+    events, orbit = windows_for(attempt, expected, TAYLOR_MODELS.bound)
     hit = orbit.events[-2]
     speed = osc.e * abs(TAYLOR_MODELS.bound(hit.velocity))
     since = Fraction(certificate.window(events[-2].window)[0])

@@ -141,19 +141,10 @@ def _is_orbit(orbit: Orbit) -> bool:
 
 
 def point(scale: Scale, orbit: Orbit) -> dict[str, Any]:
-    """Return the claims on the fixed point of an orbit.
-
-    If t1 > 0 the mass is on its way to the right wall at t = 0, else on its way back from there.
-    """
-    t1, (sin, cos), u1 = orbit.right_hit(), orbit.phases[0], orbit.speeds[0]
-    if t1 > 0:
-        speed = u1 - sin + orbit.alpha * t1
-        v, way = speed, speed * t1
-    elif t1 < 0:
-        v, way = -(u1 + sin + orbit.alpha * t1), -(u1 + sin) * t1
-    else:
+    """Return the claims on the fixed point of an orbit."""
+    t1, (gap, v) = orbit.right_hit(), orbit.start()
+    if not (t1 > 0 or t1 < 0):
         raise NotProved("Lemma 2", "a mass may be at the right wall at t = 0", {"t1": t1})
-    gap = way + 1 - cos - orbit.alpha * t1 * t1 / 2
     x = interval.ball(scale.p.r) - gap * scale.F / scale.omega**2
     return {
         "x": scale.length(x),

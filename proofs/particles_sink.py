@@ -25,7 +25,7 @@ from cap.maps import zero
 from cap.maps.zero import Hint, Problem
 from cap.particles import stays
 from cap.particles.model import Model
-from cap.particles.stopping import Happening, System, unit_powers, unknowns, words_of
+from cap.particles.stopping import Equations, Happening, unit_powers, unknowns, words_of
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
 from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import LARGEST, ROUNDS, radius_of, system
@@ -46,7 +46,7 @@ def prove(setting: Setting) -> Proof:
     guess, strings = system("particles_sink", setting)
     with interval.workprec(setting.bits):
         model = Model(setting.parameters, guess.masses)
-        equations = System(model, tuple(words_of(model, guess)), guess.periods)
+        equations = Equations(model, tuple(words_of(model, guess)), guess.periods)
         problem = Problem(equations.value, equations.slope)
         units = _units(setting, equations)
         start = [Fraction(q) for q in unknowns(equations.words, guess)]
@@ -64,14 +64,14 @@ def prove(setting: Setting) -> Proof:
     return certified
 
 
-def _units(setting: Setting, equations: System) -> list[Fraction]:
+def _units(setting: Setting, equations: Equations) -> list[Fraction]:
     units = setting.units
     sizes = {"time": units.time, "length": units.length, "speed": units.speed}
     return [sizes[kind] for kinds in unit_powers(equations.words) for kind in kinds]
 
 
 def lemma_1_existence(
-    setting: Setting, equations: System, problem: Problem, guess: list[Fraction]
+    setting: Setting, equations: Equations, problem: Problem, guess: list[Fraction]
 ) -> tuple[Hint, list[Happening]]:
     """*Statement.* The equations have a zero near the guess.
 
@@ -101,7 +101,7 @@ def lemma_3_uniqueness(problem: Problem, hint: Hint, units: Sequence[Fraction]) 
     return size
 
 
-def lemma_4_contraction(equations: System, events: Sequence[Happening]) -> dict[str, Any]:
+def lemma_4_contraction(equations: Equations, events: Sequence[Happening]) -> dict[str, Any]:
     """*Statement.* A power of the derivative contracts in the coordinates x/R, v/(Rω).
 
     *Computed.* The greatest sum of absolute values in a row, for powers of two.
@@ -121,7 +121,7 @@ def lemma_4_contraction(equations: System, events: Sequence[Happening]) -> dict[
     raise NotProved("Lemma 4", "no power of the derivative contracts", {"row": sums[0]})
 
 
-def _claims(setting: Setting, equations: System, events: Sequence[Happening]) -> dict[str, Any]:
+def _claims(setting: Setting, equations: Equations, events: Sequence[Happening]) -> dict[str, Any]:
     """Return the claims on the orbit, rounded outwards."""
     pair, units = setting.rounding.pair, setting.units
     o = equations.model.first

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.areas.folded.backward import System
+from cap.areas.folded.backward import Constants
 from cap.areas.folded.constants import system_of
 from cap.areas.folded.next_releases import HELD, next_releases
 from cap.areas.folded.paths import LOST
@@ -54,7 +54,7 @@ class Search:
     gaps: set[Node] = field(default_factory=set)
 
     @cached_property
-    def system(self) -> System:
+    def system(self) -> Constants:
         """The constants."""
         return system_of(self.p, forwards=True)
 

@@ -124,7 +124,7 @@ def released_in(
     def attempt(expected: Itinerary) -> Any:
         return arrival(osc, state, expected, TAYLOR_MODELS)
 
-    found = attempt(windows_for(attempt, events, TAYLOR_MODELS.bound))
+    _, found = windows_for(attempt, events, TAYLOR_MODELS.bound)
     where = TAYLOR_MODELS.bound(found.value)
     if not interval.ball(trap.lower) < where < interval.ball(trap.upper):
         raise NotProved("Lemma 5", "the releases may not lie in I", {"release": where})

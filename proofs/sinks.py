@@ -14,7 +14,7 @@ import numpy as np
 
 from cap.areas.folded.missing import Floats
 from cap.checker.attracting.sinks import MOST_HALVES, MOST_SINKS, sink
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.mixed import Mixed
 from cap.floats.candidates import Turning, turning
@@ -35,7 +35,7 @@ def contracted(p: Parameters, theorem: Mixed) -> list[dict[str, Any]]:
 
 def largest(p: Parameters, theorem: Mixed, cycle: Turning) -> dict[str, Any] | None:
     """Return the largest ellipse around a state that is contracted, if there is one."""
-    y = System(theorem.p, forwards=True)
+    y = Direction(theorem.p, forwards=True)
     for claim in around(p, cycle):
         try:
             sink(theorem.scale, read(claim)).contract(y)

@@ -75,8 +75,7 @@ def certified(p, state, end, *, start=0, wall=0, radius=0, kind=BALLS):  # noqa:
     def attempt(events):
         return follow(osc, begin, events, moment(osc, end), kind)
 
-    events = windows_for(attempt, expected(path), kind.bound)
-    return path, events, attempt(events)
+    return path, *windows_for(attempt, expected(path), kind.bound)
 
 
 def exactly(p, state, start, end, events, *, wall=0):

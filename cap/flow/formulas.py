@@ -7,8 +7,9 @@ same for all flights of an oscillator is computed once; F = 1 and omega = 1 cost
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, Generic, NamedTuple
 
+from cap.sets.scalar import S
 from cap.system.flight import Scalars, flights
 from cap.system.friction import LEFT, RIGHT, friction
 from cap.system.model import System
@@ -18,7 +19,7 @@ from cap.system.tape import Number, Tape, Term
 PARAMETERS = ("F", "omega", "f")
 
 
-class Formulas(NamedTuple):
+class Formulas(NamedTuple, Generic[S]):
     """Of the flights of one sign; sin and cos are those of ωt, d is the time since the start.
 
     ``rest(x, v, sin, cos)`` is the state less the forced response.  Of a flight with this rest at
@@ -26,13 +27,13 @@ class Formulas(NamedTuple):
     ``acceleration(cos)`` is v'.  The results are tuples.
     """
 
-    rest: Callable[..., Any]
-    position: Callable[..., Any]
-    velocity: Callable[..., Any]
-    acceleration: Callable[..., Any]
+    rest: Callable[..., tuple[S, S]]
+    position: Callable[..., tuple[S]]
+    velocity: Callable[..., tuple[S]]
+    acceleration: Callable[..., tuple[S]]
 
 
-def dry(values: Mapping[str, Any], constant: Callable[[Fraction], Any]) -> dict[int, Formulas]:
+def dry(values: Mapping[str, Any], constant: Callable[[Fraction], Any]) -> dict[int, Formulas[Any]]:
     """Return the formulas by the sign of the velocity.
 
     ``values`` are those of F, omega and f, in any scalar type; ``constant`` makes its numbers.
@@ -44,7 +45,7 @@ def dry(values: Mapping[str, Any], constant: Callable[[Fraction], Any]) -> dict[
 
 def _bound(
     functions: tuple[Function, ...], values: Mapping[str, Any], constant: Callable[[Fraction], Any]
-) -> Formulas:
+) -> Formulas[Any]:
     """Return the functions with these numbers."""
 
     def number(q: Number) -> Any:

@@ -120,7 +120,7 @@ class Oscillator(Generic[S]):
     sin_cos: Callable[[S], tuple[S, S]]
     relax: Relaxation[S]
     constant: Callable[[Fraction], Any]
-    formulas: dict[int, Formulas] = field(init=False, repr=False, compare=False)
+    formulas: dict[int, Formulas[S]] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         """Make the formulas of these constants."""
@@ -195,7 +195,7 @@ class Oscillator(Generic[S]):
         (s, start, x, v), (t, sin, cos) = flight, at
         d = t - start
         if not self.viscous:
-            return cast(S, self.formulas[s].velocity(x, v, d, sin, cos)[0])
+            return self.formulas[s].velocity(x, v, d, sin, cos)[0]
         drag = self.drag(s)
         decay, h, _ = self.relax(self.mu, d)
         return v * decay + self.response_velocity(at) - drag * h
@@ -205,7 +205,7 @@ class Oscillator(Generic[S]):
         (s, start, x, v), (t, sin, cos) = flight, at
         d = t - start
         if not self.viscous:
-            return cast(S, self.formulas[s].position(x, v, d, sin, cos)[0])
+            return self.formulas[s].position(x, v, d, sin, cos)[0]
         drag = self.drag(s)
         _, h, k = self.relax(self.mu, d)
         return x + v * h - drag * k + self.response_position(at)
@@ -217,7 +217,7 @@ class Oscillator(Generic[S]):
     def acceleration(self, flight: Flight[S], at: Moment[S]) -> S:
         """Return x''(t) on a flight."""
         if not self.viscous:
-            return cast(S, self.formulas[flight.s].acceleration(at.cos)[0])
+            return self.formulas[flight.s].acceleration(at.cos)[0]
         return self.F * at.cos - self.drag(flight.s) - self.mu * self.velocity(flight, at)
 
     def slow(self, s: int, k: int) -> Moment[S]:

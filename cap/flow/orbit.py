@@ -139,12 +139,17 @@ class PartialOrbit(Generic[E]):
         if not speed > 0:
             raise NotProved(f"event {number}", "the hit may not be transverse", {"speed": speed})
         self._fly(flight, moment.t)
-        after = speed if self.osc.elastic else self.bound(self.osc.e * speed)
-        self.least = interval.least(self.least, after)
-        salt = self.osc.saltation(flight.s, velocity, moment.cos)
-        self.monodromy = self.osc.hit(self.monodromy, salt)
+        self._bounce(flight, moment, velocity)
         self.flight = self.osc.reflect(flight, moment, velocity)
         self.events.append(Event(expected.word, moment.t, velocity, moment.cos))
+
+    def _bounce(self, flight: Flight[E], moment: Moment[E], velocity: E) -> None:
+        """Let the monodromy and the least speed include a hit."""
+        osc, speed = self.osc, abs(self.bound(velocity))
+        after = speed if osc.elastic else self.bound(osc.e * speed)
+        self.least = interval.least(self.least, after)
+        salt = osc.saltation(flight.s, velocity, moment.cos)
+        self.monodromy = osc.hit(self.monodromy, salt)
 
     def _stop(self, flight: Flight[E], side: int, expected: Expected, number: int) -> None:
         """Pass a turning to a side, or the onset of sticking (side 0)."""

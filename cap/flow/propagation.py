@@ -199,7 +199,7 @@ class _Doubleton:
         def attempt(events: Itinerary) -> Orbit[TaylorModel]:
             return follow(osc, state, events, end, TAYLOR_MODELS)
 
-        orbit = attempt(windows := windows_for(attempt, expected, TAYLOR_MODELS.bound))
+        windows, orbit = windows_for(attempt, expected, TAYLOR_MODELS.bound)
         (a, b), (c, d) = (tuple(map(TAYLOR_MODELS.bound, row)) for row in orbit.monodromy)
         start = State(self.at, *self.centre, self.wall)
         with interval.guarded():

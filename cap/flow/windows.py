@@ -1,10 +1,10 @@
 """Time windows for the events of an itinerary, found by widening: what they lead to is proved."""
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol, TypeVar
 
 from cap.errors import NotProved
-from cap.flow.event import Enclosure, Expected, NoCertainEvent
+from cap.flow.event import Enclosure, Event, Expected, NoCertainEvent
 from cap.flow.model import Oscillator
 from cap.flow.orbit import Orbit
 from cap.flow.strobe import strobe
@@ -13,6 +13,17 @@ from cap.sets.interval import Ball
 from cap.sets.scalar import S
 
 Itinerary = tuple[Expected, ...]
+
+
+class Path(Protocol):
+    """What is proved with windows: it has their events."""
+
+    @property
+    def events(self) -> Sequence[Event[Any]]:
+        """The events, one in each window."""
+
+
+Proved = TypeVar("Proved", bound=Path)
 
 
 def is_capture(event: Expected) -> bool:
@@ -26,8 +37,8 @@ def find_windows(
     expected: Itinerary,
     kind: Enclosure[S],
     periods: int = 1,
-) -> Itinerary:
-    """Return time windows near the ``expected`` ones for which `strobe` succeeds.
+) -> tuple[Itinerary, Orbit[S]]:
+    """Return time windows near the ``expected`` ones for which `strobe` succeeds, and its orbit.
 
     A window that does not contain its Newton image is widened to hold it (epsilon inflation).
     """
@@ -37,27 +48,31 @@ def find_windows(
 
 
 def windows_for(
-    attempt: Callable[[Itinerary], Orbit[S]], expected: Itinerary, bound: Callable[[S], Ball]
-) -> Itinerary:
-    """Return windows with which ``attempt`` succeeds, and still does if they are enlarged."""
+    attempt: Callable[[Itinerary], Proved], expected: Itinerary, bound: Callable[[Any], Ball]
+) -> tuple[Itinerary, Proved]:
+    """Return windows with which ``attempt`` succeeds, and still does if they are enlarged.
+
+    Also return what it proves with them, so that it need not be repeated.
+    """
     events = list(expected)
     for _ in range(20 * len(events) + 20):
+        windows = tuple(events)
         try:
-            orbit = attempt(tuple(events))
+            orbit = attempt(windows)
         except NoCertainEvent as miss:
             window = _inflated(interval.hull(miss.window, miss.newton))
             events[miss.number - 1] = events[miss.number - 1]._replace(window=window)
         else:
-            return _with_slack(attempt, orbit, tuple(events), bound) or tuple(events)
+            return _with_slack(attempt, orbit, windows, bound) or (windows, orbit)
     raise NotProved("windows", "the event times vary too much on the box", {"windows": events})
 
 
 def _with_slack(
-    attempt: Callable[[Itinerary], Orbit[S]],
-    orbit: Orbit[S],
+    attempt: Callable[[Itinerary], Proved],
+    orbit: Path,
     expected: Itinerary,
-    bound: Callable[[S], Ball],
-) -> Itinerary | None:
+    bound: Callable[[Any], Ball],
+) -> tuple[Itinerary, Proved] | None:
     """Return windows a little larger than the event times of ``orbit``, if they succeed."""
     events: list[Expected] = []
     for new, old in zip(orbit.events, expected, strict=True):
@@ -66,11 +81,11 @@ def _with_slack(
             hit = events[-1].window
             window = interval.hull(interval.hull(window, old.window), hit)
         events.append(old._replace(window=window))
+    windows = tuple(events)
     try:
-        attempt(tuple(events))
+        return windows, attempt(windows)
     except NotProved:
         return None
-    return tuple(events)
 
 
 def _inflated(window: Ball) -> Ball:

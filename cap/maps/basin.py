@@ -20,7 +20,6 @@ import numpy.typing as npt
 from cap.errors import NotProved
 from cap.flow.event import TAYLOR_MODELS
 from cap.flow.model import Oscillator
-from cap.flow.strobe import strobe
 from cap.flow.windows import Itinerary, find_windows
 from cap.maps.fixed_point import FixedPoint
 from cap.sets import bisection, interval, matrix
@@ -145,9 +144,8 @@ def contraction(
     reach = [half * interval.ball(size) for half in _reach(W)]
     x, v = Domain(reach, 2).variables(point.box)
     n = point.periods
-    expected = find_windows(osc, (x, v), events, TAYLOR_MODELS, n)
-    slope = strobe(osc, (x, v), expected, TAYLOR_MODELS, n).monodromy
-    product = matrix.product(matrix.product(rows, slope), inverse)
+    _, orbit = find_windows(osc, (x, v), events, TAYLOR_MODELS, n)
+    product = matrix.product(matrix.product(rows, orbit.monodromy), inverse)
     norm = _norm([[TAYLOR_MODELS.bound(_mean(entry)) for entry in row] for row in product])
     if not norm < 1:
         raise NotProved("basin", "the ellipse is not certain to be contracted", {"norm": norm})

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 from cap.errors import NotProved
 from cap.flow.event import BALLS, TAYLOR_MODELS, Expected
+from cap.flow.image import image
 from cap.flow.model import Oscillator
 from cap.flow.strobe import Orbit, strobe
 from cap.flow.windows import Itinerary, find_windows, is_capture
@@ -86,10 +87,22 @@ def existence(
 ) -> Existence:
     """Prove that Φⁿ has exactly one fixed point in the rectangle m ± ``reach``."""
     box = hint.box(reach)
-    orbit = strobe(osc, box, expected, BALLS, periods)
+    found = expected, strobe(osc, box, expected, BALLS, periods)
+    return _contracted(osc, hint, box, found, periods)
+
+
+def _contracted(
+    osc: Oscillator[Any],
+    hint: Preconditioner,
+    box: Box,
+    found: tuple[Itinerary, Orbit[Ball]],
+    periods: int,
+) -> Existence:
+    """Prove the same with the windows and the orbits that are found for the box."""
+    expected, orbit = found
     with interval.guarded():  # K cannot be narrower than Φⁿ(m)
-        image = strobe(osc, hint.point, tightened(orbit, expected), BALLS, periods).end
-    return Existence(contract(hint, image, orbit.monodromy, box), orbit, image)
+        end = image(osc, hint.point, tightened(orbit, expected), periods)
+    return Existence(contract(hint, end, orbit.monodromy, box), orbit, end)
 
 
 def tightened(orbit: Orbit[Ball], expected: Itinerary) -> Itinerary:
@@ -118,12 +131,13 @@ def prove(
     hint, events = refined(osc, start, [digits - interval.decade(unit) for unit in scale])
     radius, n = Fraction(100, 10**digits), start.periods
     reach = radius * scale[0], radius * scale[1]
-    expected = find_windows(osc, hint.box(reach), events, BALLS, n)
-    box, orbit, image = existence(osc, hint, reach, expected, n)
-    expected, m = tightened(orbit, expected), hint.point
+    rectangle = hint.box(reach)
+    found = find_windows(osc, rectangle, events, BALLS, n)
+    box, orbit, end = _contracted(osc, hint, rectangle, found, n)
+    expected, m = tightened(orbit, found[0]), hint.point
     while True:  # P* in box implies P* in K(box), with Φ' between m and P*: until nothing is gained
         way = interval.hull(box[0], m[0]), interval.hull(box[1], m[1])
-        k = operator(hint, image, strobe(osc, way, expected, BALLS, n).monodromy, box)
+        k = operator(hint, end, strobe(osc, way, expected, BALLS, n).monodromy, box)
         tighter = interval.intersection(k[0], box[0]), interval.intersection(k[1], box[1])
         if not any(10 * new.rad() < 9 * old.rad() for new, old in zip(tighter, box, strict=True)):
             return FixedPoint(hint, reach, box, strobe(osc, box, expected, BALLS, n), n)
@@ -141,8 +155,7 @@ def refined(
     events = start.expected()
     for _ in range(max(places).bit_length() + 4):
         point = interval.ball(centre[0]), interval.ball(centre[1])
-        windows = find_windows(osc, point, events, BALLS, start.periods)
-        orbit = strobe(osc, point, windows, BALLS, start.periods)
+        windows, orbit = find_windows(osc, point, events, BALLS, start.periods)
         events = tuple(
             event._replace(window=_representative(event)) for event in tightened(orbit, windows)
         )
@@ -190,10 +203,9 @@ def neighbourhood(osc: Oscillator[Any], point: FixedPoint, reach: Reach) -> Neig
     box = hint.box(reach)
     state = Domain((box[0] - m[0], box[1] - m[1]), 2).variables(m)  # contains the box
     x, v = state
-    expected = find_windows(osc, (x, v), point.events, TAYLOR_MODELS, n)
-    slope = strobe(osc, (x, v), expected, TAYLOR_MODELS, n).monodromy
-    image = strobe(osc, m, expected, BALLS, n).end
-    contract(hint, image, slope, box, TAYLOR_MODELS.bound)
+    expected, orbit = find_windows(osc, (x, v), point.events, TAYLOR_MODELS, n)
+    end = image(osc, m, expected, n)
+    contract(hint, end, orbit.monodromy, box, TAYLOR_MODELS.bound)
     return Neighbourhood(reach, expected)
 
 

@@ -34,7 +34,7 @@ the implicit function theorem:
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -85,6 +85,17 @@ class Phase(NamedTuple):
     def at(cls, x: Ball) -> Self:
         """Return a phase, or all of a ball."""
         return cls(x, *x.sin_cos())
+
+
+def flown(alpha: Any, launch: tuple[Any, Any], at: Any) -> tuple[Any, Any]:
+    """Return (y, w) at a phase of a launch (phase, u), over any scalars; a phase is (x, sin, cos).
+
+    The form is that of the checker, which may reject windows that are found with a narrower one,
+    such as that of `cap.flow.formulas`.
+    """
+    ((t, sin, cos), u), (x, sin_x, cos_x) = launch, at
+    d = x - t
+    return (u - sin) * d - cos_x + cos - alpha * d * d / 2, u + sin_x - sin - alpha * d
 
 
 class Values(NamedTuple):
@@ -147,10 +158,7 @@ class LaunchSet:
 
     def at(self, system: Constants, phase: Phase) -> Values:
         """Return way and speed at a phase, by the mean value theorem."""
-        (t, sin, cos), u, alpha = self.centre, self.speed, system.alpha
-        d = phase.x - t
-        y = (u - sin) * d - phase.cos + cos - alpha * d * d / 2
-        w = u + phase.sin - sin - alpha * d
+        y, w = flown(system.alpha, (self.centre, self.speed), phase)
         return Values(
             y,
             w,
@@ -240,12 +248,12 @@ def _mapped(
     speeds: Ball,
 ) -> LaunchSet:
     """Return the smooth image of a set whose hits are in a window."""
-    (span, m), alpha = phases, system.alpha
-    force = span.cos - alpha
+    span, m = phases
+    force = span.cos - system.alpha
     slope = middle.w_centre + force * (span.x - m.x)
     x = m.x - (middle.y_centre - system.width) / slope
     hit = Phase.at(interval.intersection(x, span.x))
-    u = launches.speed + hit.sin - launches.centre.sin - alpha * (hit.x - launches.centre.x)
+    _, u = flown(system.alpha, (launches.centre, launches.speed), hit)
     p, q = (-s / speeds for s in launches.slopes(system, span.x))
     r, s = launches.own_slopes(system)
     r, s = r + force * p, s + force * q

@@ -3,7 +3,16 @@
 import math
 from collections.abc import Callable
 
-from cap.maps.launch_set import UNIT, Constants, LaunchSet, Window, no_hit_before, over_by, phase_of
+from cap.maps.launch_set import (
+    UNIT,
+    Constants,
+    LaunchSet,
+    Window,
+    flown,
+    no_hit_before,
+    over_by,
+    phase_of,
+)
 from cap.sets.interval import Ball
 
 WIDE = 0.4  # of a half window: above, its ends are looked for one by one
@@ -82,19 +91,21 @@ class _Flight:
     """A flight in floats."""
 
     def __init__(self, system: Constants, t: float, u: float) -> None:
-        self.t, self.u, self.sin, self.cos = t, u, math.sin(t), math.cos(t)
+        self.t, self.launch = t, (_phase(t), u)
         self.alpha, self.width = float(system.alpha.mid()), float(system.width.mid())
         self.arc = float(system.arc.mid())
 
     def stopped(self, x: float) -> bool:
         """Return whether the speed at a phase is negative."""
-        return self.u + math.sin(x) - self.sin - self.alpha * (x - self.t) <= 0
+        return bool(flown(self.alpha, self.launch, _phase(x))[1] <= 0)
 
     def beyond(self, x: float) -> bool:
         """Return whether the way at a phase is as long as the gap."""
-        d = x - self.t
-        way = (self.u - self.sin) * d - math.cos(x) + self.cos - self.alpha * d * d / 2
-        return way >= self.width
+        return bool(flown(self.alpha, self.launch, _phase(x))[0] >= self.width)
+
+
+def _phase(x: float) -> tuple[float, float, float]:
+    return x, math.sin(x), math.cos(x)
 
 
 def _root(late: Callable[[float], bool], low: float, high: float) -> float:

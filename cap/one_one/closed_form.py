@@ -114,10 +114,17 @@ class Orbit:
         return t1
 
     def start(self) -> tuple[Ball, Ball]:
-        """Return the distance from the right wall, and the velocity, at t = 0; assumes t1 > 0."""
-        t1, (sin, cos) = self.right_hit(), self.phases[0]
-        velocity = self.speeds[0] - sin + self.alpha * t1
-        return velocity * t1 + 1 - cos - self.alpha * t1 * t1 / 2, velocity
+        """Return the distance from the right wall, and the velocity, at t = 0.
+
+        Assumes t1 > 0 unless t1 < 0: the mass is on its way to the wall, or back from there.
+        """
+        t1, (sin, cos), u1 = self.right_hit(), self.phases[0], self.speeds[0]
+        if t1 < 0:
+            velocity, way = -(u1 + sin + self.alpha * t1), -(u1 + sin) * t1
+        else:
+            velocity = u1 - sin + self.alpha * t1
+            way = velocity * t1
+        return way + 1 - cos - self.alpha * t1 * t1 / 2, velocity
 
     def mirrored(self) -> "Orbit":
         """Return the mirror image."""

@@ -14,14 +14,14 @@ from cap.errors import NotProved
 from cap.flow.event import flies, slow_numbers
 from cap.flow.model import Moment
 from cap.particles.flights import BISECTIONS
-from cap.particles.stopping import Happening, Stretch, System, certain_order
+from cap.particles.stopping import Equations, Happening, Stretch, certain_order
 from cap.sets import interval
 from cap.sets.interval import Ball
 
 Rows = list[list[Ball]]
 
 
-def verify(system: System, events: Sequence[Happening]) -> None:
+def verify(system: Equations, events: Sequence[Happening]) -> None:
     """Prove that a zero of the equations is an orbit with these events and no others."""
     certain_order(events, system.whole)
     stretches = system.stretches(events)
@@ -38,7 +38,7 @@ def verify(system: System, events: Sequence[Happening]) -> None:
             _apart(stretch)
 
 
-def _strictly_inside(system: System, event: Happening) -> None:
+def _strictly_inside(system: Equations, event: Happening) -> None:
     o = system.model.first
     for k, (x, y) in enumerate(pairwise((o.l, *event.x, o.r))):
         if k != event.word.contact and not x < y:
@@ -46,7 +46,7 @@ def _strictly_inside(system: System, event: Happening) -> None:
             raise NotProved("events", "two contacts may be simultaneous", sets)
 
 
-def _happens(system: System, before: Stretch, event: Happening) -> None:
+def _happens(system: Equations, before: Stretch, event: Happening) -> None:
     """Prove that an event is what its word says."""
     word, o = event.word, system.model.first
     force = o.forcing(event.at)
@@ -148,7 +148,7 @@ def _positive(stretch: Stretch, p: Knot, q: Knot) -> None:
     raise NotProved("gap", "two masses may meet between events", {"from": p[0], "to": q[0]})
 
 
-def derivative(system: System, events: Sequence[Happening]) -> Rows:
+def derivative(system: Equations, events: Sequence[Happening]) -> Rows:
     """Return the derivative of the map over nT at t = 0, order x_1, x_2, v_1, v_2.
 
     A deviation of an event by the time σ is put back to its nominal time: what moves on with v, and
@@ -169,12 +169,12 @@ def _drift(rows: Rows, duration: Ball) -> None:
         rows[i] = [x + duration * v for x, v in zip(rows[i], rows[2 + i], strict=True)]
 
 
-def _pulls(system: System, stretch: Stretch, at: Moment[Ball]) -> list[Ball]:
+def _pulls(system: Equations, stretch: Stretch, at: Moment[Ball]) -> list[Ball]:
     pairs = zip(system.model.oscillators, stretch.flights, strict=True)
     return [o.acceleration(g, at) if g else interval.ZERO for o, g in pairs]
 
 
-def _event(system: System, before: Stretch, stretch: Stretch, rows: Rows) -> None:
+def _event(system: Equations, before: Stretch, stretch: Stretch, rows: Rows) -> None:
     event = stretch.start
     word, model = event.word, system.model
     a, b = _pulls(system, before, event.at), _pulls(system, stretch, event.at)

@@ -145,7 +145,7 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class System:
+class Equations:
     """The equations of an itinerary, over so many periods."""
 
     model: Model

@@ -23,7 +23,7 @@ from cap.checker.folded.areas import stuck
 from cap.checker.folded.events import after, event
 from cap.checker.folded.flights import Flight
 from cap.checker.folded.masses import Places
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.regions import Leaf
 from cap.checker.folded.stops import Start, Strobe, at_hit, flown, sticks, turns
 from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
@@ -103,7 +103,7 @@ def system(theorem: Mixed) -> Parameters:
 
 def proved(theorem: Mixed, places: Places, work: Map) -> list[Outline]:
     """Return the outlines of what is proved, in x and v, those on top of others later."""
-    p, y, V = theorem.p, System(theorem.p), float(theorem.region()[1])
+    p, y, V = theorem.p, Direction(theorem.p), float(theorem.region()[1])
     outlook = theorem.outlook(places)
     outlines = list[list[Outline]]()
     for side, name in SIDES.items():
@@ -118,14 +118,14 @@ def proved(theorem: Mixed, places: Places, work: Map) -> list[Outline]:
     ]
 
 
-def of_sticks(o: Outlook, y: System, V: float, side: int, leaf: Leaf) -> list[Outline]:
+def of_sticks(o: Outlook, y: Direction, V: float, side: int, leaf: Leaf) -> list[Outline]:
     """Return the outlines of what comes to a region of sticks; x is from the left wall."""
     start = sticks(y, side, leaf.region)
     fate = shown(stuck(y, o.fates, start, side, leaf.region))
     return [(fate, points) for points in passed(y, V, start, leaf.flights)]
 
 
-def of_turns(o: Outlook, y: System, V: float, leaf: Leaf) -> list[Outline]:
+def of_turns(o: Outlook, y: Direction, V: float, leaf: Leaf) -> list[Outline]:
     """Return the outlines of what comes to a region of turns, then those of parts with a fate."""
     fates = [(STOPS, leaf.region), *((shown(found(o, part)), part) for part in leaf.parts)]
     return [
@@ -142,7 +142,7 @@ def shown(found: Found) -> int:
     return next((fate for fate, missing in fates if missing <= LOST * found.area), STOPS)
 
 
-def passed(y: System, V: float, start: Start, flights: int) -> list[Points]:
+def passed(y: Direction, V: float, start: Start, flights: int) -> list[Points]:
     """Return the outlines at the multiples of pi that are passed, where some are slower than V.
 
     At one next to a hit, of the states before it and of those after it: what is outside of the
@@ -165,13 +165,13 @@ def passed(y: System, V: float, start: Start, flights: int) -> list[Points]:
     return outlines
 
 
-def outlined(y: System, f: Flight, strobes: Sequence[Strobe]) -> list[Points]:
+def outlined(y: Direction, f: Flight, strobes: Sequence[Strobe]) -> list[Points]:
     """Return the outlines in a flight where some are slower than V."""
     slow = (number for number, excess in strobes if ends(excess)[0] < 0)
     return [outline(y, f, number - f.passed) for number in slow]
 
 
-def outline(y: System, f: Flight, k: int) -> Points:
+def outline(y: Direction, f: Flight, k: int) -> Points:
     """Return points (N, 2) of the boundary at k pi, x from the left wall and v, unfolded.
 
     Folded, the mass moves to the right backwards; at odd multiples of pi the picture is mirrored.

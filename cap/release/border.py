@@ -158,13 +158,13 @@ class _Gap:
     def _after(self, x: Any, kind: Enclosure[Any]) -> PartialOrbit[Any]:
         """Prove the common events of all masses from a set of places; they fly after them."""
 
-        def attempt(events: Itinerary) -> Any:
+        def attempt(events: Itinerary) -> PartialOrbit[Any]:
             orbit = PartialOrbit(self.osc, resting(self.osc, x), kind)
             for number, event in enumerate(events, 1):
                 orbit.meet(event, number)
             return orbit
 
-        found: PartialOrbit[Any] = attempt(windows_for(attempt, self.expected, kind.bound))
+        _, found = windows_for(attempt, self.expected, kind.bound)
         return found
 
     def kind(self) -> str:

@@ -131,7 +131,8 @@ def windows(osc: Oscillator[Any], x: E, expected: Itinerary, kind: Enclosure[E])
         return arrival(osc, start, events, kind)
 
     bound = cast("Callable[[Any], Ball]", kind.bound)
-    return windows_for(attempt, (RIGHT, *expected), bound)[1:]
+    found, _ = windows_for(attempt, (RIGHT, *expected), bound)
+    return found[1:]
 
 
 def image(osc: Oscillator[Any], x: Ball, expected: Itinerary) -> tuple[Ball, Ball]:

@@ -21,7 +21,7 @@ from cap.checker.folded.ahead import (
 )
 from cap.checker.folded.basins import Basins, Row, Strip, bounds_of
 from cap.checker.folded.events import after, event
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.regions import UNIT, leaves
 from cap.checker.folded.stops import all_stops, along, turns
 from cap.checker.folded.table import ATTRACTOR, SEGMENT
@@ -60,13 +60,13 @@ class Comb:
 
 def outlook(p, fates, basins=NOWHERE):
     """Return what is ahead, with these fates of places."""
-    return Outlook(System(p, forwards=True), fates, basins)
+    return Outlook(Direction(p, forwards=True), fates, basins)
 
 
 def parts(p, halvings, cuts, step):
     """Give regions of turns."""
     tree = even(halvings, cuts, 1)
-    for n, leaf in enumerate(leaves(tree, all_stops(System(p)))):
+    for n, leaf in enumerate(leaves(tree, all_stops(Direction(p)))):
         if n % step == step // 2:
             yield leaf.region
 
@@ -110,7 +110,7 @@ def sampled(y, region, rng, count=60):
 def test_no_more_is_lost_than_is_said(name):
     """For combs of places, fine and coarse; and for most regions, not much less."""
     p, rng, close = SYSTEMS[name], np.random.default_rng(4), []
-    y = System(p, forwards=True)
+    y = Direction(p, forwards=True)
     for width in (0.3, 3e-3):
         comb = Comb(width, 0.3)
         o = outlook(p, comb)
@@ -159,7 +159,7 @@ def test_all_places_are_within_the_bounds():
 def test_derivatives_are_those_of_orbits(name):
     """By the place of the start, of A and B after each event: as differences in floats."""
     p, rng, compared = SYSTEMS[name], np.random.default_rng(6), 0
-    y = System(p, forwards=True)
+    y = Direction(p, forwards=True)
     for region in parts(p, 5, 5, 31):
         f, g = turns(y, region).flight, slopes.BEGIN
         x, z = rng.uniform(-0.9, 0.9, 2)
@@ -230,7 +230,7 @@ def test_slow_hits(monkeypatch):
 def test_a_delayed_stick():
     """What turns just before the arc of sticks ends near its place, as is said of z."""
     p = SYSTEMS["paper"]
-    y = System(p, forwards=True)
+    y = Direction(p, forwards=True)
     W, b = y.width[0], math.pi + y.rest[0]
     for z in (0.04, 0.02, 0.005):
         place, T = -0.7, b - z
@@ -281,7 +281,7 @@ def test_fates_are_three():
 
 def test_trees_of_parts():
     """After each region that is followed back comes the tree of its parts."""
-    y = System(SYSTEMS["paper"])
+    y = Direction(SYSTEMS["paper"])
     tree = parted(1, 1, 5, (1, 0))
     found_ = list(leaves(tree, all_stops(y), parted=True))
     assert [len(leaf.parts) for leaf in found_] == [2] * 4

@@ -117,7 +117,7 @@ def test_hits_in_two_variables(state, y, radii):
 @pytest.mark.parametrize("state", TURNS)
 def test_turns_in_two_variables(state, radii):
     """Forwards."""
-    assert isinstance(AHEAD, motion.System)
+    assert isinstance(AHEAD, motion.Direction)
 
     def following(*given, **options):
         return two_variables(AHEAD, *given, **options)

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 import sympy as sp
 
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.system.friction import LEFT, RIGHT, friction
 from cap.checker.system.polynomial import Polynomial, variable
 from cap.checker.system.walls import Parameters
@@ -35,7 +35,7 @@ def test_the_flight_is_that_of_the_data(forwards, mode, side):
     and the speed changes as the force at -t."""
     names = dict.fromkeys(("F", "e"), Polynomial.of(1)) | {"mu": Polynomial.of(0)}
     model = friction(Fraction(1), names | {z: variable(z) for z in ("f", "l", "r")})
-    y = System(PAPER, forwards=forwards)
+    y = Direction(PAPER, forwards=forwards)
     assert y.a == pytest.approx(-0.4 if forwards else 0.4, abs=1e-15)
     y.q, y.a, y.a_error = SYMBOLS, a, 0
     flight = SimpleNamespace(A=A, B=B, ref=ref)
@@ -49,7 +49,7 @@ def test_the_flight_is_that_of_the_data(forwards, mode, side):
 
 def test_a_flight_begins_where_it_is_said_to():
     """With B = `start` p is 0, and with what is added to it, that."""
-    y = System(PAPER)
+    y = Direction(PAPER)
     y.q, y.a, y.a_error = SYMBOLS, a, 0
     flight = SimpleNamespace(A=A, B=B + y.start(A, t - ref, sp.cos(t)), ref=ref)
     assert sp.simplify(y.place(flight, t - ref, sp.cos(t)) - B) == 0

@@ -22,7 +22,7 @@ PAPER = Parameters(*map(Fraction, (1, 1, "2/5", -1, 1)))
 A = 0.4  # the friction
 THETA = math.acos(A)
 SLOW = 2 * math.pi - THETA  # the first slow time after 0, at which the first arc ends
-AHEAD, BACK = motion.System(PAPER, forwards=True), motion.System(PAPER)
+AHEAD, BACK = motion.Direction(PAPER, forwards=True), motion.Direction(PAPER)
 LINES = motion.Releases(PAPER)
 EXACT = (1.0, 0.0, 0.0, 1.0)
 BEGUN = 1.3  # in the first arc, in which masses stop

@@ -10,7 +10,7 @@ import pytest
 
 from cap.checker.attracting import attractor
 from cap.checker.attracting.attractor import into_itself, stays
-from cap.checker.folded.motion import Releases, System
+from cap.checker.folded.motion import Direction, Releases
 from cap.checker.folded.stops import LATE, backwards, sticks, turns
 from cap.checker.folded.units import Units
 from cap.checker.kernel.rejection import Rejected
@@ -49,7 +49,7 @@ def test_a_rest_near_a_wall_is_no_proof(monkeypatch):
 
 def test_no_multiple_of_pi_is_counted_twice():
     """For each region the numbers of those that count increase."""
-    theorem, V, y = small()[0], 3.0, System(PAPER)
+    theorem, V, y = small()[0], 3.0, Direction(PAPER)
     seen = 0
     for leaf in [*theorem.sticks(y, LATE)][::2] + [*theorem.turns(y)][::2]:
         start = turns(y, leaf.region) if leaf.parts else sticks(y, LATE, leaf.region)

@@ -11,7 +11,7 @@ from cap.checker.attracting import sinks
 from cap.checker.attracting.sinks import Part, Sink, norm
 from cap.checker.attracting.sinks import sink as of_claim
 from cap.checker.folded.basins import Basins, bounds_of
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.table import ATTRACTOR, NONE
 from cap.checker.folded.units import Units
 from cap.checker.kernel import polynomials as q
@@ -53,7 +53,7 @@ def sink(claim, name="weak"):
 
 def contract(claim, name="weak"):
     """Prove that a sink contracts."""
-    sink(claim, name).contract(System(SYSTEMS[name], forwards=True))
+    sink(claim, name).contract(Direction(SYSTEMS[name], forwards=True))
 
 
 LEFT = NODE | {"x": Fraction("0.5659"), "v": Fraction("-0.9116")}  # the image of the node, at T/2
@@ -105,7 +105,7 @@ def test_lies(lie, why):
 
 def test_states_at_rest_or_past_the_wall_are_refused():
     """All states of an ellipse move to the wall ahead."""
-    y = System(SYSTEMS["weak"], forwards=True)
+    y = Direction(SYSTEMS["weak"], forwards=True)
     for changes in ({"v": Fraction(1, 50)}, {"x": Fraction(99, 100)}):
         with pytest.raises(Rejected, match="do not move to the wall ahead"):
             sink(wrong(**changes)).image(y, Part(), Fraction(1))
@@ -118,7 +118,7 @@ def test_what_sticks_is_no_sink():
     assert swarm.follow(p, state, 1).states[0] == pytest.approx(state[0], abs=1e-6)
     claim = {"x": Fraction("0.058960209"), "v": Fraction("0.63871682"), "halves": 2}
     small = [[Fraction(10**5), Fraction(0)], [Fraction(0), Fraction(10**5)]]
-    y = System(Parameters(p.F, p.omega, p.f, p.l, p.r), forwards=True)
+    y = Direction(Parameters(p.F, p.omega, p.f, p.l, p.r), forwards=True)
     with pytest.raises(Rejected, match="may stick"):
         sink(claim | {"matrix": small}).image(y, Part(), Fraction(0))
 
@@ -126,7 +126,7 @@ def test_what_sticks_is_no_sink():
 def test_each_condition(monkeypatch):
     """A factor of 1, a centre that moves too far, states that stick, are refused at once."""
     contract(NODE)
-    y = System(SYSTEMS["weak"], forwards=True)
+    y = Direction(SYSTEMS["weak"], forwards=True)
     monkeypatch.setattr(Sink, "factor", lambda *_: 1.0)
     with pytest.raises(Rejected, match="cut too"):
         sink(NODE).contract(y)
@@ -145,7 +145,7 @@ def test_each_condition(monkeypatch):
 def test_the_derivative_is_that_of_orbits_in_floats():
     """W DP W^-1 at the centre has nearly the norm that is said; the centre comes back so far."""
     p = SYSTEMS["weak"]
-    y, here = System(p, forwards=True), sink(FOCUS)
+    y, here = Direction(p, forwards=True), sink(FOCUS)
     given, W = Given(p.F, p.omega, p.f, p.l, p.r), np.array(FOCUS["matrix"], float)
     state = np.array([float(FOCUS["x"]), float(FOCUS["v"])])
     found = swarm.follow(given, [state], FOCUS["halves"] / 2, derivative=True)

@@ -12,7 +12,7 @@ from cap.areas.folded.next_event import HIT, next_event, place_at, speed_at
 from cap.areas.listing import written
 from cap.checker.folded.events import after, event
 from cap.checker.folded.instants import hitting, stopping
-from cap.checker.folded.motion import System, upcoming
+from cap.checker.folded.motion import Direction, upcoming
 from cap.checker.folded.regions import CUT, UNIT, Region, flights, leaves
 from cap.checker.folded.stops import (
     EARLY,
@@ -93,7 +93,7 @@ def strobes(y, start, count=12, error=math.inf):
 def test_orbits_in_floats_come_back(name):
     """From a state at t = 0 the first stop is that of the region, at its place and time."""
     p, compared = SYSTEMS[name], {LATE: 0, EARLY: 0, 0: 0}
-    y, ahead, rng = System(p), System(p, forwards=True), np.random.default_rng(3)
+    y, ahead, rng = Direction(p), Direction(p, forwards=True), np.random.default_rng(3)
     for kind, region, start in regions(y):
         f0, long = start.flight, time_of(kind, y, region)
         for place, speed, k, _f in strobes(y, start, error=1e-5 if kind == EARLY else 1e-3):
@@ -132,7 +132,7 @@ def stop(y, p, s, t):
 def test_releases_in_floats_are_where_they_are_said_to_be(name):
     """From a state at t = 0 the first release after a stick is at the place of the region."""
     p, compared = SYSTEMS[name], {LATE: 0, EARLY: 0}
-    y, rng = System(p), np.random.default_rng(3)
+    y, rng = Direction(p), np.random.default_rng(3)
     given, unit = Given(p.F, p.omega, p.f, p.l, p.r), float(p.F / p.omega**2)
     theta = math.acos(p.f / p.F)
     for kind, region, start in regions(y):
@@ -168,7 +168,7 @@ def released(p, state, theta):
 
 def test_polynomials_are_next_to_the_times_of_events():
     """What they leave of p or s falls by 32, nearly, with half the distance from the middle."""
-    y, ratios = System(SYSTEMS["paper"]), {"hit": [], "stop": []}
+    y, ratios = Direction(SYSTEMS["paper"]), {"hit": [], "stop": []}
     for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             kind, near, _k = upcoming(y, f)
@@ -205,7 +205,7 @@ def remains(y, f, kind, near, d, x):
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_areas_are_those_of_the_images(name):
     """The density is the determinant of (p, s) in X and Y; its integral is a bound from below."""
-    y, compared = System(SYSTEMS[name]), 0
+    y, compared = Direction(SYSTEMS[name]), 0
     x, z = np.meshgrid(MIDDLES, MIDDLES)
     for _kind, _, start in regions(y):
         for place, speed, _k, f in strobes(y, start):
@@ -220,7 +220,7 @@ def test_areas_are_those_of_the_images(name):
 
 def test_each_multiple_of_pi_is_passed_once():
     """One after the other, none twice."""
-    y = System(SYSTEMS["paper"])
+    y = Direction(SYSTEMS["paper"])
     for _kind, _, start in regions(y):
         passed = [strobe.number for _, strobe in backwards(y, start.flight, 12, FAST)]
         assert passed == sorted(set(passed))
@@ -302,7 +302,7 @@ def test_integrals_where_a_model_is_small():
 
 def test_areas_of_what_is_slower_than_a_speed():
     """In regions that are partly faster: the part of points, but for a little, and not more."""
-    y, parts, points = System(SYSTEMS["paper"]), [], grid(201)
+    y, parts, points = Direction(SYSTEMS["paper"]), [], grid(201)
     for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
             for strobe in flown(y, f, FAST):
@@ -318,7 +318,7 @@ def test_areas_of_what_is_slower_than_a_speed():
 
 def test_speeds_at_events_are_bounded():
     """At a multiple of pi next to an event, before it or after it."""
-    y, compared = System(SYSTEMS["paper"]), 0
+    y, compared = Direction(SYSTEMS["paper"]), 0
     corners = [(a, b) for a in (-1, 0, 1) for b in (-1, 0, 1)]
     for _kind, _, start in regions(y):
         for f in flown_from(y, start.flight, 6):
@@ -344,7 +344,7 @@ def test_speeds_at_events_are_bounded():
 @pytest.mark.parametrize(("drag", "low", "high"), [("2/5", -0.16, -0.012), ("1/5", -0.13, -0.012)])
 def test_what_is_behind_a_stop_is_not_counted(drag, low, high):
     """Of a region that hits before and after t = 0 a part would stop between."""
-    y = System(Parameters(*map(Fraction, (1, 1, drag, -1, 1))))
+    y = Direction(Parameters(*map(Fraction, (1, 1, drag, -1, 1))))
     z = math.floor((1 - 0.5 / y.rest[0]) / 2 * 2**12)
     edges = ((round(q_ / UNIT / CUT) * CUT, 0, 0) for q_ in (low, high))
     f = turns(y, Region(*edges, z, 12)).flight
@@ -371,6 +371,6 @@ def test_flights_of_a_tree():
     """They are counted without its regions, and four more for each leaf; parts forwards as 36."""
     tree = written([1, 2, 0, 0, 0, 5, 0, 12])
     assert flights(tree) == (3 + 4) + (10 + 4)
-    y = System(SYSTEMS["paper"])
+    y = Direction(SYSTEMS["paper"])
     assert [leaf.flights for leaf in leaves(tree, all_stops(y))] == [3, 10]
     assert flights(written([1, 12, 1, 3, 3, 0]), parted=True) == 14 + 2 * 36

@@ -55,8 +55,7 @@ def over_sets(constants, state, start, end, events):
     def attempt(itinerary):
         return follow(osc, starting(osc, state, start), itinerary, moment(osc, end), BALLS)
 
-    windows = windows_for(attempt, events, BALLS.bound)
-    return windows, attempt(windows)
+    return windows_for(attempt, events, BALLS.bound)
 
 
 def encloses(coarse, fine):

@@ -13,7 +13,7 @@ from cap.floats.masses import particle_candidates
 from cap.floats.masses.particles import Particles
 from cap.particles import stays
 from cap.particles.model import Model
-from cap.particles.stopping import System, unknowns, words_of
+from cap.particles.stopping import Equations, unknowns, words_of
 from cap.proofs import particles_sink
 from cap.proofs.fixed_point import Setting
 from cap.sets import interval
@@ -36,7 +36,7 @@ def proved(found):
     with interval.workprec(setting.bits):
         model = Model(setting.parameters, found.particles.masses)
         words = tuple(words_of(model, found.particles))
-        system = System(model, words, found.particles.periods)
+        system = Equations(model, words, found.particles.periods)
         problem = particles_sink.Problem(system.value, system.slope)
         guess = [Fraction(q) for q in unknowns(words, found.particles)]
         _, events = particles_sink.lemma_1_existence(setting, system, problem, guess)

@@ -9,7 +9,7 @@ is followed with time reversed.  Its measure is that of the backward flow, with 
 import math
 from typing import NamedTuple
 
-from cap.areas.folded.backward import Flight, System
+from cap.areas.folded.backward import Constants, Flight
 from cap.areas.folded.fates import (
     ENDS,
     LOST,
@@ -48,7 +48,7 @@ class Fated(NamedTuple):
 
 
 @kernel
-def _densest(y: System, r: Region) -> float:
+def _densest(y: Constants, r: Region) -> float:
     """Return a bound of cos t + |a| over the times of a region."""
     nearest = max(0.0, abs(r.middle) - r.half)
     return (math.cos(nearest) - y.a) * UP + 1e-12

@@ -55,7 +55,7 @@ ROUND = 2.0**-49  # 16 times the rounding of a sum, relative
 ARCS = 12  # of a flight
 
 
-class System(NamedTuple):
+class Constants(NamedTuple):
     """The constants, each with a bound of its error: a, W, Theta, sqrt(1 - a²)."""
 
     a: float
@@ -108,27 +108,27 @@ class Event(NamedTuple):
 
 
 @kernel
-def speed(y: System, A: Model, d: Model, sin: Model) -> Model:
+def speed(y: Constants, A: Model, d: Model, sin: Model) -> Model:
     """Return s at the time ref + d with this sine."""
     return total(total(sin, scaled(d, y.a, y.a_error)), A)
 
 
 @kernel
-def place(y: System, f: Flight, d: Model, cos: Model) -> Model:
+def place(y: Constants, f: Flight, d: Model, cos: Model) -> Model:
     """Return p for A_0, B_0 at the time ref + d with this cosine."""
     drive = scaled(d, 0.5 * y.a, y.a_error)
     return total(scaled(cos, -1.0, 0.0), total(product(d, total(drive, f.A)), f.B))
 
 
 @kernel
-def start(y: System, A: Model, d: Model, cos: Model) -> Model:
+def start(y: Constants, A: Model, d: Model, cos: Model) -> Model:
     """Return cos t - a d²/2 - A d: B, but for p."""
     half = scaled(d, -0.5 * y.a, y.a_error)
     return total(cos, product(d, total(half, scaled(A, -1.0, 0.0))))
 
 
 @kernel
-def at(y: System, f: Flight, time: Pair, cos: float, sin: float) -> tuple[Model, Model]:
+def at(y: Constants, f: Flight, time: Pair, cos: float, sin: float) -> tuple[Model, Model]:
     """Return p and s for A_0, B_0 at a time within an error of a double.
 
     cos and sin are wrong by 2^-50 and that error.  d is wrong by e; what is computed from it by at
@@ -151,7 +151,7 @@ def influence(f: Flight, d: float, e: float) -> float:
 
 
 @kernel
-def moving(y: System, f: Flight, until: float) -> bool:
+def moving(y: Constants, f: Flight, until: float) -> bool:
     """Return whether s > 0 from the start up to a time, if it is so there."""
     for k in range(f.slow, ARCS):
         t = TURN * k - y.theta
@@ -179,7 +179,7 @@ def _since(f: Flight, near: float, d: Model) -> tuple[Model, float]:
 
 
 @kernel
-def _at_zero(y: System, f: Flight, near: float) -> Model:
+def _at_zero(y: Constants, f: Flight, near: float) -> Model:
     """Return a polynomial d, such that p vanishes at near + d, nearly; NaN if there is none."""
     sine, cosine = sin_cos_of_double(near)
     p, s = at(y, f, (near, 0.0), cosine, sine)
@@ -194,7 +194,7 @@ def _at_zero(y: System, f: Flight, near: float) -> Model:
 
 
 @kernel
-def hit(y: System, f: Flight, near: float) -> Event:
+def hit(y: Constants, f: Flight, near: float) -> Event:
     """Return the next event, if it is certain that it is a hit close to a time.
 
     Let s >= m > 0 and |p| <= g at T.  As |s'| <= 1 + a < 2, s >= m/2 within m/4 of T.  So if 2 g/m
@@ -220,7 +220,7 @@ def hit(y: System, f: Flight, near: float) -> Event:
 
 
 @kernel
-def _at_rest(y: System, f: Flight, near: float) -> Model:
+def _at_rest(y: Constants, f: Flight, near: float) -> Model:
     """Return a polynomial d, such that s vanishes at near + d, nearly; NaN if there is none."""
     sine, cosine = sin_cos_of_double(near)
     slope = cosine + y.a
@@ -233,7 +233,7 @@ def _at_rest(y: System, f: Flight, near: float) -> Model:
 
 
 @kernel
-def turn(y: System, f: Flight, near: float) -> Event:
+def turn(y: Constants, f: Flight, near: float) -> Event:
     """Return the next event, if it is certain that it is a turn close to a time.
 
     Let s' <= -m < 0 and |s| <= g at T.  As |s''| <= 1, s' <= -m/2 within m/2 of T.  So if 2 g/m <

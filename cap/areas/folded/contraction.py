@@ -7,7 +7,7 @@ goes the derivative of its place and speed in q and in the time of the stop.
 import math
 from typing import NamedTuple
 
-from cap.areas.folded.backward import System
+from cap.areas.folded.backward import Constants
 from cap.areas.folded.next_event import HIT, NOTHING, TURN, next_event, speed_at
 from cap.areas.folded.regions import Edge, Region
 from cap.sets.compiled import kernel
@@ -42,7 +42,7 @@ def _contracted(f0: float, f1: float, g0: float, g1: float) -> tuple[float, floa
 
 
 @kernel
-def orbit(y: System, q: float, t: float, V: float, strobes: int) -> Orbit:
+def orbit(y: Constants, q: float, t: float, V: float, strobes: int) -> Orbit:
     """Follow a stop at the time t back to the one before, over so many strobes."""
     a, p, s, seen = y.a, q, 0.0, 0
     w = math.cos(t) + a
@@ -81,7 +81,7 @@ def value(edge: Edge, Y: float) -> float:
 
 
 @kernel
-def hoped(y: System, r: Region, V: float, strobes: int, points: int) -> tuple[float, int]:
+def hoped(y: Constants, r: Region, V: float, strobes: int, points: int) -> tuple[float, int]:
     """Return the area of the states from a region, nearly, and the flights that it takes."""
     area, flights = 0.0, 0
     for i in range(points):
@@ -96,7 +96,7 @@ def hoped(y: System, r: Region, V: float, strobes: int, points: int) -> tuple[fl
 
 
 @kernel
-def contracted(y: System, q: float, t: float, V: float, strobes: int) -> float:
+def contracted(y: Constants, q: float, t: float, V: float, strobes: int) -> float:
     """Return the slope dq/dt that is contracted, if it is of use."""
     inside = min(max(q, 1e-9 - y.width), -1e-9)
     found = orbit(y, inside, t, V, min(strobes, DEEP))

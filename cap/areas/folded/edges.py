@@ -6,7 +6,7 @@ one place.  There times run the other way: edges and regions are mirrored.
 
 from typing import NamedTuple
 
-from cap.areas.folded.backward import System
+from cap.areas.folded.backward import Constants
 from cap.areas.folded.contraction import contracted, value
 from cap.areas.folded.levels import level
 from cap.areas.folded.regions import Edge, Region
@@ -41,13 +41,13 @@ def reversed_times(r: Region) -> Region:
 
 
 @kernel
-def _slope(y: System, look: Look, q: float, t: float) -> float:
+def _slope(y: Constants, look: Look, q: float, t: float) -> float:
     """Return the slope dq/dt of a line."""
     return level(y, q, t) if look.forwards else contracted(y, q, t, look.V, look.strobes)
 
 
 @kernel
-def _along(y: System, look: Look, r: Region, side: float) -> float:
+def _along(y: Constants, look: Look, r: Region, side: float) -> float:
     """Return where a line from the middle of a region leaves it: the midpoint rule."""
     q = 0.5 * (r.low[0] + r.high[0])
     t, step = r.middle, side * r.half / STEPS
@@ -69,7 +69,7 @@ def between(low: Edge, edge: Edge, high: Edge) -> bool:
 
 
 @kernel
-def edge(y: System, look: Look, r: Region) -> Edge:
+def edge(y: Constants, look: Look, r: Region) -> Edge:
     """Return an edge that cuts a region across X, along a line of use if that fits."""
     e0, m1 = 0.5 * (r.low[0] + r.high[0]), 0.5 * (r.low[1] + r.high[1])
     m2 = 0.5 * (r.low[2] + r.high[2])

@@ -21,9 +21,9 @@ from cap.areas.folded.backward import (
     ROUND,
     TURN,
     TURN_ERROR,
+    Constants,
     Event,
     Flight,
-    System,
     influence,
 )
 from cap.areas.folded.basins import Basins, anything, fate_of
@@ -46,8 +46,8 @@ _NONE, _EARLY, _LATE, _TURN, _EARLY_OR_TURN, _LATE_OR_TURN = range(6)
 class Ahead(NamedTuple):
     """The flow forwards, with a < 0 and with a > 0, parts of basins, what is known."""
 
-    flow: System
-    rests: System
+    flow: Constants
+    rests: Constants
     basins: Basins
     known: Known
 
@@ -87,7 +87,7 @@ class Phase(NamedTuple):
 
 
 @kernel
-def _phase(y: System, event: Event) -> Phase:
+def _phase(y: Constants, event: Event) -> Phase:
     """Return the phase of a stop."""
     k = math.floor((event.near + y.theta) / TURN) + 1
     more = y.theta_error + abs(k) * TURN_ERROR + (abs(k) + 2) * TURN * ROUND
@@ -96,7 +96,7 @@ def _phase(y: System, event: Event) -> Phase:
 
 
 @kernel
-def _kind(y: System, phase: Phase) -> int:
+def _kind(y: Constants, phase: Phase) -> int:
     """Return whether all stops in a range of phases are sticks or turns, early or late."""
     low, high, more = phase
     theta = y.theta + more
@@ -142,7 +142,7 @@ def _size(low: float, high: float) -> float:
 
 
 @kernel
-def _less(y: System, g: Slopes, event: Event, delta: float) -> float:
+def _less(y: Constants, g: Slopes, event: Event, delta: float) -> float:
     """Return by how much the derivative of the place is less where a mass turns before."""
     steep = -ends(widened(event.cos, event.all))[1] - y.a - y.a_error
     if not steep > 0:

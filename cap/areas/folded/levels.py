@@ -5,7 +5,7 @@ It steers; nothing rests on it.  The flow is that of `cap.areas.folded.backward`
 
 import math
 
-from cap.areas.folded.backward import System
+from cap.areas.folded.backward import Constants
 from cap.areas.folded.contraction import STEEPEST
 from cap.areas.folded.next_event import HIT, NOTHING, TURN, next_event, place_at, speed_at
 from cap.sets.compiled import kernel
@@ -16,7 +16,7 @@ FLAT = 1e-3  # a derivative in q that is so much smaller than that in t is none
 
 
 @kernel
-def level(y: System, q: float, t: float) -> float:
+def level(y: Constants, q: float, t: float) -> float:
     """Return the slope dq/dt at which the place of the next stick does not change; 0 if unknown."""
     a, p, s, turns = y.a, min(max(q, 1e-9 - y.width), -1e-9), 0.0, 0
     f0, f1, g0, g1 = 0.0, -math.cos(t) - a, 1.0, 0.0

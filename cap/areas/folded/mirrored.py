@@ -20,11 +20,11 @@ from cap.areas.folded.backward import (
     ROUND,
     TURN,
     TURN_ERROR,
+    Constants,
     Event,
     Flight,
     Four,
     Pair,
-    System,
     start,
 )
 from cap.areas.folded.polynomials import (
@@ -133,7 +133,7 @@ def _followed(f: Flight, event: Event, ref: float, AB: tuple[Model, Model], J: F
 
 
 @kernel
-def after_hit(y: System, f: Flight, event: Event) -> Flight:
+def after_hit(y: Constants, f: Flight, event: Event) -> Flight:
     """Return the flight after a hit; its errors are NaN if the speed may vanish."""
     D, tau = middle(event.D, event.all), middle(event.d, event.all + event.lag)
     c = middle(event.cos, event.all)
@@ -154,7 +154,7 @@ def after_hit(y: System, f: Flight, event: Event) -> Flight:
 
 
 @kernel
-def after_turn(y: System, f: Flight, event: Event) -> Flight:
+def after_turn(y: Constants, f: Flight, event: Event) -> Flight:
     """Return the flight after a turn; its errors are NaN if s' may vanish."""
     D, tau = middle(event.D, event.all), middle(event.d, event.all + event.lag)
     c, a = middle(event.cos, event.all), (y.a, y.a_error)

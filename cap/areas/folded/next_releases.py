@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.areas.folded.backward import PI_ERROR, ROUND, System
+from cap.areas.folded.backward import PI_ERROR, ROUND, Constants
 from cap.areas.folded.basins import Basins, anything, compiled_basins, fate_of_lines
 from cap.areas.folded.lines import Line
 from cap.areas.folded.next_event import HIT, NOTHING, next_event, place_at, speed_at
@@ -31,7 +31,7 @@ _TIME, _SLOPE, _RATE, _COS, _SIN, ROWS = range(6)
 
 
 @kernel
-def _solved(y: System, f: Path, near: float, m: float, room: Floats, full: bool) -> Line:
+def _solved(y: Constants, f: Path, near: float, m: float, room: Floats, full: bool) -> Line:
     """Return a polynomial T with T(0) = near and F(T) = 0 nearly, F = p or s, and F' = m at 0.
 
     By s T' + A' (T - ref) + B' = 0, or (cos T - a) T' + A' = 0, power by power: it steers.
@@ -59,7 +59,7 @@ def _solved(y: System, f: Path, near: float, m: float, room: Floats, full: bool)
 
 
 @kernel
-def _next(y: System, f: Path, room: Floats) -> Step:
+def _next(y: Constants, f: Path, room: Floats) -> Step:
     """Return what follows a flight, if it is certain."""
     begun = 0.5 * (f.begun[0] + f.begun[1])
     kind, t = next_event(-y.a, y.theta, f.A[0], f.B[0], f.ref, begun)
@@ -79,7 +79,7 @@ def _next(y: System, f: Path, room: Floats) -> Step:
 
 
 @kernel
-def _held(y: System, known: Basins, f: Path, until: float) -> int:
+def _held(y: Constants, known: Basins, f: Path, until: float) -> int:
     """Return the fate of all orbits, if they are in a basin at a multiple of pi before a time."""
     for k in range(STROBES):
         t, e = math.pi * k, k * PI_ERROR + math.pi * k * ROUND
@@ -93,7 +93,7 @@ def _held(y: System, known: Basins, f: Path, until: float) -> int:
 
 @kernel
 def next_release(
-    y: System, known: Basins, low: float, high: float, room: Floats
+    y: Constants, known: Basins, low: float, high: float, room: Floats
 ) -> tuple[int, Line]:
     """Return what becomes of the releases from an interval of places, and the next place."""
     f = released(y, low, high)
@@ -119,7 +119,7 @@ class Found(NamedTuple):
 
 @compiled
 def _releases(
-    y: System, known: Basins, places: Floats, probe: Floats, room: Floats, found: Found
+    y: Constants, known: Basins, places: Floats, probe: Floats, room: Floats, found: Found
 ) -> bool:
     """Write what becomes of intervals; False if the processor does not round as it should."""
     if not rounds_to_nearest(probe):
@@ -132,7 +132,7 @@ def _releases(
     return True
 
 
-def next_releases(y: System, known: basins.Basins, places: Floats) -> Found:
+def next_releases(y: Constants, known: basins.Basins, places: Floats) -> Found:
     """Return what becomes of the releases from intervals (N, 2), up to the next ones.
 
     A model of `cap.areas.folded.lines` encloses the distance to the wall ahead at the next release,

@@ -23,7 +23,7 @@ do; so K = a + k for a hit, k for a stop.
 import math
 from typing import NamedTuple
 
-from cap.areas.folded.backward import PI_ERROR, ROUND, TURN, TURN_ERROR, Four, Pair, System
+from cap.areas.folded.backward import PI_ERROR, ROUND, TURN, TURN_ERROR, Constants, Four, Pair
 from cap.areas.folded.lines import (
     BEND,
     Line,
@@ -107,14 +107,14 @@ def lost(f: Path) -> Step:
 
 
 @kernel
-def slow_time(y: System, k: int) -> Pair:
+def slow_time(y: Constants, k: int) -> Pair:
     """Return the slow time of this number, and a bound of its error."""
     t = TURN * k - y.theta
     return t, y.theta_error + abs(k) * TURN_ERROR + abs(t) * ROUND
 
 
 @kernel
-def released(y: System, low: float, high: float) -> Path:
+def released(y: Constants, low: float, high: float) -> Path:
     """Return the flight of releases at these distances to the wall ahead, at the slow time 0."""
     t, e = slow_time(y, 0)
     more = 4 * ROUND + 8 * (e + y.a_error) + y.sine_error
@@ -133,7 +133,7 @@ def influence(f: Path, D: Line, more: float) -> float:
 
 
 @kernel
-def seen(y: System, f: Path, time: Pair, cos: float, sin: float) -> tuple[Line, Line]:
+def seen(y: Constants, f: Path, time: Pair, cos: float, sin: float) -> tuple[Line, Line]:
     """Return p and s at a time within an error of a double; cos and sin are wrong by that too."""
     t = time[0]
     d = t - f.ref
@@ -146,7 +146,7 @@ def seen(y: System, f: Path, time: Pair, cos: float, sin: float) -> tuple[Line, 
 
 
 @kernel
-def moving(y: System, f: Path, until: float) -> bool:
+def moving(y: Constants, f: Path, until: float) -> bool:
     """Return whether s > 0 from the start to a time, if it is so there."""
     for k in range(f.slow, ARCS):
         t, e = slow_time(y, k)
@@ -159,7 +159,7 @@ def moving(y: System, f: Path, until: float) -> bool:
 
 
 @kernel
-def since_start(y: System, f: Path, low: float) -> bool:
+def since_start(y: Constants, f: Path, low: float) -> bool:
     """Return whether a hit, not before a time, is not before the start either."""
     if low > f.begun[1]:
         return True
@@ -195,20 +195,20 @@ def certain(h: Happening, m: float, change: float, left: Pair, K: float) -> Happ
 
 
 @kernel
-def speed(y: System, f: Path, h: Happening) -> Line:
+def speed(y: Constants, f: Path, h: Happening) -> Line:
     """Return s at T_0, without errors."""
     return total(total(h.sin, scaled(h.D, -y.a, y.a_error)), f.A)
 
 
 @kernel
-def place(y: System, f: Path, h: Happening) -> Line:
+def place(y: Constants, f: Path, h: Happening) -> Line:
     """Return p at T_0, without errors."""
     ahead = product(h.D, total(scaled(h.D, -0.5 * y.a, y.a_error), f.A))
     return total(scaled(h.cos, -1.0, 0.0), total(ahead, f.B))
 
 
 @kernel
-def start(y: System, A: Line, d: Line, h: Happening) -> Line:
+def start(y: Constants, A: Line, d: Line, h: Happening) -> Line:
     """Return -cos T + a d²/2 - A d: B after the event, but for p."""
     half = scaled(d, 0.5 * y.a, y.a_error)
     back = product(d, total(half, scaled(A, -1.0, 0.0)))
@@ -239,7 +239,9 @@ def folded(h: Happening) -> tuple[float, Line]:
 
 
 @kernel
-def followed(y: System, f: Path, h: Happening, ref: float, AB: tuple[Line, Line], J: Four) -> Path:
+def followed(
+    y: Constants, f: Path, h: Happening, ref: float, AB: tuple[Line, Line], J: Four
+) -> Path:
     """Return the flight with models A, B after an event, the errors before carried by J."""
     A, B = AB
     C, R, errors = carried((f.C, f.R, f.errors), J, A[7], B[7])
@@ -251,7 +253,7 @@ def followed(y: System, f: Path, h: Happening, ref: float, AB: tuple[Line, Line]
 
 
 @kernel
-def hit(y: System, f: Path, T: Line) -> Step:
+def hit(y: Constants, f: Path, T: Line) -> Step:
     """Return what follows a hit, if it is certain to be next."""
     h = near_event(f, T)
     s = speed(y, f, h)
@@ -272,7 +274,7 @@ def hit(y: System, f: Path, T: Line) -> Step:
 
 
 @kernel
-def _bounced(y: System, f: Path, h: Happening, m: float, change: float) -> Path:
+def _bounced(y: Constants, f: Path, h: Happening, m: float, change: float) -> Path:
     """Return the flight after a hit with a speed within ``change`` of m.
 
     With dT = -(d dA + dB)/s,
@@ -292,7 +294,7 @@ def _bounced(y: System, f: Path, h: Happening, m: float, change: float) -> Path:
 
 
 @kernel
-def stop(y: System, f: Path, T: Line) -> Step:
+def stop(y: Constants, f: Path, T: Line) -> Step:
     """Return what follows a stop, if it is certain to be next."""
     h = near_event(f, T)
     m = h.cos[0] - y.a
@@ -313,7 +315,7 @@ def stop(y: System, f: Path, T: Line) -> Step:
 
 
 @kernel
-def _stopped(y: System, f: Path, h: Happening, p: Line, p_all: Line, phase: Pair) -> Step:
+def _stopped(y: Constants, f: Path, h: Happening, p: Line, p_all: Line, phase: Pair) -> Step:
     """Return what follows a stop at a phase between these, at p; p_all is p with all errors."""
     low, high = phase
     if high < math.pi - y.theta - CLEAR:
@@ -327,7 +329,7 @@ def _stopped(y: System, f: Path, h: Happening, p: Line, p_all: Line, phase: Pair
 
 
 @kernel
-def _turned(y: System, f: Path, h: Happening, ahead: Line) -> Path:
+def _turned(y: Constants, f: Path, h: Happening, ahead: Line) -> Path:
     """Return the flight after a turn, with p = ``ahead``.
 
     With dT = -dA/(cos T - a),

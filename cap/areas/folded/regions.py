@@ -13,9 +13,9 @@ from typing import NamedTuple
 from cap.areas.folded.backward import (
     PI_ERROR,
     ROUND,
+    Constants,
     Event,
     Flight,
-    System,
     at,
     hit,
     influence,
@@ -97,7 +97,7 @@ def sides(r: Region) -> tuple[Model, Model]:
 
 
 @kernel
-def launched(y: System, r: Region) -> tuple[Flight, Model, float]:
+def launched(y: Constants, r: Region) -> tuple[Flight, Model, float]:
     """Return the flight from rest, its density in X and Y, and the least of half the width."""
     e, z = y.theta_error + TIME, 0.0
     d = between((z, r.half, z), NONE, e)
@@ -119,7 +119,7 @@ def first(f: Flight) -> int:
 
 
 @kernel
-def passing(y: System, f: Flight, j: int) -> tuple[bool, Model, Model]:
+def passing(y: Constants, f: Flight, j: int) -> tuple[bool, Model, Model]:
     """Return whether all flights are certain to be under way at j pi, and p and s."""
     t = j * math.pi
     e = abs(j) * PI_ERROR + abs(t) * ROUND
@@ -148,7 +148,7 @@ def known(f: Flight, size: float) -> bool:
 
 
 @kernel
-def underway(y: System, f: Flight, density: Model, V: float) -> tuple[float, int, int]:
+def underway(y: Constants, f: Flight, density: Model, V: float) -> tuple[float, int, int]:
     """Return the area slower than V at the strobes that all flights are certain to pass.
 
     And at how many there is some, and the next strobe.
@@ -163,7 +163,7 @@ def underway(y: System, f: Flight, density: Model, V: float) -> tuple[float, int
 
 
 @kernel
-def slow_at(y: System, f: Flight, density: Model, event: Event, j: int, V: float) -> float:
+def slow_at(y: Constants, f: Flight, density: Model, event: Event, j: int, V: float) -> float:
     """Return the area slower than V at j pi, where an event may be before.
 
     After it the speed grows by less than 1 + a a unit of time; that of the flight, continued, falls
@@ -178,7 +178,7 @@ def slow_at(y: System, f: Flight, density: Model, event: Event, j: int, V: float
 
 @kernel
 def during(
-    y: System, f: Flight, density: Model, event: Event, j: int, V: float
+    y: Constants, f: Flight, density: Model, event: Event, j: int, V: float
 ) -> tuple[float, int]:
     """Return the area slower than V at the strobes from j pi on that are not after a hit.
 
@@ -193,7 +193,7 @@ def during(
 
 
 @kernel
-def next_of(y: System, f: Flight) -> tuple[int, Event]:
+def next_of(y: Constants, f: Flight) -> tuple[int, Event]:
     """Return the kind of the next event, and the event."""
     begun = 0.5 * (f.begun[0] + f.begun[1])
     kind, near = next_event(y.a, y.theta, f.A[0], f.B[0], f.ref, begun)
@@ -203,14 +203,14 @@ def next_of(y: System, f: Flight) -> tuple[int, Event]:
 
 
 @kernel
-def measure(y: System, r: Region) -> tuple[float, float]:
+def measure(y: Constants, r: Region) -> tuple[float, float]:
     """Return bounds of the measure of a region."""
     density = launched(y, r)[1]
     return max(0.0, integral(density)), -integral(scaled(density, -1.0, 0.0))
 
 
 @kernel
-def followed(y: System, r: Region, limits: Limits) -> Seen:
+def followed(y: Constants, r: Region, limits: Limits) -> Seen:
     """Follow a region backwards to the stop before, as long as it is certain what happens."""
     f, density, wide = launched(y, r)
     area, strobes, last = 0.0, 0, 0

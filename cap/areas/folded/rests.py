@@ -15,7 +15,7 @@ it does not begin to fall, and falling it brakes at D = a - cos t_1 at least.  S
 
 import math
 
-from cap.areas.folded.backward import TURN, TURN_ERROR, Pair, System
+from cap.areas.folded.backward import TURN, TURN_ERROR, Constants, Pair
 from cap.areas.folded.polynomials import UP
 from cap.sets.circular import sin_cos_of_double
 from cap.sets.compiled import kernel
@@ -27,7 +27,7 @@ END = 1.57  # less than pi/2
 
 
 @kernel
-def height(y: System, ends: Pair, speed: float) -> float:
+def height(y: Constants, ends: Pair, speed: float) -> float:
     """Return how far from the wall the mass may rest after a slow hit, or -1."""
     if not speed <= SLOW:
         return -1.0
@@ -42,7 +42,7 @@ def height(y: System, ends: Pair, speed: float) -> float:
 
 
 @kernel
-def _captures(y: System, begin: float, latest: float, speed: float, until: float) -> bool:
+def _captures(y: Constants, begin: float, latest: float, speed: float, until: float) -> bool:
     """Return whether a capture follows until a time."""
     theta = y.theta - y.theta_error - MARGIN
     if not (-theta < begin and until < theta):
@@ -58,7 +58,7 @@ def _captures(y: System, begin: float, latest: float, speed: float, until: float
 
 
 @kernel
-def _settles(y: System, begin: float, latest: float, speed: float) -> bool:
+def _settles(y: Constants, begin: float, latest: float, speed: float) -> bool:
     """Return whether the mass comes to rest near the wall."""
     late = max(latest, y.theta) + LATER
     if begin < 0 or late > LATEST:

@@ -12,7 +12,7 @@ w is the derivative of the place at the time of the event; at a stop also that o
 
 from typing import NamedTuple
 
-from cap.areas.folded.backward import ROUND, Event, Flight, System, speed
+from cap.areas.folded.backward import ROUND, Constants, Event, Flight, speed
 from cap.areas.folded.polynomials import (
     Model,
     constant,
@@ -48,7 +48,7 @@ def by_place(g: Slopes, event: Event) -> Model:
 
 
 @kernel
-def after_the_hit(y: System, f: Flight, g: Slopes, event: Event) -> Slopes:
+def after_the_hit(y: Constants, f: Flight, g: Slopes, event: Event) -> Slopes:
     """Return the derivatives after a hit; their errors are NaN if the speed may vanish."""
     w = by_place(g, event)
     s = widened(speed(y, f.A, event.D, event.sin), f.errors[0] + 2 * event.all)
@@ -58,7 +58,7 @@ def after_the_hit(y: System, f: Flight, g: Slopes, event: Event) -> Slopes:
 
 
 @kernel
-def after_the_turn(y: System, g: Slopes, event: Event) -> Slopes:
+def after_the_turn(y: Constants, g: Slopes, event: Event) -> Slopes:
     """Return the derivatives after a turn; their errors are NaN if s' may vanish."""
     cos = widened(event.cos, event.all)
     back = moved(scaled(cos, -1.0, 0.0), y.a, y.a_error)

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.areas.folded.ahead import foreseen
-from cap.areas.folded.backward import System
+from cap.areas.folded.backward import Constants
 from cap.areas.folded.contraction import hoped
 from cap.areas.folded.edges import Look, edge, mirrored, reversed_times
 from cap.areas.folded.fates import Ahead
@@ -74,7 +74,7 @@ class Arc(NamedTuple):
 class Search(NamedTuple):
     """What is searched, and how."""
 
-    system: System
+    system: Constants
     ahead: Ahead
     arc: Arc
     limits: Limits

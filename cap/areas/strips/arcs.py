@@ -6,9 +6,9 @@ a rule.  The formulas are derived in `cap.checker.strips.arc`.
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from cap.areas.strips.hits import TURN, fly
+from cap.areas.strips.hits import TURN, fly, velocity
 from cap.sets.circular import sin_cos
 from cap.sets.compiled import kernel
 from cap.sets.doubles import Interval, is_finite, is_positive, lower, magnitude
@@ -72,6 +72,15 @@ def _root(x: Interval) -> Interval:
 
 
 @kernel
+def _falls(u: Any, d: Any, a: Any, dt: float, du: Any) -> Any:
+    """Return how fast x at a fixed time falls along an arc, a time d after a launch at which v'=a.
+
+    Divided by the velocity then, it is the slope of the times of a hit.
+    """
+    return (u + d * a) * dt - d * du
+
+
+@kernel
 def image(arc: Arc, f: float, R: float) -> Image:
     """Return the image of an arc."""
     t, dt, bend, reach = arc.t, arc.dt, 2 * arc.e2, abs(arc.e1) + abs(arc.e2)
@@ -86,17 +95,17 @@ def image(arc: Arc, f: float, R: float) -> Image:
     d2us = (bend - dus * dus) / us
     sin_t, cos_t = sin_cos(ts)
     a, A, d, aa = math.cos(t) - f, math.cos(T) - f, T - t, cos_t - f
-    T1 = ((u + d * a) * dt - d * du) / V
+    T1 = _falls(u, d, a, dt, du) / V
     V1 = du + A * T1 - a * dt
     bound, found, Ts, dTs, Vs, sin_T, cos_T = 1.2 * abs(T1) + ROOM, False, ts, ts, us, sin_t, cos_t
     for _ in range(4):
         Ts = Interval(T, bound)
         ds = Ts - ts
         sin_T, cos_T = sin_cos(Ts)
-        Vs = us + sin_T - sin_t - ds * f
+        Vs = velocity(us, sin_t, ds, sin_T, f)
         if not is_positive(Vs):
             return _nowhere()
-        dTs = ((us + ds * aa) * dt - ds * dus) / Vs
+        dTs = _falls(us, ds, aa, dt, dus) / Vs
         size = magnitude(dTs) + 1e-14
         if size <= bound:
             found = True
@@ -123,7 +132,7 @@ def _moves(arc: Arc, slope: float, bend: Interval, f: float, until: float) -> bo
     last = math.floor((until + rest + 1e-9) / TURN)
     for k in range(first, last + 1):
         T = TURN * k - rest
-        v = math.sqrt(2 * arc.e) + math.sin(T) - math.sin(t) - f * (T - t)
+        v = velocity(math.sqrt(2 * arc.e), math.sin(t), T - t, math.sin(T), f)
         if least(v, slope, bend) <= ROOM:
             return False
     return True

@@ -4,7 +4,7 @@ It steers; nothing rests on it.  Units F = omega = 1; a launch (t, E) has the sp
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cap.sets.compiled import kernel
 
@@ -23,6 +23,19 @@ class _Launch(NamedTuple):
 
 
 @kernel
+def velocity(u: Any, sin_t: Any, d: Any, sin: Any, f: float) -> Any:
+    """Return v a time d after a launch with the speed u, at a moment with this sine."""
+    return u + sin - sin_t - d * f
+
+
+@kernel
+def _velocity(n: _Launch, d: float, sin: float) -> float:
+    """Return v likewise; sin t is in the rate."""
+    v: float = velocity(n.rate, 0.0, d, sin, n.f)
+    return v
+
+
+@kernel
 def _place(n: _Launch, d: float, cos: float) -> float:
     """Return x after a time d, at a moment with this cosine."""
     return (n.rate - 0.5 * n.f * d) * d + n.cos - cos
@@ -34,7 +47,7 @@ def _reach(n: _Launch, R: float, low: float, high: float, near: float) -> tuple[
     T, v = near if low < near < high else high, 0.0
     for _ in range(100):
         d, sin, cos = T - n.t, math.sin(T), math.cos(T)
-        x, v = _place(n, d, cos), n.rate + sin - n.f * d
+        x, v = _place(n, d, cos), _velocity(n, d, sin)
         if x >= R:
             high = min(high, T)
         else:
@@ -55,8 +68,7 @@ def _halt(n: _Launch, low: float, high: float) -> float:
     """Return when v = 0, between two times at which it is positive and not."""
     T = high
     for _ in range(100):
-        d = T - n.t
-        v, push = n.rate + math.sin(T) - n.f * d, math.cos(T) - n.f
+        v, push = _velocity(n, T - n.t, math.sin(T)), math.cos(T) - n.f
         if v > 0:
             low = max(low, T)
         else:
@@ -85,7 +97,7 @@ def fly(t: float, u: float, f: float, R: float, near: float = math.inf) -> tuple
     for _ in range(40):
         end = k * TURN + rest if rising else (k + 1) * TURN - rest
         d, cos = end - t, f
-        stops = not rising and n.rate - height - f * d <= 0
+        stops = not rising and _velocity(n, d, -height) <= 0
         if stops:
             end = _halt(n, T, end)
             d, cos = end - t, math.cos(end)

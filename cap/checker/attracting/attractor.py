@@ -17,7 +17,7 @@ from typing import Any
 
 from cap.checker.attracting.part import Part
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.motion import Releases, System
+from cap.checker.folded.motion import Direction, Releases
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.units import Distances
@@ -57,7 +57,7 @@ class Chaotic(Part):
         yield _CHAOTIC.format(self.claim["interval"], self.claim["entropy"])
 
 
-def into_itself(y: System, places: Distances) -> None:
+def into_itself(y: Direction, places: Distances) -> None:
     """Prove that all next releases from an interval are inside it."""
     todo, followed = [places.outer], 0
     while todo:
@@ -69,7 +69,7 @@ def into_itself(y: System, places: Distances) -> None:
             todo += [(middle, high), (low, middle)]
 
 
-def stays(y: System, places: Pair, inside: Pair) -> bool:
+def stays(y: Direction, places: Pair, inside: Pair) -> bool:
     """Return whether the next releases from some places certainly are inside an interval.
 
     After a rest near a wall, where the polynomial is constant, G may not be continuous.

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 
 from cap.checker.attracting.part import Part
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.motion import Releases, System
+from cap.checker.folded.motion import Direction, Releases
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.units import Distances
@@ -48,7 +48,7 @@ class Cycles(Part):
             yield _PERIODIC.format(" and then in ".join(map(str, cycle)))
 
 
-def contract(y: System, basins: Basins, cycle: Sequence[Distances]) -> None:
+def contract(y: Direction, basins: Basins, cycle: Sequence[Distances]) -> None:
     """Prove that intervals are taken each into the next, and contracted in the end."""
     factor = 1.0
     for here, after in zip(cycle, [*cycle[1:], cycle[0]], strict=True):

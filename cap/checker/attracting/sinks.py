@@ -25,7 +25,7 @@ from cap.checker.folded.ahead import sticking
 from cap.checker.folded.basins import Basins, Ellipse, Row, bounds_of, rounded
 from cap.checker.folded.events import after, event
 from cap.checker.folded.flights import Flight
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP, Pair, times
 from cap.checker.folded.slopes import Slopes
 from cap.checker.folded.slopes import after as slopes_after
@@ -65,7 +65,7 @@ class Sinks(Claimed):
 
     def prove(self, known: Basins) -> None:  # noqa: ARG002
         """Prove that the flow contracts the ellipses."""
-        y = System(self.theorem.p, forwards=True)
+        y = Direction(self.theorem.p, forwards=True)
         for claim in self.claim:
             sink(self.scale, claim).contract(y)
             self.theorem.step("the flow takes an ellipse of states into itself, and contracts it")
@@ -151,7 +151,7 @@ class Sink(NamedTuple):
         need(det != 0, "the matrix of a sink is singular")
         return [(d / det, -c / det), (-b / det, a / det)]
 
-    def contract(self, y: System) -> None:
+    def contract(self, y: Direction) -> None:
         """Prove that the flow takes the ellipse into itself, and contracts it."""
         most = 1 - self.shift(y) - TURN
         todo, followed = [Part()], 0
@@ -165,7 +165,7 @@ class Sink(NamedTuple):
             except Rejected:
                 todo += part.quarters()
 
-    def factor(self, y: System, part: Part) -> float:
+    def factor(self, y: Direction, part: Part) -> float:
         """Return a bound of |W DP W^-1| over a part."""
         f, slopes, (t, error) = self.image(y, part, Fraction(1, 2**part.n))
         d = q.moved(q.model(error, one=t), -f.ref, 0.0)
@@ -173,12 +173,12 @@ class Sink(NamedTuple):
         rows = [(rounded(row.a), rounded(row.b)) for row in self.ellipse().rows]
         return norm([[middle(side(*row)) for side in sides] for row in rows])
 
-    def shift(self, y: System) -> float:
+    def shift(self, y: Direction) -> float:
         """Return a bound of |W (P c - c)|."""
         f, _, (t, error) = self.image(y, Part(), Fraction(0))
         return self.ellipse().radius(bounds_of(q, *y.states(f, t, error)))
 
-    def image(self, y: System, part: Part, size: Fraction) -> Image:
+    def image(self, y: Direction, part: Part, size: Fraction) -> Image:
         """Return what is so far from the middle of a part after so many half periods."""
         sides = self.sides()
         f = launched(y, self.odd, *self.states(part.middle(), size, sides))
@@ -203,7 +203,7 @@ class Sink(NamedTuple):
             yield q.model((abs(one) + abs(X) + abs(Y)) * TURN, one=one, X=X, Y=Y)
 
 
-def launched(y: System, odd: bool, p: Model, s: Model) -> Flight:
+def launched(y: Direction, odd: bool, p: Model, s: Model) -> Flight:
     """Return the flight of states at 0 or pi: A = s - sin t, B = p + cos t, t = ref."""
     need(q.ends(p)[1] < 0 < q.ends(s)[0], "the states of a sink do not move to the wall ahead")
     need(-y.width[0] + y.width[1] < q.ends(p)[0], "a sink reaches behind a wall")

@@ -41,7 +41,7 @@ from typing import NamedTuple, Protocol
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.events import Event, after, event
 from cap.checker.folded.flights import Flight
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import Region
 from cap.checker.folded.rests import height
@@ -73,7 +73,7 @@ class Fates(Protocol):
 class Outlook(NamedTuple):
     """The flow forwards, and what is known of places and states."""
 
-    y: System
+    y: Direction
     fates: Fates
     basins: Basins
 
@@ -124,7 +124,7 @@ def losses(o: Outlook, f: Flight) -> Iterator[Sequence[float]]:
     raise Rejected("there is no stick for long")
 
 
-def sticking(y: System, e: Event, cos: Pair) -> tuple[bool, bool]:
+def sticking(y: Direction, e: Event, cos: Pair) -> tuple[bool, bool]:
     """Return whether some may stick at a stop, and whether all do, at once or soon."""
     low, high = cos
     some, every = high >= y.a - y.a_error, low > y.a + y.a_error
@@ -185,7 +185,7 @@ def over(x: Model) -> Iterator[Pair]:
         yield value - far, value + far
 
 
-def delay(y: System, e: Event, M: float) -> float:
+def delay(y: Direction, e: Event, M: float) -> float:
     """Return z, if some may turn in (b - z, b] and stick soon, or 0."""
     b = M + y.rest[0] + y.rest[1] + 16 * TURN * (abs(M) + 1)
     z = max(0.0, b - e.ends[0]) * UP

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from cap.checker.folded.ahead import FATES, Fates, Found, Outlook, found
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP
 from cap.checker.folded.regions import Leaf, Region
 from cap.checker.folded.stops import PARTS, Start, backwards, places_of, sticks, turns
@@ -32,25 +32,25 @@ class Areas(NamedTuple):
     stops: float = 0.0
 
 
-def of_sticks(y: System, fates: Fates, V: float, side: int, leaf: Leaf) -> Areas:
+def of_sticks(y: Direction, fates: Fates, V: float, side: int, leaf: Leaf) -> Areas:
     """Return the areas of the states at t = 0, slower than V, that come to a region of sticks."""
     start = sticks(y, side, leaf.region)
     return counted(y, V, leaf, start, [stuck(y, fates, start, side, leaf.region)])
 
 
-def of_turns(y: System, o: Outlook, V: float, leaf: Leaf) -> Areas:
+def of_turns(y: Direction, o: Outlook, V: float, leaf: Leaf) -> Areas:
     """Return the areas of the states at t = 0, slower than V, that come to a region of turns."""
     return counted(y, V, leaf, turns(y, leaf.region), [found(o, part) for part in leaf.parts])
 
 
-def stuck(y: System, fates: Fates, start: Start, side: int, region: Region) -> Found:
+def stuck(y: Direction, fates: Fates, start: Start, side: int, region: Region) -> Found:
     """Return what is found of sticks."""
     places, less = places_of(y, side, region), 2 * start.rate / PARTS * UP
     missing = (sum(fates.missing(part, fate) for part in places) * less for fate in FATES)
     return Found(q.integral(start.density), tuple(missing))
 
 
-def counted(y: System, V: float, leaf: Leaf, start: Start, parts: Sequence[Found]) -> Areas:
+def counted(y: Direction, V: float, leaf: Leaf, start: Start, parts: Sequence[Found]) -> Areas:
     """Return the areas that come to a region, if these are its parts."""
     whole = -q.integral(q.scaled(start.density, -1.0))
     good = (math.fsum(max(0.0, p.area - p.missing[k]) for p in parts) for k in range(len(FATES)))

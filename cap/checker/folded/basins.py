@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from cap.checker.folded.flights import Flight, Model
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.table import ATTRACTOR, NONE, SEGMENT
 
@@ -74,7 +74,7 @@ class Basins(NamedTuple):
         ellipses = self.odd if k % 2 else self.ellipses
         return ATTRACTOR if any(each.contains(bounds) for each in ellipses) else NONE
 
-    def seen(self, y: System, f: Flight, until: float) -> int:
+    def seen(self, y: Direction, f: Flight, until: float) -> int:
         """Return the fate of all states of a flight, if it is known at a multiple of pi that all
         pass before a time, or 0.
         """

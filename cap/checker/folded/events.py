@@ -36,7 +36,7 @@ from typing import NamedTuple
 
 from cap.checker.folded.flights import Flight, Model
 from cap.checker.folded.instants import hitting, stopping
-from cap.checker.folded.motion import System, followed, since, upcoming
+from cap.checker.folded.motion import Direction, followed, since, upcoming
 from cap.checker.folded.numbers import TURN, UP, Pair, minus, quotient, times
 from cap.checker.kernel.rejection import need
 
@@ -64,18 +64,18 @@ class Event(NamedTuple):
     p: tuple[Model, Model] | None = None
 
 
-def event(y: System, f: Flight) -> Event:
+def event(y: Direction, f: Flight) -> Event:
     """Prove what comes next, for all orbits."""
     kind, near, k = upcoming(y, f)
     return hit(y, f, near) if kind == "hit" else stop(y, f, near, k)
 
 
-def after(y: System, f: Flight, e: Event) -> Flight:
+def after(y: Direction, f: Flight, e: Event) -> Flight:
     """Return the flight after an event."""
     return after_hit(y, f, e) if e.p is None else after_turn(y, f, e, e.p[0])
 
 
-def hit(y: System, f: Flight, guess: float) -> Event:
+def hit(y: Direction, f: Flight, guess: float) -> Event:
     """Prove that the next event is a hit, close to a time."""
     q, (near, d) = y.q, hitting(y, f, guess)
     cos, sin = q.trigonometric(q.with_constant(d, near))
@@ -91,7 +91,7 @@ def hit(y: System, f: Flight, guess: float) -> Event:
     return Event(near, d, D, cos, sin, k, e, e_all, ends, s=q.widened(s, K * e_all))
 
 
-def after_hit(y: System, f: Flight, h: Event) -> Flight:
+def after_hit(y: Direction, f: Flight, h: Event) -> Flight:
     """Return the flight after a hit."""
     q, (c, D, tau) = y.q, balls(y, h)
     g = quotient((2 * c[0], 2 * c[1]), q.ball(h.s))
@@ -107,7 +107,7 @@ def after_hit(y: System, f: Flight, h: Event) -> Flight:
     return found._replace(slow=1 if found.begun[0] > sum(y.slow(0)) else 0)
 
 
-def stop(y: System, f: Flight, guess: float, arc: int) -> Event:
+def stop(y: Direction, f: Flight, guess: float, arc: int) -> Event:
     """Prove that the next event is a stop, close to a time, before the slow time of an arc."""
     q, (near, d) = y.q, stopping(y, f, guess)
     cos, sin = q.trigonometric(q.with_constant(d, near))
@@ -128,7 +128,7 @@ def stop(y: System, f: Flight, guess: float, arc: int) -> Event:
     return Event(near, d, D, cos, sin, k, e, e_all, ends, p=(p, p_all))
 
 
-def after_turn(y: System, f: Flight, t: Event, p: Model) -> Flight:
+def after_turn(y: Direction, f: Flight, t: Event, p: Model) -> Flight:
     """Return the flight after a turn at a place."""
     q, (c, D, tau) = y.q, balls(y, t)
     a = y.a, y.a_error
@@ -141,7 +141,7 @@ def after_turn(y: System, f: Flight, t: Event, p: Model) -> Flight:
     return followed(y, f, t.ends, (t.near, ref), (A, B), J)
 
 
-def balls(y: System, e: Event) -> tuple[Pair, Pair, Pair]:
+def balls(y: Direction, e: Event) -> tuple[Pair, Pair, Pair]:
     """Return numbers, and bounds of how far from them are the cosine, T - ref, T - pi - ref'."""
     q = y.q
     c, D = q.ball(q.widened(e.cos, e.k * e.e_all)), q.ball(q.widened(e.D, e.e_all))

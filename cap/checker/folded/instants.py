@@ -14,14 +14,14 @@ import math
 from collections.abc import Sequence
 
 from cap.checker.folded.flights import Flight, Model
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.kernel.rejection import need
 
 Coefficients = list[float]
 _STEPS, _CLOSE = 8, 1e-8  # of Newton's method, which squares the last one
 
 
-def hitting(y: System, f: Flight, near: float) -> tuple[float, Model]:
+def hitting(y: Direction, f: Flight, near: float) -> tuple[float, Model]:
     """Return t and a polynomial d without a constant: p vanishes at t + d, nearly."""
     t, A, B = near, y.q.coefficients(f.A), y.q.coefficients(f.B)
     for _ in range(_STEPS):
@@ -46,7 +46,7 @@ def hitting(y: System, f: Flight, near: float) -> tuple[float, Model]:
     return t, y.q.of_coefficients((0.0, *D[1:]))
 
 
-def stopping(y: System, f: Flight, near: float) -> tuple[float, Model]:
+def stopping(y: Direction, f: Flight, near: float) -> tuple[float, Model]:
     """Return t and a polynomial d without a constant: s vanishes at t + d, nearly."""
     t, A = near, y.q.coefficients(f.A)
     for _ in range(_STEPS):
@@ -70,13 +70,13 @@ def _room(constant: float, like: Sequence[float]) -> Coefficients:
     return [constant, *[0.0] * (len(like) - 1)]
 
 
-def _derived(y: System, p: Sequence[float]) -> Coefficients:
+def _derived(y: Direction, p: Sequence[float]) -> Coefficients:
     """Return the coefficients of E p."""
     return [w * c for w, c in zip(y.q.DEGREES, p, strict=True)]
 
 
 def _extend(
-    y: System,
+    y: Direction,
     place: tuple[int, int, int],
     functions: tuple[Coefficients, ...],
     rise: Coefficients,

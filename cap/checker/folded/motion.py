@@ -22,7 +22,7 @@ _ARCS = 12  # of a flight
 _NEAR = 1e-13  # more than the errors of the times here, all below 90
 
 
-class System:
+class Direction:
     """The constants of one direction of time, each a double with a bound of its error.
 
     ``theta`` is arccos a, ``rest`` is arccos |a|, ``q`` the module of the models.
@@ -114,7 +114,7 @@ class System:
         return ref, self.q.widened(d, (abs(near) + 8) * TURN + abs(k) * (self.pi[1] + 4 * TURN))
 
 
-class Releases(System):
+class Releases(Direction):
     """The flow forwards, of states that depend on one variable: the place of release."""
 
     q = line
@@ -123,20 +123,20 @@ class Releases(System):
         super().__init__(p, forwards=True)
 
 
-def upcoming(y: System, f: Flight) -> tuple[str, float, int]:
+def upcoming(y: Direction, f: Flight) -> tuple[str, float, int]:
     """Return what comes next in the middle of the region, when, and in which arc: it steers."""
     slows = ((k, y.slow(k)[0]) for k in range(f.slow, _ARCS))
     middle = Middle(-y.a, y.q.first(f.A), y.q.first(f.B), f.ref)
     return scout(middle, (f.begun[0] + f.begun[1]) / 2, slows, 2 * y.theta[0])
 
 
-def since(y: System, f: Flight, near: float, d: Model) -> Model:
+def since(y: Direction, f: Flight, near: float, d: Model) -> Model:
     """Return near + d - ref."""
     return y.q.moved(d, near - f.ref, (abs(near) + abs(f.ref)) * TURN)
 
 
 def followed(
-    y: System, f: Flight, ends: Pair, near: Pair, models: tuple[Model, Model], J: Four
+    y: Direction, f: Flight, ends: Pair, near: Pair, models: tuple[Model, Model], J: Four
 ) -> Flight:
     """Return the flight with models A, B after the flight f, the errors of which J carries.
 

@@ -18,7 +18,7 @@ import math
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.events import Event, after, event
 from cap.checker.folded.flights import Flight
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.rests import height
 from cap.checker.kernel import line
@@ -28,7 +28,7 @@ from cap.checker.kernel.rejection import Rejected, need
 _MOST = 64  # events
 
 
-def next_release(y: System, basins: Basins, places: Pair) -> Line | int:
+def next_release(y: Direction, basins: Basins, places: Pair) -> Line | int:
     """Return the distance to the wall ahead at the next release, from places X in [-1, 1].
 
     Or the fate, if all orbits are in a basin before.  After a rest near the wall nothing is known
@@ -46,7 +46,7 @@ def next_release(y: System, basins: Basins, places: Pair) -> Line | int:
     raise Rejected("there is no release for long")
 
 
-def released(y: System, p: Line) -> Flight:
+def released(y: Direction, p: Line) -> Flight:
     """Return the flight of a release at p, at the slow time -theta."""
     t, e = -y.rest[0], y.rest[1]
     more = 4 * TURN + 8 * (e + y.a_error) + y.sine[1]
@@ -56,7 +56,7 @@ def released(y: System, p: Line) -> Flight:
     return Flight((t - e, t + e), t, *exact, (1.0, 0.0, 0.0, 1.0), errors, errors, 1, 0)
 
 
-def rested(y: System, h: Event) -> Line | None:
+def rested(y: Direction, h: Event) -> Line | None:
     """Return the distance to the wall ahead at the release, if the mass rests after a hit."""
     low, high = line.ends(h.s)
     resting = height(y, h.ends, high) if low > 0 else None
@@ -66,7 +66,7 @@ def rested(y: System, h: Event) -> Line | None:
     return line.constant(W - resting / 2, e + resting / 2 * UP + W * TURN)
 
 
-def stuck(y: System, e: Event, p: Line) -> Line | None:
+def stuck(y: Direction, e: Event, p: Line) -> Line | None:
     """Return the distance to the wall ahead at the release, if the mass sticks at p."""
     turn, more = y.multiple(2 * math.floor(e.ends[0] / (2 * math.pi)))
     more += 4 * TURN * (abs(turn) + 8)

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import math
 
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import UP, Pair
 from cap.checker.kernel.angles import cos_sin
 
@@ -28,7 +28,7 @@ _SLOW, _LOW = 0.35, 0.001  # speeds for which a capture is tried; heights that c
 _WAITS = (2.0, 4.0, 8.0, 16.0)
 
 
-def height(y: System, ends: Pair, speed: float) -> float | None:
+def height(y: Direction, ends: Pair, speed: float) -> float | None:
     """Return how far from the wall the mass may rest after a slow hit, or None."""
     if speed > _SLOW:
         return None
@@ -40,7 +40,7 @@ def height(y: System, ends: Pair, speed: float) -> float | None:
     return low if low < _LOW and settles(y, (begin, latest), speed) else None
 
 
-def captures(y: System, ends: Pair, speed: float) -> bool:
+def captures(y: Direction, ends: Pair, speed: float) -> bool:
     """Return whether a capture follows a hit at a time between these, modulo 2 pi."""
     theta, a = y.rest[0] - y.rest[1], -y.a
     for wait in _WAITS:
@@ -57,7 +57,7 @@ def captures(y: System, ends: Pair, speed: float) -> bool:
     return False
 
 
-def settles(y: System, ends: Pair, speed: float) -> bool:
+def settles(y: Direction, ends: Pair, speed: float) -> bool:
     """Return whether the mass comes to rest near the wall after a hit, by the second lemma."""
     late = max(ends[1], y.rest[0]) + 0.2
     if ends[0] < 0 or late > 1.5:

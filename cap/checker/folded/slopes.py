@@ -14,7 +14,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cap.checker.folded.events import Event
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.kernel import polynomials as q
 from cap.checker.kernel.polynomials import Model
 
@@ -34,7 +34,7 @@ def of_place(g: Slopes, e: Event) -> Model:
     return q.total(q.product(q.widened(e.D, e.e_all), g.A), g.B) if any(g.A) else g.B
 
 
-def after(y: System, g: Slopes, e: Event) -> Slopes:
+def after(y: Direction, g: Slopes, e: Event) -> Slopes:
     """Return the derivatives after an event."""
     w, cos = of_place(g, e), q.widened(e.cos, e.e_all)
     later = y.folded(e.near, q.widened(e.d, e.e_all))[1]

@@ -40,7 +40,7 @@ from typing import NamedTuple
 
 from cap.checker.folded.events import Event, after, event
 from cap.checker.folded.flights import Flight
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.folded.regions import CUT, UNIT, Region
 from cap.checker.kernel import polynomials as q
@@ -100,23 +100,23 @@ def reach(edge: Edge, Y: float, half: float) -> Pair:
     return value - far + min(0.0, bend) - more, value + far + max(0.0, bend) + more
 
 
-def all_stops(y: System) -> Region:
+def all_stops(y: Direction) -> Region:
     """Return the region of all stops of an arc."""
     bottom = math.ceil(-(y.width[0] - y.width[1]) / UNIT / CUT) * CUT
     return Region((bottom, 0, 0), (0, 0, 0))
 
 
-def sticks(y: System, side: int, region: Region) -> Start:
+def sticks(y: Direction, side: int, region: Region) -> Start:
     """Return the flight backwards from `LATE` or `EARLY` sticks."""
     return at_rest(y, region, side * y.pi[0] / 2, y.pi[0] / 2 - y.rest[0])
 
 
-def turns(y: System, region: Region) -> Start:
+def turns(y: Direction, region: Region) -> Start:
     """Return the flight from turns, backwards or forwards."""
     return at_rest(y, region, 0.0, math.copysign(y.rest[0], y.a))
 
 
-def at_rest(y: System, region: Region, middle: float, half: float) -> Start:
+def at_rest(y: Direction, region: Region, middle: float, half: float) -> Start:
     """Return the flight from rest at the times middle + half z, up to rounding."""
     place, wide = across(region)
     z, r = along(region)
@@ -133,7 +133,7 @@ def at_rest(y: System, region: Region, middle: float, half: float) -> Start:
     return Start(f, q.product(force, wide), q.ends(force)[1])
 
 
-def places_of(y: System, side: int, region: Region) -> list[Pair]:
+def places_of(y: Direction, side: int, region: Region) -> list[Pair]:
     """Return bounds of the places of releases over the `PARTS`, as distances to the wall ahead."""
     W, e = y.width
     e += 4 * TURN * (W + 1)
@@ -142,7 +142,7 @@ def places_of(y: System, side: int, region: Region) -> list[Pair]:
     return [(W + a - e, W + b + e) for a, b in spans(region)]
 
 
-def backwards(y: System, f: Flight, flights: int, V: float) -> Iterator[tuple[Flight, Strobe]]:
+def backwards(y: Direction, f: Flight, flights: int, V: float) -> Iterator[tuple[Flight, Strobe]]:
     """Give the multiples of pi that are passed in so many flights, each with its flight.
 
     There are fewer flights, if it is not certain what comes next, and none before a stop.
@@ -160,7 +160,7 @@ def backwards(y: System, f: Flight, flights: int, V: float) -> Iterator[tuple[Fl
             return
 
 
-def flown(y: System, f: Flight, V: float) -> Iterator[Strobe]:
+def flown(y: Direction, f: Flight, V: float) -> Iterator[Strobe]:
     """Give the multiples of pi that all orbits pass before anything happens."""
     for k in count(first(f)):
         t, error = y.multiple(k)
@@ -174,7 +174,7 @@ def flown(y: System, f: Flight, V: float) -> Iterator[Strobe]:
         yield Strobe(k + f.passed, q.moved(s, -V, 0.0))
 
 
-def at_hit(y: System, f: Flight, e: Event, flown: int, V: float) -> list[Strobe]:
+def at_hit(y: Direction, f: Flight, e: Event, flown: int, V: float) -> list[Strobe]:
     """Return the multiples of pi up to the end of the next hit, but for those ``flown``."""
     found, k = list[Strobe](), first(f) + flown
     while sum(y.multiple(k)) <= e.ends[1]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 
 from cap.checker.folded.basins import Basins
-from cap.checker.folded.motion import Releases, System
+from cap.checker.folded.motion import Direction, Releases
 from cap.checker.folded.paths import next_release
 from cap.checker.folded.portions import Node, Piece
 from cap.checker.kernel.rejection import Rejected, need
@@ -22,7 +22,7 @@ DEEPEST, MOST = 30, 1 << 16  # a node, and how many may be followed
 
 
 @cache
-def system(p: Parameters) -> System:
+def system(p: Parameters) -> Direction:
     """Return the constants at these parameters."""
     return Releases(p)
 

@@ -51,7 +51,7 @@ from cap.checker.folded.ahead import Outlook
 from cap.checker.folded.areas import Areas, of_sticks, of_turns
 from cap.checker.folded.basins import Basins
 from cap.checker.folded.masses import Places
-from cap.checker.folded.motion import System
+from cap.checker.folded.motion import Direction
 from cap.checker.folded.numbers import Pair
 from cap.checker.folded.regions import USUAL, Leaf, leaves
 from cap.checker.folded.regions import flights as cost
@@ -182,7 +182,7 @@ class Mixed(BetweenWalls):
 
     def counted(self, work: Map, places: Places) -> Iterator[Areas]:
         """Give the areas of the states, by regions of their first stops."""
-        y, V = System(self.p), below(self.region()[1])
+        y, V = Direction(self.p), below(self.region()[1])
         for side, name in SIDES.items():
             areas = partial(of_sticks, y, places, V, side)
             yield from work(areas, self.sticks(y, side), BACK.format(name), Leaf.work)
@@ -231,17 +231,17 @@ class Mixed(BetweenWalls):
         """Return W and V of the box, in the units of the flow."""
         return self.scale.length(self.R), self.scale.speed(self.claims["box"]["v"].upper)
 
-    def sticks(self, y: System, side: int) -> Iterator[Leaf]:
+    def sticks(self, y: Direction, side: int) -> Iterator[Leaf]:
         """Give the regions of late or early sticks."""
         return leaves(self.hints["stops"][SIDES[side]], all_stops(y))
 
-    def turns(self, y: System) -> Iterator[Leaf]:
+    def turns(self, y: Direction) -> Iterator[Leaf]:
         """Give the regions of turns, with their parts."""
         return leaves(self.hints["stops"]["turns"], all_stops(y), parted=True)
 
     def outlook(self, places: Places) -> Outlook:
         """Return what tells what becomes of turns."""
-        return Outlook(System(self.p, forwards=True), places, self.basins())
+        return Outlook(Direction(self.p, forwards=True), places, self.basins())
 
     def sums(self, parts: Sequence[Fraction]) -> None:
         """Compare the claims with the parts of the area."""
