@@ -10,6 +10,7 @@ import pytest
 from checker.altered import schema
 from own_systems import CASES, certificate
 
+import cap
 from cap.certificate.report import theorem
 from cap.certificate.writer import dumps
 from cap.checker.verdict import check, words
@@ -50,6 +51,13 @@ def test_the_same_bytes_again():
     schema().validate(kept)
     kept["parameters"]["modes"]["__import__"] = kept["parameters"]["modes"]["fly"]
     assert not schema().is_valid(kept)
+
+
+def test_the_interface():
+    """A file is verified from Python, and told in one line."""
+    proved = cap.verify_certificate("tests/certificates/own/contacts.json")
+    assert repr(proved) == "<Verified: contacts of a system with the state ('x', 'v')>"
+    assert proved.sentence.startswith("the system with the state (x, v)")
 
 
 def test_the_sentence_of_a_spring():

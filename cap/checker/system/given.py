@@ -28,7 +28,7 @@ from cap.checker.system.polynomial import Polynomial
 STATES, MODES, GUARDS, TERMS, DEGREE = 8, 64, 16, 40, 3
 _VARIABLE = re.compile("[A-Za-z][A-Za-z_0-9]{0,19}", re.ASCII)
 _RESERVED = (*CLOCK, "pi", "t", "omega")
-_COMMON = 10**60  # of the denominators of a field
+_COMMON = 10**30  # of the denominators of a field
 
 POLYNOMIAL = Many(Many(text, 1, 1 + DEGREE), 0, TERMS)
 GUARD = {
@@ -56,7 +56,7 @@ def _mode(given: dict[str, Any], state: tuple[str, ...], modes: Iterable[str], k
     need(given["field"].keys() == {*state}, f"{where} does not give the rate of each variable once")
     field = {z: _linear(given["field"][z], state, f"{z}' in {where}") for z in state}
     common = lcm(*(c.denominator for q in field.values() for c in q.terms.values()))
-    need(common <= _COMMON, f"{where} has a common denominator above 10^60")
+    need(common <= _COMMON, f"{where} has a common denominator above 10^30")
     guards = {
         g: _guard(part, state, modes, f"the guard {g} of {where}")
         for g, part in given["guards"].items()

@@ -43,7 +43,7 @@ from cap.checker.system.model import CLOCK, Model
 from cap.checker.system.quiet import stays_positive, zeros_after
 
 CONTACTS, CUTS, PERIODS = 64, 1000, 1000
-MOST_BITS, MOST_CUTS = 1024, 10000
+MOST_BITS, WORK = 1024, 1 << 23  # of bits x variables x pieces
 UNKNOWNS = CONTACTS * (STATES + 1)
 
 
@@ -93,8 +93,6 @@ class Contacts(Theorem):
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Reject what is not the same number of contacts everywhere, and too much work."""
         need(hints["bits"] <= MOST_BITS, f"more than {MOST_BITS} bits")
-        pieces = sum(len(cuts) for leg in hints["cuts"] for cuts in leg.values())
-        need(pieces <= MOST_CUTS, f"more than {MOST_CUTS} cuts")
         count, size = len(claims["contacts"]), len(hints["preconditioner"])
         for where, table in (("hints", hints), ("claims", claims)):
             for key in ("centre", "cuts", "box", "times", "states"):
@@ -103,9 +101,11 @@ class Contacts(Theorem):
         unknowns = [len(row) for row in (*hints["centre"], *claims["box"])]
         square = all(len(row) == size for row in hints["preconditioner"])
         need(square and len({*unknowns}) == 1, "the unknowns are not as many everywhere")
-        need(
-            size == count * unknowns[0], f"hints.preconditioner has not {count * unknowns[0]} rows"
-        )
+        rows = count * unknowns[0]
+        need(size == rows, f"hints.preconditioner has not {rows} rows")
+        pieces = sum(len(cuts) + 1 for leg in hints["cuts"] for cuts in leg.values())
+        work = hints["bits"] * (unknowns[0] + 2) * pieces
+        need(work <= WORK, "bits x variables x pieces of legs are more than 2^23")
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -154,7 +154,8 @@ class Contacts(Theorem):
         start, end, guard = zero[here], self.equations.end(zero, k), self.orbit.guard(k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         before = dict(zip(self.p.state, zero[here + 1 : here + 1 + n], strict=True))
-        flights = Leg(self.p, mode, start, self.after(k, start, before))
+        known = self.equations.flights[mode]
+        flights = Leg(self.p, mode, start, self.after(k, start, before), known)
         for key, (h, _, _) in self.p.modes[mode].guards.items():
             first = zeros_after(self.p, mode, h, guard)
             last = int(key == self.orbit.following(k).guard)
