@@ -37,7 +37,8 @@ from cap.system.exponential import number
 from cap.system.model import System
 from cap.system.polynomial import ONE, Polynomial
 
-ATTEMPTS = 4  # after each that the checker rejects, all pieces of legs are cut in halves
+ATTEMPTS = 4  # after each that leaves a leg open, all pieces of legs are cut in halves
+QUIET = ("a guard may vanish", "a piece of a flight is too long")
 DEPTH = 24  # of halves
 EXTRA = 4  # digits of the centre beyond those that are claimed
 PLACES = 12  # decimals of a cut
@@ -78,6 +79,8 @@ def _checked(certificate: dict[str, Any], cuts: list[dict[str, Times]]) -> dict[
             check(writer.dumps(certificate).encode(), lambda _step: None)
         except Rejected as reason:
             rejection = str(reason)
+            if not rejection.startswith(QUIET):
+                break
             cuts = [{g: _halved(times) for g, times in leg.items()} for leg in cuts]
         else:
             return certificate
