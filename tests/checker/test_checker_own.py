@@ -154,6 +154,25 @@ def test_a_guard_added():
     rejected(given, "a guard may vanish near")
 
 
+@pytest.mark.parametrize("value", [[["1/10"], ["-1", "x"]], [["1", "v"]], [["-1", "x"], ["1/10"]]])
+def test_guards_that_vanish_at_the_end_or_are_negative_at_the_start(value):
+    """Two at once at a contact; and a mode after it in which the system cannot be."""
+    given = certificate("spring")
+    guards = given["parameters"]["modes"]["fly"]["guards"]
+    guards["other"] = {**guards["stop"], "value": value}
+    given["hints"]["cuts"][0]["other"] = given["hints"]["cuts"][0]["stop"]
+    rejected(given, "a guard may vanish")
+
+
+def test_the_other_sign_of_a_guard():
+    """The equations are the same, but the orbit is where the guard is negative."""
+    given = certificate("spring")
+    stop_of(given)["value"] = [["-1/10"], ["1", "x"]]
+    for row in given["hints"]["preconditioner"]:
+        row[0] = str(-Fraction(row[0]))
+    rejected(given, "a guard may vanish")
+
+
 def test_another_itinerary():
     """The contacts are those of the system, and each begins in the mode that the last one left."""
     given = certificate("elliptic")
