@@ -39,7 +39,7 @@ def sentence(name: str) -> str:
 def at_the_paper(each: Stored) -> bool:
     """Return whether a certificate is about the paper's parameters, and one mass."""
     parameters = dict(each.parameters)
-    return not parameters.pop("masses") and Parameters(**parameters) == PAPER
+    return not parameters.pop("masses", ()) and Parameters(**parameters) == PAPER
 
 
 @cache
