@@ -98,7 +98,7 @@ class Verified:
     def parameters(self) -> dict[str, Any]:
         """The exact parameters that the theorem has (two theorems are about all f).
 
-        ``masses``, where it has them, is a tuple.
+        ``masses``, where it has them, is a tuple; a system is as the checker has read it.
         """
         return {name: getattr(self.checked.parameters, name) for name in self._names}
 
@@ -141,6 +141,8 @@ class Verified:
 
     def __repr__(self) -> str:
         stated = dict(self.parameters)
+        if "modes" in stated:
+            return f"<Verified: {self.theorem} of a system with the state {stated['state']}>"
         if "masses" in stated:
             stated["masses"] = ", ".join(map(str, stated["masses"]))
         values = ", ".join(f"{name} = {q}" for name, q in stated.items())

@@ -21,16 +21,19 @@ from cap.checker.kernel.choices import Cases, OneOrOther, OrNone, Taken
 from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
+    NAME,
     First,
     Later,
     Many,
     Maybe,
+    Named,
     Quantity,
     Table,
     Whole,
     Word,
     bound,
     enclosure,
+    name,
     region,
 )
 from cap.checker.kernel.theorem import Theorem
@@ -56,9 +59,9 @@ def main(words: Sequence[str]) -> int:
             if not checked:
                 with replacing(path) as file:
                     file.write(content.encode())
-    for name in stale:
+    for file_name in stale:
         told = "is stale: python -m cap.certificate.format" if checked else "written"
-        say(f"{name} {told}", sys.stdout)
+        say(f"{file_name} {told}", sys.stdout)
     return int(bool(stale) and checked)
 
 
@@ -71,6 +74,7 @@ def schema_text() -> str:
         "number": {"type": "string", "pattern": f"^{NUMBER}$", "maxLength": MAX_CHARACTERS},
         "count": {"type": "string", "pattern": "^(0|[1-9][0-9]*)$", "maxLength": 6},
         "enclosure": _listed(_ref("number"), 2, 2),
+        "name": {"type": "string", "pattern": f"^{NAME}$"},
         "cites": _cites(),
     }
     schema = {
@@ -113,6 +117,9 @@ def schema(shape: Any) -> Json:  # noqa: C901, PLR0911, PLR0912
             return schema(shape.shape)
         case Many(part, least, most):
             return _listed(schema(part), least, most)
+        case Named(part, most):
+            names = {"propertyNames": _ref("name"), "maxProperties": most}
+            return {"type": "object", "additionalProperties": schema(part)} | names
         case First(parts):
             return _listed(None, 0, len(parts)) | {"prefixItems": [*map(schema, parts)]}
         case OrNone(part):
@@ -147,6 +154,7 @@ _LEAVES = {
     enclosure: _ref("enclosure"),
     region: _ref("enclosure"),
     text: {"type": "string"},
+    name: _ref("name"),
 }
 
 
@@ -253,6 +261,8 @@ def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
             return form(shape.shape)
         case Many(part, least, most):
             return f"list of {least} to {most}: {form(part)}"
+        case Named(part, most):
+            return f"object of up to {most} names: {form(part)}"
         case First(parts):
             return f"list of up to {len(parts)}: {form(parts[0])}"
         case OrNone(part):
@@ -290,7 +300,7 @@ def _units(shape: Any) -> Iterator[str]:
             parts = list(shapes)
         case OneOrOther(part, _):
             parts = [part]
-        case Maybe() | Later() | OrNone() | Many():
+        case Maybe() | Later() | OrNone() | Many() | Named():
             parts = [shape.shape]
         case Cases(_, cases):
             parts = list(cases.values())

@@ -10,7 +10,8 @@ lists these files in the order to read them.  Each begins with the mathematics t
 
     kernel      rejection, strict reading, shapes; intervals, elementary functions, jets; doubles
     system      a system as data: polynomials, modes, guards, resets; closed forms of its flights,
-                exponentials; Lemma B (quiet legs); the lemma of chatter; what theorems about
+                exponentials; Lemma B (quiet legs); the lemma of chatter; a system that is given
+                in the certificate, its periodic orbits by contacts; what theorems about
                 one mass, or two, have in common: parameters and units
     flow        flights, hits, stops, capture, itineraries; launches
     maps        fixed points of the map over n periods, and Birkhoff's normal form

@@ -108,7 +108,7 @@ class Prover:
     def reasons(self, box: Box) -> list[Reason]:
         """Prove that nothing else happens on the orbits whose contacts lie in a box."""
         found, vanishing = list[Reason](), self.itinerary.vanishing
-        for leg in self._legs(box):
+        for leg in self.legs(box):
             mode = self.itinerary.contacts[leg.number].to
             following = self.itinerary.following(leg.number).guard
             if not leg.start.time < leg.end.time:
@@ -121,7 +121,8 @@ class Prover:
                 found.append(reason(along, lemma, self._minima_of(mode, name)))
         return found
 
-    def _legs(self, box: Box) -> list[Leg]:
+    def legs(self, box: Box) -> list[Leg]:
+        """Return the legs of the orbits whose contacts lie in a box."""
         equations, of, n = self.equations, self.balls, self.equations.n
         clocks = {place.here: of.clock(box[place.here]) for place in equations.places}
         found = []

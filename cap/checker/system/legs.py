@@ -40,13 +40,21 @@ def matrix(model: Model, mode: str) -> list[list[Fraction]]:
 
 
 class Leg:
-    """The flights in a mode from a box of states, each from a time in an interval on."""
+    """The flights in a mode from a box of states, each from a time in an interval on.
+
+    exp(M d) may be ``known``, with what other legs of the mode have computed of it.
+    """
 
     def __init__(
-        self, model: Model, mode: str, start: Interval, state: Mapping[str, Interval]
+        self,
+        model: Model,
+        mode: str,
+        start: Interval,
+        state: Mapping[str, Interval],
+        known: Exponential | None = None,
     ) -> None:
         self.model, self.mode, self.start = model, mode, start
-        self.exponential = Exponential(matrix(model, mode), start.bits)
+        self.exponential = known or Exponential(matrix(model, mode), start.bits)
         begin = [state[z] for z in model.state]
         self.begin = [*begin, *self._clock(start), start.integer(1)]
 

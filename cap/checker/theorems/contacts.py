@@ -1,0 +1,192 @@
+"""The theorem about a periodic orbit of the system that the certificate holds, by its contacts.
+
+The parameters are the system: modes with linear fields, guards that are positive in their modes,
+resets (``given``).  A *contact* is a guard of the mode that comes to zero, L h < 0.  For an orbit
+between contacts nothing else is assumed than the equations of its mode.
+
+1. *Existence.*  K(box) lies in the interior of the box of the times and states just before the
+   contacts: F has exactly one zero there (``contacts``).
+2. *Localisation.*  The same for a box S = m +- radius in it: the zero lies in K(S).
+3. *Nothing else happens.*  On each leg, all guards of the mode are positive between the contacts,
+   and L h < 0 where the next one comes to zero (Lemma B, ``quiet``); a guard that vanishes at the
+   start of a leg does so by an identity of polynomials.  So the zero of F is a periodic orbit.
+4. *Claims.*  Times and states of the contacts, and the elementary symmetric functions of the
+   multipliers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from cap.checker.kernel.citation import NEUMAIER, cite
+from cap.checker.kernel.elementary import cos_sin
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.jet import Jet
+from cap.checker.kernel.reading import number
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import Field, Many, Named, Quantity, Whole, name, region
+from cap.checker.kernel.theorem import BITS, Theorem
+from cap.checker.system.contacts import (
+    Contact,
+    Ends,
+    Equations,
+    Round,
+    krawczyk,
+    return_map,
+    symmetric,
+)
+from cap.checker.system.given import GUARDS, STATES, SYSTEM, model, told
+from cap.checker.system.legs import Leg
+from cap.checker.system.model import CLOCK, Model
+from cap.checker.system.quiet import stays_positive, zeros_after
+
+CONTACTS, CUTS, PERIODS = 64, 1000, 1000
+MOST_BITS, WORK = 1024, 1 << 23  # of bits x variables x pieces
+UNKNOWNS = CONTACTS * (STATES + 1)
+
+
+class Contacts(Theorem):
+    """A periodic orbit with these contacts."""
+
+    PARAMETERS: ClassVar[dict[str, Any]] = SYSTEM
+    # fmt: off
+    HINTS = (
+        BITS,
+        Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
+              "time and state near those of each contact, in the box"),
+        Field("radius", number, "", "", "S = m +- radius: the zero lies in K(S)"),
+        Field("preconditioner", Many(Many(number, 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
+              "near F'(m)^-1"),
+        Field("cuts", Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), "", "",
+              "for the leg after each contact and each guard of its mode, the cuts of Lemma B"),
+    )
+    CLAIMS = (
+        Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
+              "the guards that come to zero in one round, in order, and the modes that follow"),
+        Field("periods", Whole(1, PERIODS), "", "p", "the periods of the clock in one round"),
+        Field("box", Many(Many(region, 2, STATES + 1), 1, CONTACTS), "", "",
+              "of the times and states just before the contacts: a set that contains exactly one "
+              "zero of F"),
+        Field("times", Many(Quantity(), 1, CONTACTS), "time", "t_k", "of the contacts"),
+        Field("states", Many(Many(Quantity(), 1, STATES), 1, CONTACTS), "state", "q_k",
+              "just before the contacts"),
+        Field("symmetric", Many(Quantity(), 1, STATES), "multipliers", "e_j",
+              "elementary symmetric functions of the multipliers: their sum, ..., their product"),
+    )
+    CITES = (
+        cite("Krawczyk", NEUMAIER,
+             ("smooth", "F is real analytic on the box: guards and resets are polynomials, flights "
+              "exponentials", "box"),
+             ("inclusion", "K(box) lies in the interior of the box", "box")),
+    )
+    # fmt: on
+    units: Mapping[str, Fraction] = {}
+
+    @classmethod
+    def parameters(cls, given: dict[str, Any]) -> Model:
+        """Return the system."""
+        return model(given)
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
+        """Reject what is not the same number of contacts everywhere, and too much work."""
+        need(hints["bits"] <= MOST_BITS, f"more than {MOST_BITS} bits")
+        count, size = len(claims["contacts"]), len(hints["preconditioner"])
+        for where, table in (("hints", hints), ("claims", claims)):
+            for key in ("centre", "cuts", "box", "times", "states"):
+                listed = key not in table or len(table[key]) == count
+                need(listed, f"{where}.{key} is not a list of {count}")
+        unknowns = [len(row) for row in (*hints["centre"], *claims["box"])]
+        square = all(len(row) == size for row in hints["preconditioner"])
+        need(square and len({*unknowns}) == 1, "the unknowns are not as many everywhere")
+        rows = count * unknowns[0]
+        need(size == rows, f"hints.preconditioner has not {rows} rows")
+        pieces = sum(len(cuts) + 1 for leg in hints["cuts"] for cuts in leg.values())
+        work = hints["bits"] * (unknowns[0] + 2) * pieces
+        need(work <= WORK, "bits x variables x pieces of legs are more than 2^23")
+
+    def prove(self) -> None:
+        """Prove the theorem."""
+        contacts = [Contact(**contact) for contact in self.claims["contacts"]]
+        self.orbit = Round(self.p, contacts, self.claims["periods"])
+        self.orbit.confirm()
+        self.equations = Equations(self.orbit, self.hints["bits"])
+        same = len(self.hints["preconditioner"]) == self.equations.size
+        need(same, f"there are not {self.equations.size} unknowns")
+        zero = self.zero()
+        self.nothing_else(zero)
+        step = self.equations.n + 1
+        each = [zero[k : k + step] for k in range(0, len(zero), step)]
+        self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
+        multipliers = symmetric(return_map(self.equations, zero), self.equations.n)
+        self.confirm(symmetric=multipliers)
+        self.step("times, states and multipliers are those claimed")
+
+    def zero(self) -> list[Interval]:
+        """Prove that F has exactly one zero in the box; return K(S), which contains it."""
+        box: list[Ends] = [side[:2] for sides in self.claims["box"] for side in sides]
+        centre = [c for place in self.hints["centre"] for c in place]
+        radius = self.hints["radius"]
+        need(radius > 0, "radius is not positive")
+        small = [(c - radius, c + radius) for c in centre]
+        inside = all(z[0] <= s[0] and s[1] <= z[1] for s, z in zip(small, box, strict=True))
+        need(inside, "S is not in the box")
+        C = self.hints["preconditioner"]
+        krawczyk(self.equations, box, centre, C)
+        self.step("K(box) lies in the interior of the box: exactly one zero of F")
+        result = krawczyk(self.equations, small, centre, C)
+        self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains the zero")
+        return result
+
+    def nothing_else(self, zero: list[Interval]) -> None:
+        """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
+        for k, cuts in enumerate(self.hints["cuts"]):
+            guards = self.p.modes[self.orbit.contacts[k].to].guards
+            need(cuts.keys() == guards.keys(), f"leg {k + 1}: the cuts are not those of its guards")
+            self.leg(zero, k, cuts)
+        self.step("on each leg all guards of its mode are positive between the contacts")
+
+    def leg(self, zero: list[Interval], k: int, cuts: dict[str, Any]) -> None:
+        """Prove that nothing else happens between a contact and the next one."""
+        (here, _), n, mode = self.equations.places(k), self.equations.n, self.orbit.contacts[k].to
+        start, end, guard = zero[here], self.equations.end(zero, k), self.orbit.guard(k)
+        need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
+        before = dict(zip(self.p.state, zero[here + 1 : here + 1 + n], strict=True))
+        known = self.equations.flights[mode]
+        flights = Leg(self.p, mode, start, self.after(k, start, before), known)
+        for key, (h, _, _) in self.p.modes[mode].guards.items():
+            first = zeros_after(self.p, mode, h, guard)
+            last = int(key == self.orbit.following(k).guard)
+            stays_positive(flights, h, end, cuts[key], (first, last))
+
+    def after(self, k: int, t: Interval, before: dict[str, Interval]) -> dict[str, Interval]:
+        """Return the state just after a contact."""
+        clock = cos_sin(t * self.number(self.p.omega))
+        values = before | dict(zip(CLOCK, clock, strict=True))
+        jets = {z: Jet(0, {(): q}) for z, q in values.items()}
+        return {z: q.constant for z, q in self.equations.after(k, jets).items()}
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        claims = self.claims
+        contacts = ", ".join(
+            f"'{c['guard']}' of '{c['mode']}' at t in {t}"
+            + f" with ({', '.join(self.p.state)}) in "
+            f"({', '.join(map(str, q))}), then '{c['to']}'"
+            for c, t, q in zip(claims["contacts"], claims["times"], claims["states"], strict=True)
+        )
+        sums = ", ".join(map(str, claims["symmetric"]))
+        box = "; ".join(" x ".join(map(str, sides)) for sides in claims["box"])
+        return (
+            f"the system with the {told(self.p)}; has an orbit of period {claims['periods']} x "
+            f"2 pi/omega with these contacts in one round, at each of which the guard falls "
+            f"through 0, and no others: {contacts} (values just before a contact); it is the only "
+            f"one with these contacts whose (t, {', '.join(self.p.state)}) at them lie in {box}; "
+            f"the elementary symmetric functions of its {len(self.p.state)} multipliers (sum, ..., "
+            f"product) are in {sums}"
+        )
+
+
+THEOREM = Contacts
