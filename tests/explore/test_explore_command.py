@@ -102,7 +102,7 @@ def test_a_word_while_one_waits(monkeypatch, capsys):
         time.sleep(0.3)
         add(numbers)
 
-    monkeypatch.setattr(compiled, "kept", lambda _function, **_: slow)
+    monkeypatch.setattr(compiled, "kept", lambda *_, **__: slow)
     monkeypatch.setattr(compiled, "PATIENCE", 0.1)
     function, numbers = announced(add), [[0], [0], [0]]
     threads = [Thread(target=function, args=(each,)) for each in numbers]

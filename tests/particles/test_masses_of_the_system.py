@@ -79,7 +79,7 @@ def of(request, monkeypatch):
     monkeypatch.setattr(mechanics, "pi", lambda _bits: Symbol(sympy.pi))
     monkeypatch.setattr(mechanics, "arccos", lambda q: Symbol(sympy.acos(plain(q))))
     monkeypatch.setattr(mechanics.Mechanics, "number", number)
-    p = mechanics.Parameters(P.F, P.omega, P.f, P.l, P.r, masses=M)
+    p = mechanics.MassParameters(P.F, P.omega, P.f, P.l, P.r, masses=M)
     model = masses(Parameters(P.F, P.omega, P.f * request.param, P.l, P.r), M)
     return SimpleNamespace(M=mechanics.Mechanics(p, 64), model=model, same=request.param == 1)
 

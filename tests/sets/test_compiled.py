@@ -110,10 +110,10 @@ def test_flushing_to_zero_is_noticed():
 
 
 def test_sources_are_those_compiled():
-    """The digest is one of all files of both packages, so no old code is loaded after a change."""
+    """The digest is one of all files of these rooms, so no old code is loaded after a change."""
     assert len(sources()) == 64
     here = Path(cap.__file__).parent
-    assert (here / "cells" / "follow.py").exists()
+    assert (here / "boxes" / "follow.py").exists()
     assert (here / "sets" / "doubles.py").exists()
 
 
