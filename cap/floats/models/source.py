@@ -158,7 +158,8 @@ class Source:
         yield f"counts[o, {self.words.index(word)}] += 1"
         for n, to in enumerate(guard.to):
             zeros = identities(self.system, mode, word, to)
-            tests = [self._sign(to, g, zeros) for g in self.system.modes[to].guards]
+            asked = ORDERS if len(guard.to) > 1 else ORDERS[:1]  # what falls from 0 happens, too
+            tests = [self._sign(to, g, zeros, asked) for g in self.system.modes[to].guards]
             yield f"fits{n} = min({', '.join([*filter(None, tests), 'math.inf'])})"
         best = ", ".join(f"fits{n}" for n in range(len(guard.to)))
         yield f"most_fitting = max({best}, NEGATIVE)"
@@ -170,10 +171,10 @@ class Source:
             yield from (f"    {line}" for line in self._enter(mode, word, guard, to))
         yield "; ".join(f"y{i} = f{i}" for i in range(len(self.system.state)))
 
-    def _sign(self, mode: str, word: str, zeros: dict[str, int]) -> str:
+    def _sign(self, mode: str, word: str, zeros: dict[str, int], asked: Sequence[int]) -> str:
         """Return h just after an event, or its first derivative that is no identical zero."""
         h = self.system.guard(mode, word).value
-        for order in ORDERS:
+        for order in asked:
             if order not in orders(zeros[word]):
                 return self._value(h, self._after)
             h = self.system.lie(mode, h)
