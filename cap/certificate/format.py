@@ -19,21 +19,19 @@ from typing import Any
 from cap.checker.kernel.certificate import DIGITS
 from cap.checker.kernel.choices import Cases, OneOrOther, OrNone, Taken
 from cap.checker.kernel.letters import Letters
+from cap.checker.kernel.named import NAME, Named, name
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
-    NAME,
     First,
     Later,
     Many,
     Maybe,
-    Named,
     Quantity,
     Table,
     Whole,
     Word,
     bound,
     enclosure,
-    name,
     region,
 )
 from cap.checker.kernel.theorem import Theorem

@@ -19,9 +19,10 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
+from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Many, Named, name
+from cap.checker.kernel.shapes import Many
 from cap.checker.system.model import CLOCK, Guard, Mode, Model
 from cap.checker.system.polynomial import Polynomial
 

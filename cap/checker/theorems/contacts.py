@@ -24,9 +24,10 @@ from cap.checker.kernel.citation import NEUMAIER, cite
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
+from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many, Named, Quantity, Whole, name, region
+from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, region
 from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system.contacts import (
     Contact,
