@@ -96,14 +96,7 @@ class Itinerary:
             if any(reset[z].denominator != 1 for z in h.variables - {COS, SIN}):
                 return order
             values = {z: reset[z].numerator for z in h.variables - {COS, SIN}}
-            if not _is_multiple(h.substituted(values).substituted(facts), zero):
+            if h.substituted(values).substituted(facts).multiple_of(zero) is None:
                 return order
             h = system.lie(mode, h)
         return MOST
-
-
-def _is_multiple(q: Polynomial, of: Polynomial) -> bool:
-    """Return whether q is a rational multiple of another polynomial; 0 is one."""
-    for monomial, c in of.terms.items():
-        return q == of * (q.terms.get(monomial, 0) / c)
-    return not q

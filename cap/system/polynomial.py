@@ -139,6 +139,13 @@ class Polynomial:
                 total[_product(monomial, ((name, -1),))] = c * power
         return Polynomial(total)
 
+    def multiple_of(self, other: Polynomial) -> Fraction | None:
+        """Return a rational c with self = c other, 0 if self is 0; None if there is none."""
+        for monomial, c in other.terms.items():
+            factor = self.terms.get(monomial, Fraction(0)) / c
+            return factor if self == other * factor else None
+        return None if self else Fraction(0)
+
     def without(self, *names: str) -> Polynomial:
         """Return the terms in which none of these variables occurs."""
         kept = {m: c for m, c in self.terms.items() if not any(name in names for name, _ in m)}

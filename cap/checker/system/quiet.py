@@ -21,7 +21,7 @@ is a constant times g, as polynomials, h vanishes after the event; and so for L 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from typing import Protocol
@@ -29,7 +29,7 @@ from typing import Protocol
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.system.model import Guard, Model
-from cap.checker.system.polynomial import ONE, ZERO, Polynomial, variable
+from cap.checker.system.polynomial import Polynomial
 
 
 class Flights(Protocol):
@@ -90,21 +90,10 @@ def _pieces(start: Interval, end: Interval, cuts: Sequence[Fraction]) -> list[In
 def zeros_after(model: Model, mode: str, h: Polynomial, event: Guard, most: int = 2) -> int:
     """Return how many of h, L h, ..., at most so many, vanish in a mode just after an event."""
     for n in range(most):
-        if not _is_multiple(substituted(h, event.reset), event.value):
+        if not _is_multiple(h.substituted(event.reset), event.value):
             return n
         h = model.lie(mode, h)
     return most
-
-
-def substituted(h: Polynomial, values: Mapping[str, Polynomial]) -> Polynomial:
-    """Return h with polynomials in the place of some of its variables."""
-    total = ZERO
-    for monomial, c in h.terms.items():
-        term = ONE * c
-        for name in monomial:
-            term = term * values.get(name, variable(name))
-        total = total + term
-    return total
 
 
 def _is_multiple(h: Polynomial, g: Polynomial) -> bool:

@@ -39,25 +39,19 @@ def contacts(
     found = [Contact(*names) for names in zip(before, words, after, strict=True)]
     times = [0.0, *ends.log[:, 1]]
     starts = [np.array(state, float), *ends.log[:, 4:]]
-    guess: list[float] = []
+    flights = {name: exponential(engine.system, name) for name in dict.fromkeys(before)}
+    omega, guess = float(number(engine.system.omega)), list[float]()
     for k, contact in enumerate(found):
-        arrived = _flown(engine, contact.mode, starts[k], times[k], times[k + 1])
+        y = [*starts[k], np.cos(omega * times[k]), np.sin(omega * times[k]), 1.0]
+        arrived = _flown(flights[contact.mode], np.array(y), times[k + 1] - times[k])[: len(state)]
         guess += [float(times[k + 1]), *map(float, arrived)]
     return Itinerary(engine.system, found, periods), guess
 
 
-def _flown(engine: Engine, mode: str, state: Floats, start: float, end: float) -> Floats:
-    """Return the state at the end of a flight."""
-    angle = float(number(engine.system.omega)) * start
-    y = np.array([*state, np.cos(angle), np.sin(angle), 1.0])
-    moved: Floats = _growth(exponential(engine.system, mode), end - start) @ y
-    return state + moved[: len(state)]
-
-
-def _growth(E: Exponential, d: float) -> Floats:
-    """Return exp(M d) - 1."""
+def _flown(E: Exponential, y: Floats, d: float) -> Floats:
+    """Return exp(M d) y."""
     total = E.first * d + E.second * d**2 / 2
     x = E.rates * d
     for r, re, im in zip(np.exp(x) - 1 - x - x * x / 2, E.real, E.imaginary, strict=True):
         total = total + re * r.real + im * r.imag
-    return np.asarray(total)
+    return np.asarray(y + total @ y)

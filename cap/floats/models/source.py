@@ -9,6 +9,7 @@ never decided by a tolerance.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
 import numpy as np
 
@@ -156,10 +157,10 @@ class Source:
         for i, z in enumerate(self.system.state):
             yield f"f{i} = {self._value(reset[z], self._y)}"
         yield f"counts[o, {self.words.index(word)}] += 1"
+        zeros = [identities(self.system, mode, word, to) for to in guard.to]
         for n, to in enumerate(guard.to):
-            zeros = identities(self.system, mode, word, to)
             asked = ORDERS if len(guard.to) > 1 else ORDERS[:1]  # what falls from 0 happens, too
-            tests = [self._sign(to, g, zeros, asked) for g in self.system.modes[to].guards]
+            tests = [self._sign(to, g, zeros[n], asked) for g in self.system.modes[to].guards]
             yield f"fits{n} = min({', '.join([*filter(None, tests), 'math.inf'])})"
         best = ", ".join(f"fits{n}" for n in range(len(guard.to)))
         yield f"most_fitting = max({best}, NEGATIVE)"
@@ -168,7 +169,7 @@ class Source:
         yield "    break"
         for n, to in enumerate(guard.to):
             yield f"{'if' if n == 0 else 'elif'} most_fitting == fits{n}:"
-            yield from (f"    {line}" for line in self._enter(mode, word, guard, to))
+            yield from (f"    {line}" for line in self._enter(mode, word, to, zeros[n]))
         yield "; ".join(f"y{i} = f{i}" for i in range(len(self.system.state)))
 
     def _sign(self, mode: str, word: str, zeros: dict[str, int], asked: Sequence[int]) -> str:
@@ -180,9 +181,9 @@ class Source:
             h = self.system.lie(mode, h)
         return ""
 
-    def _enter(self, mode: str, word: str, guard: Guard, to: str) -> Iterator[str]:
+    def _enter(self, mode: str, word: str, to: str, zeros: dict[str, int]) -> Iterator[str]:
         """Yield how a mode begins; or the end of infinitely many events."""
-        zeros = identities(self.system, mode, word, to)
+        guard = self.system.guard(mode, word)
         bits = sum(
             1 << (3 * g + order)
             for g, name in enumerate(self.system.modes[to].guards)
@@ -194,14 +195,14 @@ class Source:
         if guard.rest is not None and e is not None:
             yield from self._capture(mode, guard, to, e)
 
-    def _capture(self, mode: str, guard: Guard, to: str, e: Polynomial) -> Iterator[str]:
+    def _capture(self, mode: str, guard: Guard, to: str, e: Fraction) -> Iterator[str]:
         """Yield the test whether infinitely many events follow at once."""
         h, lie = guard.value, self.system.lie
         speed = self._value(lie(to, h), self._after)
         up, down = (self._value(-lie(k, lie(k, h)), self._after) for k in (to, mode))
         terms = Polynomial({monomial: abs(c) for monomial, c in h.terms.items()})
         size = self._value(terms, [f"abs({z})" for z in self._after])
-        yield f"e, size = {self._number(float(number(e)))}, {size}"
+        yield f"e, size = {self._number(float(e))}, {size}"
         yield f"if captures({speed}, {up}, {down}, e, size):"
         for i, value in enumerate(resting(self.system, mode, guard)):
             yield f"    y{i} = {self._value(value, self._after)}"
@@ -299,7 +300,8 @@ def identities(system: System, mode: str, word: str, to: str) -> dict[str, int]:
     for name, guard in system.modes[to].guards.items():
         h, bits = guard.value, 0
         for order in ORDERS:
-            bits |= vanishes(_after(h, reset).numerator, event) << order
+            vanishes = _after(h, reset).numerator.multiple_of(event) is not None
+            bits |= vanishes << order
             h = system.lie(to, h)
         found[name] = bits
     return found
@@ -310,21 +312,6 @@ def orders(bits: int) -> list[int]:
     return [order for order in ORDERS if bits >> order & 1]
 
 
-def vanishes(q: Polynomial, event: Polynomial) -> bool:
-    """Return whether q is zero, or a number times the guard of an event."""
-    factor = _multiple(q, event)
-    return not q or factor is not None
-
-
-def _multiple(q: Polynomial, of: Polynomial) -> Polynomial | None:
-    """Return the rational number c with q = c of, if there is one."""
-    if not of or q.terms.keys() != of.terms.keys():
-        return None
-    monomial = next(iter(of.terms))
-    c = Polynomial.of(q.terms[monomial] / of.terms[monomial])
-    return c if q == c * of else None
-
-
 def _after(h: Polynomial, reset: dict[str, Quotient]) -> Quotient:
     """Return h after a reset, a function of y before it."""
     names = {name: reset.get(name, Quotient.of(variable(name))) for name in h.variables}
@@ -332,15 +319,13 @@ def _after(h: Polynomial, reset: dict[str, Quotient]) -> Quotient:
     return Quotient.of(h.evaluated(names, constant, Quotient.of(variable(PI))))
 
 
-def restitution(system: System, mode: str, word: str, to: str) -> Polynomial | None:
+def restitution(system: System, mode: str, word: str, to: str) -> Fraction | None:
     """Return e with L h after = - e L h before, if it is a number; h is the event's guard."""
     h = system.guard(mode, word).value
     before, after = system.lie(mode, h), _after(system.lie(to, h), system.reset(mode, word))
     if after.denominator != ONE or not before:
         return None
-    monomial = next(iter(before.terms))
-    e = Polynomial.of(-after.numerator.terms.get(monomial, 0) / before.terms[monomial])
-    return e if after.numerator == -e * before else None
+    return after.numerator.multiple_of(-before)
 
 
 def resting(system: System, mode: str, guard: Guard) -> Iterator[Polynomial | Quotient]:
