@@ -19,7 +19,7 @@ from cap.certificate.latex import macros
 from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
 from cap.checker.verdict import check, words
-from cap.command.verifier import content, why
+from cap.command.outcome import content, found, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
 from cap.words import unread
@@ -197,14 +197,14 @@ def prove_theorem(
 
 
 def verify_certificate(path: str | Path) -> Verified:
-    """Let the checker verify the certificate in a file.
+    """Let the checker verify the certificate in a file, or a stored one by its bare name.
 
     Nothing of the prover is loaded, nor any library.  Raises `BadInput` if the file cannot be
     read, and `NotProved`, with the checker's reason, if it rejects the certificate: what that
     states may still be true.
     """
     try:
-        data = content(Path(path))
+        data = content(found(str(path)))
     except (OSError, ValueError) as error:
         raise BadInput(unread(path, error)) from None
     return _verified(data)

@@ -5,7 +5,6 @@ import argparse
 import os
 import re
 import sys
-import textwrap
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
@@ -44,10 +43,12 @@ class Parser(argparse.ArgumentParser):
 
 
 def program(module: str) -> str:
-    """Return how a command was called: as the script ``cap-prove`` or as a module."""
+    """Return how a command was called: as the script ``cap-prove``, an archive, or a module."""
     script = module.replace(".", "-")
-    called = Path(sys.argv[0] if sys.argv else "").stem
-    return script if called == script else f"python -m {module}"
+    called = Path(sys.argv[0] if sys.argv else "")
+    if called.suffix == ".pyz":
+        return f"python {called.name}"
+    return script if called.stem == script else f"python -m {module}"
 
 
 def columns(stream: TextIO | None) -> int | None:
@@ -56,16 +57,6 @@ def columns(stream: TextIO | None) -> int | None:
         return os.get_terminal_size(stream.fileno()).columns or None if stream else None
     except (OSError, ValueError):
         return None
-
-
-def wrapped(line: str, stream: TextIO | None) -> str:
-    """Return a line as wide as the terminal, if the stream is one: what follows is indented."""
-    width = columns(stream)
-    if not width:
-        return line
-    return textwrap.fill(
-        line, width, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
-    )
 
 
 def protected(word: str) -> str:

@@ -9,10 +9,10 @@ loaded now, so nothing else may have been loaded before.
 from __future__ import annotations
 
 import ast
+import inspect
 import sys
 from collections.abc import Iterator, Sequence
 from importlib import import_module
-from pathlib import Path
 from typing import NamedTuple
 
 from cap.checker import theorems, verdict
@@ -73,24 +73,20 @@ def _ordered(module: str, seen: set[str]) -> Iterator[str]:
     yield module
 
 
-def _path(module: str) -> Path:
-    """Return the file of a module."""
-    return Path(str(sys.modules[module].__file__))
-
-
 def _tree(module: str) -> ast.Module:
     """Return a module, parsed."""
-    return ast.parse(_path(module).read_bytes())
+    return ast.parse(inspect.getsource(sys.modules[module]))
 
 
 def _page(module: str) -> Page:
     """Count the lines of a module that are not empty."""
-    lines = _path(module).read_text(encoding="ascii").splitlines()
+    lines = inspect.getsource(sys.modules[module]).splitlines()
     explained = {n for n, line in enumerate(lines, start=1) if line.lstrip().startswith("#")}
     for node in ast.walk(_tree(module)):
         if isinstance(node, _DOCUMENTED) and ast.get_docstring(node) is not None:
             first = node.body[0]
             explained |= set(range(first.lineno, (first.end_lineno or first.lineno) + 1))
     filled = {n for n, line in enumerate(lines, start=1) if line.strip()}
-    name = _path(module).relative_to(Path(str(verdict.__file__)).parent)
-    return Page(str(name), len(filled - explained), len(filled & explained))
+    name = module.removeprefix(ROOM).replace(".", "/")
+    package = "/__init__" if hasattr(sys.modules[module], "__path__") else ""
+    return Page(f"{name}{package}.py", len(filled - explained), len(filled & explained))

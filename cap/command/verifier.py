@@ -4,7 +4,7 @@
 
 For each file one line, ``VERIFIED: <the theorem> ("FILE")``, ``REJECTED: "FILE": <the reason>`` or
 ``CANNOT READ: "FILE": <the reason>``, with the name in quotation marks and what is not printable in
-it escaped; on a terminal it is wrapped, and what follows its beginning is indented.
+it escaped; on a terminal it is laid out (`cap.command.layout`), unless one line is asked for.
 Exit status 0 if every file is verified, 1 if one is rejected, 2 for a wrong command line or if one
 cannot be read, whatever the others are.  A certificate that is rejected may state a true theorem;
 one that is verified is a proof, as far as ``cap.checker``, Python and the machine are right.
@@ -13,25 +13,23 @@ one that is verified is a proof, as far as ``cap.checker``, Python and the machi
 from __future__ import annotations
 
 import argparse
-import os
-import stat
 import sys
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from errno import EINVAL
 from pathlib import Path
-from typing import TextIO
 
-from cap.checker.kernel.certificate import MAX_BYTES
-from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems import NAMES
-from cap.checker.verdict import check, words
-from cap.command.console import Parser, program, wrapped
-from cap.words import printable, quoted, say, unread
+from cap.command.console import Parser, columns, program
+from cap.command.layout import laid_out
+from cap.command.outcome import Outcome, found, outcome
+from cap.words import say
+
+LARGE = 150_000  # bytes: such a certificate may take minutes, and its proof is divided itself
 
 
 def main(words: Sequence[str]) -> int:
-    """Verify the files named one after the other; return the exit status."""
+    """Verify the files named; return the exit status."""
     parser = _parser()
     options = parser.parse_args(words)
     if options.reading:
@@ -41,10 +39,12 @@ def main(words: Sequence[str]) -> int:
     if options.formal and (options.explain or options.latex):
         parser.error("--formal goes with neither --explain nor --latex")
     if options.formal:
-        from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
-
+        try:
+            from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
+        except ImportError:
+            parser.error("--formal needs the whole package: this archive holds the checker alone")
         return formal.prove(options.files)
-    return max([_verify(name, options) for name in options.files])
+    return _verify(options.files, options)
 
 
 def _parser() -> Parser:
@@ -54,9 +54,11 @@ def _parser() -> Parser:
         description="Verify certificates: each theorem is proved again, in other arithmetic and by "
         "other code than those that made the certificate; but conservative, and sinks, cycles and "
         "places in mixed, are proved by this code alone.",
-        epilog="Example: python -m cap.verify --explain certificates/elliptic.json",
+        epilog=f"Example: {program('cap.verify')} --explain certificates/elliptic.json",
     )
-    parser.add_argument("files", nargs="*", metavar="FILE", help="a certificate")
+    parser.add_argument(
+        "files", nargs="*", metavar="FILE", help="a certificate, or the bare name of a stored one"
+    )
     parser.add_argument(
         "--reading",
         metavar="THEOREM",
@@ -69,7 +71,10 @@ def _parser() -> Parser:
         type=_processes,
         default=1,
         metavar="N",
-        help="processes, where a proof takes long and can be divided (default 1)",
+        help="processes, for several files and for a long proof that can be divided (default 1)",
+    )
+    parser.add_argument(
+        "--one-line", action="store_true", help="print a verdict in one line, also on a terminal"
     )
     parser.add_argument("--explain", action="store_true", help="print every step of the proof")
     parser.add_argument(
@@ -120,36 +125,57 @@ def _digits(text: str) -> int:
     return int(text)
 
 
-def _verify(name: str, options: argparse.Namespace) -> int:
-    """Read and verify one file, print the verdict, and return its exit status."""
-    out = sys.stderr if options.latex else sys.stdout
-    try:
-        data = content(Path(name))
-    except (OSError, ValueError) as error:
-        say(wrapped(unread(name, error), out), out)
-        return 2
-    return _verdict(name, data, options, out)
-
-
-def _verdict(name: str, data: bytes, options: argparse.Namespace, out: TextIO | None) -> int:
-    """Verify the content of a file, print the verdict, and return its exit status."""
-    steps, definitions = list[str](), list[str]()
-    try:
-        with _telling() as tell:
-            certificate = check(data, steps.append, options.jobs, tell)
-        if options.latex:
-            from cap.certificate.latex import macros  # noqa: PLC0415 (for people, if they ask)
-
-            definitions += macros(certificate, Path(name).stem, options.latex_digits)
-        verdict, status = f"VERIFIED: {words(certificate)} ({quoted(name)})", 0
-    except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)
-        verdict, status = f"REJECTED: {quoted(name)}: {why(reason)}", 1
-    for step in steps if options.explain else ():
-        say(f"  {step}", out)
-    say(wrapped(verdict, out), out)
-    for line in definitions:
-        say(line, sys.stdout)
+def _verify(names: Sequence[str], options: argparse.Namespace) -> int:
+    """Verify the files, small ones first; print each verdict, and in the end the time of all."""
+    began, status, verified = time.monotonic(), 0, 0
+    for name, result in _outcomes(sorted(names, key=_size), options.jobs):
+        status = max(status, result.status)
+        verified += result.certificate is not None
+        _show(name, result, options)
+    if len(names) > 1:
+        seconds = time.monotonic() - began
+        say(f"{verified} of {len(names)} verified in {seconds:.0f} s", sys.stderr)
     return status
+
+
+def _outcomes(names: Sequence[str], jobs: int) -> Iterator[tuple[str, Outcome]]:
+    """Give each file with its outcome; small ones side by side, large ones one by one."""
+    small = [name for name in names if _size(name) < LARGE] if jobs > 1 else []
+    if len(small) > 1:
+        from cap.checker.kernel.processes import each  # noqa: PLC0415 (takes time to load)
+
+        yield from zip(small, each(min(jobs, len(small)), _alone, small), strict=True)
+    for name in names[len(small) :] if len(small) > 1 else names:
+        with _telling() as tell:
+            result = outcome(name, jobs, tell)
+        yield name, result
+
+
+def _alone(name: str) -> Outcome:
+    """Check a file in one process, without a word."""
+    return outcome(name, 1, lambda _words, _part: None)
+
+
+def _size(name: str) -> int:
+    """Return the size of a file in bytes; what cannot be read has none."""
+    try:
+        return found(name).stat().st_size
+    except (OSError, ValueError):
+        return 0
+
+
+def _show(name: str, result: Outcome, options: argparse.Namespace) -> None:
+    """Print what was found, and the numbers as macros if they are asked for."""
+    out = sys.stderr if options.latex else sys.stdout
+    for step in result.steps if options.explain else ():
+        say(f"  {step}", out)
+    width = None if options.one_line else columns(out)
+    say(laid_out(result.verdict, width) if width else result.verdict, out)
+    if options.latex and result.certificate is not None:
+        from cap.certificate.latex import macros  # noqa: PLC0415 (for people, if they ask)
+
+        for line in macros(result.certificate, Path(name).stem, options.latex_digits):
+            say(line, sys.stdout)
 
 
 @contextmanager
@@ -165,21 +191,3 @@ def _telling() -> Iterator[Callable[[str, float], None]]:
         yield progress.tell
     finally:
         progress.clear()
-
-
-def content(path: Path) -> bytes:
-    """Return the content of a regular file, at most one byte more than a certificate may have.
-
-    Raises `OSError` if it cannot be read, and `ValueError` if its name is none.
-    """
-    with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
-        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-            raise OSError(EINVAL, "Not a regular file")
-        return file.read(MAX_BYTES + 1)
-
-
-def why(reason: Exception) -> str:
-    """Return a reason in one short line."""
-    if isinstance(reason, Rejected):
-        return printable(str(reason))[:300]
-    return f"{type(reason).__name__} while checking"

@@ -18,8 +18,8 @@ from cap.checker.kernel.theorem import Certificate, Theorem
 from cap.checker.theorems.mixed import PLACES, Map, Mixed
 from cap.command import entry
 from cap.command.console import Parser, program, protected
+from cap.command.outcome import content, why
 from cap.command.progress import Progress, answered
-from cap.command.verifier import content, why
 from cap.errors import BadInput
 from cap.explore.export import IMAGES, kind
 from cap.files import replacing

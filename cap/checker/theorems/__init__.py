@@ -6,11 +6,11 @@ A certificate names one; the name is looked up among the files here, and no othe
 from __future__ import annotations
 
 from importlib import import_module
-from pathlib import Path
+from pkgutil import iter_modules
 
 from cap.checker.kernel.theorem import Theorem
 
-NAMES = sorted(file.stem for file in Path(__file__).parent.glob("[a-z]*.py"))
+NAMES = sorted(module.name for module in iter_modules(__path__))
 
 
 def load(name: str) -> type[Theorem]:
