@@ -52,23 +52,29 @@ NO_TIME = (1980, 1, 1, 0, 0, 0)  # the first that an archive can tell
 
 def run(words: Sequence[str]) -> int:
     """Write the archive, and say its size and digest; return the exit status."""
-    parser = Parser(
-        prog=program("cap.command.archive"),
-        description="Write the checker of certificates into one file, which bare Python runs.",
-        epilog="Example: python -m cap.command.archive cap-check.pyz",
-    )
-    parser.add_argument("file", type=Path, metavar="FILE", help="the archive, say cap-check.pyz")
-    path: Path = parser.parse_args(words).file
+    commands = parser()
+    path: Path = commands.parse_args(words).file
     try:
         tried(path)
     except (OSError, ValueError) as error:
-        parser.error(f"{quoted(path)} cannot be written: {getattr(error, 'strerror', error)}")
+        commands.error(f"{quoted(path)} cannot be written: {getattr(error, 'strerror', error)}")
     data = archive()
     with replacing(path) as file:
         file.write(data)
     digest = hashlib.sha256(data).hexdigest()
     say(f"{quoted(path)}: {len(data) // 1000} kB, SHA-256 {digest}", sys.stdout)
     return 0
+
+
+def parser() -> Parser:
+    """Return the command line."""
+    words = Parser(
+        prog=program("cap.command.archive"),
+        description="Write the checker of certificates into one file, which bare Python runs.",
+        epilog="Example: python -m cap.command.archive cap-check.pyz",
+    )
+    words.add_argument("file", type=Path, metavar="FILE", help="the archive, say cap-check.pyz")
+    return words
 
 
 def archive() -> bytes:

@@ -30,72 +30,72 @@ LARGE = 150_000  # bytes: such a certificate may take minutes, and its proof is 
 
 def main(words: Sequence[str]) -> int:
     """Verify the files named; return the exit status."""
-    parser = _parser()
-    options = parser.parse_args(words)
+    commands = parser()
+    options = commands.parse_args(words)
     if options.reading:
         return _reading(options.reading)
     if not options.files:
-        parser.error("the following arguments are required: FILE")
+        commands.error("the following arguments are required: FILE")
     if options.formal and (options.explain or options.latex):
-        parser.error("--formal goes with neither --explain nor --latex")
+        commands.error("--formal goes with neither --explain nor --latex")
     if options.formal:
         try:
             from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
         except ImportError:
-            parser.error("--formal needs the whole package: this archive holds the checker alone")
+            commands.error("--formal needs the whole package: this archive holds the checker alone")
         return formal.prove(options.files)
     return _verify(options.files, options)
 
 
-def _parser() -> Parser:
+def parser() -> Parser:
     """Return the command line."""
-    parser = Parser(
+    words = Parser(
         prog=program("cap.verify"),
         description="Verify certificates: each theorem is proved again, in other arithmetic and by "
         "other code than those that made the certificate; but conservative, and sinks, cycles and "
         "places in mixed, are proved by this code alone.",
         epilog=f"Example: {program('cap.verify')} --explain certificates/elliptic.json",
     )
-    parser.add_argument(
+    words.add_argument(
         "files", nargs="*", metavar="FILE", help="a certificate, or the bare name of a stored one"
     )
-    parser.add_argument(
+    words.add_argument(
         "--reading",
         metavar="THEOREM",
         choices=NAMES,
         help="list the files that prove this theorem, in the order to read them, with their lines "
         f"of code and of mathematics; one of: {', '.join(NAMES)}",
     )
-    parser.add_argument(
+    words.add_argument(
         "--jobs",
         type=_processes,
         default=1,
         metavar="N",
         help="processes, for several files and for a long proof that can be divided (default 1)",
     )
-    parser.add_argument(
+    words.add_argument(
         "--one-line", action="store_true", help="print a verdict in one line, also on a terminal"
     )
-    parser.add_argument("--explain", action="store_true", help="print every step of the proof")
-    parser.add_argument(
+    words.add_argument("--explain", action="store_true", help="print every step of the proof")
+    words.add_argument(
         "--formal",
         action="store_true",
         help="prove the theorem by Coq instead, with the library in proofs/formal: elliptic orbits "
         "and saddles with one hit of each wall",
     )
-    parser.add_argument(
+    words.add_argument(
         "--latex",
         action="store_true",
         help="print the numbers as LaTeX macros; the verdicts go to stderr",
     )
-    parser.add_argument(
+    words.add_argument(
         "--latex-digits",
         type=_digits,
         default=12,
         metavar="N",
         help="significant digits (default 12)",
     )
-    return parser
+    return words
 
 
 def _reading(theorem: str) -> int:
