@@ -25,7 +25,7 @@ _LETTERS = (
     ("νξπρστφχψω", "nu xi pi rho sigma tau varphi chi psi omega"),
     ("ΓΔΘΛΠΣΦΨΩℓ", "Gamma Delta Theta Lambda Pi Sigma Phi Psi Omega ell"),
     ("∂∫∮∞∧∪±∓·×≡≈♯‖", "partial int oint infty wedge cup pm mp cdot times equiv approx sharp Vert"),
-    ("∘", "circ"),
+    ("∘√", "circ surd"),
 )
 _COMMANDS = {
     sign: name for signs, names in _LETTERS for sign, name in zip(signs, names.split(), strict=True)
