@@ -23,6 +23,7 @@ from cap.runner import Runner
 from cap.words import printable, quoted, say
 
 MOST_PIXELS = 300_000_000
+PAGE = "play"
 FIRST = ("--paper", "--out", "--help", "--version")  # options before a command
 
 
@@ -36,7 +37,8 @@ def parser() -> Parser:
         epilog="Examples:\n"
         + "\n".join(f"  {c.line(name)}" for name, c in COMMANDS.items())
         + "\n\nThe basins that a certificate proves, which is verified first, have a command of "
-        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
+        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png\n"
+        "A page to play with, in the browser:\n  python -m cap.explore play",
     )
     p.add_argument(
         "--paper",
@@ -56,6 +58,7 @@ def parser() -> Parser:
     commands = p.add_subparsers(dest="command", metavar="WHAT", title="what to explore")
     for name, command in COMMANDS.items():
         _add(commands.add_parser(name, **_described(name, command)), command)
+    _add_page(commands)
     return p
 
 
@@ -68,6 +71,30 @@ def _described(name: str, command: Command) -> dict[str, Any]:
     }
 
 
+def _add_page(commands: Any) -> None:
+    """Add the command that serves a page, and has no picture."""
+    summary = "a page in the browser: portrait, orbits, and the prover beside them"
+    p = commands.add_parser(
+        PAGE,
+        help=summary,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        description=f"{summary[0].upper()}{summary[1:]}.\n\nSliders for all parameters; a click on "
+        "the portrait shows the orbit of that state, its\nevents and the mass; `prove this` proves "
+        "a theorem in a process of its own.  The page is\nserved from this machine to itself "
+        "alone, until ctrl-C.  It needs the library Bokeh:\n  pip install 'cap[play]'",
+        epilog=f"Example:\n  python -m cap.explore {PAGE} --f 9/20",
+    )
+    p.add_argument("--port", default="0", metavar="N", help="listen on it (default: any free)")
+    p.add_argument("--no-browser", action="store_true", help="say the address, open no browser")
+    _add_parameters(p)
+
+
+def _add_parameters(p: argparse.ArgumentParser) -> None:
+    given = p.add_argument_group("parameters (integers, decimals or p/q, exact)")
+    for name, value in PAPER.strings().items():
+        given.add_argument(f"--{name}", default=value, metavar="Q", help=f"default {value}")
+
+
 def _add(p: argparse.ArgumentParser, command: Command) -> None:
     """Add the options of one command."""
     own = p.add_argument_group("of this picture")
@@ -78,9 +105,7 @@ def _add(p: argparse.ArgumentParser, command: Command) -> None:
             own.add_argument(
                 f"--{option.name}", nargs=option.nargs, metavar=option.metavar, help=option.help
             )
-    given = p.add_argument_group("parameters (integers, decimals or p/q, exact)")
-    for name, value in PAPER.strings().items():
-        given.add_argument(f"--{name}", default=value, metavar="Q", help=f"default {value}")
+    _add_parameters(p)
     output = p.add_argument_group("output")
     output.add_argument(
         "--out",
@@ -110,6 +135,8 @@ def main(words: Sequence[str]) -> int:
             return _paper(options.paper, options.first_out, progress)
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
+        if options.command == PAGE:
+            return _play(options, progress)
         return _run(options, COMMANDS[options.command], progress)
 
     return answered(run, progress)
@@ -131,12 +158,32 @@ def _paper(labels: Sequence[str], out: Sequence[Path], progress: Progress) -> in
     return command.run(labels[0], out, progress.tell)
 
 
+def _play(options: argparse.Namespace, progress: Progress) -> int:
+    """Serve the page until an interrupt."""
+    p = _parameters(options)
+    port = integer(options.port, "port", (0, 65535))
+    with entry.loading():
+        try:
+            from cap.explore.play.server import play  # noqa: PLC0415 (Bokeh is an extra)
+        except ModuleNotFoundError as error:
+            if str(error.name).partition(".")[0] != "bokeh":
+                raise
+            raise BadInput("the page needs Bokeh: pip install 'cap[play]'") from None
+    progress.clear()
+    play(p, port, opens=not options.no_browser, say=lambda line: print(line, flush=True))
+    return 0
+
+
+def _parameters(options: argparse.Namespace) -> Parameters:
+    return Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
+
+
 def _run(options: argparse.Namespace, command: Command, progress: Progress) -> int:
     """Compute, say the numbers, write the files."""
     with entry.loading():  # numpy is slow to load: not for --help
         from cap.explore import export  # noqa: PLC0415
     out = [*options.first_out, *options.out]
-    p = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
+    p = _parameters(options)
     values = {o.keyword: _value(o, getattr(options, o.keyword)) for o in command.options}
     given = {name: value for name, value in values.items() if value is not None}
     command = command.about(given)

@@ -51,7 +51,7 @@ def test_a_command(module, words, monkeypatch):
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.parser().parse_args(given)
-        assert options.paper or options.command in COMMANDS
+        assert options.paper or options.command in (*COMMANDS, explorer.PAGE)
     elif module == "cap.explore.mixed":
         assert mixed.parser().parse_args(given).file.is_file()
     elif module == "cap.audit":
