@@ -70,16 +70,16 @@ PERIODS = Option(
     default=Fraction(10**9),
     about=True,
 )
-ORDER = Option(
-    "order",
-    count(8, 24),
-    "to which the map is expanded, 8 to 24 (default 16): the higher, the larger the ellipse",
+DEGREE = Option(
+    "degree",
+    count(5, 15),
+    "of the polynomial, 5 to 15 (default 10): the higher, the larger the ellipse",
     "N",
-    default=16,
+    default=10,
 )
-OPTIONS = (PERIODS, ORDER)
+OPTIONS = (PERIODS, DEGREE)
 CENTRE = 12  # digits of the centre
-DEGREE = Fraction(5, 8)  # of H, as a part of the order: the orders above bound what it leaves
+EXPANDED = Fraction(8, 5)  # times this degree is the order of Φ, to bound what H leaves
 SPARED = 2  # times as many periods are planned; many more if the checker cannot follow: where
 LITTLE = Fraction(3, 10)  # of the box is left
 GUARD = 20  # digits of H, beyond those that N needs
@@ -105,7 +105,7 @@ def prove(setting: Setting) -> Proof:
 def conclusion(orbit: Located) -> Callable[[Around], Content]:
     """Expand Φ at P*, and H; return what proves the rest when the box is known."""
     setting, point, periods = orbit.setting, orbit.point, orbit.setting.of(PERIODS)
-    degree = int(DEGREE * setting.of(ORDER))
+    degree = setting.of(DEGREE)
     jets = strobe_jet(orbit.osc, point.box, point.orbit, degree + 2)
     linear = normal_form.ellipticity(*jets)
     f = normal_form.complex_map(*jets, linear)
@@ -126,6 +126,11 @@ def conclusion(orbit: Located) -> Callable[[Around], Content]:
         return claims(setting, proved[plan]), hints(setting, proved[plan])
 
     return conclude
+
+
+def order_of(setting: Setting) -> int:
+    """Return the order to which Φ is expanded around the ellipse."""
+    return int(EXPANDED * setting.of(DEGREE))
 
 
 def centre(orbit: Located) -> tuple[Fraction, Fraction]:
@@ -152,7 +157,7 @@ def lemma_3_drift(orbit: Located, expected: Itinerary, proved: Proved) -> None:
     *Computed.* The bounds of H and of its change.
     """
     setting, (E, H, part) = orbit.setting, proved
-    bounds = approximate_integral.held(orbit.osc, expected, E, H, part, setting.of(ORDER))
+    bounds = approximate_integral.held(orbit.osc, expected, E, H, part, order_of(setting))
     if not bounds.inner + interval.ball(setting.of(PERIODS)) * bounds.drift < bounds.outer:
         raise NotProved("Lemma 3", "orbits may leave the ellipse before", bounds._asdict())
 
@@ -187,6 +192,6 @@ def claims(setting: Setting, proved: Proved) -> dict[str, Any]:
 
 def hints(setting: Setting, proved: Proved) -> dict[str, Any]:
     """Return the hints: H, row by row of one degree, and the order of the expansion."""
-    exact, H, order = interval.exact_decimal, proved.integral, setting.of(ORDER)
+    exact, H, order = interval.exact_decimal, proved.integral, order_of(setting)
     rows = [[exact(H[n - j, j]) for j in range(n + 1)] for n in range(1, H.space.order + 1)]
     return {"bits": str(setting.checker_bits_to(order)), "order": str(order), "integral": rows}

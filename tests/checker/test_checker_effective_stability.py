@@ -24,8 +24,8 @@ BITS = 200
 
 @pytest.fixture(scope="module")
 def small():
-    """Return a small certificate: few periods, a low order."""
-    proved = cap.prove_theorem("effective_stability", digits=12, order=9, periods=1000)
+    """Return a small certificate: few periods, a low degree."""
+    proved = cap.prove_theorem("effective_stability", digits=12, degree=6, periods=1000)
     return json.loads(proved.data)
 
 

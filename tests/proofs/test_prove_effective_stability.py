@@ -38,7 +38,7 @@ def area(proved):
 
 def test_orbits_stay_in_the_ellipse():
     """From the boundary of the inner one, forwards and backwards, for what floats can follow."""
-    claims = cap.prove_theorem(THEOREM, order=9, periods=10**4, digits=12).claims
+    claims = cap.prove_theorem(THEOREM, degree=6, periods=10**4, digits=12).claims
     starts = boundary(claims)
     ahead = follow(PAPER, starts, 3000, every=True)
     assert not (ahead.turned | ahead.stuck | ahead.captured).any()
@@ -49,13 +49,13 @@ def test_orbits_stay_in_the_ellipse():
 
 @pytest.mark.slow
 def test_more_periods_a_smaller_ellipse():
-    """The areas decrease, and so does what is proved at a lower order."""
+    """The areas decrease, and so does what is proved with a lower degree."""
     areas = [
         area(cap.prove_theorem(THEOREM, digits=12, **options))
         for options in (
-            {"order": 11, "periods": 10**4},
-            {"order": 9, "periods": 10**4},
-            {"order": 9, "periods": 10**6},
+            {"degree": 7, "periods": 10**4},
+            {"degree": 6, "periods": 10**4},
+            {"degree": 6, "periods": 10**6},
         )
     ]
     assert areas[0] > areas[1] > areas[2] > 0
@@ -64,7 +64,7 @@ def test_more_periods_a_smaller_ellipse():
 @pytest.mark.slow
 def test_other_walls():
     """In other units the same oscillator has the same ellipse, in these units."""
-    options = {"order": 8, "periods": 100, "digits": 12}
+    options = {"degree": 5, "periods": 100, "digits": 12}
     proved = cap.prove_theorem(THEOREM, **options)
     scaled = cap.prove_theorem(THEOREM, F=2, omega=1, f="4/5", l=-2, r=2, **options)
     assert area(scaled) / area(proved) == pytest.approx(4, rel=0.05)
@@ -76,8 +76,8 @@ def test_other_walls():
         ({"periods": 0}, "--periods must be an integer"),
         ({"periods": "3/2"}, "--periods must be an integer"),
         ({"periods": 10**19}, "--periods must be an integer"),
-        ({"order": 7}, "--order must be an integer"),
-        ({"order": 25}, "--order must be an integer"),
+        ({"degree": 4}, "--degree must be an integer"),
+        ({"degree": 16}, "--degree must be an integer"),
         ({"e": "9/10"}, "e"),
         ({"mu": "1/100"}, "mu"),
         ({"orbit": (-0.7914, 0.4979)}, "no elliptic orbit"),
@@ -98,4 +98,4 @@ def test_a_plan_that_does_not_succeed(monkeypatch):
 
     monkeypatch.setattr(approximate_integral, "plan", careless)
     with pytest.raises(NotProved, match="Lemma 3: orbits may leave the ellipse before"):
-        cap.prove_theorem(THEOREM, order=8, periods=10**6, digits=12)
+        cap.prove_theorem(THEOREM, degree=5, periods=10**6, digits=12)
