@@ -139,6 +139,16 @@ def choice(*names: str) -> Reader:
     return read
 
 
+def text(words: Sequence[str], _name: str) -> str:
+    """Read a text."""
+    return words[0]
+
+
+def texts(words: Sequence[str], _name: str) -> tuple[str, ...]:
+    """Read texts."""
+    return tuple(words)
+
+
 def settings(words: Sequence[str], name: str) -> dict[str, str]:
     """Read values of parameters of a model: NAME=VALUE, several with commas or spaces between."""
     found: dict[str, str] = {}
