@@ -17,7 +17,6 @@ from cap.command.console import Parser, columns, program, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput, NotProved
-from cap.floats.models.engine import Engine
 from cap.floats.models.periodic import Closed, Met, near, search
 from cap.option import integer
 from cap.parameters import exact
@@ -143,14 +142,13 @@ def _run(asked: Asked, progress: Progress) -> int:
 
 def _found(asked: Asked, progress: Progress) -> tuple[list[Closed], list[str]]:
     """Return the orbits to be proved, and what was found, in words."""
-    engine = Engine(asked.system)
     if asked.state:
         try:
-            orbit = near(engine, asked.state, asked.mode, asked.periods)
+            orbit = near(asked.system, asked.state, asked.mode, asked.periods)
         except NotProved as failure:
             raise BadInput(f"no orbit that closes is near that of the state: {failure}") from None
         return [orbit], ["Newton's method leads to:", f"  {orbit.shown()}"]
-    met = search(engine, asked.periods, progress.tell)
+    met = search(asked.system, asked.periods, progress.tell)
     if not met.orbits:
         also = "".join(f"; {line}" for line in _others(met))
         raise BadInput(

@@ -47,11 +47,11 @@ def test_from_a_state(tmp_path, capsys):
 
 def test_orbits_are_listed_once_and_by_their_least_period():
     """Of period 1 there is the one that attracts; it is none of period 2."""
-    engine = Engine(read(MODEL))
-    (one,) = search(engine, 1, lambda *_: None).orbits
+    system = read(MODEL)
+    (one,) = search(system, 1, lambda *_: None).orbits
     assert one.attracts
     assert [c.guard for c in one.itinerary.contacts] == ["wall"]
-    met = search(engine, 2, lambda *_: None)
+    met = search(system, 2, lambda *_: None)
     assert one.itinerary.contacts not in [orbit.itinerary.contacts for orbit in met.orbits]
     assert met.periods[1] == met.settled - met.captured
 

@@ -3,6 +3,8 @@
 States are drawn at random, on many scales.  What they are attracted to, and those that come back
 nearest to themselves, are followed once more; Newton's iteration on the contacts of that orbit
 (`cap.orbits.equations`) leads to orbits that close.  Nothing that is found is all that there is.
+
+Proofs about one's own systems import no other module of the float mode.
 """
 
 from __future__ import annotations
@@ -24,6 +26,7 @@ from cap.orbits.itinerary import Itinerary
 from cap.orbits.leg import Kinds
 from cap.orbits.numbers import Floats as Doubles
 from cap.orbits.periodic import Prover
+from cap.system.model import System
 
 SEEDS, SETTLED, SETTLING, NEAREST = 4000, 400, 300, 120
 FAR = 1e6  # of what runs away
@@ -73,11 +76,12 @@ class Met:
     captured: int = 0
 
 
-def search(engine: Engine, periods: int, tell: Tell) -> Met:
+def search(system: System, periods: int, tell: Tell) -> Met:
     """Return the orbits of a period that are met, those that attract first."""
     tell("compiling the system", None)
+    engine = Engine(system)
     seeds, modes = _seeds(engine)
-    met, kinds = Met(), Kinds(engine.system)
+    met, kinds = Met(), Kinds(system)
     tell("following random states", None)
     starts = list(_starts(engine, seeds, modes, periods, met))
     for k, (state, mode) in enumerate(starts):
@@ -91,10 +95,9 @@ def search(engine: Engine, periods: int, tell: Tell) -> Met:
     return met
 
 
-def near(engine: Engine, state: list[float], mode: str | None, periods: int) -> Closed:
+def near(system: System, state: list[float], mode: str | None, periods: int) -> Closed:
     """Return the orbit to which Newton's iteration leads from a state at t = 0."""
-    itinerary, guess = contacts(engine, state, mode, periods)
-    return closed(itinerary, guess, Kinds(engine.system))
+    return closed(*contacts(Engine(system), state, mode, periods), Kinds(system))
 
 
 def closed(itinerary: Itinerary, guess: list[float], kinds: Kinds) -> Closed:
