@@ -26,7 +26,8 @@ ROOT = Path(__file__).resolve().parent.parent
 WIDTH = 120  # of what is shown
 LARGEST = 300_000  # bytes of a picture
 NUMBER = re.compile(r"-?(?:\d+\.\d*(?:e[-+]?\d+)?|\d+|inf|nan)")
-PICTURE = re.compile(r"!\[[^]]*\]\((pictures/[^)]+)\)")
+README = Path(__file__).parents[1] / "README.md"
+PICTURE = re.compile(r"!\[[^]]*\]\((?:docs/)?(pictures/[^)]+)\)")
 
 
 class Failure(Exception):
@@ -147,9 +148,9 @@ def difference(stored: str, now: str) -> str:
 def check_pictures(page: str, folder: Path) -> None:
     """Check that the pictures of a page exist in ``folder``, not large, and that it has no other.
 
-    Raises `Failure` with those that are wrong.
+    The README shows some of them, too.  Raises `Failure` with those that are wrong.
     """
-    linked = set(PICTURE.findall(page))
+    linked = set(PICTURE.findall(page + README.read_text(encoding="utf-8")))
     there = {f"pictures/{path.name}" for path in (folder / "pictures").iterdir()}
     if linked != there:
         raise Failure(f"pictures missing or not shown: {', '.join(sorted(linked ^ there))}")
