@@ -59,6 +59,19 @@ def load(path: str | Path, values: Values | None = None) -> Loaded:
     return Loaded(str(path), *of(text, file, name, values or {}))
 
 
+def assigned(text: str) -> dict[str, str]:
+    """Return the values of parameters in words as ``A=6/5,e=1/2``."""
+    found = dict[str, str]()
+    for part in filter(None, text.split(",")):
+        name, equal, value = (word.strip() for word in part.partition("="))
+        if not equal or not name or not value:
+            raise BadInput(f"write values of parameters as NAME=VALUE,NAME=VALUE: {part!r}")
+        if name in found:
+            raise BadInput(f"the parameter {name} has two values")
+        found[name] = value
+    return found
+
+
 def _named(path: str) -> tuple[Path, str]:
     """Return the file, and the name of a function in it, or none."""
     file, colon, name = path.rpartition(":")
