@@ -8,7 +8,7 @@ succeed, then
  (ii)  nothing else happens on it: between its contacts all guards of its mode are positive, and
        each guard that comes to zero falls through it;
  (iii) the times, the states, and the elementary symmetric functions of its multipliers lie in
-       explicit intervals.
+       explicit intervals; so many of these lie outside the unit circle, and none on it.
 
 Proof.  `cap.orbits.periodic` proves all of it.  The certificate has the system, the box, the
 Krawczyk hints, and for each leg and guard cuts between which the mean value form with L h shows
@@ -168,7 +168,7 @@ def claims(orbit: PeriodicOrbit, digits: int) -> dict[str, Any]:
         "times": [_pair(t, digits) for t, _ in contacts],
         "states": [[_pair(x, digits) for x in q] for _, q in contacts],
         "symmetric": [_pair(x, digits) for x in orbit.symmetric],
-    }
+    } | ({} if orbit.unstable is None else {"unstable": str(orbit.unstable)})
 
 
 def _pair(x: Ball, digits: int) -> Pair:

@@ -7,7 +7,7 @@ import argparse
 import logging
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,27 +17,39 @@ from cap.command.entry import INTERRUPTED
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
+from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
+from cap.explore.model_commands import MODEL
+from cap.explore.play import command as page
 from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
 from cap.runner import Runner
 from cap.words import printable, quoted, say
 
 MOST_PIXELS = 300_000_000
-PAGE = "play"
 FIRST = ("--paper", "--out", "--help", "--version")  # options before a command
 
 
-def parser() -> Parser:
+def read(words: Sequence[str]) -> argparse.Namespace:
+    """Return the options given: of the oscillator, or of a model."""
+    protected_words = [protected(word) for word in words]
+    of_model = any(word.partition("=")[0] == "--model" for word in words)
+    return parser(of_model=of_model).parse_args(protected_words)
+
+
+def parser(*, of_model: bool = False) -> Parser:
     """Return the command line's parser."""
+    known = MODEL_COMMANDS if of_model else COMMANDS
     p = Parser(
         prog=program("cap.explore"),
         formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes "
         "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",
         epilog="Examples:\n"
-        + "\n".join(f"  {c.line(name)}" for name, c in COMMANDS.items())
+        + "\n".join(f"  {c.line(name)}" for name, c in known.items())
+        + "\n\nOf a system of your own, a model of ten lines (docs/own-system.md):\n"
+        + "\n".join(f"  {c.line(name)}" for name, c in MODEL_COMMANDS.items())
         + "\n\nThe basins that a certificate proves, which is verified first, have a command of "
-        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png\n"
+        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png\n\n"
         "A page to play with, in the browser:\n  python -m cap.explore play",
     )
     p.add_argument(
@@ -56,9 +68,11 @@ def parser() -> Parser:
         help="a file, may be repeated; of --paper all: a directory",
     )
     commands = p.add_subparsers(dest="command", metavar="WHAT", title="what to explore")
-    for name, command in COMMANDS.items():
-        _add(commands.add_parser(name, **_described(name, command)), command)
-    _add_page(commands)
+    for name, command in known.items():
+        each = commands.add_parser(name, **_described(name, command))
+        _add(each, command, _model if of_model else _parameters)
+    if not of_model:
+        page.add(commands, _parameters)
     return p
 
 
@@ -71,32 +85,34 @@ def _described(name: str, command: Command) -> dict[str, Any]:
     }
 
 
-def _add_page(commands: Any) -> None:
-    """Add the command that serves a page, and has no picture."""
-    summary = "a page in the browser: portrait, orbits, and the prover beside them"
-    p = commands.add_parser(
-        PAGE,
-        help=summary,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        description=f"{summary[0].upper()}{summary[1:]}.\n\nSliders for all parameters; a click on "
-        "the portrait shows the orbit of that state, its\nevents and the mass; `prove this` proves "
-        "a theorem in a process of its own.  The page is\nserved from this machine to itself "
-        "alone, until ctrl-C.  It needs the library Bokeh:\n  pip install 'cap[play]'",
-        epilog=f"Example:\n  python -m cap.explore {PAGE} --f 9/20",
-    )
-    p.add_argument("--port", default="0", metavar="N", help="listen on it (default: any free)")
-    p.add_argument("--no-browser", action="store_true", help="say the address, open no browser")
-    _add_parameters(p)
-
-
-def _add_parameters(p: argparse.ArgumentParser) -> None:
+def _parameters(p: argparse.ArgumentParser) -> None:
+    """Add the parameters of the oscillator."""
     given = p.add_argument_group("parameters (integers, decimals or p/q, exact)")
     for name, value in PAPER.strings().items():
         given.add_argument(f"--{name}", default=value, metavar="Q", help=f"default {value}")
 
 
-def _add(p: argparse.ArgumentParser, command: Command) -> None:
-    """Add the options of one command."""
+def _model(p: argparse.ArgumentParser) -> None:
+    """Add the options that name a model, and its parameters."""
+    given = p.add_argument_group("the model, a system of your own")
+    file, settings = MODEL
+    given.add_argument("--model", metavar=file.metavar, required=True, help=file.help)
+    given.add_argument(
+        "--set",
+        nargs=settings.nargs,
+        action="extend",
+        default=[],
+        metavar=settings.metavar,
+        help=settings.help,
+    )
+
+
+def _add(
+    p: argparse.ArgumentParser,
+    command: Command,
+    about: Callable[[argparse.ArgumentParser], None],
+) -> None:
+    """Add the options of one command, and those that say what it is about."""
     own = p.add_argument_group("of this picture")
     for option in command.options:
         if option.flag:
@@ -105,7 +121,7 @@ def _add(p: argparse.ArgumentParser, command: Command) -> None:
             own.add_argument(
                 f"--{option.name}", nargs=option.nargs, metavar=option.metavar, help=option.help
             )
-    _add_parameters(p)
+    about(p)
     output = p.add_argument_group("output")
     output.add_argument(
         "--out",
@@ -128,16 +144,18 @@ def main(words: Sequence[str]) -> int:
 
     def run() -> int:
         _in_order(words)
-        options = parser().parse_args([protected(word) for word in words])
+        options = read(words)
         if options.paper and options.command:
             raise BadInput(f"give --paper or {options.command}: not both")
         if options.paper:
             return _paper(options.paper, options.first_out, progress)
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
-        if options.command == PAGE:
-            return _play(options, progress)
-        return _run(options, COMMANDS[options.command], progress)
+        if options.command == page.NAME:
+            return page.run(options, _about(options))
+        of_model = getattr(options, "model", None) is not None
+        known = MODEL_COMMANDS if of_model else COMMANDS
+        return _run(options, known[options.command], progress)
 
     return answered(run, progress)
 
@@ -158,32 +176,12 @@ def _paper(labels: Sequence[str], out: Sequence[Path], progress: Progress) -> in
     return command.run(labels[0], out, progress.tell)
 
 
-def _play(options: argparse.Namespace, progress: Progress) -> int:
-    """Serve the page until an interrupt."""
-    p = _parameters(options)
-    port = integer(options.port, "port", (0, 65535))
-    with entry.loading():
-        try:
-            from cap.explore.play.server import play  # noqa: PLC0415 (Bokeh is an extra)
-        except ModuleNotFoundError as error:
-            if str(error.name).partition(".")[0] != "bokeh":
-                raise
-            raise BadInput("the page needs Bokeh: pip install 'cap[play]'") from None
-    progress.clear()
-    play(p, port, opens=not options.no_browser, say=lambda line: print(line, flush=True))
-    return 0
-
-
-def _parameters(options: argparse.Namespace) -> Parameters:
-    return Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
-
-
 def _run(options: argparse.Namespace, command: Command, progress: Progress) -> int:
     """Compute, say the numbers, write the files."""
     with entry.loading():  # numpy is slow to load: not for --help
         from cap.explore import export  # noqa: PLC0415
     out = [*options.first_out, *options.out]
-    p = _parameters(options)
+    p = _about(options)
     values = {o.keyword: _value(o, getattr(options, o.keyword)) for o in command.options}
     given = {name: value for name, value in values.items() if value is not None}
     command = command.about(given)
@@ -209,6 +207,15 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
         say("interrupted; what was done is kept", sys.stderr)
         return INTERRUPTED
     return failed or command.status(findings)
+
+
+def _about(options: argparse.Namespace) -> Any:
+    """Return what is explored: the parameters of the oscillator, or a model."""
+    if getattr(options, "model", None) is None:
+        return Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
+    from cap.floats.models.subject import Subject  # noqa: PLC0415 (numba is slow to load)
+
+    return Subject.of(options.model, MODEL[1].read(options.set))
 
 
 def _value(option: Option, text: Any) -> Any:

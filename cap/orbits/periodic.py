@@ -65,6 +65,28 @@ class PeriodicOrbit:
         n = len(self.itinerary.system.state)
         return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
 
+    @property
+    def unstable(self) -> int | None:
+        """How many multipliers lie outside the unit circle, if certainly none lies on it."""
+        signed = [(-1) ** k * e for k, e in enumerate(self.symmetric, start=1)]
+        inside = _inside([interval.ONE, *signed])
+        return None if inside is None else len(signed) - inside
+
+
+def _inside(p: Sequence[Ball]) -> int | None:
+    """Return how many zeros of a polynomial, highest power first, lie in the unit circle.
+
+    None if a comparison of Schur and Cohn's recursion is not certain; one may lie on the circle.
+    """
+    if len(p) == 1:
+        return 0
+    first, last = abs(p[0]), abs(p[-1])
+    if first > last:
+        found = _inside([p[0] * a - p[-1] * b for a, b in zip(p, reversed(p), strict=True)][:-1])
+        return None if found is None else found + 1
+    found = _inside([*reversed(p)]) if last > first else None
+    return None if found is None else len(p) - 1 - found
+
 
 class Prover:
     """Proves orbits with one itinerary; what depends on that alone, or the precision, is kept."""

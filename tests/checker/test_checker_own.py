@@ -415,3 +415,17 @@ def test_deep_nesting():
     text = dumps(given).replace('"27/10"', "[" * 1000 + "]" * 1000)
     with pytest.raises(Rejected, match="the JSON is nested too deeply"):
         check(text.encode(), lambda _: None)
+
+
+@pytest.mark.parametrize("count", ["0", "2"])
+def test_another_stability(count):
+    """The orbit of the spring is a saddle."""
+    given = certificate("spring")
+    assert given["claims"]["unstable"] == "1"
+    given["claims"]["unstable"] = count
+    rejected(given, "claims.unstable is not certain")
+    given = certificate("elliptic")  # its multipliers lie on the circle: nothing is claimed
+    assert "unstable" not in given["claims"]
+    for number in "012":
+        given["claims"]["unstable"] = number
+        rejected(given, "claims.unstable is not certain")

@@ -10,8 +10,8 @@ between contacts nothing else is assumed than the equations of its mode.
 3. *Nothing else happens.*  On each leg, all guards of the mode are positive between the contacts,
    and L h < 0 where the next one comes to zero (Lemma B, ``quiet``); a guard that vanishes at the
    start of a leg does so by an identity of polynomials.  So the zero of F is a periodic orbit.
-4. *Claims.*  Times and states of the contacts, and the elementary symmetric functions of the
-   multipliers.
+4. *Claims.*  Times and states of the contacts, the elementary symmetric functions of the
+   multipliers, and from these how many multipliers lie outside the unit circle (``stability``).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, region
+from cap.checker.kernel.shapes import Field, Many, Maybe, Quantity, Whole, region
 from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system.contacts import (
     Contact,
@@ -42,6 +42,7 @@ from cap.checker.system.given import GUARDS, STATES, SYSTEM, model, told
 from cap.checker.system.legs import Leg
 from cap.checker.system.model import CLOCK, Model
 from cap.checker.system.quiet import stays_positive, zeros_after
+from cap.checker.system.stability import kind_of_two, outside
 
 CONTACTS, CUTS, PERIODS = 64, 1000, 1000
 MOST_BITS, WORK = 1024, 1 << 23  # of bits x variables x pieces
@@ -75,6 +76,8 @@ class Contacts(Theorem):
               "just before the contacts"),
         Field("symmetric", Many(Quantity(), 1, STATES), "multipliers", "e_j",
               "elementary symmetric functions of the multipliers: their sum, ..., their product"),
+        Field("unstable", Maybe(Whole(0, STATES)), "", "",
+              "how many multipliers lie outside the unit circle; none lies on it"),
     )
     CITES = (
         cite("Krawczyk", NEUMAIER,
@@ -123,6 +126,9 @@ class Contacts(Theorem):
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
         multipliers = symmetric(return_map(self.equations, zero), self.equations.n)
         self.confirm(symmetric=multipliers)
+        if "unstable" in self.claims:
+            certain = outside(multipliers) == self.claims["unstable"]
+            need(certain, "claims.unstable is not certain to be the number of these multipliers")
         self.step("times, states and multipliers are those claimed")
 
     def zero(self) -> list[Interval]:
@@ -186,8 +192,18 @@ class Contacts(Theorem):
             f"through 0, and no others: {contacts} (values just before a contact); it is the only "
             f"one with these contacts whose (t, {', '.join(self.p.state)}) at them lie in {box}; "
             f"the elementary symmetric functions of its {len(self.p.state)} multipliers (sum, ..., "
-            f"product) are in {sums}"
+            f"product) are in {sums}{self.stability()}"
         )
+
+    def stability(self) -> str:
+        """Return what is claimed of the multipliers in words."""
+        count, n = self.claims.get("unstable"), len(self.p.state)
+        if count is None:
+            return ""
+        sums = self.claims["symmetric"]
+        kind = kind_of_two(sums[0], sums[1], count) if n == 2 else ""
+        attracts = "; it attracts" if not count else ""
+        return f", {count} of the {n} outside the unit circle and none on it{kind}{attracts}"
 
 
 THEOREM = Contacts
