@@ -14,7 +14,7 @@ from cap.floats.engine import swarm
 from cap.floats.masses.particles import Particles, Unresolved
 from cap.floats.masses.particles import follow as follow_masses
 from cap.floats.models.engine import OUTSIDE, Engine
-from cap.floats.models.source import MANY
+from cap.floats.models.source import MANY, split
 from cap.floats.models.spectrum import exponential, matrix
 from cap.parameters import PAPER
 from cap.system.friction import friction, oscillator
@@ -103,7 +103,9 @@ def test_no_event_is_missed(name, box):
             w = float(E.system.omega.terms[()])
             start = [*y, np.cos(w * t), np.sin(w * t), 1.0]
             path = sampled(E.system, "fly", start, np.linspace(0, line[1] - t, 60)[1:])
-            rows = E._guards[0]
+            rows = np.array(
+                [split(E.system, "fly", word)[0] for word in ("wall", "table") if word in E.words]
+            )
             assert (path[:-1] @ rows.T > -1e-12).all()
             assert np.abs(path[-1] @ rows.T).max() < 1e-10
             t, y, flights = line[1], line[4:], flights + 1
