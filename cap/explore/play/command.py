@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Callable
+from typing import Any
 
 from cap.command import entry
 from cap.errors import BadInput
@@ -19,7 +20,7 @@ served from this machine to itself alone, until ctrl-C.  It needs the library Bo
 
 
 def add(
-    commands: "argparse._SubParsersAction[argparse.ArgumentParser]",
+    commands: Any,
     parameters: Callable[[argparse.ArgumentParser], None],
 ) -> None:
     """Add the command to others, with the options that ``parameters`` adds."""
