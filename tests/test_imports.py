@@ -10,7 +10,15 @@ import pytest
 ROOT = Path(__file__).parents[1]
 RIGOROUS = (
     *("cap.sets", "cap.system", "cap.flow", "cap.maps", "cap.orbits", "cap.one_one", "cap.areas"),
-    *("cap.boxes", "cap.particles", "cap.release", "cap.certificate", "cap.checker", "cap.formal"),
+    *(
+        "cap.boxes",
+        "cap.particles",
+        "cap.release",
+        "cap.tori",
+        "cap.certificate",
+        "cap.checker",
+        "cap.formal",
+    ),
 )
 STAIRS = ("cap.sets", "cap.flow", "cap.maps", "cap.release", "cap.proofs")
 COMMANDS = ("cap.command", "cap.prove", "cap.verify", "cap.explore", "cap.paper", "cap.audit")
