@@ -18,11 +18,11 @@ from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
 from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
-from cap.explore.model_commands import MODEL
 from cap.explore.play import command as page
 from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
 from cap.runner import Runner
+from cap.system.files import assigned, load
 from cap.words import printable, quoted, say
 
 MOST_PIXELS = 300_000_000
@@ -95,15 +95,16 @@ def _parameters(p: argparse.ArgumentParser) -> None:
 def _model(p: argparse.ArgumentParser) -> None:
     """Add the options that name a model, and its parameters."""
     given = p.add_argument_group("the model, a system of your own")
-    file, settings = MODEL
-    given.add_argument("--model", metavar=file.metavar, required=True, help=file.help)
+    given.add_argument(
+        "--model", metavar="FILE", required=True, help="FILE.py[:FUNCTION] or FILE.json"
+    )
     given.add_argument(
         "--set",
-        nargs=settings.nargs,
+        nargs="+",
         action="extend",
         default=[],
-        metavar=settings.metavar,
-        help=settings.help,
+        metavar="A=Q,..",
+        help="values of its parameters, exact: 0.5 means 1/2",
     )
 
 
@@ -215,7 +216,7 @@ def _about(options: argparse.Namespace) -> Any:
         return Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
     from cap.floats.models.subject import Subject  # noqa: PLC0415 (numba is slow to load)
 
-    return Subject.of(options.model, MODEL[1].read(options.set))
+    return Subject(load(options.model, assigned(",".join(options.set))))
 
 
 def _value(option: Option, text: Any) -> Any:
