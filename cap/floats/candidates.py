@@ -32,6 +32,7 @@ __all__ = [
     "closed_form",
     "continued",
     "cyclic",
+    "elliptic",
     "every_motion",
     "fates",
     "lighter",
@@ -73,6 +74,11 @@ def non_sticking(request: Request) -> Found:
     )
     lines = [heading, *(f"  {k}  {_shown(guess)}" for k, guess in enumerate(found, 1))]
     return Found(lines, [_candidate(guess) for guess in (found if request.every else found[:1])])
+
+
+def elliptic(request: Request) -> Found:
+    """Find elliptic orbits that never turn, for a theorem of another name."""
+    return non_sticking(replace(request, kind="elliptic"))
 
 
 def _never_stopping(request: Request) -> list[Guess]:
