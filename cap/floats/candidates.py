@@ -35,6 +35,7 @@ __all__ = [
     "closed_form",
     "continued",
     "cyclic",
+    "elliptic",
     "every_motion",
     "excursions",
     "fates",
@@ -89,6 +90,11 @@ def saddles(request: Request) -> Found:
     """Find saddles that never turn, the weakest first."""
     request = replace(request, kind="saddle")
     return _listed(request, lambda guess: abs(guess.trace), "(least trace)")
+
+
+def elliptic(request: Request) -> Found:
+    """Find elliptic orbits that never turn, for a theorem of another name."""
+    return non_sticking(replace(request, kind="elliptic"))
 
 
 def _never_stopping(request: Request) -> list[Guess]:

@@ -65,6 +65,28 @@ class PeriodicOrbit:
         n = len(self.itinerary.system.state)
         return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
 
+    @property
+    def unstable(self) -> int | None:
+        """How many multipliers lie outside the unit circle, if certainly none lies on it."""
+        signed = [(-1) ** k * e for k, e in enumerate(self.symmetric, start=1)]
+        inside = _inside([interval.ONE, *signed])
+        return None if inside is None else len(signed) - inside
+
+
+def _inside(p: Sequence[Ball]) -> int | None:
+    """Return how many zeros of a polynomial, highest power first, lie in the unit circle.
+
+    None if a comparison of Schur and Cohn's recursion is not certain; one may lie on the circle.
+    """
+    if len(p) == 1:
+        return 0
+    first, last = abs(p[0]), abs(p[-1])
+    if first > last:
+        found = _inside([p[0] * a - p[-1] * b for a, b in zip(p, reversed(p), strict=True)][:-1])
+        return None if found is None else found + 1
+    found = _inside([*reversed(p)]) if last > first else None
+    return None if found is None else len(p) - 1 - found
+
 
 class Prover:
     """Proves orbits with one itinerary; what depends on that alone, or the precision, is kept."""
@@ -141,8 +163,12 @@ class Prover:
             self._minima[key] = minima(lemma, self.balls)
         return self._minima[key]
 
-    def prove(self, guess: Sequence[float], digits: int) -> PeriodicOrbit:
+    def prove(
+        self, guess: Sequence[float], digits: int, far: Fraction | None = None
+    ) -> PeriodicOrbit:
         """Prove that there is an orbit near the guess; see the theorem of this module.
+
+        The centre has so many digits, the box reaches ``far`` from it.
 
         Raises `NotProved` with the step that failed and the sets at which it did.
         """
@@ -150,7 +176,7 @@ class Prover:
         point = [interval.ball(q) for q in near]
         matrix = zero.inverse_of(self.problem.slope(point))
         hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
-        reach = (Fraction(100, 10**digits),) * len(near)
+        reach = (far or Fraction(100, 10**digits),) * len(near)
         box, _, _ = self.existence(hint, reach)
         box = self.problem.tightened(hint, box)
         blocks = self.equations.blocks(box, self.balls)
