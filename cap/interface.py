@@ -14,7 +14,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from cap.certificate import report
+from cap.certificate import report, typeset
 from cap.certificate.latex import macros
 from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
@@ -22,7 +22,7 @@ from cap.checker.verdict import check, words
 from cap.command.outcome import content, found, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
-from cap.words import unread
+from cap.words import digits, unread
 
 __all__ = [
     "BadInput",
@@ -37,16 +37,17 @@ Pair = tuple[float, float]
 _NOT_OPTIONS = ("theorem", "list", "all", "out", "own")  # of the command line alone
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Enclosure:
     """A claim about a real number: it lies in [lower, upper].  Both ends are exact.
 
-    ``str`` gives the enclosure in the decimals of the certificate.
+    ``str`` gives the enclosure in the decimals of the certificate, ``repr`` the digits that both
+    ends have in common, and the others of both: 0.1027[1..2] is [0.10271, 0.10272].
     """
 
     lower: Fraction
     upper: Fraction
-    text: str = field(repr=False, compare=False)
+    text: str = field(compare=False)
 
     @property
     def floats(self) -> Pair:
@@ -64,6 +65,12 @@ class Enclosure:
 
     def __str__(self) -> str:
         return self.text
+
+    def __repr__(self) -> str:
+        return digits(*self.text.strip("[]").split(", "))
+
+    def _repr_latex_(self) -> str:
+        return f"${self!r}$"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -128,6 +135,16 @@ class Verified:
         """Return macros for a paper: each number rounded outwards to so many digits."""
         return "\n".join(macros(self.checked, prefix or self.theorem, digits))
 
+    def html(self) -> str:
+        r"""Return the theorem typeset, as HTML with TeX between \( and \): as notebooks show it."""
+        return typeset.page(self.checked, self.certificate)
+
+    def _repr_html_(self) -> str:
+        return self.html()
+
+    def _repr_latex_(self) -> str:
+        return typeset.paper(self.checked, self.certificate)
+
     def write(self, path: str | Path) -> None:
         """Write the certificate to a file, which is replaced, whole or not at all.
 
@@ -188,8 +205,8 @@ def prove_theorem(
     stated = theorems.THEOREMS[theorem]
     first = stated.search(asked.request).candidates[0]
 
-    def tell(words: str, _part: float | None) -> None:
-        progress(words)
+    def tell(words: str, part: float | None) -> None:
+        progress(words if part is None else f"{words}: {part:.0%}")
 
     runner = asked.runner(tell, executor)
     proved = theorems.accepted(stated, asked.setting(first, runner))

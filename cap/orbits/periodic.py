@@ -163,8 +163,12 @@ class Prover:
             self._minima[key] = minima(lemma, self.balls)
         return self._minima[key]
 
-    def prove(self, guess: Sequence[float], digits: int) -> PeriodicOrbit:
+    def prove(
+        self, guess: Sequence[float], digits: int, far: Fraction | None = None
+    ) -> PeriodicOrbit:
         """Prove that there is an orbit near the guess; see the theorem of this module.
+
+        The centre has so many digits, the box reaches ``far`` from it.
 
         Raises `NotProved` with the step that failed and the sets at which it did.
         """
@@ -172,7 +176,7 @@ class Prover:
         point = [interval.ball(q) for q in near]
         matrix = zero.inverse_of(self.problem.slope(point))
         hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
-        reach = (Fraction(100, 10**digits),) * len(near)
+        reach = (far or Fraction(100, 10**digits),) * len(near)
         box, _, _ = self.existence(hint, reach)
         box = self.problem.tightened(hint, box)
         blocks = self.equations.blocks(box, self.balls)

@@ -17,16 +17,19 @@ a) <= 1:
     R_0(t) lies in R_0(a) (1 + M D + M^2 D^2/2) + [-r, r],    r = |R_0(a)| z^3/2,
 
 where |.| is the largest entry, as z^3/3! + z^4/4! + ... <= (z^3/6) e^z <= z^3/2.
+
+*A nilpotent M.*  If M^N = 0, exp(M d) is a polynomial in d, and so are its rows, which are
+evaluated by Horner's rule.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import lcm
+from math import lcm, perm
 
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import TooCoarse, need
 
 MOST = 400  # of a
 GUARD = 16  # p - bits
@@ -44,9 +47,22 @@ class Exponential:
         self.norm = max(sum((abs(x) for _, x in column), Fraction(0)) for column in columns)
         self._known = dict[tuple[int, int], Row]()
         self._tables = dict[tuple[int, int], list[list[int]]]()
+        powers = [self._powers(i, [[*row] for row in M]) for i in range(len(M))]
+        self._series = powers if all(not any(rows[-1]) for rows in powers) else None
+
+    def _powers(self, i: int, M: list[list[Fraction]]) -> list[list[Fraction]]:
+        """Return the i-th row of M^j/j!, j = 0, 1, ..., until one is zero, or none will be."""
+        rows, n = [[Fraction(int(i == j)) for j in range(len(M))]], len(M)
+        while any(rows[-1]) and len(rows) <= n:
+            j, last = len(rows), rows[-1]
+            rows.append([sum((last[k] * M[k][c] for k in range(n) if last[k]), Fraction(0)) / j
+                         for c in range(n)])  # fmt: skip
+        return rows
 
     def over(self, i: int, d: Interval, order: int = 0) -> list[Row]:
         """Return enclosures of the i-th row of M^k exp(M t) for all t in d, k = 0, ..., order."""
+        if self._series:
+            return [self._polynomial(self._series[i], d, k) for k in range(order + 1)]
         left = self._rates(self.at(i, d.lo), order)
         if d.lo == d.hi:
             return left
@@ -61,6 +77,19 @@ class Exponential:
                 above = [_between(*entry, span) for entry in zip(a, b, above, strict=True)]
             rows.append(above)
         return rows[::-1]
+
+    def _polynomial(self, rows: list[list[Fraction]], d: Interval, order: int) -> Row:
+        """Return the derivative of some order of sum rows[j] d^j."""
+        found = Row()
+        for column in zip(*rows, strict=True):
+            total = d.integer(0)
+            for j in range(len(column) - 1, order - 1, -1):
+                c = column[j] * perm(j, order)
+                if total.lo or total.hi:
+                    total = total * d
+                total = total + Interval.enclosing(c, c, d.bits) if c else total
+            found.append(total)
+        return found
 
     def at(self, i: int, z: int) -> Row:
         """Return the i-th row at the point z 2^-bits."""
@@ -109,7 +138,8 @@ class Exponential:
     def _whole(self, first: Row, span: Interval) -> Row:
         """Return an enclosure of a row times exp(M t), t in [0, b - a]."""
         z = self.norm * span.upper
-        need(z <= 1, "a piece of a flight is too long for an exponential")
+        if z > 1:
+            raise TooCoarse("a piece of a flight is too long for an exponential")
         _, slope, bend = self._rates(first, 2)
         r = int(max(x.magnitude().hi for x in first) * z**3 / 2) + 1
         terms = zip(first, slope, bend, strict=True)
