@@ -61,8 +61,8 @@ def smale_birkhoff() -> Verdict:
     need(growth == 2, "the shift on two symbols has another growth rate")
     return imprecise(
         "true as a theorem (Smale-Birkhoff), Φ being a diffeomorphism near the saddle; its "
-        "hypotheses are not shown here (they are in homoclinic.json). Two symbols for Φ^N mean an entropy of at least (log 2)/N for "
-        "Φ, and N is not given, so no rate follows",
+        "hypotheses are not shown here (they are in homoclinic.json). Two symbols for Φ^N mean an "
+        "entropy of at least (log 2)/N for Φ, and N is not given, so no rate follows",
         "h(Φ^N) = N h(Φ).",
     )
 
