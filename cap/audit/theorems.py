@@ -101,7 +101,7 @@ STATEMENTS = (
         "saltation.contraction-almost-everywhere",
         "saltation.determinant-of-a-period",
         instead="The product formula, with 0 after a capture too; |det Φ'| < 1 on X \\ Ω_NS^[0,T]. "
-        "Explicit determinants: theorem periodic (periodic-1.json to periodic-11.json).",
+        "Explicit determinants: theorem periodic (periodic-1.json to periodic-12.json).",
     ),
     statement(
         "thm:symmetric",
@@ -167,6 +167,7 @@ STATEMENTS = (
     statement(
         "cor:Hamilton-island",
         "kam.area-of-the-curves",
+        "kam.measure-estimate",
         instead="The corollary, given the measure estimate; without it: density one.",
     ),
     statement(

@@ -14,6 +14,7 @@ from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
 from cap.explore import explorer, mixed
 from cap.explore.commands import COMMANDS
+from cap.explore.play import command as page
 from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
 
@@ -54,7 +55,7 @@ def test_a_command(module, words, monkeypatch):
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.parser().parse_args(given)
-        assert options.paper or options.command in COMMANDS
+        assert options.paper or options.command in (*COMMANDS, page.NAME)
     elif module == "cap.explore.mixed":
         assert mixed.parser().parse_args(given).file.is_file()
     elif module == "cap.audit":

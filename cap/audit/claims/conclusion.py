@@ -8,7 +8,7 @@ from cap.audit.means.balls import below, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.verdict import Verdict, confirmed, corrected, refuted, uncheckable
+from cap.audit.verdict import Verdict, confirmed, corrected, refuted
 from cap.parameters import PAPER
 
 
@@ -88,11 +88,33 @@ def constant_force() -> Verdict:
     """With constant force and inelastic walls the primary bifurcation is a supercritical pitchfork
     at F_pf, with no saddle-center.
     """
-    return uncheckable(
-        "the system meant is not stated: μ_s, μ_k and L are not defined, friction has one "
-        "coefficient f in this paper, and a constant force pushes a mass towards one wall, where "
-        "its hits accumulate; no formula is given for F_pf",
-        "The text.",
+    F, f, x, v, e, sign = symbols("F f x v e s")
+    energy = v**2 / 2 - F * x
+    rate = sp.diff(energy, x) * v + sp.diff(energy, v) * (F - f * sign)
+    identity("the rate of v²/2 - Fx on a flight, s = sgn v", rate, -f * sign * v)
+    lost = energy - energy.subs(v, -e * v)
+    identity("what a hit takes of it", lost, (1 - e**2) * v**2 / 2)
+    return refuted(
+        "x'' = F - f sgn(x') with walls of restitution e < 1 has no periodic orbit but rest, so no "
+        "pitchfork of any: v²/2 - Fx falls at the rate f|v| on flights, and at hits. (μ_s, μ_k and "
+        "L, which F_pf is to depend on, are not defined; friction has one coefficient here)",
+        "The rate and the loss by sympy; along a periodic orbit that moves it would fall for ever.",
+    )
+
+
+@claim("ssec:open-engineering", Kind.WORDS, stated="attraction of all initial conditions")
+def attraction_of_all() -> Verdict:
+    """A restitution defect that is large enough by eq:persist-eigenvalues makes all initial
+    conditions tend to one attractor.
+    """
+    area = stored("segment.json").claims["basin_area"]
+    need(area.lower > 0, "the set may have no area")
+    return refuted(
+        "the formula is about multipliers at one orbit. An open set of states, of an area in "
+        f"{pair(area, 6)} at t = 0, tends to orbits that touch no wall, whatever the walls' "
+        "restitution is",
+        "The stored certificate: none of these orbits comes to a wall.",
+        certificate="segment.json",
     )
 
 
