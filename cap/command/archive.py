@@ -39,6 +39,7 @@ PARTS = (
     "command/reading.py",
     "command/verifier.py",
     "errors.py",
+    "files.py",
     "process.py",
     "verify.py",
     "words.py",
