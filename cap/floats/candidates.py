@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from cap.errors import BadInput
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
-from cap.floats.search import periodic
+from cap.floats.search import periodic, tori
 from cap.floats.search.cycles import Cycle, near
 from cap.floats.search.orbits import from_hit_times, search
 from cap.floats.search.periodic import Guess
@@ -34,11 +34,13 @@ __all__ = [
     "cyclic",
     "every_motion",
     "fates",
+    "islands",
     "lighter",
     "non_sticking",
     "particles",
     "releasing",
     "releasing_again",
+    "tori",
     "touching_nothing",
     "turning",
 ]
@@ -73,6 +75,11 @@ def non_sticking(request: Request) -> Found:
     )
     lines = [heading, *(f"  {k}  {_shown(guess)}" for k, guess in enumerate(found, 1))]
     return Found(lines, [_candidate(guess) for guess in (found if request.every else found[:1])])
+
+
+def islands(request: Request) -> Found:
+    """Find elliptic orbits that never turn."""
+    return non_sticking(replace(request, kind="elliptic"))
 
 
 def _never_stopping(request: Request) -> list[Guess]:
