@@ -149,19 +149,6 @@ def texts(words: Sequence[str], _name: str) -> tuple[str, ...]:
     return tuple(words)
 
 
-def settings(words: Sequence[str], name: str) -> dict[str, str]:
-    """Read values of parameters of a model: NAME=VALUE, several with commas or spaces between."""
-    found: dict[str, str] = {}
-    for part in (part.strip() for word in words for part in word.split(",")):
-        key, equals, value = (each.strip() for each in part.partition("="))
-        if not (equals and key.isidentifier() and value):
-            raise BadInput(f"--{name} takes NAME=VALUE, as A=6/5: {part[:40]!r}")
-        if key in found:
-            raise BadInput(f"--{name} has {key} twice")
-        found[key] = value
-    return found
-
-
 def names(words: Sequence[str], name: str) -> tuple[str, ...]:
     """Read names of parameters."""
     return tuple(choice(*PARAMETERS)([word], name) for word in words)

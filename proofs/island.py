@@ -43,7 +43,7 @@ from cap.tori.states import Motion, States, covering
 
 SUMMARY = "an explicit invariant curve around an elliptic orbit: what is inside never stops"
 GROUP = "orbit"
-SEARCH = candidates.islands
+SEARCH = candidates.elliptic
 OPTIONS = (ROTATION, LARGEST)
 CHECK = together
 

@@ -59,7 +59,7 @@ def together(options: Mapping[str, Any], parameters: Parameters) -> None:  # noq
 
 def chosen(setting: Setting, centre: Any) -> Iterator[Quadratic]:
     """Yield the rotation numbers to try, in this order."""
-    asked, largest = setting.of(ROTATION), setting.of(LARGEST)
+    asked, largest = setting.of(ROTATION), LARGEST.name in setting.options
     if asked:
         yield asked
         return

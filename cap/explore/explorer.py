@@ -18,10 +18,11 @@ from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
 from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
-from cap.explore.model_commands import MODEL
+from cap.explore.play import command as page
 from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
 from cap.runner import Runner
+from cap.system.files import assigned, load
 from cap.words import printable, quoted, say
 
 MOST_PIXELS = 300_000_000
@@ -48,7 +49,8 @@ def parser(*, of_model: bool = False) -> Parser:
         + "\n\nOf a system of your own, a model of ten lines (docs/own-system.md):\n"
         + "\n".join(f"  {c.line(name)}" for name, c in MODEL_COMMANDS.items())
         + "\n\nThe basins that a certificate proves, which is verified first, have a command of "
-        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
+        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png\n\n"
+        "A page to play with, in the browser:\n  python -m cap.explore play",
     )
     p.add_argument(
         "--paper",
@@ -69,6 +71,8 @@ def parser(*, of_model: bool = False) -> Parser:
     for name, command in known.items():
         each = commands.add_parser(name, **_described(name, command))
         _add(each, command, _model if of_model else _parameters)
+    if not of_model:
+        page.add(commands, _parameters)
     return p
 
 
@@ -91,15 +95,16 @@ def _parameters(p: argparse.ArgumentParser) -> None:
 def _model(p: argparse.ArgumentParser) -> None:
     """Add the options that name a model, and its parameters."""
     given = p.add_argument_group("the model, a system of your own")
-    file, settings = MODEL
-    given.add_argument("--model", metavar=file.metavar, required=True, help=file.help)
+    given.add_argument(
+        "--model", metavar="FILE", required=True, help="FILE.py[:FUNCTION] or FILE.json"
+    )
     given.add_argument(
         "--set",
-        nargs=settings.nargs,
+        nargs="+",
         action="extend",
         default=[],
-        metavar=settings.metavar,
-        help=settings.help,
+        metavar="A=Q,..",
+        help="values of its parameters, exact: 0.5 means 1/2",
     )
 
 
@@ -147,6 +152,8 @@ def main(words: Sequence[str]) -> int:
             return _paper(options.paper, options.first_out, progress)
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
+        if options.command == page.NAME:
+            return page.run(options, _about(options))
         of_model = getattr(options, "model", None) is not None
         known = MODEL_COMMANDS if of_model else COMMANDS
         return _run(options, known[options.command], progress)
@@ -209,7 +216,7 @@ def _about(options: argparse.Namespace) -> Any:
         return Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
     from cap.floats.models.subject import Subject  # noqa: PLC0415 (numba is slow to load)
 
-    return Subject.of(options.model, MODEL[1].read(options.set))
+    return Subject(load(options.model, assigned(",".join(options.set))))
 
 
 def _value(option: Option, text: Any) -> Any:

@@ -65,10 +65,11 @@ class PeriodicOrbit:
         n = len(self.itinerary.system.state)
         return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
 
-    @property
-    def unstable(self) -> int | None:
-        """How many multipliers lie outside the unit circle, if certainly none lies on it."""
-        signed = [(-1) ** k * e for k, e in enumerate(self.symmetric, start=1)]
+    def unstable(self, radius: Fraction = Fraction(1)) -> int | None:
+        """How many multipliers lie outside a circle around 0, if certainly none lies on it."""
+        signed = [
+            (-1) ** k * e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)
+        ]
         inside = _inside([interval.ONE, *signed])
         return None if inside is None else len(signed) - inside
 
@@ -163,8 +164,12 @@ class Prover:
             self._minima[key] = minima(lemma, self.balls)
         return self._minima[key]
 
-    def prove(self, guess: Sequence[float], digits: int) -> PeriodicOrbit:
+    def prove(
+        self, guess: Sequence[float], digits: int, far: Fraction | None = None
+    ) -> PeriodicOrbit:
         """Prove that there is an orbit near the guess; see the theorem of this module.
+
+        The centre has so many digits, the box reaches ``far`` from it.
 
         Raises `NotProved` with the step that failed and the sets at which it did.
         """
@@ -172,7 +177,7 @@ class Prover:
         point = [interval.ball(q) for q in near]
         matrix = zero.inverse_of(self.problem.slope(point))
         hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
-        reach = (Fraction(100, 10**digits),) * len(near)
+        reach = (far or Fraction(100, 10**digits),) * len(near)
         box, _, _ = self.existence(hint, reach)
         box = self.problem.tightened(hint, box)
         blocks = self.equations.blocks(box, self.balls)

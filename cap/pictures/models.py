@@ -1,6 +1,7 @@
 """Pictures of an orbit of a model: its positions between their walls, velocities, a plane."""
 
 import textwrap
+from collections import Counter
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
 from cap.floats.findings import Floats
+from cap.floats.models.inventory import ModelOrbits
 from cap.floats.models.subject import OfModel
 from cap.floats.models.trajectory import ModelOrbit
 from cap.floats.models.walls import Wall
@@ -16,6 +18,7 @@ from cap.floats.words import short
 from cap.pictures.style import BLACK, CYCLE, GREY, PURPLE, star
 from cap.pictures.times import legend, mark
 
+MOST = 12  # orbits that are drawn
 MARKERS = "ov^sD<>hp"
 SOLID, PALER = "#D9D9D9", "#F2F2F2"  # what a wall is made of, and where it moves
 CHANGES = 1e-9  # of a wall that moves
@@ -140,3 +143,25 @@ def _plane(axes: Axes, findings: ModelOrbit) -> None:
         star(axes, (state[i], state[k]), label)
     axes.set_xlabel(findings.plane[0])
     axes.set_ylabel(findings.plane[1])
+
+
+def orbits(findings: ModelOrbits, figure: FigureBase) -> None:
+    """Draw the orbits that were found in a plane; dashed those that do not attract."""
+    axes = figure.subplots()
+    i, k = (findings.state.index(z) for z in findings.plane)
+    for n, each in enumerate(findings.orbits[:MOST]):
+        colour, line = CYCLE[n % len(CYCLE)], "-" if each.attracts else (0, (4, 2))
+        axes.plot(each.curve[:, i], each.curve[:, k], color=colour, lw=0.9, ls=line)
+        axes.plot(each.contacts[:, i], each.contacts[:, k], "o", ms=3, mfc="white", mec=colour)
+        words = "attracts" if each.attracts else "does not attract"
+        star(axes, (each.state[i], each.state[k]), None)
+        counts = ", ".join(f"{m} {word}" for word, m in Counter(each.words).items())
+        label = textwrap.shorten(f"{n + 1}: {counts}, {words}", 60)
+        axes.plot([], [], color=colour, ls=line, label=label)
+    axes.set_xlabel(findings.plane[0])
+    axes.set_ylabel(findings.plane[1])
+    if findings.orbits:
+        figure.legend(loc="outside lower center", ncols=2)
+    count = len(findings.orbits)
+    what = f"{count} orbit{'s' * (count != 1)}"
+    heading(figure, findings, f"{what} of period {findings.periods} T found")

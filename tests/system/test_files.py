@@ -7,9 +7,8 @@ import pytest
 
 import cap
 from cap.errors import BadInput
-from cap.option import settings
 from cap.system import form
-from cap.system.files import load, read
+from cap.system.files import assigned, load, read
 
 BALL = """\
 from fractions import Fraction
@@ -182,14 +181,7 @@ def test_no_text(written):
 
 def test_settings(written):
     """The values of all parameters, as they are written on a command line."""
-    ball = load(written(BALL), settings(["A=1.2,e=2/5"], "set"))
+    ball = load(written(BALL), assigned("A=1.2,e=2/5"))
     assert ball.settings() == "A=6/5,e=2/5,g=1"
     assert ball.settings(but=("A",)) == "e=2/5,g=1"
-    assert read(ball.path, settings(["A=6/5", "e=2/5"], "set")) == ball.system
-
-
-@pytest.mark.parametrize("words", [["A"], ["A="], ["=1"], ["A=1,,e=1"], ["A=1", "A=2"], ["2=3"]])
-def test_no_settings(words):
-    """Each is refused in a line."""
-    with pytest.raises(BadInput, match=r"--set (takes NAME=VALUE|has A twice)"):
-        settings(words, "set")
+    assert read(ball.path, assigned(ball.settings())) == ball.system

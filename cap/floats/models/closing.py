@@ -49,6 +49,7 @@ class Closed:
     count: int
     time: float
     multipliers: NDArray[np.complex128]
+    rests: bool = False  # infinitely many contacts accumulate
 
     @property
     def attracts(self) -> bool:
@@ -63,11 +64,13 @@ class Closed:
         return f"multipliers {', '.join([*real, *pairs])}: it {word}"
 
 
-def logged(engine: Engine, states: Floats, modes: NDArray[np.int64], periods: int) -> Ends:
+def logged(
+    engine: Engine, states: Floats, modes: NDArray[np.int64], periods: int, phase: float = 0.0
+) -> Ends:
     """Follow orbits, and list all of their events."""
     room = max(LINES, 8 * len(states) * periods)
     while True:
-        ends = engine.follow(states, modes, periods=periods, log=room)
+        ends = engine.follow(states, modes, periods=periods, phase=phase, log=room)
         if len(ends.log) < room:
             return ends
         room *= 4
@@ -84,11 +87,12 @@ def closing(subject: Subject, start: Start, longest: int = LONGEST) -> Closed | 
         found = returns(subject, Start(state, start.mode), count)
         if found is None:
             return None
-        end, derivative, time = found
+        end, derivative, time, rests = found
         values = np.linalg.eigvals(derivative)
         gap = end - state
         if np.abs(gap).max() < EXACT * (1 + np.abs(state).max()):
-            return Closed(Start(state, start.mode), count, time, _sorted(subject, values))
+            values = _sorted(subject, values)
+            return Closed(Start(state, start.mode), count, time, values, rests)
         try:
             state = state + np.linalg.solve(np.eye(len(state)) - derivative, gap)
         except np.linalg.LinAlgError:
@@ -121,7 +125,7 @@ def _count(subject: Subject, start: Start, longest: int) -> int:
     return int(np.argmax(near)) + 1 if near.any() else 0
 
 
-Returned = tuple[Floats, Floats, float]
+Returned = tuple[Floats, Floats, float, bool]
 
 
 def _periodic(subject: Subject, start: Start, count: int) -> Returned | None:
@@ -131,7 +135,7 @@ def _periodic(subject: Subject, start: Start, count: int) -> Returned | None:
         return None
     time = count * subject.period
     legs = Legs.of(subject.engine, start.states, start.modes, ends, time)
-    return ends.states[0], product(legs.derivatives()), time
+    return ends.states[0], product(legs.derivatives()), time, bool(ends.counts[0, -1])
 
 
 def _sectional(subject: Subject, start: Start, count: int) -> Returned | None:
@@ -151,7 +155,8 @@ def _sectional(subject: Subject, start: Start, count: int) -> Returned | None:
     last = own[count - 1]
     legs = Legs.of(subject.engine, start.states, start.modes, ends, LONGEST * subject.period)
     derivative = product(legs.derivatives(sectional=True)[: last + 1])
-    return ends.log[last, 4:], derivative, float(ends.log[last, 1])
+    rests = bool((ends.log[: last + 1, 2] == len(words) - 1).any())
+    return ends.log[last, 4:], derivative, float(ends.log[last, 1]), rests
 
 
 def product(matrices: Floats) -> Floats:

@@ -8,12 +8,14 @@ to terms that are quadratic in time on each flight.
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -153,9 +155,10 @@ def _compiled(text: str) -> Callable[..., Any]:
             if not path.exists() or path.read_text(encoding="utf-8") != text:
                 with replacing(path) as file:
                     file.write(text.encode())
-    names: dict[str, Any] = {"__name__": path.stem}
-    exec(compile(text, str(path), "exec"), names)  # noqa: S102 (it is our own source, not read)
-    return announced(names["follow"], digest)
+    module = sys.modules.setdefault(path.stem, ModuleType(path.stem))  # where what is kept looks
+    module.__file__ = str(path)
+    exec(compile(text, str(path), "exec"), module.__dict__)  # noqa: S102 (our own source, not read)
+    return announced(module.__dict__["follow"], digest)
 
 
 def _folder() -> Path:

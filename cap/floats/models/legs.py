@@ -40,7 +40,7 @@ class Leg:
 
 @dataclass(frozen=True)
 class Legs:
-    """The legs of N orbits from t = 0 to ``end``, those of an orbit one after the other.
+    """The legs of N orbits, those of an orbit one after the other; ``phase`` of the clock at first.
 
     ``orbit``, ``begin``, ``end``, ``mode``, ``word``, ``to`` (K,); ``state`` (K, n) at the begin.
     """
@@ -57,7 +57,12 @@ class Legs:
 
     @staticmethod
     def of(
-        engine: Engine, states: Floats, modes: NDArray[np.int64], ends: Ends, end: float
+        engine: Engine,
+        states: Floats,
+        modes: NDArray[np.int64],
+        ends: Ends,
+        end: float,
+        phase: float = 0.0,
     ) -> Legs:
         """Return the legs of orbits from their states and modes, and their log."""
         N, E = len(states), len(ends.log)
@@ -71,7 +76,7 @@ class Legs:
         begin = np.where(first, 0.0, np.roll(until, 1))
         mode = np.where(first, modes[orbit[order]], np.roll(to, 1))
         state = np.where(first[:, None], states[orbit[order]], np.roll(after, 1, axis=0))
-        return Legs(engine, orbit[order], begin, until, mode, word, to, state)
+        return Legs(engine, orbit[order], begin, until, mode, word, to, state, phase)
 
     def kinds(self) -> Iterator[Leg]:
         """Yield the kinds of legs that occur."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import shlex
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -28,11 +28,6 @@ class Subject:
     """A model from a file, and what floats follow of it."""
 
     loaded: Loaded
-
-    @staticmethod
-    def of(path: str, settings: Mapping[str, str]) -> Subject:
-        """Read a model; raise `BadInput` with what is wrong, in a line."""
-        return Subject(load(path, settings))
 
     def at(self, name: str, value: Fraction) -> Subject:
         """Return the model with another value of a parameter."""
@@ -71,6 +66,33 @@ class Subject:
         first, *others = self.positions()
         speed = self.system.velocity_of(first) or next(iter(others), first)
         return first, speed
+
+    def planes(self) -> tuple[tuple[str, str], ...]:
+        """Return a plane for each position, with its velocity."""
+        pairs = [(z, self.system.velocity_of(z)) for z in self.positions()]
+        found = tuple((z, v) for z, v in pairs if v)
+        return found[:4] or (self.plane(),)
+
+    def named(self, names: tuple[str, ...]) -> tuple[str, str]:
+        """Return two variables; refuse other names."""
+        for name in names:
+            if name not in self.system.state:
+                raise BadInput(f"no variable {name}: the state is {', '.join(self.system.state)}")
+        return names[0], names[1]
+
+    def ranges(self, box: tuple[float, ...] | None) -> Floats:
+        """Return the ranges (n, 2) that a box names, or those of `box`."""
+        if box is None:
+            return self.box
+        names = self.system.state
+        if len(box) != 2 * len(names):
+            listed = ", ".join(f"{z} from, {z} to" for z in names)
+            raise BadInput(f"--box takes {2 * len(names)} numbers, {listed}: {len(box)} given")
+        found = np.array(box, dtype=float).reshape(-1, 2)
+        for name, (low, high) in zip(names, found, strict=True):
+            if not low <= high:
+                raise BadInput(f"--box: {name} from {low:g} to {high:g} is no range")
+        return found
 
     def seeds(self, count: int, box: Floats | None = None, seed: int = 0) -> Floats:
         """Return states in a box (n, 2), or on several scales, that lie in a mode."""
@@ -154,3 +176,13 @@ def about(subject: Subject, varies: str = "") -> dict[str, Any]:
         "period": subject.period,
         "varies": varies,
     }
+
+
+def command(subject: Subject, periods: int, state: Floats, mode: str) -> str:
+    """Return the command that proves the orbit near that of a state at t = 0."""
+    period = f" --period {periods}" if periods > 1 else ""
+    numbers = " ".join(f"{q:.15g}" for q in state)
+    return (
+        f"python -m cap.prove periodic {subject.words()}{period} --orbit {numbers} "
+        f"--mode {shlex.quote(mode)}"
+    )

@@ -14,7 +14,7 @@ from cap.floats.models.engine import OUTSIDE, Ends
 from cap.floats.models.legs import NONE, Legs
 from cap.floats.models.source import MANY, NO_MODE, SIMULTANEOUS
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import OfModel, Subject, about, is_autonomous
+from cap.floats.models.subject import OfModel, Subject, about, command, is_autonomous
 from cap.floats.models.walls import Wall, walls
 from cap.runner import Runner
 
@@ -102,7 +102,7 @@ def orbit(  # noqa: PLR0913 (the options of the command)
 ) -> ModelOrbit:
     """Return the orbit of a state, or one on which others end; it is closed if it nearly is."""
     start = _start(subject, state, mode, transient)
-    names = _plane(subject, plane)
+    names = subject.named(plane) if plane else subject.plane()
     closed = None if exactly else closing(subject, start)
     start = closed.start if closed else start
     end = _shown(subject, closed, periods)
@@ -141,16 +141,6 @@ def _start(
     return Start(ends.states[0], int(ends.modes[0]))
 
 
-def _plane(subject: Subject, names: tuple[str, ...] | None) -> tuple[str, str]:
-    """Return the two variables of a picture."""
-    if names is None:
-        return subject.plane()
-    for name in names:
-        if name not in subject.system.state:
-            raise BadInput(f"no variable {name}: the state is {', '.join(subject.system.state)}")
-    return names[0], names[1]
-
-
 def flagged(flags: int) -> str:
     """Return what was not decided, in words."""
     return "; ".join(words for bit, words in FLAGS.items() if flags & bit)
@@ -169,13 +159,14 @@ def _found(
     legs = Legs.of(engine, start.states, start.modes, ends, end)
     kept = legs.begin < end - 1e-12
     count = int(kept.sum())
-    samples = [_sampled(legs, k, min(legs.end[k], end), end) for k in range(count)]
+    samples = [along(legs, k, min(legs.end[k], end), end) for k in range(count)]
     t, states = (np.concatenate(parts) for parts in zip(*samples, strict=True))
     events = np.flatnonzero((legs.word[:count] != NONE) & (legs.end[:count] <= end + 1e-9))
     before = np.array([samples[k][1][-1] for k in events]).reshape(-1, states.shape[1])
     names = np.array([*engine.words, "none"])
     modes = np.array(engine.modes)
     last = legs.to[events[-1]] if len(events) else legs.mode[0]
+    visited = modes[[*legs.mode[events], last]]
     strobe = [start.state]
     if not is_autonomous(subject.system):
         shown = round(end / subject.period)
@@ -188,11 +179,11 @@ def _found(
         states=states,
         words=names[legs.word[events]],
         times=legs.end[events],
-        modes=modes[[*legs.mode[events], last]],
+        modes=visited,
         before=before,
         after=legs.state[np.minimum(events + 1, len(legs.state) - 1)],
         strobe=np.array(strobe),
-        walls=walls(subject.system, t, states),
+        walls=walls(subject.system, t, states, modes=set(visited.tolist())),
         positions=subject.positions(),
         plane=plane,
         closes=_closing(subject, closed),
@@ -200,7 +191,7 @@ def _found(
     )
 
 
-def _sampled(legs: Legs, k: int, until: float, whole: float) -> tuple[Floats, Floats]:
+def along(legs: Legs, k: int, until: float, whole: float) -> tuple[Floats, Floats]:
     """Return times and states along one leg, its ends included."""
     begin = float(legs.begin[k])
     rate = min(SAMPLES, MOST_SAMPLES * (2 * np.pi / legs.omega) / whole) / (2 * np.pi / legs.omega)
@@ -223,10 +214,12 @@ def _closing(subject: Subject, closed: Closed | None) -> tuple[str, ...]:
 
 
 def proving(subject: Subject, closed: Closed) -> tuple[str, ...]:
-    """Return the command that proves an orbit."""
-    state = " ".join(f"{q:.15g}" for q in closed.start.state)
+    """Return the command that proves an orbit, or its state where there is none."""
     mode = subject.engine.modes[closed.start.mode]
-    return (f"state at t = 0: {state} (mode {mode})",)
+    if not is_autonomous(subject.system) and not closed.rests:
+        return (command(subject, closed.count, closed.start.state, mode),)
+    state = " ".join(f"{q:.15g}" for q in closed.start.state)
+    return (f"state at t = 0: {state}, mode {mode}",)
 
 
 def _values(names: tuple[str, ...], state: Floats) -> str:

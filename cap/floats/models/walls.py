@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import NamedTuple
 
 import numpy as np
@@ -26,8 +27,18 @@ class Wall(NamedTuple):
     place: Floats
 
 
-def walls(system: System, t: Floats, states: Floats) -> tuple[Wall, ...]:
-    """Return the walls at times (K,) and states (K, n), each once."""
+def walls(
+    system: System,
+    t: Floats,
+    states: Floats,
+    *,
+    modes: Collection[str] | None = None,
+    fixed: bool = False,
+) -> tuple[Wall, ...]:
+    """Return the walls at times (K,) and states (K, n), each once, in these modes or in all.
+
+    Only those that are the same for all states, if they must be ``fixed``.
+    """
     omega = float(number(system.omega))
     values = dict(zip(system.state, states.T, strict=True))
     values |= {COS: np.cos(omega * t), SIN: np.sin(omega * t)}
@@ -35,6 +46,8 @@ def walls(system: System, t: Floats, states: Floats) -> tuple[Wall, ...]:
     for mode, word, z, h in _guards(system):
         c = h.derivative(z)
         q = variable(z) - h / c
+        if (fixed and q.variables & set(system.state)) or mode not in (modes or system.modes):
+            continue
         place = np.broadcast_to(evaluated(q, values), t.shape).astype(float)
         side = 1 if float(number(c)) > 0 else -1
         solid = any(_bounces(system, mode, word, to) for to in system.guard(mode, word).to)
@@ -67,6 +80,9 @@ def _is_simple(q: Polynomial) -> bool:
 
 
 def _bounces(system: System, mode: str, word: str, to: str) -> bool:
-    """Return whether L h is turned round at an event."""
+    """Return whether a position is turned round at an event."""
+    h = system.guard(mode, word).value
+    if not any(h.derivative(z) and system.velocity_of(z) for z in system.state):
+        return False
     e = restitution(system, mode, word, to)
     return e is not None and e >= 0
