@@ -11,8 +11,9 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from inspect import Parameter, signature
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 from cap.certificate import report, typeset
 from cap.certificate.latex import macros
@@ -22,6 +23,8 @@ from cap.checker.verdict import check, words
 from cap.command.outcome import content, found, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
+from cap.keywords import Options, System
+from cap.parameters import PAPER, Parameters, exact
 from cap.words import digits, unread
 
 __all__ = [
@@ -175,7 +178,7 @@ def prove_theorem(
     *,
     executor: Executor | None = None,
     progress: Callable[[str], None] = lambda _: None,
-    **options: Any,
+    **options: Unpack[Options],
 ) -> Verified:
     """Prove a theorem, and let the checker verify it; of several orbits found, the first.
 
@@ -197,6 +200,16 @@ def prove_theorem(
     Raises `BadInput` if the request makes no sense or no orbit is found, and `NotProved`, which
     carries the sets, if a step of the proof does not succeed: the theorem may still be true.
     """
+    return proved(theorem, dict(options), progress, executor)
+
+
+def proved(
+    theorem: str,
+    options: dict[str, Any],
+    progress: Callable[[str], None],
+    executor: Executor | None = None,
+) -> Verified:
+    """Prove a theorem with options by name, as `prove_theorem` does."""
     from cap.certificate import writer  # noqa: PLC0415 (the prover: only who proves loads it)
     from cap.command.prover_options import Asked  # noqa: PLC0415
     from cap.proofs import theorems  # noqa: PLC0415
@@ -209,8 +222,8 @@ def prove_theorem(
         progress(words if part is None else f"{words}: {part:.0%}")
 
     runner = asked.runner(tell, executor)
-    proved = theorems.accepted(stated, asked.setting(first, runner))
-    return _verified(writer.dumps(proved).encode())
+    certificate = theorems.accepted(stated, asked.setting(first, runner))
+    return _verified(writer.dumps(certificate).encode())
 
 
 def verify_certificate(path: str | Path) -> Verified:
@@ -227,6 +240,20 @@ def verify_certificate(path: str | Path) -> Verified:
     return _verified(data)
 
 
+def exact_parameters(**parameters: Unpack[System]) -> Parameters:
+    """Return the parameters of the oscillator; those that are not given are the paper's.
+
+    Raises `BadInput` unless they are exact, and those of an oscillator.
+    """
+    values = PAPER.strings()
+    for name, value in parameters.items():
+        if name not in values:
+            raise BadInput(f"there is no parameter {name!r}: one of {', '.join(values)}")
+        if value is not None:
+            values[name] = _word(name, value)
+    return Parameters(*map(exact, values.values()))
+
+
 def _verified(data: bytes) -> Verified:
     steps: list[str] = []
     try:
@@ -234,6 +261,20 @@ def _verified(data: bytes) -> Verified:
     except Exception as reason:  # whatever goes wrong, nothing is proved
         raise NotProved("checker", f"the certificate is rejected: {why(reason)}") from reason
     return Verified(data, tuple(steps), checked)
+
+
+def _listed(function: Callable[..., Verified]) -> None:
+    """Let the signature of a function list its keywords, for those who look them up."""
+    stated = signature(function)
+    own = [p for p in stated.parameters.values() if p.kind is not Parameter.VAR_KEYWORD]
+    more = [
+        Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=kind)
+        for name, kind in Options.__annotations__.items()
+    ]
+    setattr(function, "__signature__", stated.replace(parameters=[*own, *more]))  # noqa: B010
+
+
+_listed(prove_theorem)
 
 
 def _namespace(theorem: str, options: dict[str, Any]) -> Any:

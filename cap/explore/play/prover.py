@@ -83,7 +83,7 @@ def _outcome(theorem: str, options: dict[str, Any], teller: "_Teller") -> News:
     from cap import interface  # noqa: PLC0415 (slow to load: in this process alone)
 
     try:
-        proved = interface.prove_theorem(theorem, progress=teller.tell, **options)
+        proved = interface.proved(theorem, options, teller.tell)
     except BadInput as error:
         return News("bad input", str(error))
     except NotProved as failure:
