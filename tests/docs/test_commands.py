@@ -8,7 +8,7 @@ import pytest
 
 from cap import prove, verify
 from cap.audit import command as audit
-from cap.command import archive, verifier
+from cap.command import archive, own, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
@@ -42,6 +42,9 @@ def test_a_command(module, words, monkeypatch):
         if "--help" in given:
             with pytest.raises(SystemExit, match="0"):
                 read(given)
+            return
+        if "--model" in given:
+            assert own.Asked.of(own.parser().parse_args(given)).system.modes
             return
         options = read(given)
         if options.theorem in NAMES:
