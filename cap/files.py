@@ -8,14 +8,6 @@ from errno import EISDIR
 from pathlib import Path
 from typing import IO
 
-ROOT = Path(__file__).parent
-
-
-def inside(name: str) -> Path:
-    """Return a folder of the package: in a checkout without symbolic links it is beside it."""
-    own = ROOT / name
-    return own if own.is_dir() else ROOT.parent / name
-
 
 @contextmanager
 def replacing(path: Path) -> Iterator[IO[bytes]]:

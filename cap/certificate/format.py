@@ -35,7 +35,8 @@ from cap.checker.kernel.shapes import (
 )
 from cap.checker.kernel.theorem import Theorem
 from cap.checker.theorems import NAMES, load
-from cap.files import inside, replacing
+from cap.files import replacing
+from cap.tree import inside
 from cap.words import say
 
 HOME = inside("certificates")

@@ -39,8 +39,8 @@ PARTS = (
     "command/reading.py",
     "command/verifier.py",
     "errors.py",
-    "files.py",
     "process.py",
+    "tree.py",
     "verify.py",
     "words.py",
 )

@@ -18,7 +18,7 @@ from cap.checker.kernel.certificate import MAX_BYTES
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.verdict import check, words
-from cap.files import inside
+from cap.tree import inside
 from cap.words import meant, printable, quoted, unread
 
 STORED = inside("certificates")

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 from cap.audit.means import accepted
 from cap.audit.means.need import need
 from cap.errors import NotProved
-from cap.files import inside
 from cap.parameters import PAPER, Parameters
+from cap.tree import inside
 
 FOLDER = inside("certificates")
 _asked: set[str] = set()

@@ -3,7 +3,7 @@
 import re
 from functools import cache
 
-from cap.files import inside
+from cap.tree import inside
 
 FOLDER = inside("proofs") / "audit"
 
