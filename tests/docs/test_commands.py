@@ -14,6 +14,7 @@ from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
 from cap.explore import explorer, mixed
 from cap.explore.commands import COMMANDS
+from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
 from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
 
@@ -50,8 +51,9 @@ def test_a_command(module, words, monkeypatch):
             over_f = THEOREMS[options.theorem].over_f.name if options.theorem else None
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
-        options = explorer.parser().parse_args(given)
-        assert options.paper or options.command in COMMANDS
+        options = explorer.read(given)
+        known = MODEL_COMMANDS if "--model" in given else COMMANDS
+        assert options.paper or options.command in known
     elif module == "cap.explore.mixed":
         assert mixed.parser().parse_args(given).file.is_file()
     elif module == "cap.audit":

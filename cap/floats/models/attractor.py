@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import CLOSE, Closed, Start, closing
+from cap.floats.models.closing import CLOSE, Closed, closing, first_start
 from cap.floats.models.samples import exponents, samples
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about, is_autonomous
-from cap.floats.models.trajectory import proving
+from cap.floats.models.trajectory import proving, told
 from cap.floats.models.walls import Wall, walls
 from cap.floats.words import with_error
 from cap.runner import Runner
@@ -45,8 +45,10 @@ class ModelAttractor:
         """Return it in words."""
         pairs = zip(self.exponents, self.errors, strict=True)
         rates = ", ".join(with_error(float(x), float(e)) for x, e in pairs)
-        through = ", ".join(f"{q:.8g}" for q in self.states[0])
-        first = f"{self.share:7.2%}  {self.kind}: {self.events}; exponents {rates} per time"
+        size = float(np.abs(self.states).max())
+        through = ", ".join(told(float(q), size, 8) for q in self.states[0])
+        told_rates = f"; exponents {rates} per time" if rates else ""
+        first = f"{self.share:7.2%}  {self.kind}: {self.events}{told_rates}"
         return [f"{first}; through ({through})", *(f"         {hint}" for hint in self.hints)]
 
 
@@ -179,10 +181,12 @@ def _attractor(
         for word, q in zip(subject.engine.words, counts, strict=True)
         if q
     )
-    events = f"{events} per T" if events else "no events"
+    events = f"{events} per {'2 pi' if autonomous else 'T'}" if events else "no events"
     n, closed = states.shape[2], None
+    if not counts.any() and not subject.engine.free[starts[1]].any():
+        return ModelAttractor("rests", share, events, states[0, -1:], np.empty(0), np.empty(0), ())
     if period:
-        closed = closing(subject, Start(starts[0][0], int(starts[1][0])))
+        closed = closing(subject, first_start(subject, *starts))
     if closed:
         with np.errstate(divide="ignore"):
             rates = np.log(np.abs(closed.multipliers)) / closed.time

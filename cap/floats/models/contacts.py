@@ -8,7 +8,7 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.models.engine import Engine
-from cap.floats.models.spectrum import Exponential, Floats, exponential, number
+from cap.floats.models.spectrum import Exponential, Floats, number
 from cap.orbits.itinerary import Contact, Itinerary
 
 MOST = 64  # contacts of a round
@@ -39,7 +39,7 @@ def contacts(
     found = [Contact(*names) for names in zip(before, words, after, strict=True)]
     times = [0.0, *ends.log[:, 1]]
     starts = [np.array(state, float), *ends.log[:, 4:]]
-    flights = {name: exponential(engine.system, name) for name in dict.fromkeys(before)}
+    flights = dict(zip(engine.modes, engine.exponentials, strict=True))
     omega, guess = float(number(engine.system.omega)), list[float]()
     for k, contact in enumerate(found):
         y = [*starts[k], np.cos(omega * times[k]), np.sin(omega * times[k]), 1.0]
