@@ -15,6 +15,7 @@ Nothing is imported before it is asked for, so that the checker can be loaded al
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from cap import figures
     from cap.interface import (
         BadInput,
         Enclosure,
@@ -36,14 +37,21 @@ __all__ = [
     "NotProved",
     "System",
     "Verified",
+    "figures",
     "prove_theorem",
     "variables",
     "verify_certificate",
 ]
+_MODULES = ("figures",)
 _ELSEWHERE = {
     **dict.fromkeys(("Bounce", "Guard", "Mode", "System"), "cap.system.model"),
     "variables": "cap.system.polynomial",
 }
+
+
+def __dir__() -> list[str]:
+    """Return the names that there are to use."""
+    return sorted([*__all__, "__version__", "__doc__"])
 
 
 def __getattr__(name: str) -> object:
@@ -52,4 +60,6 @@ def __getattr__(name: str) -> object:
         raise AttributeError(f"module 'cap' has no attribute {name!r}")
     from importlib import import_module  # noqa: PLC0415
 
+    if name in _MODULES:
+        return import_module(f"cap.{name}")
     return getattr(import_module(_ELSEWHERE.get(name, "cap.interface")), name)

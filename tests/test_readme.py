@@ -41,11 +41,12 @@ def test_two_commands():
 
 
 def test_slow_tests_are_run():
-    """By CI, since the README's command leaves them out."""
+    """By CI, since the README's command leaves them out; and those in a browser."""
     with (ROOT / "pyproject.toml").open("rb") as file:
         options = tomllib.load(file)["tool"]["pytest"]["ini_options"]["addopts"]
-    assert options[-2:] == ["-m", "not slow"]
+    assert options[-2:] == ["-m", "not slow and not browser"]
     assert "python -m pytest -m slow" in CI
+    assert "    python -m pytest -n0 -m browser" in CI
 
 
 def test_every_step():

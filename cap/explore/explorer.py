@@ -18,6 +18,7 @@ from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
 from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
+from cap.explore.play import command as page
 from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
 from cap.runner import Runner
@@ -48,7 +49,8 @@ def parser(*, of_model: bool = False) -> Parser:
         + "\n\nOf a system of your own, a model of ten lines (docs/own-system.md):\n"
         + "\n".join(f"  {c.line(name)}" for name, c in MODEL_COMMANDS.items())
         + "\n\nThe basins that a certificate proves, which is verified first, have a command of "
-        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
+        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png\n\n"
+        "A page to play with, in the browser:\n  python -m cap.explore play",
     )
     p.add_argument(
         "--paper",
@@ -69,6 +71,8 @@ def parser(*, of_model: bool = False) -> Parser:
     for name, command in known.items():
         each = commands.add_parser(name, **_described(name, command))
         _add(each, command, _model if of_model else _parameters)
+    if not of_model:
+        page.add(commands, _parameters)
     return p
 
 
@@ -148,6 +152,8 @@ def main(words: Sequence[str]) -> int:
             return _paper(options.paper, options.first_out, progress)
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
+        if options.command == page.NAME:
+            return page.run(options, _about(options))
         of_model = getattr(options, "model", None) is not None
         known = MODEL_COMMANDS if of_model else COMMANDS
         return _run(options, known[options.command], progress)

@@ -12,6 +12,7 @@ from cap.errors import BadInput
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.search import periodic
 from cap.floats.search.cycles import Cycle, near
+from cap.floats.search.homoclinic import Excursion, Saddle, excursions
 from cap.floats.search.orbits import from_hit_times, search
 from cap.floats.search.periodic import Guess
 from cap.floats.search.request import Candidate, Found, Release, Request, Search, Turning
@@ -22,9 +23,11 @@ from cap.release.trap import critical_points
 
 __all__ = [
     "Candidate",
+    "Excursion",
     "Found",
     "Release",
     "Request",
+    "Saddle",
     "Search",
     "Turning",
     "attracting",
@@ -34,12 +37,14 @@ __all__ = [
     "cyclic",
     "elliptic",
     "every_motion",
+    "excursions",
     "fates",
     "lighter",
     "non_sticking",
     "particles",
     "releasing",
     "releasing_again",
+    "saddles",
     "touching_nothing",
     "turning",
 ]
@@ -51,6 +56,11 @@ PATIENCE = 10  # periods after which an orbit that has not been captured is give
 
 def non_sticking(request: Request) -> Found:
     """Find elliptic orbits or saddles that never turn."""
+    return _listed(request, lambda guess: guess.x, "(smallest x)")
+
+
+def _listed(request: Request, rank: Callable[[Guess], float], first: str) -> Found:
+    """Return the orbits of a kind in an order; the ``first`` is proved unless all are asked for."""
     request.parameters.elastic_strings()
     if request.orbit:
         guess = periodic.near(request.parameters, *request.orbit)
@@ -60,7 +70,7 @@ def non_sticking(request: Request) -> Found:
                 f"trace is {guess.trace:.6g}"
             )
         return Found([_newton(request), f"  {_shown(guess)}"], [_candidate(guess)])
-    found = _never_stopping(request)
+    found = sorted(_never_stopping(request), key=rank)
     if not found:
         raise BadInput(
             f"no {request.kind} non-sticking T-periodic orbit was found (a guess can be given with "
@@ -70,10 +80,16 @@ def non_sticking(request: Request) -> Found:
     heading = (
         f"Found {_counted(len(found), f'{request.kind} orbit')} with "
         f"{' or '.join(map(str, numbers))} hits per period; "
-        f"proving {_which(request, len(found), '(smallest x)')}:"
+        f"proving {_which(request, len(found), first)}:"
     )
     lines = [heading, *(f"  {k}  {_shown(guess)}" for k, guess in enumerate(found, 1))]
     return Found(lines, [_candidate(guess) for guess in (found if request.every else found[:1])])
+
+
+def saddles(request: Request) -> Found:
+    """Find saddles that never turn, the weakest first."""
+    request = replace(request, kind="saddle")
+    return _listed(request, lambda guess: abs(guess.trace), "(least trace)")
 
 
 def elliptic(request: Request) -> Found:

@@ -65,10 +65,11 @@ class PeriodicOrbit:
         n = len(self.itinerary.system.state)
         return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
 
-    @property
-    def unstable(self) -> int | None:
-        """How many multipliers lie outside the unit circle, if certainly none lies on it."""
-        signed = [(-1) ** k * e for k, e in enumerate(self.symmetric, start=1)]
+    def unstable(self, radius: Fraction = Fraction(1)) -> int | None:
+        """How many multipliers lie outside a circle around 0, if certainly none lies on it."""
+        signed = [
+            (-1) ** k * e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)
+        ]
         inside = _inside([interval.ONE, *signed])
         return None if inside is None else len(signed) - inside
 

@@ -29,6 +29,7 @@ ROOMS |= {"inventory": BARE | {"flow", "one_one"}}
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
 MORE = {
+    "homoclinic": {"saddle"},
     "window": {"attractor"},
     "persistence": {"periodic"},
 }

@@ -8,13 +8,14 @@ import pytest
 
 from cap import prove, verify
 from cap.audit import command as audit
-from cap.command import archive, verifier
+from cap.command import archive, own, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
 from cap.explore import explorer, mixed
 from cap.explore.commands import COMMANDS
 from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
+from cap.explore.play import command as page
 from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
 
@@ -43,6 +44,9 @@ def test_a_command(module, words, monkeypatch):
             with pytest.raises(SystemExit, match="0"):
                 read(given)
             return
+        if "--model" in given:
+            assert own.Asked.of(own.parser().parse_args(given)).system.modes
+            return
         options = read(given)
         if options.theorem in NAMES:
             assert without_options(options) is options
@@ -52,7 +56,7 @@ def test_a_command(module, words, monkeypatch):
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.read(given)
-        known = MODEL_COMMANDS if "--model" in given else COMMANDS
+        known = MODEL_COMMANDS if "--model" in given else (*COMMANDS, page.NAME)
         assert options.paper or options.command in known
     elif module == "cap.explore.mixed":
         assert mixed.parser().parse_args(given).file.is_file()

@@ -41,7 +41,7 @@ from cap.checker.system.legs import Flights, dot
 from cap.checker.system.model import CLOCK, PI, Guard, Model
 from cap.checker.system.polynomial import ONE
 
-SHIFT = 48
+SHIFT, AGAIN = 48, 2
 Ends = tuple[Fraction, Fraction]
 Matrix = list[list[Interval]]
 
@@ -212,10 +212,10 @@ def krawczyk(
     centre: Sequence[Fraction],
     preconditioner: Sequence[Sequence[Fraction]],
 ) -> list[Interval]:
-    """Return K(K(region)) if K(region) lies in the interior of the region, which has the centre.
+    """Return K(K(K(region))) if K(region) lies in the interior of the region.
 
-    C is the preconditioner, rounded to units 2^-`SHIFT`: any C will do.  In the second step F' is
-    still that over the region, which contains K(region).
+    C is the preconditioner, rounded to units 2^-`SHIFT`: any C will do.  The centre lies in the
+    region.  F' is in all steps that over the region, which contains the zero as K(region) does.
     """
     inside = zip(region, centre, strict=True)
     need(all(a <= c <= b for (a, b), c in inside), "the centre is not in the box")
@@ -233,8 +233,10 @@ def krawczyk(
         K = newton[i] + dot(rows[i], offsets)
         need(K.lies_inside(*region[i]), "K does not lie in the interior of its box")
         box[i] = K
-    offsets = [z - c for z, c in zip(box, middle, strict=True)]
-    return [start + dot(row, offsets) for start, row in zip(newton, rows, strict=True)]
+    for _ in range(AGAIN):
+        offsets = [z - c for z, c in zip(box, middle, strict=True)]
+        box = [start + dot(row, offsets) for start, row in zip(newton, rows, strict=True)]
+    return box
 
 
 def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[Interval]:
@@ -280,13 +282,23 @@ def product(A: Matrix, B: Matrix) -> Matrix:
 
 def symmetric(D: Matrix, count: int) -> list[Interval]:
     """Return the first few elementary symmetric functions of the eigenvalues."""
-    one = D[0][0].integer(1)
-    found, traces, power = [one], list[Interval](), D
+    found, traces, powers = [D[0][0].integer(1)], list[Interval](), [D]  # D, D^2, ...
     for j in range(1, count + 1):
-        if j > 1:
-            power = product(power, D)
-        traces.append(reduce(Interval.__add__, (power[i][i] for i in range(len(D)))))
+        traces.append(_trace(powers, j))
         signs = [1 if i % 2 == 0 else -1 for i in range(j)]
         total = dot([found[j - 1 - i] * s for i, s in enumerate(signs)], traces)
         found.append(total / j)
     return found[1:]
+
+
+def _trace(powers: list[Matrix], j: int) -> Interval:
+    """Return the trace of D^j, from the powers with half the exponent, which are kept."""
+    first, D = j // 2, powers[0]
+    if not first:
+        return reduce(add, (D[i][i] for i in range(len(D))))
+    while len(powers) < j - first:
+        powers.append(product(powers[-1], D))
+    A, B = powers[first - 1], powers[j - first - 1]
+    return reduce(
+        add, (dot(row, column) for row, column in zip(A, zip(*B, strict=True), strict=True))
+    )

@@ -76,7 +76,8 @@ class Contacts(Theorem):
         Field("symmetric", Many(Quantity(), 1, STATES), "multipliers", "e_j",
               "elementary symmetric functions of the multipliers: their sum, ..., their product"),
         Field("unstable", Maybe(Whole(0, STATES)), "", "",
-              "how many multipliers lie outside the unit circle; none lies on it"),
+              "how many multipliers lie outside the circle of this radius; none lies on it"),
+        Field("radius", Maybe(number), "", "r", "of this circle around 0, if it is not 1"),
     )
     CITES = (
         cite("Krawczyk", NEUMAIER,
@@ -126,10 +127,17 @@ class Contacts(Theorem):
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
         multipliers = symmetric(return_map(steps, self.equations.n), self.equations.n)
         self.confirm(symmetric=multipliers)
-        if "unstable" in self.claims:
-            certain = outside(multipliers) == self.claims["unstable"]
-            need(certain, "claims.unstable is not certain to be the number of these multipliers")
+        self.count(multipliers)
         self.step("times, states and multipliers are those claimed")
+
+    def count(self, multipliers: list[Interval]) -> None:
+        """Prove what is claimed of how many multipliers lie outside a circle."""
+        radius, given = self.claims.get("radius", Fraction(1)), "unstable" in self.claims
+        need(given or "radius" not in self.claims, "claims.radius is one of nothing")
+        need(1 <= radius <= 2, "claims.radius is not between 1 and 2")
+        scaled = [x.scaled(1 / radius ** (k + 1)) for k, x in enumerate(multipliers)]
+        certain = not given or outside(scaled) == self.claims["unstable"]
+        need(certain, "claims.unstable is not certain to be the number of these multipliers")
 
     def zero(self) -> list[Interval]:
         """Prove that F has exactly one zero in the box; return K(S), which contains it."""
@@ -196,6 +204,8 @@ class Contacts(Theorem):
         count, n = self.claims.get("unstable"), len(self.p.state)
         if count is None:
             return ""
+        if "radius" in self.claims:
+            return f", {count} of the {n} outside the circle of radius {self.claims['radius']}"
         sums = self.claims["symmetric"]
         kind = kind_of_two(sums[0], sums[1], count) if n == 2 else ""
         attracts = "; it attracts" if not count else ""
