@@ -12,7 +12,7 @@ from cap.errors import BadInput
 from cap.floats.models.closing import CLOSE, Closed, closing, first_start
 from cap.floats.models.samples import exponents, samples
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import OfModel, Subject, about, is_autonomous
+from cap.floats.models.subject import OfModel, Subject, about
 from cap.floats.models.trajectory import proving, told
 from cap.floats.models.walls import Wall, walls
 from cap.floats.words import with_error
@@ -93,7 +93,7 @@ def attractors(
     planes = (subject.named(plane),) if plane else subject.planes()
     runner.tell("attractors", None)
     label, found = ends_of(subject, seeds, transient)
-    fixed = () if is_autonomous(subject.system) else walls(
+    fixed = () if subject.system.autonomous else walls(
         subject.system, np.zeros(1), seeds[:1], fixed=True)  # fmt: skip
     return ModelAttractors(
         **about(subject), seeds=seeds, label=label, found=found, planes=planes, walls=fixed
@@ -175,7 +175,7 @@ def _attractor(
 ) -> ModelAttractor:
     """Return an attractor, given its orbits: states (M, K, n), and starts for more."""
     counts, share = told
-    autonomous = is_autonomous(subject.system)
+    autonomous = subject.system.autonomous
     events = ", ".join(
         f"{q / LATE / (2 if autonomous else 1):.4g} {word}"
         for word, q in zip(subject.engine.words, counts, strict=True)
@@ -203,6 +203,6 @@ def _attractor(
 
 def _kind(subject: Subject, closed: Closed) -> str:
     """Return the kind of a cycle in words."""
-    what = f"period {closed.time:.10g}" if is_autonomous(subject.system) else (
+    what = f"period {closed.time:.10g}" if subject.system.autonomous else (
         f"period {closed.count} T")  # fmt: skip
     return what if closed.attracts else f"{what}, which does not attract"

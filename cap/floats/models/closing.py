@@ -16,7 +16,7 @@ from cap.errors import BadInput
 from cap.floats.models.engine import Ends, Engine
 from cap.floats.models.legs import Legs
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import Subject, is_autonomous
+from cap.floats.models.subject import Subject
 
 LONGEST = 64  # of the periods, or of the events of one kind, after which an orbit may close
 CLOSE, ROUGHLY = 1e-5, 1e-2  # of what comes back, and of what is given, as a part of its size
@@ -80,7 +80,7 @@ def closing(
     subject: Subject, start: Start, near: float = CLOSE, longest: int = LONGEST
 ) -> Closed | None:
     """Return the closed orbit to which Newton's method leads from one that nearly closes."""
-    returns = _sectional if is_autonomous(subject.system) else _periodic
+    returns = _sectional if subject.system.autonomous else _periodic
     count = _count(subject, start, near, longest)
     if not count:
         return None
@@ -107,13 +107,13 @@ def closing(
 def _sorted(subject: Subject, values: NDArray[Any]) -> NDArray[np.complex128]:
     """Return the multipliers, the largest first; without a clock one 0 is that of the section."""
     ordered = values.astype(np.complex128)[np.argsort(-np.abs(values), kind="stable")]
-    return ordered[:-1] if is_autonomous(subject.system) else ordered
+    return ordered[:-1] if subject.system.autonomous else ordered
 
 
 def _count(subject: Subject, start: Start, close: float, longest: int) -> int:
     """Return the least number of returns after which the orbit is nearly where it was, or 0."""
     engine, size = subject.engine, 1 + np.abs(start.state).max()
-    if is_autonomous(subject.system):
+    if subject.system.autonomous:
         ends = logged(engine, start.states, start.modes, longest)
         states, modes = ends.log[:, 4:], ends.log[:, 3]
         near = (np.abs(states - start.state).max(axis=1) < close * size) & (modes == start.mode)
@@ -178,7 +178,7 @@ def settled(subject: Subject, periods: int, longest: int = LONGEST) -> Start:
     if not well.any():
         raise BadInput("no orbit from anywhere is followed to its end: give --state")
     states, modes = ends.states[well], ends.modes[well]
-    if is_autonomous(subject.system):
+    if subject.system.autonomous:
         return first_start(subject, states, modes)
     path = engine.follow(states, modes, periods=longest, every=True).path
     near = np.abs(path - states[:, None]).max(axis=2) < CLOSE * (1 + np.abs(states).max())
@@ -190,7 +190,7 @@ def settled(subject: Subject, periods: int, longest: int = LONGEST) -> Start:
 
 def first_start(subject: Subject, states: Floats, modes: NDArray[np.int64]) -> Start:
     """Return the first of some states; without a clock that just after an event that follows."""
-    if not is_autonomous(subject.system):
+    if not subject.system.autonomous:
         return Start(states[0], int(modes[0]))
     ends = logged(subject.engine, states, modes, 4)
     told = ends.log[ends.log[:, 2] < len(subject.engine.words) - 1]

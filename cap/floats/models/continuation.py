@@ -20,7 +20,7 @@ from cap.errors import BadInput
 from cap.floats.models.closing import ROUGHLY, Start, closing, logged, product, settled
 from cap.floats.models.legs import Legs
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import OfModel, Subject, about, is_autonomous
+from cap.floats.models.subject import OfModel, Subject, about
 from cap.floats.models.trajectory import given_start
 from cap.runner import Runner
 
@@ -176,7 +176,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     runner = runner or Runner()
     if parameter is None or range is None:
         raise BadInput("say what varies, between which values: --parameter NAME --range A B")
-    if is_autonomous(subject.system):
+    if subject.system.autonomous:
         raise BadInput("only orbits of models with a clock are followed over a parameter")
     low, high = map(float, range)
     subject.at(parameter, range[0])  # it is a parameter

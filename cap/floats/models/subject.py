@@ -17,7 +17,6 @@ from cap.floats.models.engine import Engine
 from cap.floats.models.spectrum import Floats, number
 from cap.system.files import Loaded, load
 from cap.system.model import System
-from cap.system.polynomial import COS, SIN
 
 SEEDS, SOON, SETTLING, LATE = 200, 2, 60, 20  # states all over; periods that are looked at
 SCALES = 0.3, 1.0, 3.0  # of states all over
@@ -136,21 +135,6 @@ class Subject:
             raise BadInput("every orbit from anywhere is lost in a period: give --box, or --state")
         low, high = np.percentile(states, [2, 98], axis=0)
         return low, high
-
-
-def is_autonomous(system: System) -> bool:
-    """Return whether the clock occurs nowhere."""
-    clock = {COS, SIN}
-    guards = [guard for mode in system.modes.values() for guard in mode.guards.values()]
-    rates = [rate for mode in system.modes.values() for rate in mode.field.values()]
-    resets = [
-        q
-        for name, mode in system.modes.items()
-        for word in mode.guards
-        for q in system.reset(name, word).values()
-    ]
-    found = [q.variables for q in rates] + [q.variables for q in resets]
-    return not any(clock & names for names in [*found, *(g.value.variables for g in guards)])
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,7 +14,7 @@ from cap.floats.models.engine import OUTSIDE, Ends
 from cap.floats.models.legs import NONE, Legs
 from cap.floats.models.source import MANY, NO_MODE, SIMULTANEOUS
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import OfModel, Subject, about, command, is_autonomous
+from cap.floats.models.subject import OfModel, Subject, about, command
 from cap.floats.models.walls import Surface, Wall, surface, walls
 from cap.runner import Runner
 
@@ -115,7 +115,7 @@ def orbit(  # noqa: PLR0913 (the options of the command)
 
 def _shown(subject: Subject, closed: Closed | None, periods: int | None) -> float:
     """Return the time that is shown; without a clock its period is that of the closed orbit."""
-    if closed and is_autonomous(subject.system):
+    if closed and subject.system.autonomous:
         return closed.time * (periods or 1)
     return subject.period * (periods or (closed.count if closed else SHOWN))
 
@@ -170,13 +170,13 @@ def _found(
     last = legs.to[events[-1]] if len(events) else legs.mode[0]
     visited = modes[[*legs.mode[events], last]]
     strobe = [start.state]
-    if not is_autonomous(subject.system):
+    if not subject.system.autonomous:
         shown = round(end / subject.period)
         path = engine.follow(start.states, start.modes, periods=shown, every=True).path
         strobe += list(path[0])
     return ModelOrbit(
         **about(subject),
-        autonomous=is_autonomous(subject.system),
+        autonomous=subject.system.autonomous,
         t=t,
         states=states,
         words=names[legs.word[events]],
@@ -229,15 +229,16 @@ def _closing(subject: Subject, closed: Closed | None) -> tuple[str, ...]:
     if closed is None:
         return ()
     clock = f"{closed.count} period{'s' * (closed.count > 1)} of the clock"
-    after = f"t = {closed.time:.10g}" if is_autonomous(subject.system) else clock
+    after = f"t = {closed.time:.10g}" if subject.system.autonomous else clock
     return (f"it closes after {after}; {closed.shown()}", *proving(subject, closed))
 
 
 def proving(subject: Subject, closed: Closed) -> tuple[str, ...]:
     """Return the command that proves an orbit, or its state where there is none."""
     mode = subject.engine.modes[closed.start.mode]
-    if not is_autonomous(subject.system) and not closed.rests:
-        return (command(subject, closed.count, closed.start.state, mode),)
+    if not closed.rests:
+        count = 1 if subject.system.autonomous else closed.count
+        return (command(subject, count, closed.start.state, mode),)
     state = " ".join(f"{q:.15g}" for q in closed.start.state)
     return (f"state at t = 0: {state}, mode {mode}",)
 
