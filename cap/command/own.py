@@ -133,6 +133,10 @@ class Asked:
             raise BadInput("--table goes with none of --all, --orbit, --period")
         if options.table is None and (options.journal or options.jobs != "1"):
             raise BadInput("--jobs and --journal go with --table")
+        if system.autonomous and options.period != "1":
+            raise BadInput(
+                "nothing depends on the clock: leave out --period, the period is unknown"
+            )
         if options.all and (state or options.out.suffix == ".json"):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
         stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
