@@ -7,7 +7,7 @@
     cap.verify_certificate("certificates/saddle.json")
 
 A system of one's own is a `cap.System` of `cap.Mode` with `cap.Guard` and `cap.Bounce`, written
-with `cap.variables` (docs/own-systems.md).
+with `cap.variables` (docs/own-system.md).
 
 Nothing is imported before it is asked for, so that the checker can be loaded alone.
 """
