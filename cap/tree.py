@@ -1,4 +1,4 @@
-"""Where the folders are that belong to the package and are no packages below `cap` in every tree."""
+"""The folders of the tree that belong to the package: ``proofs`` and ``certificates``."""
 
 from pathlib import Path
 
@@ -6,6 +6,6 @@ ROOT = Path(__file__).parent
 
 
 def inside(name: str) -> Path:
-    """Return ``proofs`` or ``certificates``: inside `cap`, or, where there are no links, beside it."""
+    """Return one of them: inside `cap`, or beside it in a checkout without symbolic links."""
     own = ROOT / name
     return own if own.is_dir() else ROOT.parent / name
