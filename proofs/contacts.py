@@ -20,7 +20,7 @@ from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 from operator import mul
-from typing import Any
+from typing import Any, NamedTuple
 
 from cap.certificate import writer
 from cap.certificate.writer import Pair, Rounding
@@ -32,6 +32,7 @@ from cap.errors import BadInput, NotProved
 from cap.orbits.along import Along
 from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Itinerary
+from cap.orbits.leg import Kinds
 from cap.orbits.motion import Motion
 from cap.orbits.periodic import PeriodicOrbit, Prover
 from cap.orbits.pieces import PLACES, cuts_of
@@ -43,21 +44,38 @@ from cap.system.model import System
 from cap.system.polynomial import ONE, Polynomial, variable
 
 ATTEMPTS = 4  # after each that leaves a leg open, all pieces of legs are cut in halves
-EXTRA = 10  # digits of the centre beyond those that are claimed
+EXTRA = 20  # digits of the centre beyond those that are claimed
+
+RADII = (Fraction(1), *(1 + Fraction(1, 10**k) for k in (6, 3, 2, 1)))
 
 Times = list[Fraction]
 
 
-def prove(itinerary: Itinerary, guess: Sequence[float], digits: int = 10) -> dict[str, Any]:
+class Prepared(NamedTuple):
+    """What the orbits of one system share."""
+
+    kinds: Kinds
+    parameters: dict[str, Any]
+
+    @classmethod
+    def of(cls, system: System) -> "Prepared":
+        """Return it; raise `BadInput` if the system is none that a certificate can hold."""
+        return cls(Kinds(system), as_parameters(system))
+
+
+def prove(
+    itinerary: Itinerary, guess: Sequence[float], digits: int = 10, shared: Prepared | None = None
+) -> dict[str, Any]:
     """Return a certificate, which the independent checker accepts, of an orbit near a guess.
 
-    The guess has the time and the state just before each contact.  Raises `NotProved` with the
+    The guess has the time and the state just before each contact; what is ``shared`` may serve
+    several orbits of the system.  Raises `NotProved` with the
     step that failed, and `BadInput` if the system is none that a certificate can hold.
     """
-    parameters = as_parameters(itinerary.system)
+    kinds, parameters = shared or Prepared.of(itinerary.system)
     bits = 96 + 8 * digits
     with interval.workprec(bits):
-        prover = Prover(Equations(itinerary))
+        prover = Prover(Equations(itinerary, kinds))
         orbit = prover.prove(guess, digits + EXTRA, Fraction(1, 10 ** (digits + 2)))
         certificate = {
             "format": writer.FORMAT,
@@ -172,7 +190,20 @@ def claims(orbit: PeriodicOrbit, digits: int) -> dict[str, Any]:
         "times": [_pair(t, digits) for t, _ in contacts],
         "states": [[_pair(x, digits) for x in q] for _, q in contacts],
         "symmetric": [_pair(x, digits) for x in orbit.symmetric],
-    } | ({} if orbit.unstable is None else {"unstable": str(orbit.unstable)})
+    } | unstable(orbit)
+
+
+def unstable(orbit: PeriodicOrbit) -> dict[str, str]:
+    """Return how many multipliers lie outside a circle, the first of `RADII` for which it is clear.
+
+    Where nothing is lost, multipliers may lie on the unit circle.
+    """
+    for radius in RADII:
+        count = orbit.unstable(radius)
+        if count is not None:
+            others = {} if radius == 1 else {"radius": _decimal(radius)}
+            return {"unstable": str(count), **others}
+    return {}
 
 
 def _pair(x: Ball, digits: int) -> Pair:
@@ -192,7 +223,7 @@ def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     return {
         "bits": str(bits),
         "centre": [[_decimal(c) for c in place] for place in _places(orbit, orbit.hint.centre)],
-        "preconditioner": [[_decimal(c) for c in row] for row in orbit.hint.matrix],
+        "preconditioner": [[f"{float(c):.12f}" for c in row] for row in orbit.hint.matrix],
         "cuts": [],
     }
 

@@ -34,26 +34,15 @@ def _content(module: str) -> bytes:
     return b"".join(hashlib.sha256(part).digest() for part in parts)
 
 
-def closure(*modules: str, beside: bool = True) -> set[str]:
-    """Return modules and all ours that they import, also inside of functions.
-
-    ``beside``: with a module of a package that counts as a whole, all of this package.
-    """
-    found, todo = set[str](), [*modules]
+def closure(module: str) -> set[str]:
+    """Return the module and all our modules that it imports, also inside of functions."""
+    found, todo = set[str](), [module]
     while todo:
         name = todo.pop()
         if name not in found and _exists(name):
             found.add(name)
-            todo += [*_imported(name), *(_beside(name) if beside else ())]
+            todo += [*_imported(name), *_beside(name)]
     return found
-
-
-def sources(*modules: str) -> str:
-    """Return a digest of modules and of all ours that they import, and of nothing beside them."""
-    total = hashlib.sha256()
-    for name in sorted(closure(*modules, beside=False)):
-        total.update(name.encode() + _content(name))
-    return total.hexdigest()
 
 
 @cache

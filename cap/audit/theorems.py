@@ -188,8 +188,8 @@ STATEMENTS = (
         "melnikov.vanishing-integral",
         "melnikov.friction-integral",
         "melnikov.amplitudes",
-        instead="Nothing yet: the saddles are certified (saddle.json, saddle-2.json), a horseshoe "
-        "is open here.",
+        instead="Theorem homoclinic (homoclinic.json): at the paper's parameters a saddle has "
+        "transverse homoclinic points whose orbits never stop, hence a horseshoe of such states.",
     ),
     statement(
         "thm:OmNS-structure",
@@ -197,7 +197,7 @@ STATEMENTS = (
         "decomposition.neighbourhood-in-the-set",
         "symplectic.symplectic",
         instead="Forward invariance, symplecticity as above, invariant curves with their insides; "
-        "not the part on saddles.",
+        "of saddles, the horseshoe of theorem homoclinic (homoclinic.json).",
     ),
     statement(
         "prop:contraction",

@@ -21,6 +21,7 @@ lists these files in the order to read them.  Each begins with the mathematics t
     strips      launches from wall to wall that go on in vain, level by level
     one_one     the orbits with one hit of each wall per period, in closed form
     particles   two masses: flights, contacts, periodic orbits, the normal form
+    tori        invariant curves: functions on the circle, half periods, the a-posteriori theorem
     theorems    one file each: statement, tables of claims and hints, citations, proof, words
     verdict     a certificate is checked
 """

@@ -13,6 +13,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from cap.certificate import report, writer
+from cap.command import own_table
 from cap.command.console import Parser, columns, program, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
@@ -30,18 +31,31 @@ LONGEST = 120  # characters of a name
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
-    options = _parser().parse_args([protected(word) for word in words])
+    options = parser().parse_args([protected(word) for word in words])
     progress = Progress()
-    return answered(lambda: _run(Asked.of(options), progress), progress)
+
+    def run() -> int:
+        asked = Asked.of(options)
+        if options.table is None:
+            return _run(asked, progress)
+        jobs = integer(options.jobs, "jobs", (1, 1024))
+        if options.journal is not None:
+            writable(options.journal)
+        return own_table.proved(
+            asked.system, options.table, asked.digits, jobs, options.journal, progress
+        )
+
+    return answered(run, progress)
 
 
-def _parser() -> Parser:
+def parser() -> Parser:
+    """Return the parser of this command."""
     p = Parser(
         prog=f"{program('cap.prove')} periodic --model FILE",
         description="Prove periodic orbits of a system of your own by their contacts: that there "
         "is one near each candidate, which contacts it has and that it has no others, and its "
         "multipliers.  FILE.py has a function of the parameters that returns a cap.System (see "
-        "docs/own-systems.md); it may be FILE.json, which runs nothing.  The certificate holds "
+        "docs/own-system.md); it may be FILE.json, which runs nothing.  The certificate holds "
         "the system: `python -m cap.verify` needs no FILE.py.  Orbits that rest after infinitely "
         "many contacts are not proved.",
         epilog="Examples: python -m cap.prove periodic --model examples/ball.py --set A=6/5,e=1/2 "
@@ -59,6 +73,21 @@ def _parser() -> Parser:
         "--orbit", nargs="+", metavar="Z", help="prove the orbit near that of this state at t = 0"
     )
     p.add_argument("--mode", metavar="MODE", help="the mode of that state")
+    p.add_argument(
+        "--table",
+        type=Path,
+        metavar="FILE",
+        help="prove the orbit of each row of a CSV file and compare it with the row; columns t0, "
+        "x0, .., t1, .. are times and states just before contacts, periods those of the clock; "
+        "no certificate is kept",
+    )
+    p.add_argument("--jobs", default="1", metavar="N", help="processes for --table (default 1)")
+    p.add_argument(
+        "--journal",
+        type=Path,
+        metavar="FILE",
+        help="a file of the rows that are done, from which an interrupted --table goes on",
+    )
     p.add_argument("--digits", default="10", metavar="N", help="digits claimed (default 10)")
     p.add_argument(
         "--out",
@@ -99,6 +128,15 @@ class Asked:
             raise BadInput(f"--orbit is a state: give {', '.join(system.state)}")
         if options.mode is not None and (not state or options.mode not in system.modes):
             raise BadInput(f"--mode is that of --orbit: one of {', '.join(system.modes)}")
+        alone = options.all or state or options.period != "1"
+        if options.table is not None and alone:
+            raise BadInput("--table goes with none of --all, --orbit, --period")
+        if options.table is None and (options.journal or options.jobs != "1"):
+            raise BadInput("--jobs and --journal go with --table")
+        if system.autonomous and options.period != "1":
+            raise BadInput(
+                "nothing depends on the clock: leave out --period, the period is unknown"
+            )
         if options.all and (state or options.out.suffix == ".json"):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
         stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from cap.errors import BadInput
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
-from cap.floats.search import periodic
+from cap.floats.search import periodic, tori
 from cap.floats.search.cycles import Cycle, near
 from cap.floats.search.homoclinic import Excursion, Saddle, excursions
 from cap.floats.search.orbits import from_hit_times, search
@@ -46,6 +46,7 @@ __all__ = [
     "releasing",
     "releasing_again",
     "saddles",
+    "tori",
     "touching_nothing",
     "turning",
 ]

@@ -214,10 +214,12 @@ def stated(text: str) -> Fraction:
 
 def exact_decimal(value: Fraction) -> str:
     """Return ``value`` exactly; the caller guarantees that it is a finite decimal."""
-    places = 0
-    while (value * 10**places).denominator != 1:
-        places += 1
-    return decimal(value, places)
+    rest, fives = value.denominator, 0
+    twos = (rest & -rest).bit_length() - 1
+    rest >>= twos
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    return decimal(value, max(twos, fives))
 
 
 def short(value: Fraction) -> Fraction:

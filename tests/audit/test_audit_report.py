@@ -10,6 +10,7 @@ import pytest
 from cap.audit import ledger, recorded
 from cap.audit.claim import Claim, Kind
 from cap.audit.means import written
+from cap.audit.report.erratum import erratum
 from cap.audit.report.latex import latex
 from cap.audit.report.latex import written as in_latex
 from cap.audit.report.markdown import escaped, markdown
@@ -42,9 +43,11 @@ def nasty():
 
 
 def test_the_stored_report_is_true_to_the_code(whole):
-    """`docs/audit.md` is what is written of the recorded verdicts; these, claims are tested on."""
+    """And so is the stored erratum: both are written of the recorded verdicts."""
     stored = (ROOT / "docs/audit.md").read_text(encoding="utf-8")
     assert stored == markdown(whole)
+    changes = (ROOT / "docs/erratum.md").read_text(encoding="utf-8")
+    assert changes == erratum(whole)
 
 
 def test_summary(whole):

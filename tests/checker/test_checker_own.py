@@ -410,8 +410,20 @@ def test_another_stability(count):
     assert given["claims"]["unstable"] == "1"
     given["claims"]["unstable"] = count
     rejected(given, "claims.unstable is not certain")
-    given = certificate("elliptic")  # its multipliers lie on the circle: nothing is claimed
-    assert "unstable" not in given["claims"]
-    for number in "012":
-        given["claims"]["unstable"] = number
-        rejected(given, "claims.unstable is not certain")
+    given["claims"]["radius"] = "1.5"
+    rejected(given, "claims.unstable is not certain")
+
+
+@pytest.mark.parametrize("radius", ["", "1.0000000001", "0.9", "2.1", "3"])
+def test_multipliers_on_the_circle(radius):
+    """Those of an area-preserving orbit lie on the unit circle: another circle is needed."""
+    given = certificate("elliptic")
+    assert given["claims"]["unstable"] == "0"
+    assert given["claims"].pop("radius") == "1.000001"
+    if radius:
+        given["claims"]["radius"] = radius
+    if radius != "1.0000000001":
+        rejected(given, "claims.unstable is not certain|claims.radius is not between 1 and 2")
+    given["claims"].pop("unstable")
+    given["claims"]["radius"] = "1.1"
+    rejected(given, "claims.radius is one of nothing")

@@ -144,8 +144,9 @@ def coexistence() -> Verdict:
         "vanishes on a set of positive area; but all such states have, in the whole plane, at most "
         f"the area {area:g}",
         "The stored certificates; Moser's theorem for the island of elliptic.json. Never stopping: "
-        "conservative.json. To check this one and mixed.json takes minutes: they were accepted, by "
-        "the same checker, when the verdicts were recorded. What is left of the area is undecided.",
+        "conservative.json. To check this one and mixed.json takes minutes: they were accepted "
+        "when the verdicts were recorded, and cap.verify checks them. What is left of the area is "
+        "undecided.",
         certificate="mixed.json",
     )
 

@@ -1,8 +1,7 @@
 """Certificates whose check takes minutes: accepted when the verdicts were recorded.
 
-``accepted.json`` has for each a digest of the file and of all that the checker reads for its
-theorem.  While both are the same a check would end as it did then, so it is left out; if anything
-is another, the certificate is checked now.
+``accepted.json`` has a digest of each.  While the file is the same it is not checked again here;
+``python -m cap.verify`` checks it, with all others, and so does CI with every change.
 """
 
 import hashlib
@@ -10,7 +9,6 @@ import json
 from functools import cache
 from pathlib import Path
 
-from cap.audit.dependencies import sources
 from cap.files import replacing
 
 STORED = Path(__file__).with_name("accepted.json")
@@ -18,14 +16,14 @@ LONG = ("conservative.json", "mixed.json")
 
 
 def known(name: str, data: bytes) -> bool:
-    """Return whether a certificate that takes long was accepted, by the same checker."""
-    return name in LONG and _stored().get(name) == _digest(name, data)
+    """Return whether a certificate that takes long was accepted."""
+    return name in LONG and _stored().get(name) == _digest(data)
 
 
 def note(name: str, data: bytes) -> None:
     """Note that a certificate was accepted just now, if it takes long."""
     if name in LONG:
-        _NEW[name] = _digest(name, data)
+        _NEW[name] = _digest(data)
 
 
 def record() -> None:
@@ -48,10 +46,5 @@ def _stored() -> dict[str, str]:
     return found
 
 
-def _digest(name: str, data: bytes) -> str:
-    from cap.checker import theorems, verdict  # noqa: PLC0415 (the checker, where it is needed)
-
-    theorem = name.partition(".")[0].partition("-")[0]
-    own = f"{theorems.__name__}.{theorem}", *theorems.load(theorem).PARTS.values()
-    read = sources(*own, verdict.__name__)
-    return hashlib.sha256(data + read.encode()).hexdigest()
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()

@@ -47,22 +47,26 @@ class Exponential:
         self.norm = max(sum((abs(x) for _, x in column), Fraction(0)) for column in columns)
         self._known = dict[tuple[int, int], Row]()
         self._tables = dict[tuple[int, int], list[list[int]]]()
-        powers = [self._powers(i, [[*row] for row in M]) for i in range(len(M))]
+        powers = [self._powers(i, M) for i in range(len(M))]
         self._series = powers if all(not any(rows[-1]) for rows in powers) else None
+        self._columns = dict[tuple[int, int], list[list[Interval]]]()
 
-    def _powers(self, i: int, M: list[list[Fraction]]) -> list[list[Fraction]]:
+    def _powers(self, i: int, M: Sequence[Sequence[Fraction]]) -> list[list[Fraction]]:
         """Return the i-th row of M^j/j!, j = 0, 1, ..., until one is zero, or none will be."""
-        rows, n = [[Fraction(int(i == j)) for j in range(len(M))]], len(M)
-        while any(rows[-1]) and len(rows) <= n:
-            j, last = len(rows), rows[-1]
-            rows.append([sum((last[k] * M[k][c] for k in range(n) if last[k]), Fraction(0)) / j
-                         for c in range(n)])  # fmt: skip
+        none = Fraction(0)
+        rows = [[Fraction(int(i == j)) for j in range(len(M))]]
+        while any(rows[-1]) and len(rows) <= len(M):
+            total = [none] * len(M)
+            for x, row in zip(rows[-1], M, strict=True):
+                if x:
+                    total = [t + x * y if y else t for t, y in zip(total, row, strict=True)]
+            rows.append([t / len(rows) if t else t for t in total])
         return rows
 
     def over(self, i: int, d: Interval, order: int = 0) -> list[Row]:
         """Return enclosures of the i-th row of M^k exp(M t) for all t in d, k = 0, ..., order."""
         if self._series:
-            return [self._polynomial(self._series[i], d, k) for k in range(order + 1)]
+            return [self._polynomial(i, d, k) for k in range(order + 1)]
         left = self._rates(self.at(i, d.lo), order)
         if d.lo == d.hi:
             return left
@@ -78,17 +82,25 @@ class Exponential:
             rows.append(above)
         return rows[::-1]
 
-    def _polynomial(self, rows: list[list[Fraction]], d: Interval, order: int) -> Row:
-        """Return the derivative of some order of sum rows[j] d^j."""
+    def _polynomial(self, i: int, d: Interval, order: int) -> Row:
+        """Return the derivative of some order of the i-th row, a polynomial in d."""
+        if (i, order) not in self._columns:
+            self._columns[i, order] = self._coefficients(i, order)
         found = Row()
-        for column in zip(*rows, strict=True):
-            total = d.integer(0)
-            for j in range(len(column) - 1, order - 1, -1):
-                c = column[j] * perm(j, order)
-                if total.lo or total.hi:
-                    total = total * d
-                total = total + Interval.enclosing(c, c, d.bits) if c else total
-            found.append(total)
+        for first, *others in self._columns[i, order]:
+            for c in others:
+                first = first * d + c  # noqa: PLW2901
+            found.append(first)
+        return found
+
+    def _coefficients(self, i: int, order: int) -> list[list[Interval]]:
+        """Return for each column the coefficients, that of the highest power first."""
+        found = list[list[Interval]]()
+        for column in zip(*(self._series or [])[i], strict=True):
+            terms = [column[j] * perm(j, order) for j in range(order, len(column))] or [Fraction(0)]
+            while len(terms) > 1 and not terms[-1]:
+                terms.pop()
+            found.append([Interval.enclosing(c, c, self.bits) for c in reversed(terms)])
         return found
 
     def at(self, i: int, z: int) -> Row:

@@ -21,8 +21,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from functools import reduce
-from operator import add
 
 from cap.checker.kernel.elementary import cos_sin, pi
 from cap.checker.kernel.interval import Interval
@@ -78,7 +76,8 @@ def _times(A: Sequence[Sequence[Fraction]], v: Vector, zero: Interval) -> Vector
 
 def dot(row: Sequence[Interval], column: Sequence[Interval]) -> Interval:
     """Return the sum of products."""
-    return reduce(add, (a * b for a, b in zip(row, column, strict=True)))
+    pairs = zip(row, column, strict=True)
+    return sum((a * b for a, b in pairs if a.lo or a.hi), row[0].integer(0))
 
 
 class Flights:

@@ -10,6 +10,8 @@ has one zero less inside than p: a_0 p - a_n p* has as many there as p by Rouche
 them 0.  If |a_n| > |a_0|, the zeros of p* are 1/z for the zeros z of p: those of p outside are
 those of p* inside.  If all comparisons are certain down to a polynomial without zeros, p has no
 zero on the circle.
+
+With e_k/r^k for e_k it is the circle of radius r.
 """
 
 from __future__ import annotations
