@@ -11,10 +11,11 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from inspect import Parameter, signature
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
-from cap.certificate import report
+from cap.certificate import report, typeset
 from cap.certificate.latex import macros
 from cap.checker.kernel import shapes
 from cap.checker.kernel.certificate import Certificate
@@ -22,7 +23,9 @@ from cap.checker.verdict import check, words
 from cap.command.outcome import content, found, why
 from cap.errors import BadInput, NotProved
 from cap.files import replacing
-from cap.words import unread
+from cap.keywords import Options, System
+from cap.parameters import PAPER, Parameters, exact
+from cap.words import digits, unread
 
 __all__ = [
     "BadInput",
@@ -37,16 +40,17 @@ Pair = tuple[float, float]
 _NOT_OPTIONS = ("theorem", "list", "all", "out", "own")  # of the command line alone
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Enclosure:
     """A claim about a real number: it lies in [lower, upper].  Both ends are exact.
 
-    ``str`` gives the enclosure in the decimals of the certificate.
+    ``str`` gives the enclosure in the decimals of the certificate, ``repr`` the digits that both
+    ends have in common, and the others of both: 0.1027[1..2] is [0.10271, 0.10272].
     """
 
     lower: Fraction
     upper: Fraction
-    text: str = field(repr=False, compare=False)
+    text: str = field(compare=False)
 
     @property
     def floats(self) -> Pair:
@@ -64,6 +68,12 @@ class Enclosure:
 
     def __str__(self) -> str:
         return self.text
+
+    def __repr__(self) -> str:
+        return digits(*self.text.strip("[]").split(", "))
+
+    def _repr_latex_(self) -> str:
+        return f"${self!r}$"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -128,6 +138,16 @@ class Verified:
         """Return macros for a paper: each number rounded outwards to so many digits."""
         return "\n".join(macros(self.checked, prefix or self.theorem, digits))
 
+    def html(self) -> str:
+        r"""Return the theorem typeset, as HTML with TeX between \( and \): as notebooks show it."""
+        return typeset.page(self.checked, self.certificate)
+
+    def _repr_html_(self) -> str:
+        return self.html()
+
+    def _repr_latex_(self) -> str:
+        return typeset.paper(self.checked, self.certificate)
+
     def write(self, path: str | Path) -> None:
         """Write the certificate to a file, which is replaced, whole or not at all.
 
@@ -158,7 +178,7 @@ def prove_theorem(
     *,
     executor: Executor | None = None,
     progress: Callable[[str], None] = lambda _: None,
-    **options: Any,
+    **options: Unpack[Options],
 ) -> Verified:
     """Prove a theorem, and let the checker verify it; of several orbits found, the first.
 
@@ -180,6 +200,16 @@ def prove_theorem(
     Raises `BadInput` if the request makes no sense or no orbit is found, and `NotProved`, which
     carries the sets, if a step of the proof does not succeed: the theorem may still be true.
     """
+    return proved(theorem, dict(options), progress, executor)
+
+
+def proved(
+    theorem: str,
+    options: dict[str, Any],
+    progress: Callable[[str], None],
+    executor: Executor | None = None,
+) -> Verified:
+    """Prove a theorem with options by name, as `prove_theorem` does."""
     from cap.certificate import writer  # noqa: PLC0415 (the prover: only who proves loads it)
     from cap.command.prover_options import Asked  # noqa: PLC0415
     from cap.proofs import theorems  # noqa: PLC0415
@@ -188,12 +218,12 @@ def prove_theorem(
     stated = theorems.THEOREMS[theorem]
     first = stated.search(asked.request).candidates[0]
 
-    def tell(words: str, _part: float | None) -> None:
-        progress(words)
+    def tell(words: str, part: float | None) -> None:
+        progress(words if part is None else f"{words}: {part:.0%}")
 
     runner = asked.runner(tell, executor)
-    proved = theorems.accepted(stated, asked.setting(first, runner))
-    return _verified(writer.dumps(proved).encode())
+    certificate = theorems.accepted(stated, asked.setting(first, runner))
+    return _verified(writer.dumps(certificate).encode())
 
 
 def verify_certificate(path: str | Path) -> Verified:
@@ -210,6 +240,20 @@ def verify_certificate(path: str | Path) -> Verified:
     return _verified(data)
 
 
+def exact_parameters(**parameters: Unpack[System]) -> Parameters:
+    """Return the parameters of the oscillator; those that are not given are the paper's.
+
+    Raises `BadInput` unless they are exact, and those of an oscillator.
+    """
+    values = PAPER.strings()
+    for name, value in parameters.items():
+        if name not in values:
+            raise BadInput(f"there is no parameter {name!r}: one of {', '.join(values)}")
+        if value is not None:
+            values[name] = _word(name, value)
+    return Parameters(*map(exact, values.values()))
+
+
 def _verified(data: bytes) -> Verified:
     steps: list[str] = []
     try:
@@ -217,6 +261,20 @@ def _verified(data: bytes) -> Verified:
     except Exception as reason:  # whatever goes wrong, nothing is proved
         raise NotProved("checker", f"the certificate is rejected: {why(reason)}") from reason
     return Verified(data, tuple(steps), checked)
+
+
+def _listed(function: Callable[..., Verified]) -> None:
+    """Let the signature of a function list its keywords, for those who look them up."""
+    stated = signature(function)
+    own = [p for p in stated.parameters.values() if p.kind is not Parameter.VAR_KEYWORD]
+    more = [
+        Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=kind)
+        for name, kind in Options.__annotations__.items()
+    ]
+    setattr(function, "__signature__", stated.replace(parameters=[*own, *more]))  # noqa: B010
+
+
+_listed(prove_theorem)
 
 
 def _namespace(theorem: str, options: dict[str, Any]) -> Any:

@@ -139,6 +139,16 @@ def choice(*names: str) -> Reader:
     return read
 
 
+def text(words: Sequence[str], _name: str) -> str:
+    """Read a text."""
+    return words[0]
+
+
+def texts(words: Sequence[str], _name: str) -> tuple[str, ...]:
+    """Read texts."""
+    return tuple(words)
+
+
 def names(words: Sequence[str], name: str) -> tuple[str, ...]:
     """Read names of parameters."""
     return tuple(choice(*PARAMETERS)([word], name) for word in words)

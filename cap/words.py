@@ -1,6 +1,7 @@
 """Lines for people: what strangers named is quoted and escaped, so that it forges no sentence."""
 
 from collections.abc import Iterable
+from itertools import takewhile
 from typing import TextIO
 
 
@@ -13,6 +14,17 @@ def quoted(name: object) -> str:
     """Return a name, say of a file, in quotation marks: where it ends nothing in it can hide."""
     escaped = str(name).replace("\\", r"\\").replace('"', r"\"")
     return f'"{printable(escaped)}"'
+
+
+def digits(lower: str, upper: str) -> str:
+    """Return the enclosure of two decimals as the digits that both have in common, and the others
+    of both: 0.1027[1..2].  If they have few in common, it is [lower, upper]."""
+    pairs = zip(lower, upper, strict=False)
+    common = "".join(a for a, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+    unlike = len(lower) != len(upper) or lower == upper
+    if unlike or "." not in common or len(lower) > 3 / 2 * len(common):
+        return f"[{lower}, {upper}]"
+    return f"{common}[{lower[len(common) :]}..{upper[len(common) :]}]"
 
 
 def unread(name: object, error: Exception) -> str:

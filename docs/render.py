@@ -26,7 +26,8 @@ ROOT = Path(__file__).resolve().parent.parent
 WIDTH = 120  # of what is shown
 LARGEST = 300_000  # bytes of a picture
 NUMBER = re.compile(r"-?(?:\d+\.\d*(?:e[-+]?\d+)?|\d+|inf|nan)")
-PICTURE = re.compile(r"!\[[^]]*\]\((pictures/[^)]+)\)")
+README = Path(__file__).parents[1] / "README.md"
+PICTURE = re.compile(r"!\[[^]]*\]\((?:docs/)?(pictures/[^)]+)\)")
 
 
 class Failure(Exception):
@@ -147,12 +148,12 @@ def difference(stored: str, now: str) -> str:
 def check_pictures(page: str, folder: Path) -> None:
     """Check that the pictures of a page exist in ``folder``, not large, and that it has no other.
 
-    Raises `Failure` with those that are wrong.
+    The README may show others.  Raises `Failure` with those that are wrong.
     """
-    linked = set(PICTURE.findall(page))
+    linked, others = (set(PICTURE.findall(t)) for t in (page, README.read_text(encoding="utf-8")))
     there = {f"pictures/{path.name}" for path in (folder / "pictures").iterdir()}
-    if linked != there:
-        raise Failure(f"pictures missing or not shown: {', '.join(sorted(linked ^ there))}")
+    if wrong := (linked - there) | (there - linked - others):
+        raise Failure(f"pictures missing or not shown: {', '.join(sorted(wrong))}")
     for name in sorted(linked):
         if not 1000 < (size := (folder / name).stat().st_size) < LARGEST:
             raise Failure(f"{name}: {size} bytes")

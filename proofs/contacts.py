@@ -8,62 +8,82 @@ succeed, then
  (ii)  nothing else happens on it: between its contacts all guards of its mode are positive, and
        each guard that comes to zero falls through it;
  (iii) the times, the states, and the elementary symmetric functions of its multipliers lie in
-       explicit intervals.
+       explicit intervals; so many of these lie outside the unit circle, and none on it.
 
 Proof.  `cap.orbits.periodic` proves all of it.  The certificate has the system, the box, the
-Krawczyk hints, and for each leg and guard cuts between which the mean value form with L h shows
-that h > 0 (`cuts`): so the checker searches nothing.
+Krawczyk hints, and for each leg and guard the cuts of Lemma B (`cap.orbits.pieces`), unless it
+falls by Lemma M: so the checker searches nothing.
 """
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
-from typing import Any
+from operator import mul
+from typing import Any, NamedTuple
 
 from cap.certificate import writer
 from cap.certificate.writer import Pair, Rounding
-from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.rejection import Rejected, TooCoarse
+from cap.checker.system.given import DEGREE, TERMS
 from cap.checker.theorems import load
 from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
 from cap.orbits.along import Along
 from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Itinerary
+from cap.orbits.leg import Kinds
+from cap.orbits.motion import Motion
 from cap.orbits.periodic import PeriodicOrbit, Prover
+from cap.orbits.pieces import PLACES, cuts_of
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.interval import exact_decimal as _decimal
 from cap.system.exponential import number
 from cap.system.model import System
-from cap.system.polynomial import ONE, Polynomial
+from cap.system.polynomial import ONE, Polynomial, variable
 
 ATTEMPTS = 4  # after each that leaves a leg open, all pieces of legs are cut in halves
-QUIET = ("a guard may vanish", "a piece of a flight is too long")
-DEPTH = 24  # of halves
-EXTRA = 4  # digits of the centre beyond those that are claimed
-PLACES = 12  # decimals of a cut
+EXTRA = 20  # digits of the centre beyond those that are claimed
+
+RADII = (Fraction(1), *(1 + Fraction(1, 10**k) for k in (6, 3, 2, 1)))
 
 Times = list[Fraction]
 
 
-def prove(itinerary: Itinerary, guess: Sequence[float], digits: int = 10) -> dict[str, Any]:
+class Prepared(NamedTuple):
+    """What the orbits of one system share."""
+
+    kinds: Kinds
+    parameters: dict[str, Any]
+
+    @classmethod
+    def of(cls, system: System) -> "Prepared":
+        """Return it; raise `BadInput` if the system is none that a certificate can hold."""
+        return cls(Kinds(system), as_parameters(system))
+
+
+def prove(
+    itinerary: Itinerary, guess: Sequence[float], digits: int = 10, shared: Prepared | None = None
+) -> dict[str, Any]:
     """Return a certificate, which the independent checker accepts, of an orbit near a guess.
 
-    The guess has the time and the state just before each contact.  Raises `NotProved` with the
+    The guess has the time and the state just before each contact; what is ``shared`` may serve
+    several orbits of the system.  Raises `NotProved` with the
     step that failed, and `BadInput` if the system is none that a certificate can hold.
     """
-    parameters = as_parameters(itinerary.system)
+    kinds, parameters = shared or Prepared.of(itinerary.system)
     bits = 96 + 8 * digits
     with interval.workprec(bits):
-        prover = Prover(Equations(itinerary))
-        orbit = prover.prove(guess, digits + EXTRA)
+        prover = Prover(Equations(itinerary, kinds))
+        orbit = prover.prove(guess, digits + EXTRA, Fraction(1, 10 ** (digits + 2)))
         certificate = {
             "format": writer.FORMAT,
             "theorem": "contacts",
             "parameters": parameters,
             "digits": str(digits),
             "claims": claims(orbit, digits),
-            "hints": hints(orbit, digits, bits),
+            "hints": hints(orbit, bits),
             "cites": list(load("contacts").CITES),
             "provenance": writer.provenance(bits),
         }
@@ -73,15 +93,16 @@ def prove(itinerary: Itinerary, guess: Sequence[float], digits: int = 10) -> dic
 def _checked(certificate: dict[str, Any], cuts: list[dict[str, Times]]) -> dict[str, Any]:
     """Return the certificate with cuts, so fine that the checker accepts it."""
     for _ in range(ATTEMPTS):
-        shown = [{g: list(map(str, times[1:-1])) for g, times in leg.items()} for leg in cuts]
+        shown = [{g: [*map(_decimal, at[1:-1])] for g, at in leg.items()} for leg in cuts]
         certificate["hints"]["cuts"] = shown
         try:
             check(writer.dumps(certificate).encode(), lambda _step: None)
-        except Rejected as reason:
-            rejection = str(reason)
-            if not rejection.startswith(QUIET):
-                break
+        except TooCoarse as reason:
+            rejection: Rejected = reason
             cuts = [{g: _halved(times) for g, times in leg.items()} for leg in cuts]
+        except Rejected as reason:
+            rejection = reason
+            break
         else:
             return certificate
     raise NotProved("checker", f"the independent checker rejects the certificate: {rejection}")
@@ -89,8 +110,7 @@ def _checked(certificate: dict[str, Any], cuts: list[dict[str, Times]]) -> dict[
 
 def _halved(times: Times) -> Times:
     """Return times with the middles between them."""
-    middles = [(a + b) / 2 for a, b in pairwise(times)]
-    return sorted([*times, *middles])
+    return sorted([*times, *(round((a + b) / 2, PLACES) for a, b in pairwise(times))])
 
 
 # the system
@@ -98,16 +118,18 @@ def _halved(times: Times) -> Times:
 
 def as_parameters(system: System) -> dict[str, Any]:
     """Return a system in the form that a certificate holds."""
+    pi, omega = _frequency(system)
     return {
         "state": list(system.state),
-        "omega": str(_rational(system.omega, "the frequency")),
+        "omega": str(omega),
+        **({"times_pi": "1"} if pi else {}),
         "modes": {
             key: {
                 "field": {z: _polynomial(q, f"{z}' of {key}") for z, q in mode.field.items()},
                 "guards": {
                     g: {
                         "value": _polynomial(guard.value, f"the guard {g} of {key}"),
-                        "reset": _reset(system, key, g),
+                        **_reset(system, key, g),
                         "to": list(guard.to),
                     }
                     for g, guard in mode.guards.items()
@@ -118,36 +140,36 @@ def as_parameters(system: System) -> dict[str, Any]:
     }
 
 
+def _frequency(system: System) -> tuple[bool, Fraction]:
+    """Return whether the frequency is a multiple of pi, and the rational number of it."""
+    ((monomial, omega),) = system.omega.terms.items()
+    if monomial not in ((), (("pi", 1),)):
+        raise BadInput("the frequency is neither rational nor that times pi: a certificate cannot")
+    return bool(monomial), omega
+
+
 def _reset(system: System, mode: str, guard: str) -> dict[str, Any]:
-    """Return the variables that jump, and their new values."""
-    found, where = {}, f"the reset at {guard} of {mode}"
-    for z, q in system.reset(mode, guard).items():
-        if q.denominator != ONE or q.numerator.degree > 1:
-            raise BadInput(f"{where} is not linear: certificates of own systems cannot hold it yet")
-        value = _polynomial(q.numerator, where)
-        if value != [["1", z]]:
-            found[z] = value
-    return found
+    """Return the variables that jump, with their new values, and what divides these."""
+    where, given = f"the reset at {guard} of {mode}", system.reset(mode, guard)
+    new = {z: q for z, q in given.items() if (q.numerator, q.denominator) != (variable(z), ONE)}
+    divisors = list(dict.fromkeys(q.denominator for q in new.values()))
+    divisor = reduce(mul, divisors, ONE)
+    over = {d: reduce(mul, (other for other in divisors if other != d), ONE) for d in divisors}
+    reset = {z: _polynomial(q.numerator * over[q.denominator], where) for z, q in new.items()}
+    divided = {} if divisor == ONE else {"divisor": _polynomial(divisor, f"the divisor of {where}")}
+    return {"reset": reset, **divided}
 
 
 def _polynomial(q: Polynomial, where: str) -> list[list[str]]:
     """Return the terms, each a number and the names of its factors."""
-    _no_pi(q, where)
+    if any(power < 0 for monomial in q.terms for _, power in monomial):
+        raise BadInput(f"{where} is divided by pi: a certificate cannot hold it yet")
+    if q.degree > DEGREE or len(q.terms) > TERMS:
+        raise BadInput(f"{where} has more than {TERMS} terms, or a degree above {DEGREE}")
     return [
         [str(c), *(name for name, power in monomial for _ in range(power))]
         for monomial, c in sorted(q.terms.items())
     ]
-
-
-def _rational(q: Polynomial, where: str) -> Fraction:
-    _no_pi(q, where)
-    return q.terms[()]
-
-
-def _no_pi(q: Polynomial, where: str) -> None:
-    """Refuse the number pi."""
-    if any(name == "pi" for monomial in q.terms for name, _ in monomial):
-        raise BadInput(f"{where} has pi: certificates of own systems hold rational numbers yet")
 
 
 # claims and hints
@@ -168,7 +190,20 @@ def claims(orbit: PeriodicOrbit, digits: int) -> dict[str, Any]:
         "times": [_pair(t, digits) for t, _ in contacts],
         "states": [[_pair(x, digits) for x in q] for _, q in contacts],
         "symmetric": [_pair(x, digits) for x in orbit.symmetric],
-    }
+    } | unstable(orbit)
+
+
+def unstable(orbit: PeriodicOrbit) -> dict[str, str]:
+    """Return how many multipliers lie outside a circle, the first of `RADII` for which it is clear.
+
+    Where nothing is lost, multipliers may lie on the unit circle.
+    """
+    for radius in RADII:
+        count = orbit.unstable(radius)
+        if count is not None:
+            others = {} if radius == 1 else {"radius": _decimal(radius)}
+            return {"unstable": str(count), **others}
+    return {}
 
 
 def _pair(x: Ball, digits: int) -> Pair:
@@ -183,65 +218,37 @@ def _places(orbit: PeriodicOrbit, unknowns: Sequence[Fraction]) -> list[Sequence
     return [unknowns[k : k + step] for k in range(0, len(unknowns), step)]
 
 
-def hints(orbit: PeriodicOrbit, digits: int, bits: int) -> dict[str, Any]:
+def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     """Return what the checker need not search, but the cuts."""
     return {
         "bits": str(bits),
         "centre": [[_decimal(c) for c in place] for place in _places(orbit, orbit.hint.centre)],
-        "radius": _decimal(Fraction(10, 10 ** (digits + EXTRA))),
-        "preconditioner": [[_decimal(c) for c in row] for row in orbit.hint.matrix],
+        "preconditioner": [[f"{float(c):.12f}" for c in row] for row in orbit.hint.matrix],
         "cuts": [],
     }
 
 
 def legs(prover: Prover, orbit: PeriodicOrbit) -> list[dict[str, Times]]:
-    """Return for each leg and guard its ends, and cuts between which it is positive."""
+    """Return for each leg, and guard that falls by no lemma, its ends and the cuts of Lemma B."""
     itinerary, kinds, found = orbit.itinerary, prover.equations.kinds, []
+    reasons = {(reason.leg, reason.guard): reason for reason in orbit.reasons}
     for leg in prover.legs(orbit.box):
         mode, following = itinerary.contacts[leg.number].to, itinerary.following(leg.number).guard
-        cuts, span = {}, _span(itinerary.system, mode)
+        cuts, span = {}, _span(kinds.motion(mode))
+        begin, end = (Fraction(float(at.time)) for at in (leg.start, leg.end))
         for name in itinerary.system.modes[mode].guards:
+            if reasons[leg.number, name].lemma == "M":
+                continue
             zeros = itinerary.vanishing[leg.number][name]
             along = Along(leg, name, kinds.watch(mode, name), zeros, name == following)
-            cuts[name] = _cuts(along, span)
+            at = [Fraction(f"{cut:.{PLACES}f}") for cut in cuts_of(along, span)]
+            cuts[name] = [begin, *at, end]
         found.append(cuts)
     return found
 
 
-def _span(system: System, mode: str) -> float:
-    """Return how long a piece may be: less than 1/|M|, the largest column sum."""
-    columns = zip(*system.matrix(mode), strict=True)
-    return 0.9 / max(sum(abs(float(number(q))) for q in column) for column in columns)
-
-
-def _cuts(along: Along, span: float) -> Times:
-    """Return the ends of a leg and cuts between them: on each piece the mean value form decides."""
-    leg = along.leg
-    ends = interval.midpoint(leg.start.time), interval.midpoint(leg.end.time)
-    found, stack = [ends[0]], [(*ends, 0)]
-    while stack:
-        a, b, depth = stack.pop()
-        if b - a < span and _is_positive(along, a, b, (a == ends[0], b == ends[1])):
-            found.append(b)
-            continue
-        if depth == DEPTH:
-            time = interval.ball(a)
-            raise along.failed("is not certain to be positive", time, along.height(time))
-        middle = round((a + b) / 2, PLACES)
-        stack += [(middle, b, depth + 1), (a, middle, depth + 1)]
-    return found
-
-
-def _is_positive(along: Along, a: Fraction, b: Fraction, outer: tuple[bool, bool]) -> bool:
-    """Return whether h > 0 on a piece, but at an end of the leg where it vanishes."""
-    starts, ends = outer[0] and along.vanishing > 0, outer[1] and along.last
-    piece = interval.hull(interval.ball(a), interval.ball(b))
-    if starts and ends:
-        return False
-    if starts and along.vanishing > 1:
-        return bool(along.bend(piece) > 0)
-    _, rate = along.line(piece)
-    if starts or ends:
-        return bool(rate > 0 if starts else rate < 0)
-    middle = interval.ball((a + b) / 2)
-    return bool(along.height(middle) + rate * (piece - middle) > 0)
+def _span(motion: Motion) -> float:
+    """Return how long a piece may be: less than 1/|N|, the largest column sum, if N matters."""
+    columns = zip(*motion.generator, strict=True)
+    norm = max((sum(abs(float(number(q))) for q in column) for column in columns), default=0.0)
+    return 0.9 / norm if norm else float("inf")

@@ -1,5 +1,6 @@
 """The Python interface: what it returns, how exact it is, and how it fails."""
 
+import inspect
 import json
 import subprocess
 import sys
@@ -11,7 +12,9 @@ import pytest
 
 import cap
 from cap import prove
+from cap.command.prover_parser import options_of, parser
 from cap.interface import _below, _outwards
+from cap.keywords import Options
 from cap.proofs import theorems
 
 CERTIFICATES = Path(__file__).parent.parent / "certificates"
@@ -153,6 +156,38 @@ def test_bad_input(options, phrase):
         cap.prove_theorem("elliptic", **options)
     assert phrase in str(failure.value)
     assert "\n" not in str(failure.value)
+
+
+def test_every_keyword_is_listed():
+    """The types know the options that theorems declare, and no other; so does the signature."""
+    declared = {option.keyword for option in options_of(theorems.THEOREMS).values()}
+    common = vars(parser().parse_args([])).keys() - {"theorem", "list", "all", "out", "own"}
+    assert Options.__annotations__.keys() == declared | common
+    listed = inspect.signature(cap.prove_theorem).parameters.keys()
+    assert listed == {"theorem", "executor", "progress", *Options.__annotations__}
+
+
+def test_what_there_is():
+    """`dir` names what can be used, and loads nothing."""
+    assert set(cap.__all__) <= set(dir(cap)) <= {*cap.__all__, "__version__", "__doc__"}
+
+
+def test_a_picture_from_python():
+    """What is found, its figure, its numbers, and how a notebook shows it."""
+    picture = cap.figures.orbit((0.5, 1), exactly=True, f="9/20", periods=2)
+    assert picture.findings.parameters.f == Fraction(9, 20)
+    assert str(picture).startswith("orbit of (x, v) = (0.5, 1) at F = 1")
+    assert picture._repr_png_().startswith(b"\x89PNG")
+    assert len(picture.figure.axes) == 3
+    assert repr(picture).startswith("<Picture: orbit of")
+    with pytest.raises(cap.BadInput, match="binary double"):
+        cap.figures.orbit(f=0.4)
+    with pytest.raises(cap.BadInput, match="no picture 'portrat'"):
+        cap.figures.draw("portrat")
+    with pytest.raises(cap.BadInput, match="has no option 'orbits'"):
+        cap.figures.draw("orbit", {"orbits": 3})
+    with pytest.raises(cap.BadInput, match="no parameter 'g'"):
+        cap.figures.draw("orbit", g=3)
 
 
 def test_no_such_theorem():

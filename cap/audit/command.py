@@ -6,12 +6,16 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from cap.audit import labels, ledger, recorded, tables
+from cap.audit import errata, labels, ledger, recorded, revision, tables
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
+from cap.audit.manuscript import Manuscript
+from cap.audit.means import accepted
+from cap.audit.report.erratum import erratum
 from cap.audit.report.latex import latex
 from cap.audit.report.markdown import markdown
 from cap.audit.report.page import page
+from cap.audit.report.summary import bibtex, summary
 from cap.audit.report.text import data, plain
 from cap.audit.report.view import Report, report
 from cap.audit.verdict import Outcome, Verdict
@@ -19,6 +23,7 @@ from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.files import replacing
+from cap.paper.registry import LABELS
 from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -36,10 +41,15 @@ def parser() -> argparse.ArgumentParser:
         prog=program("cap.audit"),
         description="Decide the claims of the paper, and report. Exit status 0: every claim was "
         "decided as recorded; 1: something changed; 2: the request makes no sense.",
-        epilog="Examples: python -m cap.audit --only saltation.wall-entry; python -m cap.audit "
-        "--verdict refuted --section 4; python -m cap.audit --jobs 2 --format html > audit.html",
+        epilog="Examples: python -m cap.audit --summary; python -m cap.audit --only "
+        "saltation.wall-entry; python -m cap.audit --verdict refuted --section 4; python -m "
+        "cap.audit --recorded --format html > audit.html; python -m cap.audit --patch paper.tex",
     )
-    p.add_argument("--only", metavar="ID", help="one claim (--format json lists the ids)")
+    p.add_argument(
+        "--only",
+        metavar="ID",
+        help="a claim, or a group: what is before the point (--format json lists the ids)",
+    )
     p.add_argument("--section", metavar="S", help="one section: its number, or any label in it")
     p.add_argument("--verdict", metavar="V", help="claims with this verdict: refuted, open, ...")
     p.add_argument("--format", choices=FORMATS, default="text", help="default: text")
@@ -52,16 +62,30 @@ def parser() -> argparse.ArgumentParser:
         "forgotten",
     )
     p.add_argument(
+        "--recorded", action="store_true", help="report the recorded verdicts: decide nothing"
+    )
+    p.add_argument("--summary", action="store_true", help="the recorded verdicts on one page")
+    p.add_argument(
+        "--erratum", action="store_true", help="what the text has and should have, by section"
+    )
+    p.add_argument("--bibtex", action="store_true", help="entries for the paper and the audit")
+    p.add_argument(
+        "--patch",
+        type=Path,
+        metavar="FILE.tex",
+        help="the erratum as a patch of the paper's TeX file, for git apply",
+    )
+    p.add_argument(
         "--paper",
         type=Path,
         metavar="FILE.tex",
-        help="compare the places stored here with those of the paper's TeX file; with --record, "
-        "store these",
+        help="say which sentences are others in this version of the paper's TeX file, and which "
+        "are corrected; with --record, store its places and lines",
     )
     p.add_argument(
         "--record",
         action="store_true",
-        help="record the verdicts (of all claims): later runs are compared with them",
+        help="record the verdicts: later runs are compared with them",
     )
     return p
 
@@ -74,6 +98,9 @@ def main(words: Sequence[str]) -> int:
             return _paper(options)
         if options.coverage:
             return _coverage()
+        if (text := _text(options)) is not None:
+            print(text, end="" if text.endswith("\n") else "\n")
+            return 0
         return _audit(options)
     except BadInput as error:
         _progress("")
@@ -85,15 +112,31 @@ def main(words: Sequence[str]) -> int:
         return INTERRUPTED
 
 
+def _text(options: argparse.Namespace) -> str | None:
+    """Return what is written without deciding anything, if it is asked for."""
+    if options.patch is not None:
+        return errata.patch(options.patch)
+    if options.bibtex:
+        return bibtex()
+    known = {name: recorded.recorded()[name] for name in ledger.claims()}
+    if options.summary:
+        return summary(report(known))
+    if options.erratum:
+        return erratum(report(known))
+    return None
+
+
 def _paper(options: argparse.Namespace) -> int:
-    """Compare the stored places with those of the TeX file, or store them."""
+    """Compare the paper with another version of its TeX file, or store the places of this one."""
     lines = compared(options.paper)
     if options.record:
+        new = labels.fitted(options.paper)
         with replacing(labels.STORED) as file:
-            file.write(labels.dumps(labels.read(options.paper)).encode())
+            file.write(labels.dumps(new).encode())
         print(f"{labels.STORED}: written ({len(lines)} differences)")
         return 0
-    print("\n".join(lines or ["the stored places are those of this file"]))
+    seen = revision.told(Manuscript.read(options.paper))
+    print("\n".join([*(lines or ["the stored places are those of this file"]), *seen]))
     return 1 if lines else 0
 
 
@@ -106,14 +149,15 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
-    if options.record and options.only is options.section is None:
-        tables.record(_progress, fresh=options.fresh)
+    if options.record:
+        tables.record(_progress, _tables(options), fresh=options.fresh)
         ledger.claims.cache_clear()
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
-    if options.record and not whole:
-        raise BadInput("--record is for all claims: leave out --only and --section")
-    verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
+    if options.recorded:
+        verdicts = {each.id: recorded.recorded()[each.id] for each in claims}
+    else:
+        verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
     _progress("")
     if options.record:
         return _record(verdicts)
@@ -125,14 +169,29 @@ def _audit(options: argparse.Namespace) -> int:
     return 1 if changed else 0
 
 
+def _tables(options: argparse.Namespace) -> list[str]:
+    """Return the tables whose rows are listed anew: of a group or a section, if it is asked for."""
+    if options.only is not None:
+        return [label for label in LABELS if tables.group(label) == options.only]
+    if options.section is not None:
+        section = {each.id for each in ledger.chosen(None, options.section)}
+        return [
+            label
+            for label in LABELS
+            if any(row.id in section for row in tables.claims() if row.table == label)
+        ]
+    return list(LABELS)
+
+
 def _record(verdicts: dict[str, Verdict]) -> int:
     undecided = [name for name, each in verdicts.items() if each.outcome is Outcome.UNDECIDED]
     for name in undecided:
         say(f"undecided: {name}: {verdicts[name].evidence}", sys.stderr)
     if undecided:
         return 1
-    changed = recorded.changes(verdicts, whole=True)
+    changed = recorded.changes(verdicts, whole=False)
     recorded.write(verdicts)
+    accepted.record()
     print("\n".join([*changed, f"{recorded.PATH}: {len(verdicts)} verdicts written"]))
     return 0
 

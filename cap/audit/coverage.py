@@ -1,12 +1,11 @@
 """Which places of the paper claims are taken from; it fails if a place is forgotten."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from cap.audit import labels, ledger
 from cap.audit.labels import Place
 from cap.audit.reasons import REASONS
-from cap.errors import BadInput
 
 
 @dataclass(frozen=True)
@@ -62,15 +61,16 @@ def _line(place: Place, ids: list[str]) -> str:
 
 def compared(path: Path) -> list[str]:
     """Return how the places of a TeX file differ from those that are stored."""
-    try:
-        own, new = labels.stored(), labels.read(path)
-    except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(f"cannot read {path}: {error}") from None
+    own, new = labels.stored(), labels.read(path)
     old_places, new_places = ({p.label: p for p in paper.places} for paper in (own, new))
     lines = [f"gone: {label}" for label in old_places.keys() - new_places]
     lines += [f"new: {label}" for label in new_places.keys() - old_places]
     common = old_places.keys() & new_places
-    lines += [f"moved or changed: {k}" for k in common if old_places[k] != new_places[k]]
+    lines += [
+        f"moved or changed: {k}"
+        for k in common
+        if replace(old_places[k], line=0) != replace(new_places[k], line=0)
+    ]
     if own.sha256 != new.sha256:
         lines.append(f"the file has the digest {new.sha256}, not {own.sha256}")
     return sorted(lines)

@@ -1,14 +1,16 @@
 """Decide claims: from the cache or anew, one after the other or on several processes."""
 
 import signal
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, ProcessPoolExecutor, wait
+from dataclasses import replace
 from functools import partial
 
 from cap.audit import cache, ledger, tables
 from cap.audit.claim import Claim
 from cap.audit.dependencies import digest
 from cap.audit.means import stored
+from cap.audit.means.need import steps
 from cap.audit.means.written import exists
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
@@ -24,14 +26,35 @@ def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
     if not fresh and (found := cache.known(claim)):
         return found
     stored.asked_for()
+    steps()
     try:
         verdict = claim.decide()
-        if verdict.proof and not exists(verdict.proof):
-            verdict = _undecided(f"the written proof {verdict.proof} is missing")
     except Exception as failure:  # noqa: BLE001 (a claim that cannot be decided is no crash)
         verdict = _undecided(f"{type(failure).__name__}: {failure}")
-    cache.keep(claim, verdict, stored.asked_for())
+    asked = stored.asked_for()
+    verdict = _rested(verdict, asked.keys(), steps())
+    cache.keep(claim, verdict, asked)
     return verdict
+
+
+def _rested(verdict: Verdict, certificates: Collection[str], made: int) -> Verdict:
+    """Return the verdict with the strength of what it rests on.
+
+    That is a written proof, which must be there; else the certificates that were asked for; else
+    the steps that were made; else the reading of the text.  What is numerical, or not decided,
+    says so itself.
+    """
+    if verdict.proof and not exists(verdict.proof):
+        return _undecided(f"the written proof {verdict.proof} is missing")
+    if verdict.certificate and verdict.certificate not in certificates:
+        return _undecided(f"the certificate {verdict.certificate} is named, and was not checked")
+    if verdict.strength in (Strength.NUMERICAL, Strength.NONE):
+        return verdict
+    if verdict.proof:
+        return replace(verdict, strength=Strength.BY_ARGUMENT)
+    if certificates:
+        return replace(verdict, strength=Strength.CERTIFIED)
+    return replace(verdict, strength=Strength.PROVED if made else Strength.READ)
 
 
 def _of_a_table(row: Row, fresh: bool) -> Verdict:

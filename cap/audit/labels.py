@@ -9,9 +9,13 @@ import hashlib
 import json
 import re
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import cache
 from pathlib import Path
+
+from cap.audit import errata, quotes
+from cap.audit.manuscript import Manuscript
+from cap.errors import BadInput
 
 STORED = Path(__file__).with_name("labels.json")
 _STATEMENTS = (
@@ -25,6 +29,9 @@ _TOKEN = re.compile(
     r"|\\end\{(?P<end>\w+\*?)\}|\\label\{(?P<label>[^}]*)\}|(?P<appendix>\\appendix\b)"
     r"|(?P<item>\\item\b)"
 )
+_CITED = re.compile(r"\\cite\w*\*?(?:\[[^]]*\])*\{([^}]*)\}")
+_REFERENCES = re.compile(r"\\bibitem|\\bibliography\{|\\addbibresource")
+_PICTURES = re.compile(r"\\includegraphics(?:\[[^]]*\])?\{\s*\}")
 
 
 @dataclass(frozen=True)
@@ -41,10 +48,22 @@ class Place:
 
 @dataclass(frozen=True)
 class Paper:
-    """The places of the paper in its order, and a digest of the file they were read from."""
+    """The places of the paper in its order, and a digest of the file they were read from.
+
+    ``lines``: those of `cap.audit.quotes`, by the claims.  Counted in the file are the works that
+    are cited, the entries or files of a bibliography, and the pictures without a file.  ``bound``
+    is a digest of the quotations and the erratum that were found to fit the file.
+    """
 
     sha256: str
     places: tuple[Place, ...]
+    title: str = ""
+    author: str = ""
+    cited: int = 0
+    references: int = 0
+    pictures: int = 0
+    bound: str = ""
+    lines: dict[str, int] = field(default_factory=dict)
 
     def place(self, label: str) -> Place:
         """Return the place with this label; `KeyError` if there is none."""
@@ -77,9 +96,34 @@ class _Reader:
 
 def read(path: Path) -> Paper:
     """Return the places of a TeX file."""
-    data = path.read_bytes()
-    text = re.sub(r"(?<!\\)%.*", "", data.decode("utf-8"))
-    return Paper(hashlib.sha256(data).hexdigest(), tuple(_places(text)))
+    manuscript = Manuscript.read(path)
+    text = re.sub(r"(?<!\\)%.*", "", manuscript.text)
+    return Paper(
+        hashlib.sha256(manuscript.text.encode()).hexdigest(),
+        tuple(_places(text)),
+        manuscript.title,
+        manuscript.author,
+        len({key for keys in _CITED.findall(text) for key in keys.split(",")}),
+        len(_REFERENCES.findall(text)),
+        len(_PICTURES.findall(text)),
+        lines=quotes.lines(manuscript),
+    )
+
+
+def bound() -> str:
+    """Return a digest of the quotations and the erratum as they are stored."""
+    stored = (quotes.STORED, errata.STORED)
+    return hashlib.sha256(b"".join(path.read_bytes() for path in stored)).hexdigest()
+
+
+def fitted(path: Path) -> Paper:
+    """Return the places of a TeX file that every quotation and every change fits, or `BadInput`."""
+    paper = read(path)
+    missing = quotes.stored().keys() - paper.lines
+    if missing:
+        raise BadInput(f"not once in {path}: what is quoted by {', '.join(sorted(missing))}")
+    errata.corrected(Manuscript.read(path))
+    return replace(paper, bound=bound())
 
 
 def _places(text: str) -> Iterator[Place]:
@@ -173,11 +217,17 @@ def dumps(paper: Paper) -> str:
     """Return the text of the stored list."""
     rows = [json.dumps(asdict(place), ensure_ascii=False) for place in paper.places]
     places = ",\n  ".join(rows)
-    return f'{{\n "sha256": "{paper.sha256}",\n "places": [\n  {places}\n ]\n}}\n'
+    lines = ",\n  ".join(f'"{name}": {line}' for name, line in paper.lines.items())
+    head = ",\n ".join(
+        f'"{name}": {json.dumps(getattr(paper, name), ensure_ascii=False)}'
+        for name in ("sha256", "title", "author", "cited", "references", "pictures", "bound")
+    )
+    return f'{{\n {head},\n "places": [\n  {places}\n ],\n "lines": {{\n  {lines}\n }}\n}}\n'
 
 
 @cache
 def stored() -> Paper:
     """Return the places as they are stored."""
     found = json.loads(STORED.read_text(encoding="utf-8"))
-    return Paper(found["sha256"], tuple(Place(**each) for each in found["places"]))
+    places = tuple(Place(**each) for each in found.pop("places"))
+    return Paper(places=places, **found)

@@ -18,7 +18,7 @@ MODULES = (
     *("persistence", "basin"),
     *("particles", "tori"),
     *("integrator", "diagnostics", "existence", "enclosure", "conclusion"),
-    *("gallery", "mirror"),
+    *("gallery", "mirror", "wording"),
 )
 
 
@@ -52,10 +52,13 @@ def section_of(claim: Claim) -> str:
 
 
 def chosen(only: str | None, section: str | None) -> list[Claim]:
-    """Return the claims that are asked for; `BadInput` if there are none of this name."""
+    """Return the claims that are asked for: one, those of a group, those of a section.
+
+    Raises `BadInput` if there are none of this name.
+    """
     found = list(claims().values())
     if only is not None:
-        found = [each for each in found if each.id == only]
+        found = [each for each in found if only in (each.id, each.id.partition(".")[0])]
         if not found:
             raise BadInput(f"there is no claim {only!r}{_near(only)}")
     if section is not None:

@@ -1,12 +1,17 @@
 """The verdicts as they are recorded: ``recorded.json``, which only ``--record`` writes."""
 
+import hashlib
 import json
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import asdict
+from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
+from typing import Any
 
-from cap.audit import ledger
+from cap import __version__
+from cap.audit import ledger, quotes
 from cap.audit.cache import verdict
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
@@ -16,28 +21,56 @@ PATH = Path(__file__).with_name("recorded.json")
 
 
 @cache
+def _file() -> dict[str, Any]:
+    """Return what is in the file."""
+    if not PATH.is_file():
+        return {"date": "", "program": "", "verdicts": {}}
+    found: dict[str, Any] = json.loads(PATH.read_text(encoding="utf-8"))
+    return found
+
+
+@cache
 def recorded() -> dict[str, Verdict]:
     """Return the recorded verdicts by the ids of the claims; one that is none is not recorded."""
-    if not PATH.is_file():
-        return {}
     found = {}
-    for name, fields in json.loads(PATH.read_text(encoding="utf-8")).items():
+    for name, fields in _file()["verdicts"].items():
         with suppress(ValueError, KeyError):
             found[name] = verdict(fields)
     return found
 
 
-def write(verdicts: dict[str, Verdict]) -> None:
-    """Record verdicts."""
-    entries = {name: _short(each) for name, each in verdicts.items()}
-    text = json.dumps(entries, ensure_ascii=False, indent=1)
-    with replacing(PATH) as file:
-        file.write(f"{text}\n".encode())
+def made() -> tuple[str, str]:
+    """Return the day of the last record, and the program that made it."""
+    return _file()["date"], _file()["program"]
+
+
+def forget() -> None:
+    """Read the file again when it is asked for."""
+    _file.cache_clear()
     recorded.cache_clear()
+
+
+def write(verdicts: dict[str, Verdict]) -> None:
+    """Record verdicts; those on other claims stay, those on what is no claim any more go."""
+    old, claims = _file()["verdicts"], ledger.claims()
+    new = {name: _short(each) | {"sentence": sentence(name)} for name, each in verdicts.items()}
+    entries = {name: (old | new)[name] for name in claims if name in old | new}
+    day, program = datetime.now(UTC).date().isoformat(), f"cap {__version__}"
+    everything = {"date": day, "program": program, "verdicts": entries}
+    with replacing(PATH) as file:
+        file.write(f"{json.dumps(everything, ensure_ascii=False, indent=1)}\n".encode())
+    forget()
 
 
 def _short(decided: Verdict) -> dict[str, str]:
     return {key: str(value) for key, value in asdict(decided).items() if value}
+
+
+def sentence(name: str) -> str:
+    """Return a digest of what a claim says: place, kind, words, value and quotation."""
+    claim = ledger.claims()[name]
+    parts = (claim.where, claim.kind, claim.says, claim.stated, quotes.quote(name))
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 
 def changes(verdicts: dict[str, Verdict], *, whole: bool) -> list[str]:
@@ -49,6 +82,8 @@ def changes(verdicts: dict[str, Verdict], *, whole: bool) -> list[str]:
             lines.append(f"{name} could not be decided: {new.evidence}")
         elif name not in known:
             lines.append(f"{name} is not recorded: {new.outcome}, {new.strength}")
+        elif _file()["verdicts"][name].get("sentence") != sentence(name):
+            lines.append(f"{name}: its place, words, value or quotation are not those recorded")
         else:
             lines += _differences(name, known[name], new)
     if whole:
@@ -67,6 +102,16 @@ def _differences(name: str, old: Verdict, new: Verdict) -> list[str]:
         if before != now:
             lines.append(f"{name}: recorded {before}, now {now}")
     floats = new.strength is Strength.NUMERICAL or isinstance(ledger.claims().get(name), Row)
-    if not lines and not floats and old.found != new.found:
-        lines.append(f"{name}: recorded '{old.found}', now '{new.found}'")
+    if not lines and not floats:
+        lines += [
+            f"{name}: recorded {what} '{before}', now '{now}'"
+            for what, before, now in _words(old, new)
+            if before != now
+        ]
     return lines
+
+
+def _words(old: Verdict, new: Verdict) -> Iterator[tuple[str, str, str]]:
+    """Give what is said of two verdicts, side by side."""
+    for what in ("found", "evidence", "proof", "certificate"):
+        yield what, getattr(old, what), getattr(new, what)

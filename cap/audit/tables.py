@@ -15,7 +15,7 @@ from pathlib import Path
 from cap.audit import cache as kept
 from cap.audit.claim import Claim, Kind
 from cap.audit.elsewhere import DECIDED_BY
-from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.audit.verdict import Outcome, Strength, Verdict, uncheckable
 from cap.errors import NotProved
 from cap.files import replacing
 from cap.paper.comparison import PROVED, Comparison
@@ -24,11 +24,6 @@ from cap.paper.registry import LABELS, figure, module
 
 LONGEST = 60  # end of an id
 STORED = Path(__file__).with_name("tables.json")
-FLOATS = (
-    "In doubles, by closed forms from event to event, located up to rounding; what depends on "
-    "chance, seeds or rounding says so"
-)
-BALLS = "Proved when the table is computed"
 _KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
 
 
@@ -64,10 +59,15 @@ def claims() -> tuple[Row, ...]:
 
 
 def _claim(label: str, what: str, paper: str, where: str, kind: str) -> Row:
-    name = f"{label.replace(':', '-').lower()}.{_slug(what)}"
-    says = f"In the table of {label}: {what}."
+    name = f"{group(label)}.{_slug(what)}"
+    says = f"{what[0].upper()}{what[1:]}."
     decide = _decided_by(label, what)
     return Row(name, where, Kind(kind), says, paper, decide, table=label)
+
+
+def group(label: str) -> str:
+    """Return what the ids of the rows of a table begin with."""
+    return label.replace(":", "-").lower()
 
 
 def _slug(text: str) -> str:
@@ -84,19 +84,21 @@ def verdict(row: Comparison) -> Verdict:
     """Return what a comparison says of the paper.
 
     A number that is another one is corrected, words that are not so are refuted; what the paper
-    says too roughly, or of a procedure that it does not give, is imprecise.
+    says too roughly, or of a procedure that it does not give, is imprecise; where it does not say
+    what is to be computed, nothing is decided.
     """
+    if row.unstated:
+        return uncheckable(f"here: {row.ours.replace(PROVED, '')}", f"{row.reason}.")
     outcome = Outcome.REFUTED if row.kind is Compared.WORDS else Outcome.CORRECTED
     if row.agrees:
         outcome = Outcome.CONFIRMED
     elif row.imprecise:
         outcome = Outcome.IMPRECISE
-    how = BALLS if row.rigorous else FLOATS
     return Verdict(
         outcome=outcome,
         strength=Strength.PROVED if row.rigorous else Strength.NUMERICAL,
         found=row.ours.replace(PROVED, ""),
-        evidence=f"{row.reason}. {how}." if row.reason else f"{how}.",
+        evidence=f"{row.reason}." if row.reason else "",
     )
 
 
@@ -148,10 +150,10 @@ def _listing(label: str, found: Iterable[Comparison]) -> list[list[str]]:
     return [[row.what, row.paper, row.where or label, str(_KINDS[row.kind])] for row in found]
 
 
-def record(progress: Callable[[str], None], *, fresh: bool) -> None:
-    """List the rows of all tables anew."""
-    new = {}
-    for label in LABELS:
+def record(progress: Callable[[str], None], labels: Iterable[str], *, fresh: bool) -> None:
+    """List the rows of some tables anew."""
+    new = {label: listed()[label] for label in LABELS if label in listed()}
+    for label in labels:
         progress(f"the table of {label}")
         found = None if fresh else _known(label)
         found = computed(label) if found is None else found

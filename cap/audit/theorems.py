@@ -101,7 +101,7 @@ STATEMENTS = (
         "saltation.contraction-almost-everywhere",
         "saltation.determinant-of-a-period",
         instead="The product formula, with 0 after a capture too; |det Φ'| < 1 on X \\ Ω_NS^[0,T]. "
-        "Explicit determinants: theorem periodic (periodic-1.json to periodic-11.json).",
+        "Explicit determinants: theorem periodic (periodic-1.json to periodic-12.json).",
     ),
     statement(
         "thm:symmetric",
@@ -167,6 +167,7 @@ STATEMENTS = (
     statement(
         "cor:Hamilton-island",
         "kam.area-of-the-curves",
+        "kam.measure-estimate",
         instead="The corollary, given the measure estimate; without it: density one.",
     ),
     statement(
@@ -187,8 +188,8 @@ STATEMENTS = (
         "melnikov.vanishing-integral",
         "melnikov.friction-integral",
         "melnikov.amplitudes",
-        instead="Nothing yet: the saddles are certified (saddle.json, saddle-2.json), a horseshoe "
-        "is open here.",
+        instead="Theorem homoclinic (homoclinic.json): at the paper's parameters a saddle has "
+        "transverse homoclinic points whose orbits never stop, hence a horseshoe of such states.",
     ),
     statement(
         "thm:OmNS-structure",
@@ -196,7 +197,7 @@ STATEMENTS = (
         "decomposition.neighbourhood-in-the-set",
         "symplectic.symplectic",
         instead="Forward invariance, symplecticity as above, invariant curves with their insides; "
-        "not the part on saddles.",
+        "of saddles, the horseshoe of theorem homoclinic (homoclinic.json).",
     ),
     statement(
         "prop:contraction",

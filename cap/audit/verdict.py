@@ -21,8 +21,9 @@ class Strength(StrEnum):
     """How strong the evidence is."""
 
     PROVED = "proved"  # in balls, symbolically, or exhaustively, here and now
-    CERTIFIED = "certified"  # by a stored certificate that the checker accepts now
+    CERTIFIED = "certified"  # by a stored certificate that the checker accepts
     BY_ARGUMENT = "by argument"  # by a written proof; what a machine can check of it, it checked
+    READ = "by reading"  # the text alone shows it
     NUMERICAL = "numerical"
     NONE = "not decided"  # of what is open, or cannot be checked
 
@@ -30,6 +31,8 @@ class Strength(StrEnum):
 @dataclass(frozen=True, kw_only=True)
 class Verdict:
     """What was decided: ``found`` is true, as far as ``strength`` says; ``evidence`` is how.
+
+    Where a function decides, the strength follows from what it did: see `cap.audit.decide`.
 
     ``proof`` is the section of a written proof, ``certificate`` the name of a stored certificate.
     """

@@ -7,7 +7,8 @@ cut.  Nothing else of the sentence is changed.
 
 import re
 import textwrap
-from itertools import takewhile
+
+from cap.words import digits
 
 ENCLOSURE = re.compile(r"\[(-?\d+\.\d+), (-?\d+\.\d+)\]")
 LONG = re.compile(r"\w{80,}")
@@ -29,13 +30,7 @@ def laid_out(verdict: str, width: int) -> str:
 
 
 def _common(found: re.Match[str]) -> str:
-    """Return an enclosure as the digits that its ends have in common, and the others of both."""
-    lower, upper = found.groups()
-    pairs = zip(lower, upper, strict=False)
-    common = "".join(a for a, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
-    if len(lower) != len(upper) or lower == upper or len(lower) > 3 / 2 * len(common):
-        return found[0]
-    return f"{common}[{lower[len(common) :]}..{upper[len(common) :]}]"
+    return digits(*found.groups())
 
 
 def _cut(found: re.Match[str]) -> str:

@@ -5,6 +5,7 @@ What can be proved: see `cap.proofs.theorems`.
 
 import sys
 from collections.abc import Iterator, Sequence
+from importlib import import_module
 
 from cap.certificate import report
 from cap.certificate import writer as certificate
@@ -22,6 +23,8 @@ from cap.words import quoted, say
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
+    if any(word.split("=")[0] == "--model" for word in words):
+        return import_module("cap.command.own").main(words)  # type: ignore[no-any-return]
     options = read(words)
     if options.list:
         print("\n".join(_listed()))

@@ -68,7 +68,8 @@ def _about() -> dict[str, Any]:
         "description": "Prove a theorem on x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, "
         "where v becomes -e v at the walls, and write a certificate that `python -m cap.verify "
         "FILE` checks.  Orbits are searched for in floats, from many seeds or from the state "
-        "given.  `python -m cap.prove THEOREM --help` has the options of one theorem.",
+        "given.  `python -m cap.prove THEOREM --help` has the options of one theorem.  "
+        "For a system of your own: `python -m cap.prove periodic --model FILE --help`.",
         "epilog": f"{NUMBERS}  Examples: "
         "python -m cap.prove elliptic --f 9/20 --out /tmp;  "
         "python -m cap.prove periodic --F 3 --orbit 0.4 -0.67;  "

@@ -7,7 +7,7 @@ import argparse
 import logging
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,26 +17,40 @@ from cap.command.entry import INTERRUPTED
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.explore.commands import COMMANDS, Command
+from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
+from cap.explore.play import command as page
 from cap.option import Option, integer
 from cap.parameters import PAPER, Parameters, exact
 from cap.runner import Runner
+from cap.system.files import assigned, load
 from cap.words import printable, quoted, say
 
 MOST_PIXELS = 300_000_000
 FIRST = ("--paper", "--out", "--help", "--version")  # options before a command
 
 
-def parser() -> Parser:
+def read(words: Sequence[str]) -> argparse.Namespace:
+    """Return the options given: of the oscillator, or of a model."""
+    protected_words = [protected(word) for word in words]
+    of_model = any(word.partition("=")[0] == "--model" for word in words)
+    return parser(of_model=of_model).parse_args(protected_words)
+
+
+def parser(*, of_model: bool = False) -> Parser:
     """Return the command line's parser."""
+    known = MODEL_COMMANDS if of_model else COMMANDS
     p = Parser(
         prog=program("cap.explore"),
         formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes "
         "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",
         epilog="Examples:\n"
-        + "\n".join(f"  {c.line(name)}" for name, c in COMMANDS.items())
+        + "\n".join(f"  {c.line(name)}" for name, c in known.items())
+        + "\n\nOf a system of your own, a model of ten lines (docs/own-system.md):\n"
+        + "\n".join(f"  {c.line(name)}" for name, c in MODEL_COMMANDS.items())
         + "\n\nThe basins that a certificate proves, which is verified first, have a command of "
-        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png",
+        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png\n\n"
+        "A page to play with, in the browser:\n  python -m cap.explore play",
     )
     p.add_argument(
         "--paper",
@@ -54,8 +68,11 @@ def parser() -> Parser:
         help="a file, may be repeated; of --paper all: a directory",
     )
     commands = p.add_subparsers(dest="command", metavar="WHAT", title="what to explore")
-    for name, command in COMMANDS.items():
-        _add(commands.add_parser(name, **_described(name, command)), command)
+    for name, command in known.items():
+        each = commands.add_parser(name, **_described(name, command))
+        _add(each, command, _model if of_model else _parameters)
+    if not of_model:
+        page.add(commands, _parameters)
     return p
 
 
@@ -68,8 +85,35 @@ def _described(name: str, command: Command) -> dict[str, Any]:
     }
 
 
-def _add(p: argparse.ArgumentParser, command: Command) -> None:
-    """Add the options of one command."""
+def _parameters(p: argparse.ArgumentParser) -> None:
+    """Add the parameters of the oscillator."""
+    given = p.add_argument_group("parameters (integers, decimals or p/q, exact)")
+    for name, value in PAPER.strings().items():
+        given.add_argument(f"--{name}", default=value, metavar="Q", help=f"default {value}")
+
+
+def _model(p: argparse.ArgumentParser) -> None:
+    """Add the options that name a model, and its parameters."""
+    given = p.add_argument_group("the model, a system of your own")
+    given.add_argument(
+        "--model", metavar="FILE", required=True, help="FILE.py[:FUNCTION] or FILE.json"
+    )
+    given.add_argument(
+        "--set",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="A=Q,..",
+        help="values of its parameters, exact: 0.5 means 1/2",
+    )
+
+
+def _add(
+    p: argparse.ArgumentParser,
+    command: Command,
+    about: Callable[[argparse.ArgumentParser], None],
+) -> None:
+    """Add the options of one command, and those that say what it is about."""
     own = p.add_argument_group("of this picture")
     for option in command.options:
         if option.flag:
@@ -78,9 +122,7 @@ def _add(p: argparse.ArgumentParser, command: Command) -> None:
             own.add_argument(
                 f"--{option.name}", nargs=option.nargs, metavar=option.metavar, help=option.help
             )
-    given = p.add_argument_group("parameters (integers, decimals or p/q, exact)")
-    for name, value in PAPER.strings().items():
-        given.add_argument(f"--{name}", default=value, metavar="Q", help=f"default {value}")
+    about(p)
     output = p.add_argument_group("output")
     output.add_argument(
         "--out",
@@ -103,14 +145,18 @@ def main(words: Sequence[str]) -> int:
 
     def run() -> int:
         _in_order(words)
-        options = parser().parse_args([protected(word) for word in words])
+        options = read(words)
         if options.paper and options.command:
             raise BadInput(f"give --paper or {options.command}: not both")
         if options.paper:
             return _paper(options.paper, options.first_out, progress)
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
-        return _run(options, COMMANDS[options.command], progress)
+        if options.command == page.NAME:
+            return page.run(options, _about(options))
+        of_model = getattr(options, "model", None) is not None
+        known = MODEL_COMMANDS if of_model else COMMANDS
+        return _run(options, known[options.command], progress)
 
     return answered(run, progress)
 
@@ -136,7 +182,7 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
     with entry.loading():  # numpy is slow to load: not for --help
         from cap.explore import export  # noqa: PLC0415
     out = [*options.first_out, *options.out]
-    p = Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
+    p = _about(options)
     values = {o.keyword: _value(o, getattr(options, o.keyword)) for o in command.options}
     given = {name: value for name, value in values.items() if value is not None}
     command = command.about(given)
@@ -162,6 +208,15 @@ def _run(options: argparse.Namespace, command: Command, progress: Progress) -> i
         say("interrupted; what was done is kept", sys.stderr)
         return INTERRUPTED
     return failed or command.status(findings)
+
+
+def _about(options: argparse.Namespace) -> Any:
+    """Return what is explored: the parameters of the oscillator, or a model."""
+    if getattr(options, "model", None) is None:
+        return Parameters(*(exact(getattr(options, name)) for name in PAPER.strings()))
+    from cap.floats.models.subject import Subject  # noqa: PLC0415 (numba is slow to load)
+
+    return Subject(load(options.model, assigned(",".join(options.set))))
 
 
 def _value(option: Option, text: Any) -> Any:

@@ -12,7 +12,7 @@ from cap.command.output import writable
 from cap.errors import BadInput
 from cap.explore.arrays import arrays
 from cap.files import replacing
-from cap.floats.findings import Findings
+from cap.floats.findings import Data
 from cap.words import quoted
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def kind(path: Path) -> str:
     return suffix
 
 
-def write(findings: Findings, path: Path, draw: Callable[[], "Figure"]) -> None:
+def write(findings: Data, path: Path, draw: Callable[[], "Figure"]) -> None:
     """Write findings to ``path``; ``draw`` is called if that is an image."""
     suffix = kind(path)
     try:
@@ -48,7 +48,7 @@ def write(findings: Findings, path: Path, draw: Callable[[], "Figure"]) -> None:
         raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
 
 
-def _table(findings: Findings, file: IO[bytes]) -> None:
+def _table(findings: Data, file: IO[bytes]) -> None:
     """Write the columns, after the parameters as a comment; numbers are read back exactly."""
     columns = findings.columns()
     arrays = np.broadcast_arrays(*(np.asarray(column) for column in columns.values()))

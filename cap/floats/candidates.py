@@ -12,8 +12,9 @@ from cap.errors import BadInput
 from cap.floats.coverings import planar
 from cap.floats.coverings.search import Family, families
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
-from cap.floats.search import periodic
+from cap.floats.search import periodic, tori
 from cap.floats.search.cycles import Cycle, near
+from cap.floats.search.homoclinic import Excursion, Saddle, excursions
 from cap.floats.search.orbits import from_hit_times, search
 from cap.floats.search.periodic import Guess
 from cap.floats.search.request import Candidate, Found, Release, Request, Search, Turning
@@ -24,10 +25,12 @@ from cap.release.trap import critical_points
 
 __all__ = [
     "Candidate",
+    "Excursion",
     "Family",
     "Found",
     "Release",
     "Request",
+    "Saddle",
     "Search",
     "Turning",
     "attracting",
@@ -35,7 +38,10 @@ __all__ = [
     "closed_form",
     "continued",
     "cyclic",
+    "elliptic",
+    "elliptic_particles",
     "every_motion",
+    "excursions",
     "families",
     "fates",
     "half_period",
@@ -44,6 +50,8 @@ __all__ = [
     "particles",
     "releasing",
     "releasing_again",
+    "saddles",
+    "tori",
     "touching_nothing",
     "turning",
 ]
@@ -56,6 +64,11 @@ PATIENCE = 10  # periods after which an orbit that has not been captured is give
 
 def non_sticking(request: Request) -> Found:
     """Find elliptic orbits or saddles that never turn."""
+    return _listed(request, lambda guess: guess.x, "(smallest x)")
+
+
+def _listed(request: Request, rank: Callable[[Guess], float], first: str) -> Found:
+    """Return the orbits of a kind in an order; the ``first`` is proved unless all are asked for."""
     request.parameters.elastic_strings()
     if request.orbit:
         guess = periodic.near(request.parameters, *request.orbit)
@@ -65,7 +78,7 @@ def non_sticking(request: Request) -> Found:
                 f"trace is {guess.trace:.6g}"
             )
         return Found([_newton(request), f"  {_shown(guess)}"], [_candidate(guess)])
-    found = _never_stopping(request)
+    found = sorted(_never_stopping(request), key=rank)
     if not found:
         raise BadInput(
             f"no {request.kind} non-sticking T-periodic orbit was found (a guess can be given with "
@@ -75,10 +88,26 @@ def non_sticking(request: Request) -> Found:
     heading = (
         f"Found {_counted(len(found), f'{request.kind} orbit')} with "
         f"{' or '.join(map(str, numbers))} hits per period; "
-        f"proving {_which(request, len(found), '(smallest x)')}:"
+        f"proving {_which(request, len(found), first)}:"
     )
     lines = [heading, *(f"  {k}  {_shown(guess)}" for k, guess in enumerate(found, 1))]
     return Found(lines, [_candidate(guess) for guess in (found if request.every else found[:1])])
+
+
+def saddles(request: Request) -> Found:
+    """Find saddles that never turn, the weakest first."""
+    request = replace(request, kind="saddle")
+    return _listed(request, lambda guess: abs(guess.trace), "(least trace)")
+
+
+def elliptic(request: Request) -> Found:
+    """Find elliptic orbits that never turn, for a theorem of another name."""
+    return non_sticking(replace(request, kind="elliptic"))
+
+
+def elliptic_particles(request: Request) -> Found:
+    """Find an elliptic orbit of two masses, for a theorem of another name."""
+    return particles(replace(request, kind="particles"))
 
 
 def _never_stopping(request: Request) -> list[Guess]:

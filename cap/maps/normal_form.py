@@ -75,7 +75,7 @@ def twists(x: Jet, v: Jet) -> list[Ball]:
         raise NotProved("normal form", "the determinant is not one", {"determinant": determinant})
     linear = ellipticity(x, v)
     f = complex_map(x, v, linear)
-    nu = _resonant(f, linear.multiplier)
+    _, nu = normal_form(f, linear.multiplier)
     result = []
     for k, (real, imaginary) in enumerate(_logarithm(nu), start=1):
         if not (real.is_finite() and real.contains(0)):
@@ -124,8 +124,8 @@ def conjugate(f: Jet) -> Jet:
     return Jet(f.space, coefficients)
 
 
-def _resonant(f: Jet, multiplier: ComplexBall) -> list[ComplexBall]:
-    """Return ν_1, ν_2, ... of N for the map ``f``; see the module's docstring."""
+def normal_form(f: Jet, multiplier: ComplexBall) -> tuple[Jet, list[ComplexBall]]:
+    """Return ψ, and ν_1, ν_2, ... of N, for the map ``f``; see the module's docstring."""
     space = f.space
     psi, _ = Jet.variables((ComplexBall(0), ComplexBall(0)), space.order)
     bar = conjugate(f)
@@ -148,7 +148,7 @@ def _resonant(f: Jet, multiplier: ComplexBall) -> list[ComplexBall]:
                     )
                 value = e / divisor
             psi.coefficients[space.index[j, k]] = value
-    return nu
+    return psi, nu
 
 
 def _normal_map(psi: Jet, nu: list[ComplexBall], multiplier: ComplexBall) -> Jet:

@@ -61,9 +61,35 @@ class PeriodicOrbit:
     @cached_property
     def symmetric(self) -> list[Ball]:
         """The elementary symmetric functions of the n multipliers: their sum, .., their product."""
-        coefficients = self.derivative.charpoly().coeffs()
-        n = len(self.itinerary.system.state)
-        return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
+        n, D = len(self.itinerary.system.state), self.derivative
+        if self.itinerary.system.autonomous:  # that of the state; one of its multipliers is 0
+            rows = D.table()
+            D = interval.matrix([row[1:] for row in rows[1:]])
+        coefficients = D.charpoly().coeffs()
+        return [(-1) ** k * coefficients[D.nrows() - k] for k in range(1, n + 1)]
+
+    def unstable(self, radius: Fraction = Fraction(1)) -> int | None:
+        """How many multipliers lie outside a circle around 0, if certainly none lies on it."""
+        signed = [
+            (-1) ** k * e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)
+        ]
+        inside = _inside([interval.ONE, *signed])
+        return None if inside is None else len(signed) - inside
+
+
+def _inside(p: Sequence[Ball]) -> int | None:
+    """Return how many zeros of a polynomial, highest power first, lie in the unit circle.
+
+    None if a comparison of Schur and Cohn's recursion is not certain; one may lie on the circle.
+    """
+    if len(p) == 1:
+        return 0
+    first, last = abs(p[0]), abs(p[-1])
+    if first > last:
+        found = _inside([p[0] * a - p[-1] * b for a, b in zip(p, reversed(p), strict=True)][:-1])
+        return None if found is None else found + 1
+    found = _inside([*reversed(p)]) if last > first else None
+    return None if found is None else len(p) - 1 - found
 
 
 class Prover:
@@ -124,14 +150,17 @@ class Prover:
     def legs(self, box: Box) -> list[Leg]:
         """Return the legs of the orbits whose contacts lie in a box."""
         equations, of, n = self.equations, self.balls, self.equations.n
-        clocks = {place.here: of.clock(box[place.here]) for place in equations.places}
+        starts = [equations.start(box, place) for place in equations.places]
+        clocks = {
+            place.here: of.clock(t) for place, t in zip(equations.places, starts, strict=True)
+        }
         found = []
         for k, (leg, place) in enumerate(zip(equations.legs, equations.places, strict=True)):
             here, there, _ = place
             before = box[here + 1 : here + n + 1]
             after = of.of(leg.after)(*clocks[here], *before)
             end = End(equations.end(box, place, of), clocks[there], box[there + 1 : there + n + 1])
-            found.append(Leg(k, End(box[here], clocks[here], after), end, of))
+            found.append(Leg(k, End(starts[k], clocks[here], after), end, of))
         return found
 
     def _minima_of(self, mode: str, name: str) -> list[Minimum] | None:
@@ -141,8 +170,12 @@ class Prover:
             self._minima[key] = minima(lemma, self.balls)
         return self._minima[key]
 
-    def prove(self, guess: Sequence[float], digits: int) -> PeriodicOrbit:
+    def prove(
+        self, guess: Sequence[float], digits: int, far: Fraction | None = None
+    ) -> PeriodicOrbit:
         """Prove that there is an orbit near the guess; see the theorem of this module.
+
+        The centre has so many digits, the box reaches ``far`` from it.
 
         Raises `NotProved` with the step that failed and the sets at which it did.
         """
@@ -150,7 +183,7 @@ class Prover:
         point = [interval.ball(q) for q in near]
         matrix = zero.inverse_of(self.problem.slope(point))
         hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
-        reach = (Fraction(100, 10**digits),) * len(near)
+        reach = (far or Fraction(100, 10**digits),) * len(near)
         box, _, _ = self.existence(hint, reach)
         box = self.problem.tightened(hint, box)
         blocks = self.equations.blocks(box, self.balls)

@@ -1,7 +1,8 @@
 """Numbers and claims of the paper beside what is computed here.
 
-A number agrees if it is at most one unit of the last printed digit away, so that both rounding and
-cutting off are accepted; a count agrees if it is equal; an enclosure, if it holds what is proved.
+A printed number agrees if it is what is found, rounded to its last digit; if it is farther away,
+but by no more than a unit of this digit, it is imprecise; a count agrees if it is equal; an
+enclosure, if it holds what is proved.
 """
 
 from collections.abc import Iterable, Sequence
@@ -12,6 +13,7 @@ from fractions import Fraction
 
 MORE = 3  # digits shown beyond those of the paper
 PROVED = " (proved)"
+NOT_ROUNDED = "less than a unit of the last digit away, but not rounded"
 
 
 class Kind(StrEnum):
@@ -26,7 +28,9 @@ class Comparison:
     """What the paper says and what is computed; why they differ, or a remark if they agree.
 
     ``imprecise``: if they differ, the paper is too rough, or is about a procedure that it does not
-    describe, rather than wrong.  ``where`` is the place that says it, if that is not the figure.
+    describe, rather than wrong.  ``unstated``: it does not say what would have to be computed (a
+    start, seeds), so that nothing found here can agree or differ.  ``where`` is the place that says
+    it, if that is not the figure.
     """
 
     what: str
@@ -37,6 +41,7 @@ class Comparison:
     kind: Kind = Kind.VALUE
     where: str = ""
     imprecise: bool = False
+    unstated: bool = False
 
     @property
     def rigorous(self) -> bool:
@@ -54,11 +59,20 @@ def roughly(row: Comparison) -> Comparison:
     return replace(row, imprecise=True)
 
 
+def cut_off(row: Comparison) -> Comparison:
+    """Return the row of a number after which the paper has dots: it need not be rounded."""
+    return replace(row, agrees=True, reason="", imprecise=False) if row.imprecise else row
+
+
+def unstated(row: Comparison, why: str) -> Comparison:
+    """Return the row, as one that nothing computed here can confirm or refute, for this reason."""
+    return replace(row, agrees=False, reason=why, unstated=True)
+
+
 def number(what: str, paper: str, ours: float, reason: str = "", *, note: str = "") -> Comparison:
     """Compare a float with a printed decimal."""
     printed, value = Decimal(paper), Decimal(float(ours))
-    agrees = value.is_finite() and abs(value - printed) <= _unit(printed)
-    return _made(what, paper, _shown(value, printed), agrees, reason, note)
+    return _rounded(_made(what, paper, _shown(value, printed), True, "", note), [value], reason)
 
 
 def proved(
@@ -67,8 +81,8 @@ def proved(
     """Compare a proved enclosure, (lower, upper) in decimals, with a printed decimal."""
     printed = Decimal(paper)
     ends = [Decimal(end) for end in ours]
-    agrees = all(abs(end - printed) <= _unit(printed) for end in ends)
-    return _made(what, paper, _shown(ends[0], printed) + PROVED, agrees, reason, note)
+    row = _made(what, paper, _shown(ends[0], printed) + PROVED, True, "", note)
+    return _rounded(row, ends, reason)
 
 
 def enclosure(
@@ -110,6 +124,17 @@ def _made(what: str, paper: str, ours: str, agrees: bool, reason: str, note: str
     return Comparison(what, paper, ours, bool(agrees), note if agrees else reason)
 
 
+def _rounded(row: Comparison, values: Iterable[Decimal], reason: str) -> Comparison:
+    """Return the row of a printed number, whose value is one of these or between them."""
+    printed = Decimal(row.paper)
+    away = max(abs(value - printed) if value.is_finite() else Decimal("Inf") for value in values)
+    if away <= _unit(printed) / 2:
+        return row
+    if away <= _unit(printed):
+        return replace(row, agrees=False, reason=NOT_ROUNDED, imprecise=True)
+    return replace(row, agrees=False, reason=reason)
+
+
 def _exponent(value: Decimal) -> int:
     exponent = value.as_tuple().exponent
     return exponent if isinstance(exponent, int) else 0
@@ -136,7 +161,8 @@ def markdown(rows: Iterable[Comparison]) -> list[str]:
     """Return a table."""
     lines = ["| what | paper | ours | agrees? | why not, or a remark |", "|---|---|---|---|---|"]
     for row in rows:
-        cells = (row.what, row.paper, row.ours, "yes" if row.agrees else "**no**", row.reason)
+        agrees = "not said" if row.unstated else "yes" if row.agrees else "**no**"
+        cells = (row.what, row.paper, row.ours, agrees, row.reason)
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return lines
 

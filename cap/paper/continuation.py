@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from cap.floats.findings import Floats
 from cap.paper.closed_form import pair_curve, symmetric_member
-from cap.paper.comparison import Comparison, claim, count, number, percent
+from cap.paper.comparison import Comparison, claim, count, number, percent, taken_from, unstated
 from cap.paper.figure import Figure, Result, Run
 from cap.paper.nine_points import FORCES, GAPS, PAPER_KINDS, nine, others
 from cap.parameters import PAPER
@@ -163,9 +163,10 @@ def _limits() -> list[Comparison]:
     slope = float(np.polyfit(np.log(nu), np.log(exponents), 1)[0])
     gap = float(np.ptp([_least_gap(R) for R in (1.0, 2.0, 3.0)]))
     return [
-        number("saddle-center: exponent of log(multiplier) over the distance in f", "0.25", slope,
-               "another law", note="so the text on Lyapunov exponents; Theorem saddlecenter has "
-               "1 +- c sqrt"),
+        *taken_from("ssec:num-coexist", [
+            unstated(number("exponent of mu in the positive Lyapunov exponent", "0.25", slope),
+                     "this is the saddle's own, at f = 2F/pi; on which orbits of the chaotic "
+                     "component of Omega_NS, at which mu, the paper's was computed is not said")]),
         claim("saddle-center: where", "f_sc(R), depends on R",
               f"2F/pi for every R (differences of {gap:.0e} between R = 1, 2, 3)", gap > 1e-3,
               "GKR2019 has it right: plus and minus meet at f = 2F/pi (proved)"),

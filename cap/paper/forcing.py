@@ -14,7 +14,7 @@ from cap.floats.diagnostics.continuation import continuation
 from cap.floats.search.cycles import Cycle, StroboscopicMap
 from cap.floats.search.inventory import KINDS
 from cap.floats.search.orbits import search
-from cap.paper.comparison import Comparison, claim, count, number, roughly, taken_from
+from cap.paper.comparison import Comparison, claim, count, number, roughly, taken_from, unstated
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER, Parameters
 from cap.pictures.diagrams import TYPE_COLOURS
@@ -28,6 +28,7 @@ TOTAL = 7, 8
 SAME = 0.025  # the paper's, in each coordinate
 SLOWEST, DETERMINANTS = 0.05, (0.1, 5.0)  # of what the paper keeps
 SEEDS = 3  # per side: the paper does not say how many; these come nearest to its counts
+CHOSEN = "how many seeds, and the damping, are not said; ours are chosen to come near its counts"
 FOLD = 0.887
 SAME_F = 1e-5
 NEIGHBOURS = 0.75  # how far on either side of its F a sink is followed
@@ -97,10 +98,9 @@ def _counts(data: Counted) -> list[Comparison]:
             continue
         rough, full = (split(each) for each in mine[F])
         rows += [
-            roughly(claim(
+            unstated(claim(
                 f"F = {F}: elliptic + saddle, grid-Newton", f"{elliptic} + {saddle}",
-                f"{rough[0]} + {rough[1]} ({SEEDS} x {SEEDS} seeds)", rough == (elliptic, saddle),
-                "the seeds and the damping are not said; Newton's method leads elsewhere")),
+                f"{rough[0]} + {rough[1]} ({SEEDS} x {SEEDS} seeds)", False), CHOSEN),
             roughly(claim(
                 f"F = {F}: all orbits found, elliptic + saddle", f"{elliptic} + {saddle}",
                 f"{full[0]} + {full[1]}", full == (elliptic, saddle),
@@ -113,8 +113,8 @@ def _counts(data: Counted) -> list[Comparison]:
     why = "missed by the seeds"
     return [
         *rows,
-        roughly(count("elliptic orbits at all F, grid-Newton", TOTAL[0], rough[0], "as above")),
-        roughly(count("saddles at all F, grid-Newton", TOTAL[1], rough[1], "as above")),
+        unstated(count("elliptic orbits at all F, grid-Newton", TOTAL[0], rough[0]), CHOSEN),
+        unstated(count("saddles at all F, grid-Newton", TOTAL[1], rough[1]), CHOSEN),
         roughly(count("orbits at all F", sum(TOTAL), sum(full),
                 f"{why}, or dropped by the paper's filters (|v| > 0.05, 0.1 <= det <= 5), which "
                 f"{_passing(data)} of ours pass")),

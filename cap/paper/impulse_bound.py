@@ -108,8 +108,9 @@ def _bound(run: Run) -> list[Comparison]:
         number(f"F = {LOW}: the orbit of (0, 0.7) comes to rest at t", "14.4",
                first["stick"].time),
         claim(f"F = {LOW}: enters Omega_dissip", "at t = 14.4, where it rests",
-              f"turns first, at t = {first['turn'].time:.4f}", first["turn"].time > 14.3,
-              "by the paper's definition a turn is enough"),
+              f"is in it at t = 0; turns at t = {first['turn'].time:.4f}",
+              first["turn"].time > 14.3,
+              "by the paper's definition: below the bound every orbit turns, so Omega_NS is empty"),
         claim(f"F = {LOW}: then", "oscillates around a slowly drifting equilibrium",
               f"is T-periodic: rests {rests[-1]:.4f} twice a period at x = {sticks[-1].x:.4f} and "
               f"{sticks[-2].x:.4f}, drift {drift:.0e}", drift > 1e-6,

@@ -79,10 +79,13 @@ def _curves(turns: Rotation) -> list[Comparison]:
     known = list(convergents(Fraction(own["rotation_number"][0]), 4))
     tight = ", ".join(map(str, known))
     steps = np.diff(turns.rotation[good & (turns.distance > 0.006)])
+    near, top = good.argmax(), int(np.argmax(np.where(good, turns.rotation, -np.inf)))
+    inner, there = turns.rotation[near], turns.distance[top]
+    rises = f"rises from {inner:.10f} at P_* (a minimum: tau_1 > 0) to {high:.10f} at {there:.4f}, "
     return [
         proved("rotation number at P_*", "0.287", own["rotation_number"]),
         claim("rotation number with the radius", "varies smoothly, close to 0.287",
-              f"falls from {high:.7f} to {low:.4f} (a maximum at P_*: tau_1 is nearly 0)",
+              f"{rises}then falls to {low:.4f}",
               bool((steps < 1e-4).all()), "",
               note="on the curves; nearly constant up to a distance of 0.01"),
         claim("5 and 7 are denominators of convergents", "both",

@@ -17,6 +17,7 @@ from cap.paper.comparison import (
     Comparison,
     claim,
     count,
+    cut_off,
     enclosure,
     number,
     proved,
@@ -163,7 +164,7 @@ def _enclosures(own: dict[str, Any]) -> list[Comparison]:
         claim("box in which the fixed point is unique", "P_* +- 1e-9",
               f"{own['box']['x']} x {own['box']['v']} (proved)".replace("'", ""), inside,
               note="ours holds that of the paper"),
-        proved("distance of the rotation number from 1/4", "0.0369597", quarter),
+        cut_off(proved("distance of the rotation number from 1/4", "0.0369597", quarter)),
         number("that exceeds the enclosure's width by orders of magnitude", "8", orders,
                "nine", note="nine, rounded down"),
     ]  # fmt: skip

@@ -15,13 +15,14 @@ from fractions import Fraction
 from math import floor, log10
 
 import flint
-from flint import acb, arb, arb_mat, ctx, fmpq
+from flint import acb, acb_poly, arb, arb_mat, ctx, fmpq
 
 from cap.errors import NotProved
 
 FLINT: str = flint.__version__
 Ball = arb
 ComplexBall = acb
+ComplexPolynomial = acb_poly  # multiplies fast, and keeps small coefficients sharp
 Box = tuple[arb, arb]
 Matrix = arb_mat  # its products are closer, and for n > 2 faster, than sums of balls
 Exact = fmpq  # a rational: balls are made of it five times as fast as of a `Fraction`
@@ -213,10 +214,12 @@ def stated(text: str) -> Fraction:
 
 def exact_decimal(value: Fraction) -> str:
     """Return ``value`` exactly; the caller guarantees that it is a finite decimal."""
-    places = 0
-    while (value * 10**places).denominator != 1:
-        places += 1
-    return decimal(value, places)
+    rest, fives = value.denominator, 0
+    twos = (rest & -rest).bit_length() - 1
+    rest >>= twos
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    return decimal(value, max(twos, fives))
 
 
 def short(value: Fraction) -> Fraction:

@@ -41,3 +41,9 @@ def inverse(m: Matrix[S]) -> Matrix[S]:
     (a, b), (c, d) = m
     det = determinant(m)
     return (d / det, -b / det), (-c / det, a / det)
+
+
+def adjugate(m: Matrix[S]) -> Matrix[S]:
+    """Return the inverse of m times its determinant."""
+    (a, b), (c, d) = m
+    return (d, -b), (-c, a)

@@ -11,11 +11,12 @@ from __future__ import annotations
 import inspect
 import traceback
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from numbers import Rational
 from pathlib import Path
 from types import FunctionType, ModuleType
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from cap.errors import BadInput
 from cap.parameters import exact
@@ -24,20 +25,51 @@ from cap.system.model import System
 
 MOST = 200  # characters of a message that is not ours
 Model = Callable[..., object]
+Values = Mapping[str, str | Fraction | int]
+Read = tuple[System, dict[str, Fraction]]
 Result = TypeVar("Result")
 
 
-def read(path: str | Path, values: Mapping[str, str | Fraction | int] | None = None) -> System:
+@dataclass(frozen=True)
+class Loaded:
+    """A system from the file ``path``, with the ``values`` of all its parameters."""
+
+    path: str
+    system: System
+    values: Mapping[str, Fraction]
+
+    def settings(self, *, but: tuple[str, ...] = ()) -> str:
+        """Return the values as ``A=6/5,e=1/2``."""
+        return ",".join(f"{name}={q}" for name, q in self.values.items() if name not in but)
+
+
+def read(path: str | Path, values: Values | None = None) -> System:
     """Return the system in a file with values of its parameters, exact: "6/5", "1.2", numbers.
 
     Those that are not given have the function's defaults; JSON has none.  Raises `BadInput`.
     """
+    return load(path, values).system
+
+
+def load(path: str | Path, values: Values | None = None) -> Loaded:
+    """Return the system in a file as `read` does, with the values of its parameters."""
     file, name = _named(str(path))
-    given = {parameter: _exact(value, parameter) for parameter, value in (values or {}).items()}
     text = _text(file)
-    return (
-        _from_json(text, file, given) if file.suffix == ".json" else _made(text, file, name, given)
-    )
+    of = _from_json if file.suffix == ".json" else _made
+    return Loaded(str(path), *of(text, file, name, values or {}))
+
+
+def assigned(text: str) -> dict[str, str]:
+    """Return the values of parameters in words as ``A=6/5,e=1/2``."""
+    found = dict[str, str]()
+    for part in filter(None, text.split(",")):
+        name, equal, value = (word.strip() for word in part.partition("="))
+        if not equal or not name or not value:
+            raise BadInput(f"write values of parameters as NAME=VALUE,NAME=VALUE: {part!r}")
+        if name in found:
+            raise BadInput(f"the parameter {name} has two values")
+        found[name] = value
+    return found
 
 
 def _named(path: str) -> tuple[Path, str]:
@@ -62,34 +94,40 @@ def _text(file: Path) -> str:
         raise BadInput(f"cannot read {file}: {error.strerror}") from None
 
 
-def _from_json(text: str, file: Path, given: Mapping[str, Fraction]) -> System:
+def _from_json(text: str, file: Path, _name: str, values: Values) -> Read:
     """Return the system in JSON, with numbers in place of all its parameters."""
     try:
         system = form.loads(text)
-        _complete(given, system.parameters, system.parameters)
-        return system.at(given)
+        given = _numbers(values, dict.fromkeys(system.parameters))
+        return system.at(given), given
     except BadInput as error:
         raise BadInput(f"{file}: {error}") from None
 
 
-def _complete(given: Mapping[str, Fraction], known: Any, needed: Any) -> None:
-    """Refuse parameters that are unknown, and those without a value."""
-    for name in given:
+def _numbers(values: Values, known: Mapping[str, object]) -> dict[str, Fraction]:
+    """Return the numbers of all known parameters: given, or by default (None: there is none)."""
+    listed = ", ".join(n if q is None else f"{n} = {_line(str(q))}" for n, q in known.items())
+    for name in values:
         if name not in known:
-            raise BadInput(f"no parameter {name}: there are {', '.join(known) or 'none'}")
-    for name in needed:
-        if name not in given:
-            raise BadInput(f"the parameter {name} needs a value")
+            raise BadInput(f"no parameter {name}: there are {listed or 'none'}")
+    for name, default in known.items():
+        if name not in values and default is None:
+            raise BadInput(f"the parameter {name} needs a value: there are {listed}")
+    try:
+        given = {name: _exact(value, name) for name, value in values.items()}
+    except BadInput as error:
+        raise BadInput(f"{error}; the parameters are {listed}") from None
+    return {name: given[name] if name in given else _exact(q, name) for name, q in known.items()}
 
 
-def _made(text: str, file: Path, name: str, given: Mapping[str, Fraction]) -> System:
-    """Return what the function of a file returns."""
+def _made(text: str, file: Path, name: str, values: Values) -> Read:
+    """Return what the function of a file returns, and its arguments."""
     module = ModuleType(file.stem)
     module.__file__ = str(file)
     _run(lambda: exec(compile(text, str(file), "exec"), module.__dict__), file)  # noqa: S102
     model = _function(module, file, name)
     try:
-        numbers = _arguments(model, given)
+        numbers = _arguments(model, values)
     except BadInput as error:
         raise BadInput(f"{file}: {model.__name__}: {error}") from None
     system = _run(lambda: model(**numbers), file)
@@ -99,7 +137,7 @@ def _made(text: str, file: Path, name: str, given: Mapping[str, Fraction]) -> Sy
     if system.parameters:
         names = ", ".join(system.parameters)
         raise BadInput(f"{file}: make {names} an argument of the function, not of the System")
-    return system
+    return system, numbers
 
 
 def _function(module: ModuleType, file: Path, name: str) -> FunctionType:
@@ -119,20 +157,14 @@ def _function(module: ModuleType, file: Path, name: str) -> FunctionType:
     return here[name or public[0]]
 
 
-def _arguments(model: FunctionType, given: Mapping[str, Fraction]) -> dict[str, Fraction]:
+def _arguments(model: FunctionType, values: Values) -> dict[str, Fraction]:
     """Return the values of all parameters of a function, given or by default."""
     found = inspect.signature(model).parameters
     for parameter in found.values():
         if parameter.kind not in (parameter.POSITIONAL_OR_KEYWORD, parameter.KEYWORD_ONLY):
             raise BadInput(f"{parameter} is no parameter with a name: write each one")
-    defaults = {
-        name: _exact(parameter.default, name)
-        for name, parameter in found.items()
-        if name not in given and parameter.default is not parameter.empty
-    }
-    numbers = {**defaults, **given}
-    _complete(numbers, found, found)
-    return numbers
+    none = inspect.Parameter.empty
+    return _numbers(values, {n: None if q.default is none else q.default for n, q in found.items()})
 
 
 def _exact(value: object, name: str) -> Fraction:

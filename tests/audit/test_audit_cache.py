@@ -84,9 +84,9 @@ def test_the_folder(monkeypatch, tmp_path):
 
 def test_dependencies_are_followed():
     """Modules that are imported inside of functions, and by imported modules; not the libraries."""
-    found = dependencies.closure("cap.audit.claims.homoclinic")
+    found = dependencies.closure("cap.audit.claims.gallery")
     assert {"cap.audit.means.stored", "cap.sets.interval", "cap.errors"} <= found
-    assert "cap.floats.diagnostics.manifold" in found
+    assert "cap.floats.engine.swarm" in found
     assert "sympy" not in found
     assert "cap.audit.claims.tori" not in found
 

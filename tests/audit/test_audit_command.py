@@ -34,14 +34,18 @@ def test_one_claim(run):
     assert (status, err) == (0, "")
     assert f"{ONE}: confirmed (proved)" in out
     assert f"run: python -m cap.audit --only {ONE} --fresh" in out
-    assert "The ten" not in out
+    assert "The findings" not in out
+    assert labels.stored().sha256 in out
 
 
 def test_data(run):
-    """A list of objects with the keys that were asked for."""
+    """The paper, the program, and a list of objects with the keys that were asked for."""
     status, out, _ = run("--section", "def:Phi", "--format", "json")
-    objects = json.loads(out)
+    everything = json.loads(out)
+    objects = everything["claims"]
     assert status == 0
+    assert everything["paper"]["sha256"] == labels.stored().sha256
+    assert everything["program"].startswith("cap ")
     assert {each["section"] for each in objects} == {"2"}
     for each in objects:
         assert list(each)[: len(KEYS)] == KEYS
@@ -53,7 +57,8 @@ def test_one_verdict(run):
     """Only claims with it are shown; the others are decided all the same."""
     status, out, _ = run("--section", "2", "--verdict", "vacuous", "--format", "json")
     assert status == 0
-    assert [each["id"] for each in json.loads(out)] == ["inclusion.sticking-to-a-wall"]
+    found = json.loads(out)["claims"]
+    assert [each["id"] for each in found] == ["inclusion.sticking-to-a-wall"]
 
 
 def test_a_verdict_that_changed(run, monkeypatch):
@@ -89,7 +94,7 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
         (("--verdict", "wrong"), "no verdict 'wrong': one of confirmed, "),
         (("--jobs", "0"), "--jobs must be an integer"),
         (("--jobs", "two"), "--jobs must be an integer"),
-        (("--record", "--only", ONE), "--record is for all claims"),
+        (("--patch", "none.tex"), "cannot read none.tex"),
         (("--paper", "none.tex"), "cannot read none.tex"),
         (("--format", "word"), "invalid choice"),
         (("else",), "unrecognized arguments"),
@@ -125,13 +130,45 @@ def test_the_paper(run, tmp_path, monkeypatch):
     path.write_text(r"\section{One}\label{sec:intro}")
     assert run("--paper", str(path))[0] == 1
     monkeypatch.setattr(labels, "STORED", tmp_path / "labels.json")
+    status, _, err = run("--paper", str(path), "--record")
+    assert (status, err.startswith("error: not once in ")) == (2, True)
+    monkeypatch.setattr("cap.audit.quotes.stored", dict)
+    monkeypatch.setattr("cap.audit.errata.changes", tuple)
     assert run("--paper", str(path), "--record")[0] == 0
     labels.stored.cache_clear()
     try:
         status, out, _ = run("--paper", str(path))
     finally:
         labels.stored.cache_clear()
-    assert (status, out) == (0, "the stored places are those of this file\n")
+    assert status == 0
+    assert out.startswith("the stored places are those of this file\n")
+
+
+@pytest.mark.parametrize("word", ["--summary", "--erratum", "--bibtex"])
+def test_what_is_written_without_deciding(run, monkeypatch, word):
+    """Of the recorded verdicts, with the digest of the paper."""
+    monkeypatch.setattr(command, "all_decided", None)
+    status, out, err = run(word)
+    assert (status, err) == (0, "")
+    assert labels.stored().sha256 in out
+
+
+def test_recorded_verdicts_are_shown(run, monkeypatch):
+    """Without deciding; a whole page in a second."""
+    monkeypatch.setattr(command, "all_decided", None)
+    status, out, _ = run("--recorded", "--format", "json")
+    assert status == 0
+    assert len(json.loads(out)["findings"]) > 50
+
+
+def test_the_summary_is_one_page(run):
+    """Lines of a terminal on a sheet of paper: what stands, what falls, the ten, where to go on."""
+    _, out, _ = run("--summary")
+    lines = out.splitlines()
+    assert len(lines) <= 60
+    assert max(map(len, lines)) <= 100
+    for words in ("Stand when changed: ", "Fall: ", "10. ", "--erratum"):
+        assert words in out
 
 
 def test_an_interrupt(run, monkeypatch):

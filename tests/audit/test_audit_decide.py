@@ -1,11 +1,15 @@
 """Deciding: nothing that goes wrong is a verdict, and processes decide the same."""
 
 import os
+from dataclasses import replace
 
 import pytest
 
-from cap.audit import ledger, recorded
+from cap.audit import ledger, quotes, recorded
 from cap.audit.decide import all_decided, decided
+from cap.audit.means import accepted
+from cap.audit.means.need import need
+from cap.audit.means.stored import FOLDER, stored
 from cap.audit.verdict import Outcome, Strength, confirmed, refuted, still_open
 from cap.errors import BadInput, NotProved
 
@@ -39,14 +43,58 @@ def test_a_written_proof_must_be_there(example):
     assert "setup.md#nothing is missing" in verdict.evidence
 
 
-def test_the_strength_follows_from_what_a_verdict_rests_on():
-    """A written proof makes it an argument, a certificate makes it certified, else it is proved."""
-    assert confirmed("", "").strength is Strength.PROVED
-    assert refuted("", "", certificate="capture.json").strength is Strength.CERTIFIED
-    both = confirmed("", "", certificate="capture.json", proof="setup.md#the-contact-law")
-    assert both.strength is Strength.BY_ARGUMENT
+def rests(example, *, proof="", checks=0, certificate="", asks=False):
+    """Return the verdict of a function that makes checks, and may ask for a certificate."""
+
+    def decide():
+        for _ in range(checks):
+            need(True, "no")
+        if asks:
+            stored("impulse-1.json")
+        return confirmed("yes", "", proof=proof, certificate=certificate)
+
+    return decided(with_function(example[0], decide), fresh=True)
+
+
+def test_the_strength_follows_from_what_was_done(example):
+    """Not from what a verdict names: nothing, checks, a certificate, a written proof."""
+    assert rests(example).strength is Strength.READ
+    assert rests(example, checks=1).strength is Strength.PROVED
+    assert rests(example, checks=1, asks=True).strength is Strength.CERTIFIED
+    by = rests(example, checks=1, asks=True, proof="setup.md#the-contact-law")
+    assert by.strength is Strength.BY_ARGUMENT
     assert still_open("", "").strength is Strength.NONE
     assert still_open("", "", numerical=True).strength is Strength.NUMERICAL
+
+
+def test_a_certificate_that_is_named_must_be_checked(example):
+    """Its name alone decides nothing."""
+    verdict = rests(example, checks=1, certificate="impulse-1.json")
+    assert verdict.outcome is Outcome.UNDECIDED
+    assert "impulse-1.json is named, and was not checked" in verdict.evidence
+
+
+def test_long_certificates_are_those_that_were_accepted(tmp_path, monkeypatch):
+    """Another file is checked; so is one that does not take long."""
+    name, data = accepted.LONG[0], b"{}"
+    monkeypatch.setattr(accepted, "STORED", tmp_path / "accepted.json")
+    accepted._stored.cache_clear()
+    try:
+        accepted.note("impulse-1.json", data)
+        accepted.note(name, data)
+        accepted.record()
+        assert accepted.known(name, data)
+        assert not accepted.known(name, data + b" ")
+        assert not accepted.known("impulse-1.json", data)
+    finally:
+        accepted._stored.cache_clear()
+        accepted._NEW.clear()
+
+
+def test_the_stored_long_certificates_are_accepted():
+    """Else claims that ask for them take minutes; see `accepted`."""
+    for name in accepted.LONG:
+        assert accepted.known(name, (FOLDER / name).read_bytes()), "run cap.audit --record"
 
 
 def test_processes_decide_the_same(own_cache):
@@ -68,7 +116,9 @@ def test_changes_are_noticed():
     assert len(recorded.changes({name: old}, whole=True)) == len(ledger.claims()) - 1
     for new, words in (
         (refuted(old.found, ""), "recorded corrected, now refuted"),
-        (type(old)(outcome=old.outcome, found="else", evidence=""), "now 'else'"),
+        (replace(old, found="else"), "now 'else'"),
+        (replace(old, evidence="else"), "recorded evidence"),
+        (replace(old, proof="else"), "recorded proof"),
         (type(old)(outcome=Outcome.UNDECIDED, found="", evidence="why"), "not be decided: why"),
     ):
         (line,) = recorded.changes({name: new}, whole=False)
@@ -79,28 +129,51 @@ def test_changes_are_noticed():
 
 def test_floats_may_differ_in_their_digits():
     """What is found in floats is not compared, its verdict is."""
-    name = "homoclinic.horseshoe"
+    name = "gallery.scaling-of-the-hits"
     old = recorded.recorded()[name]
     assert old.strength is Strength.NUMERICAL
-    assert recorded.changes({name: still_open("else", "", numerical=True)}, whole=False) == []
-    assert recorded.changes({name: still_open("else", "")}, whole=False)
+    assert recorded.changes({name: replace(old, found="else")}, whole=False) == []
+    assert recorded.changes({name: replace(old, strength=Strength.READ)}, whole=False)
+
+
+@pytest.mark.parametrize("what", ["says", "stated", "where"])
+def test_a_changed_sentence_is_noticed(monkeypatch, what):
+    """Its words, the value stated, its place: the record knows what the verdict was about."""
+    name = FEW[1]
+    claim = ledger.claims()[name]
+    monkeypatch.setitem(ledger.claims(), name, replace(claim, **{what: "another"}))
+    (line,) = recorded.changes({name: recorded.recorded()[name]}, whole=False)
+    assert "are not those recorded" in line
+
+
+def test_a_changed_quotation_is_noticed(monkeypatch):
+    """One digit of it is enough."""
+    name = FEW[1]
+    monkeypatch.setitem(quotes.stored(), name, quotes.quote(name).replace("0.34790", "0.34791"))
+    (line,) = recorded.changes({name: recorded.recorded()[name]}, whole=False)
+    assert "are not those recorded" in line
 
 
 def test_recording(tmp_path, monkeypatch):
-    """What is written is read back; an entry that is no verdict is not recorded."""
-    verdicts = {"a.b": still_open("found", "evidence"), "c.d": refuted("x", "y", certificate="z")}
+    """What is written is read back, other entries stay; what is no verdict is not recorded."""
+    first, second = FEW[:2]
+    one, two = still_open("found", "evidence"), refuted("x", "y", certificate="z")
     monkeypatch.setattr(recorded, "PATH", tmp_path / "recorded.json")
-    recorded.recorded.cache_clear()
+    recorded.forget()
     try:
         assert recorded.recorded() == {}
-        recorded.write(verdicts)
-        assert recorded.recorded() == verdicts
+        recorded.write({first: one})
+        recorded.write({second: two})
+        assert recorded.recorded() == {first: one, second: two}
+        day, program = recorded.made()
+        assert len(day) == len("2026-01-01")
+        assert program.startswith("cap ")
         text = recorded.PATH.read_text().replace("refuted", "disputed")
         recorded.PATH.write_text(text)
-        recorded.recorded.cache_clear()
-        assert recorded.recorded().keys() == {"a.b"}
+        recorded.forget()
+        assert recorded.recorded().keys() == {first}
     finally:
-        recorded.recorded.cache_clear()
+        recorded.forget()
 
 
 def test_a_process_that_is_killed(own_cache, monkeypatch):

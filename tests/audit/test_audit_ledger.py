@@ -2,7 +2,7 @@
 
 import pytest
 
-from cap.audit import coverage, labels, ledger, matters, recorded, theorems
+from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded, theorems
 from cap.audit.claim import Kind, claim, declared_in
 from cap.audit.verdict import Outcome, confirmed
 from cap.errors import BadInput
@@ -64,11 +64,41 @@ def test_coverage_complains_of_claims_without_a_place(monkeypatch, example):
     assert any("'eq:lost', which is no place" in each for each in coverage.coverage().wrong)
 
 
-def test_summaries_name_claims():
-    """The ten findings and the table of statements; every theorem of the paper is in it."""
+def test_findings_share_out_what_is_not_confirmed():
+    """Each such claim is in one of about sixty findings; the claims that they name exist."""
     ids = ledger.claims().keys()
-    assert len(matters.FINDINGS) == 10
-    assert {each.claim for each in matters.FINDINGS} <= ids
+    known = {name: recorded.recorded()[name] for name in ids}
+    shared = findings.members(known)
+    assert 50 <= len(shared) <= 70
+    everywhere = [name for names in shared.values() for name in names]
+    assert len(everywhere) == len(set(everywhere))
+    wrong = {name for name, each in known.items() if each.outcome is not Outcome.CONFIRMED}
+    assert wrong <= set(everywhere) <= ids
+    named = {name for each in shared for name in each.claims}
+    assert {name for name in named if not name.endswith("*")} <= ids
+
+
+def test_quotations_and_changes_name_claims():
+    """Each claim has a quotation; both were found to fit the paper as they are stored now."""
+    assert quotes.stored().keys() == ledger.claims().keys() == labels.stored().lines.keys()
+    assert labels.stored().bound == labels.bound()
+    assert {name for each in errata.changes() for name in each.claims} <= ledger.claims().keys()
+
+
+def test_each_wrong_formula_and_number_has_a_change():
+    """And no change is asked for by a claim that is confirmed."""
+    known = recorded.recorded()
+    wanted = {name for each in errata.changes() for name in each.claims}
+    for name, each in ledger.claims().items():
+        wrong = known[name].outcome in (Outcome.CORRECTED, Outcome.REFUTED)
+        if wrong and each.kind in (Kind.FORMULA, Kind.NUMBER, Kind.INEQUALITY):
+            assert name in wanted
+    assert all(known[name].outcome is not Outcome.CONFIRMED for name in wanted)
+
+
+def test_summaries_name_claims():
+    """The table of statements; every theorem of the paper is in it."""
+    ids = ledger.claims().keys()
     assert {name for each in theorems.STATEMENTS for name in each.decided_by} <= ids
     kinds = ("theorem", "lemma", "proposition", "corollary", "conjecture")
     assert [each.label for each in theorems.STATEMENTS] == [
@@ -79,9 +109,8 @@ def test_summaries_name_claims():
 def test_findings_were_written_for_the_recorded_verdicts():
     """Their consequences belong to the verdicts that they have."""
     known = recorded.recorded()
-    assert [known[each.claim].outcome for each in matters.FINDINGS] == [
-        each.expected for each in matters.FINDINGS
-    ]
+    all_ = findings.findings()
+    assert [known[each.claim].outcome for each in all_] == [each.expected for each in all_]
 
 
 def test_a_claim_is_declared_by_its_function():
@@ -98,7 +127,8 @@ def test_a_claim_is_declared_by_its_function():
 
 
 def test_claims_are_chosen():
-    """By id, and by section: its number or any of its labels."""
+    """By id, by group, and by section: its number or any of its labels."""
+    assert {each.id.partition(".")[0] for each in ledger.chosen("fig-sali", None)} == {"fig-sali"}
     assert [each.id for each in ledger.chosen("stops.tangency-times", None)] == [
         "stops.tangency-times"
     ]

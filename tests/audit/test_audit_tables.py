@@ -11,7 +11,7 @@ from cap.audit.means.printed import printed, stated
 from cap.audit.report.view import report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
-from cap.paper.comparison import claim, number, proved, roughly, taken_from
+from cap.paper.comparison import claim, number, proved, roughly, taken_from, unstated
 
 pytest_plugins = ["audit_fixtures"]
 LABEL = "fig:sali"
@@ -21,6 +21,7 @@ ROWS = (
     proved("a proved one", "3.14", ["3.1415", "3.1416"]),
     claim("words", "yes", "no (proved)", False, "because"),
     roughly(claim("rough words", "none found", "two", False, "more seeds")),
+    unstated(number("a start that is not given", "1.0", 1.0), "it is not given"),
 )
 
 
@@ -38,7 +39,7 @@ def table(own_cache, tmp_path, monkeypatch):
     monkeypatch.setattr(tables, "computed", computed)
     monkeypatch.setattr(tables, "_FOUND", {})
     tables.listed.cache_clear()
-    tables.record(lambda _words: None, fresh=True)
+    tables.record(lambda _words: None, [LABEL], fresh=True)
     calls.clear()
     tables._FOUND.clear()
     yield calls
@@ -59,9 +60,10 @@ def test_rows_become_claims(table):
         (Outcome.CONFIRMED, Strength.PROVED),
         (Outcome.REFUTED, Strength.PROVED),
         (Outcome.IMPRECISE, Strength.NUMERICAL),
+        (Outcome.UNCHECKABLE, Strength.NONE),
     ]
     assert [each.found for each in found.values()][3] == "no"
-    assert [each.where for each in tables.claims()] == [LABEL, "eq:sali-def", *[LABEL] * 3]
+    assert [each.where for each in tables.claims()] == [LABEL, "eq:sali-def", *[LABEL] * 4]
     assert tables.claims()[0].id == "fig-sali.a-value"
     assert tables.claims()[0].module == "cap.paper.sali"
 

@@ -43,7 +43,7 @@ def test_a_verdict_cannot_be_forged_by_a_name(name, tmp_path, capsys):
     assert capsys.readouterr().out == f"VERIFIED: {theorem} ({quoted(path)})\n"
     path.write_bytes(b"{}")
     assert verify.main(["--explain", str(path), str(tmp_path / f"no{name}")]) == 2
-    refused, missing = capsys.readouterr().out.splitlines()
+    missing, refused = capsys.readouterr().out.splitlines()  # small files first
     assert refused.startswith(f"REJECTED: {quoted(path)}: certificate has missing")
     assert missing == f"CANNOT READ: {quoted(tmp_path / f'no{name}')}: No such file or directory"
 

@@ -15,6 +15,7 @@ from cap.proofs.theorems import THEOREMS, takers
 
 EVERY = options_of(THEOREMS)
 SENSIBLE = {
+    "degree": "6",
     "order": "5",
     "from": "1/3",
     "to": "2/5",

@@ -97,6 +97,37 @@ def coupled_masses(a=1.0, w=2.0, k=1.0, d=0.1, e=0.8, gap=0.1):
     return {"free": (field, [(lambda t, y: gap - y[1], hit)])}
 
 
+def billiard(a=1.8, e=0.75, E=1.5, g=9.81):
+    """A ball over a parabola that moves up and down."""
+    w = 2 * pi
+
+    def hit(t, y):
+        n = np.array([-2 * a * y[0], 1.0])
+        v = np.array([y[2], y[3] - w * E * cos(w * t)])
+        v = v - (1 + e) * (v @ n) / (n @ n) * n
+        return "fly", [y[0], y[1], v[0], v[1] + w * E * cos(w * t)]
+
+    table = lambda t, y: y[1] - a * y[0] ** 2 - E * sin(w * t)
+    return {"fly": (lambda t, y: (y[2], y[3], 0.0, -g), [(table, hit)])}
+
+
+def clock(f=0.02, k=0.5, d=0.05):
+    """A balance that gets a kick once a turn."""
+    force = lambda y, side: -y[0] - 2 * d * y[1] - side * f
+    rest = lambda y, other: ("rest" if abs(y[0]) <= f else other, [y[0], 0.0])
+    forward = lambda t, y: (y[1], force(y, 1))
+    kick = (lambda t, y: -y[0], lambda t, y: ("going", [0.0, y[1] + k]))
+    return {
+        "coming": (forward, [kick, (lambda t, y: y[1], lambda t, y: rest(y, "rest"))]),
+        "going": (forward, [(lambda t, y: y[1], lambda t, y: rest(y, "back"))]),
+        "back": (
+            lambda t, y: (y[1], force(y, -1)),
+            [(lambda t, y: -y[1], lambda t, y: rest(y, "coming"))],
+        ),
+        "rest": (lambda t, y: (0.0, 0.0), [(lambda t, y: f - abs(y[0]) + 1e-9, lambda t, y: None)]),
+    }
+
+
 def oscillator(f=0.4):
     """Dry friction between two walls."""
 

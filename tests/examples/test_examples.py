@@ -23,6 +23,8 @@ from cap.system.files import read
 EXAMPLES = Path(__file__).parents[2] / "examples"
 NAMES = sorted(path.stem for path in EXAMPLES.glob("*.py"))
 BOXES = {  # of states from which orbits are followed
+    "billiard": ([-0.5, 8, -1, -1], [0.5, 12, 1, 1]),
+    "clock": ([-2, -2], [2, 2]),
     "ball": ([1.3, -2], [3, 2]),
     "belt": ([-2, -2], [2, 2]),
     "coupled_masses": ([-1, -1, -1, -1], [1, 0, 1, 1]),
@@ -92,13 +94,6 @@ def test_what_rests_is_released_by_the_contact_force(name):
         assert system.lie(to, speed).substituted(start) == -release.value
 
 
-def test_the_floats_refuse_the_billiard():
-    """Its table has the degree 2; in one line."""
-    with pytest.raises(BadInput, match="guards of degree 1") as refusal:
-        engine("billiard")
-    assert "\n" not in str(refusal.value)
-
-
 @pytest.mark.parametrize("name", some(BOXES))
 def test_as_by_hand(name):
     """The same state, mode and number of events after two periods, of orbits away from grazes."""
@@ -106,12 +101,13 @@ def test_as_by_hand(name):
     span = 2 * 2 * math.pi / float(E.system.omega.evaluated({}, float, math.pi))
     states = np.random.default_rng(4).uniform(*BOXES[name], size=(12, len(E.system.state)))
     found = E.follow(states, periods=2)
-    starts = E.modes[:2] if name in ("belt", "oscillator", "den_hartog") else E.modes[:1]
+    moving = {"belt": 2, "oscillator": 2, "den_hartog": 2, "clock": 3}
+    starts = E.modes[: moving.get(name, 1)]
     compared = 0
     for k, state in enumerate(states):
-        (start,) = [m for m in starts if E.inside(states)[E.modes.index(m), k]]
+        start, *_ = (m for m in starts if E.inside(states)[E.modes.index(m), k])
         other = by_hand.follow(modes, start, state, span)
-        if other is None or other[3] < 0.05:  # no end, or a graze
+        if other is None or other[3] < 0.05 or other[2] > 16:  # no end, a graze, chatter
             continue
         mode, y, count, _ = other
         assert not found.flags[k]

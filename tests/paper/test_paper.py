@@ -23,6 +23,7 @@ from cap.paper.comparison import (
     among,
     claim,
     count,
+    cut_off,
     enclosure,
     markdown,
     number,
@@ -137,10 +138,14 @@ def test_known_verdicts(expected, rows, found):
             assert verdicts[name] is expected, (label, name)
 
 
-def test_a_number_agrees_within_one_unit_of_its_last_digit():
-    """Rounded and cut-off numbers agree, others do not."""
+def test_a_number_agrees_if_it_is_rounded():
+    """What is cut off is imprecise, unless the paper has dots; others do not agree."""
     assert number("x", "0.207", 0.20666).agrees
-    assert number("x", "103.30", 103.3055).agrees  # cut off
+    off = number("x", "103.30", 103.3055)
+    assert (off.agrees, off.imprecise, cut_off(off).agrees) == (False, True, True)
+    assert not cut_off(number("x", "103.20", 103.3055)).agrees
+    assert proved("x", "3.14", ["3.1415", "3.1416"]).agrees
+    assert proved("x", "3.15", ["3.1415", "3.1416"]).imprecise
     assert not number("x", "0.467", 0.465904, "why").agrees
     assert not number("x", "0.467", math.nan, "why").agrees
     assert number("x", "-0.42", 0.1134, "sign").reason == "sign"

@@ -8,7 +8,7 @@ import pytest
 import cap
 from cap.errors import BadInput
 from cap.system import form
-from cap.system.files import read
+from cap.system.files import assigned, load, read
 
 BALL = """\
 from fractions import Fraction
@@ -87,12 +87,18 @@ def test_sympy(written):
 
 REFUSED = {
     "ball.py: ball: the parameter A needs a value": (BALL, {}),
-    "ball.py: ball: no parameter B: there are A, e, g": (BALL, {"B": "1"}),
+    "ball.py: ball: no parameter B: there are A, e = 1/2, g = 1": (BALL, {"B": "1"}),
     'A = 1.2 is a binary double: write "1.2", or a fraction': (BALL, {"A": 1.2}),
-    "A: not a number: 'six'": (BALL, {"A": "six"}),
+    "A: not a number: 'six' (write an integer, a decimal or p/q); the parameters are A, e = 1/2": (
+        BALL,
+        {"A": "six"},
+    ),
     "A is no exact number: True": (BALL, {"A": True}),
     "ball: e = 0.5 is a binary double": (changed("Fraction(1, 2)", "0.5"), {"A": 1}),
-    "ball: e is no exact number: None": (changed("Fraction(1, 2)", "None"), {"A": 1}),
+    "ball: the parameter e needs a value: there are A, e, g = 1": (
+        changed("Fraction(1, 2)", "None"),
+        {"A": 1},
+    ),
     "no public function": ("A = 1\n", {}),
     "several functions: name one": (BALL + SECOND, {"A": 1}),
     "*A is no parameter with a name": (changed("(A,", "(*A,"), {}),
@@ -171,3 +177,11 @@ def test_no_text(written):
     path.write_bytes(b"\xff\xfe")
     with pytest.raises(BadInput, match="not a text"):
         read(path)
+
+
+def test_settings(written):
+    """The values of all parameters, as they are written on a command line."""
+    ball = load(written(BALL), assigned("A=1.2,e=2/5"))
+    assert ball.settings() == "A=6/5,e=2/5,g=1"
+    assert ball.settings(but=("A",)) == "e=2/5,g=1"
+    assert read(ball.path, assigned(ball.settings())) == ball.system

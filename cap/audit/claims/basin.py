@@ -4,10 +4,12 @@ from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import identity, reals, same, symbols
+from cap.audit.means.balls import precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
+from cap.audit.verdict import Verdict, confirmed, corrected, refuted
+from cap.sets import interval
 
 
 def _certified_contraction() -> Fraction:
@@ -32,15 +34,25 @@ def small_neighbourhoods() -> Verdict:
 @claim("cor:island-basin", Kind.THEOREM, stated="the island is replaced by a single open basin")
 def replacement_of_the_island() -> Verdict:
     """The family of invariant curves around P* is replaced by a single open basin."""
-    first, second = (stored(name).claims["box"] for name in ("elliptic.json", "elliptic-2.json"))
-    need(first["v"].upper < second["v"].lower, "the two orbits may be the same")
-    return imprecise(
-        "near P* no invariant curve is left, and P(ε, μ) has an open basin. That the basin covers "
-        "the island is not shown: periodic orbits of the resonances in the island may become sinks "
-        "too. And there are two islands, hence two basins, by symmetry",
-        "Two different elliptic orbits, certified. What lies in the basin is certified for an "
-        "ellipse only (basin.small-neighbourhoods).",
-        certificate="elliptic-2.json",
+    sink, rectangle = stored("periodic-12.json"), stored("persistence.json").claims["range"]
+    epsilon, mu = 1 - sink.parameters["e"], sink.parameters["mu"]
+    need(0 < epsilon <= rectangle["epsilon"][-1], "P(ε, μ) is not certified at this ε")
+    need(0 < mu <= rectangle["mu"][-1], "P(ε, μ) is not certified at this μ")
+    times = sink.claims["event_times"]
+    with precisely():
+        gap = times[2].lower - times[0].upper  # of the first two hits of the right wall
+        need(interval.ball(gap) > 2 * interval.pi(), "the orbit may have the period T")
+    x, v = sink.claims["x"], sink.claims["v"]
+    return refuted(
+        f"at (ε, μ) = ({epsilon}, {mu}) the orbit of P(ε, μ) is a sink, and another sink, of "
+        f"period 7T through ({float(x.lower):.4f}, {float(v.lower):.4f}), has a basin of its own: "
+        "the resonance 2/7 of the island becomes it. No invariant curve is left near P(ε, μ), and "
+        "it has an open basin; but the basin does not cover the island",
+        f"Both are certified: this one as an orbit of period 7T, of type {sink.claims['type']}, "
+        "whose first two hits of the right wall are more than T apart, so that its least period "
+        "is 7T; P(ε, μ) for a rectangle of (ε, μ). That the orbit lies between invariant curves of "
+        "(0, 0) is seen in floats.",
+        certificate="periodic-12.json",
     )
 
 

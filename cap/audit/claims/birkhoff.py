@@ -151,7 +151,7 @@ def order_needed_for_the_twist() -> Verdict:
     )
 
 
-@claim("prop:twist-nondeg", Kind.STEP, stated="closed-form expressions eq:ABconst are analytic")
+@claim("prop:twist-nondeg", Kind.STEP, stated="Φ at the orbit is analytic on all of Π")
 def analytic_family() -> Verdict:
     """The elliptic orbit of the family is that of Theorem 4.2, which is analytic in the parameters
     on the connected set f_sc < f < f_imp, so τ₁ is.

@@ -8,7 +8,7 @@ from cap.audit.means.balls import below, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.verdict import Verdict, confirmed, corrected, refuted, uncheckable
+from cap.audit.verdict import Verdict, confirmed, corrected, refuted
 from cap.parameters import PAPER
 
 
@@ -88,11 +88,33 @@ def constant_force() -> Verdict:
     """With constant force and inelastic walls the primary bifurcation is a supercritical pitchfork
     at F_pf, with no saddle-center.
     """
-    return uncheckable(
-        "the system meant is not stated: μ_s, μ_k and L are not defined, friction has one "
-        "coefficient f in this paper, and a constant force pushes a mass towards one wall, where "
-        "its hits accumulate; no formula is given for F_pf",
-        "The text.",
+    F, f, x, v, e, sign = symbols("F f x v e s")
+    energy = v**2 / 2 - F * x
+    rate = sp.diff(energy, x) * v + sp.diff(energy, v) * (F - f * sign)
+    identity("the rate of v²/2 - Fx on a flight, s = sgn v", rate, -f * sign * v)
+    lost = energy - energy.subs(v, -e * v)
+    identity("what a hit takes of it", lost, (1 - e**2) * v**2 / 2)
+    return refuted(
+        "x'' = F - f sgn(x') with walls of restitution e < 1 has no periodic orbit but rest, so no "
+        "pitchfork of any: v²/2 - Fx falls at the rate f|v| on flights, and at hits. (μ_s, μ_k and "
+        "L, which F_pf is to depend on, are not defined; friction has one coefficient here)",
+        "The rate and the loss by sympy; along a periodic orbit that moves it would fall for ever.",
+    )
+
+
+@claim("ssec:open-engineering", Kind.WORDS, stated="attraction of all initial conditions")
+def attraction_of_all() -> Verdict:
+    """A restitution defect that is large enough by eq:persist-eigenvalues makes all initial
+    conditions tend to one attractor.
+    """
+    area = stored("segment.json").claims["basin_area"]
+    need(area.lower > 0, "the set may have no area")
+    return refuted(
+        "the formula is about multipliers at one orbit. An open set of states, of an area in "
+        f"{pair(area, 6)} at t = 0, tends to orbits that touch no wall, whatever the walls' "
+        "restitution is",
+        "The stored certificate: none of these orbits comes to a wall.",
+        certificate="segment.json",
     )
 
 
@@ -116,15 +138,16 @@ def energy_in_the_islands() -> Verdict:
 @claim("ssec:open-engineering", Kind.WORDS, stated="saddles and A, B give a rigorous horseshoe")
 def program_for_the_horseshoe() -> Verdict:
     """Enclosures of the saddle branch and of the coefficients A, B would give a horseshoe."""
-    found = [stored(name) for name in ("saddle.json", "saddle-2.json")]
-    need(all(each.parameters["f"] == Fraction(2, 5) for each in found), "other parameters")
-    need(all(each.claims["least_speed"].lower > 0 for each in found), "one may stop")
+    found = stored("homoclinic.json")
+    need(found.parameters["f"] == Fraction(2, 5), "other parameters")
+    need(found.claims["least_speed"].lower > 0, "the saddle may stop")
+    need(len(found.claims["points"]) > 0, "there is no homoclinic point")
     return corrected(
-        "the saddles are certified; A and B are no quantities of this system (melnikov.amplitudes, "
-        "slow.equilibria-do-not-collide). A rigorous horseshoe needs a transverse intersection of "
-        "the invariant curves of a saddle, enclosed, or covering relations",
-        "Stored certificates of two saddles.",
-        certificate="saddle.json",
+        "A and B are no quantities of this system (melnikov.amplitudes, "
+        "slow.equilibria-do-not-collide). A horseshoe needs a transverse intersection of the "
+        "invariant curves of a saddle, enclosed: that is done; it gives no value of the entropy",
+        "Stored certificate of a saddle with transverse homoclinic points.",
+        certificate="homoclinic.json",
     )
 
 

@@ -106,7 +106,8 @@ def saddles_of_the_theorem() -> Verdict:
     return vacuous(
         "no saddle has a Melnikov function in the sense of Section 6: that is defined for the "
         "colliding orbits of Theorem 4.8, which do not exist. Saddles exist: two that never stop "
-        "are certified at the paper's parameters",
+        "are certified at the paper's parameters, and one of them has a horseshoe "
+        "(homoclinic.horseshoe)",
         "See fold.colliding-orbits, melnikov.amplitudes; stored certificates of the saddles.",
         certificate="saddle-2.json",
         proof="periodic.md#no-orbit-has-the-pattern",

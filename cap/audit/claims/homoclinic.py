@@ -5,12 +5,8 @@ from cap.audit.means.algebra import symbols
 from cap.audit.means.balls import pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.stored import sentence, stored
-from cap.audit.verdict import Verdict, corrected, imprecise, refuted, still_open
-from cap.parameters import PAPER
-
-HORSESHOE = ""  # the stored certificate of a horseshoe, when there is one
-SADDLE = 0.34352606, 0.7753195  # of saddle-2.json; where the float search begins
+from cap.audit.means.stored import at_the_paper, stored
+from cap.audit.verdict import Verdict, corrected, imprecise, refuted
 
 
 @claim(
@@ -38,25 +34,21 @@ def horseshoe() -> Verdict:
     """Near a saddle Φ has an invariant hyperbolic Cantor set in Ω_NS on which an iterate is
     conjugate to the shift on two symbols.
     """
-    if HORSESHOE:
-        return corrected(sentence(HORSESHOE), "Stored certificate.", certificate=HORSESHOE)
-    from cap.floats.diagnostics.manifold import manifolds  # noqa: PLC0415 (floats, which are slow to import)
-
-    need(stored("saddle-2.json").claims["trace"].lower > 2, "it is no saddle")
-    found = [manifolds(PAPER, orbit=SADDLE, length=1.0, spacing=each) for each in (0.01, 0.02)]
-    counts = [len(each.homoclinic) for each in found]
-    least = min(float(each.angles.min()) for each in found)
-    need(min(counts) > 50 and least > 5, "the manifolds do not cross transversely", counts=counts)
-    entropy = stored("attractor.json").claims["entropy_per_period"]
-    need(entropy.lower > 0, "the entropy may be zero")
-    chaos = pair(entropy, 6)
-    return still_open(
-        "nothing in the section proves it. In floats the manifolds of the certified saddle "
-        "(0.3435, 0.7753) cross transversely, at angles of more than 5 degrees, in many points. "
-        f"What is proved is chaos elsewhere: where orbits stick, with the entropy {chaos} per T",
-        "cap.floats' manifolds with branches of the length 1 and two spacings of points: both find "
-        "crossings (over fifty). Floats prove nothing. The entropy: attractor.json.",
-        numerical=True,
+    found = stored("homoclinic.json")
+    need(at_the_paper(found), "it is at other parameters")
+    need(found.claims["trace"].lower > 2, "it is no saddle")
+    points = found.claims["points"]
+    need(len(points) > 0, "there is no homoclinic point")
+    x, v = found.claims["x"], found.claims["v"]
+    angles = " and ".join(pair(each["angle"], 2) for each in points)
+    return corrected(
+        "of such a set there is one at the paper's parameters, by another proof: the curves of the "
+        f"saddle with x in {pair(x, 4)}, v in {pair(v, 4)} cross transversely, at angles in "
+        f"{angles} degrees, in points from which orbits never stop, so (Smale and Birkhoff) some "
+        "iterate of Φ has a horseshoe of such states. Neither a fold nor a Melnikov function is "
+        "near, and which iterate it is, is not known",
+        "Stored certificate of transverse homoclinic points.",
+        certificate="homoclinic.json",
     )
 
 
@@ -69,8 +61,8 @@ def smale_birkhoff() -> Verdict:
     need(growth == 2, "the shift on two symbols has another growth rate")
     return imprecise(
         "true as a theorem (Smale-Birkhoff), Φ being a diffeomorphism near the saddle; its "
-        "hypotheses are not shown. Two symbols for Φ^N mean an entropy of at least (log 2)/N for "
-        "Φ, and N is not given, so no rate follows",
+        "hypotheses are not shown here (they are in homoclinic.json). Two symbols for Φ^N mean an "
+        "entropy of at least (log 2)/N for Φ, and N is not given, so no rate follows",
         "h(Φ^N) = N h(Φ).",
     )
 

@@ -160,7 +160,7 @@ def combined_energy() -> Verdict:
     combined = E + F * 2 * M * (1 + N * sp.pi) - f * 2 * N * R
     stated = E + 2 * M * F + (2 * sp.pi * M * F - 2 * f * R) * N
     identity("the sum", combined, stated)
-    return corrected(
-        "the algebra is right; the path 2NR that it uses is not (impulse.path-length)",
+    return confirmed(
+        "they do; but the path 2NR that goes in is not there (impulse.path-length)",
         "Expanded by sympy.",
     )

@@ -19,8 +19,6 @@ from cap.audit.verdict import (
 )
 from cap.proofs.census import census
 
-EXPONENT = Fraction(5, 2)
-
 
 @claim("prop:moser-quantitative", Kind.THEOREM, stated="a C^ℓ exact symplectic map")
 def smoothness_class() -> Verdict:
@@ -40,14 +38,11 @@ def measure_estimate() -> Verdict:
     """The complement of the invariant curves in the disk of radius δ has measure at most
     K δ^(5/2).
     """
-    order = 4  # resonances up to this order are excluded
-    relative = Fraction(order - 3, 2)
-    need(2 + relative == EXPONENT, "the exponent is another")
     return still_open(
         "the exponent agrees with what is known for resonances excluded up to order l = 4: a "
         "relative measure O(δ^((l-3)/2)) of the complement (Pöschel 1982, for flows). It is cited, "
         "not proved, in the paper and here; that curves have density one at P* is Moser's theorem",
-        "2 + (l - 3)/2 = 5/2 for l = 4.",
+        "The text; 2 + (l - 3)/2 = 5/2 for l = 4.",
     )
 
 
@@ -62,10 +57,12 @@ def constants() -> Verdict:
     identity("H vanishes on rays", H.subs(angle, zero / 4), 0)
     speed = sp.diff(H, angle).subs(angle, zero / 4)  # dr/dt is ∂H/∂angle over r
     need(not same(speed, sp.Integer(0)), "orbits on the rays do not move")
-    return refuted(
-        "they depend on the distance of θ* from π/2 and 2π/3 too: the rotation by θ after the "
-        "time-one map of a|z|⁴ + b Re z⁴, b > a > 0, has the same twist for all θ, and no "
-        "invariant curve at all around 0 for θ = π/2; as θ tends to π/2, islands shrink to nothing",
+    return imprecise(
+        "they cannot be bounded by a lower bound of |sin θ*|: as |sin θ*| tends to 1, the "
+        "resonance π/2, they degenerate (and nothing excludes it at 2π/3, |sin θ*| = √3/2), which "
+        "the words hide. The rotation by θ after the time-one map of a|z|⁴ + b Re z⁴, b > a > 0, "
+        "has the same twist for all θ, and no invariant curve at all around 0 for θ = π/2; as θ "
+        "tends to π/2, islands shrink to nothing. At a fixed |sin θ*| this refutes nothing",
         "At θ = π/2 the map's fourth power is the flow of a Hamiltonian whose level curves, but "
         "for rays, all run off to infinity: symmetry and rays by sympy.",
         proof="kam.md#constants-of-the-measure-estimate",
@@ -130,15 +127,6 @@ def area_of_the_curves() -> Verdict:
     return confirmed(
         "true, given Theorem 5.6 with its measure estimate", "Algebra by sympy; continuity in δ."
     )
-
-
-@claim("eq:cor-island-step2", Kind.STEP, stated="Leb(T_δ) >= πδ² - Kδ^(5/2)")
-def additivity() -> Verdict:
-    """Leb(T_δ) = Leb(N_δ) - Leb(N_δ minus T_δ) >= πδ² - Kδ^(5/2)."""
-    d, K, rest = symbols("delta K rest")
-    worst = (sp.pi * d**2 - rest).subs(rest, K * d ** sp.Rational(5, 2))
-    identity("with the largest complement", worst, sp.pi * d**2 - K * d ** sp.Rational(5, 2))
-    return confirmed("true, given eq:KAM-final", "Additivity of measure.")
 
 
 @claim("eq:KAM-final", Kind.STEP, stated="Ψ'(P*) = I, so N_δ corresponds to a disk")

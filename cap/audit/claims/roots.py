@@ -81,6 +81,48 @@ def pi_half() -> Verdict:
     )
 
 
+@claim("prop:two-solutions", Kind.FORMULA, stated="Ψ_θ(π; f) = -Fπ - fπ")
+def slope_at_pi() -> Verdict:
+    """Step 2: Ψ_θ(π; f) = -Fπ - fπ."""
+    value, theta, (F, f, _, _) = psi()
+    return formula(
+        sp.diff(value, theta).subs(theta, sp.pi),
+        -F * sp.pi - f * sp.pi,
+        "By sympy; it is -Ψ_θ(0; f), as the symmetry says, and negative for f < F.",
+        "-π(F - f)",
+    )
+
+
+@claim("prop:two-solutions", Kind.STEP, stated="strict concavity allows two critical points")
+def critical_points_of_a_concave_function() -> Verdict:
+    """Step 2: strict concavity on (θ₀, π - θ₀) allows at most two critical points there."""
+    value, theta, (F, f, _, _) = psi()
+    second = sp.diff(value, theta, 2)
+    identity("Ψ_θθ falls from 0 at θ₀", second.subs(theta, sp.asin(2 * f / (F * sp.pi))))
+    identity("Ψ_θθ", second, 2 * f - F * sp.pi * sp.sin(theta))
+    return imprecise(
+        "it allows at most one: Ψ_θ falls strictly where Ψ_θθ < 0. That one is π/2, so there is no "
+        "other θ₁ on that interval",
+        "Ψ_θθ = 2f - Fπ sin θ by sympy: 0 where sin θ = 2f/(Fπ), negative where sin θ is larger.",
+    )
+
+
+@claim("sec:periodic", Kind.CONSISTENCY, stated="a saddle-center at the universal f/F = 2/π")
+def universal_value() -> Verdict:
+    """Section 4 proves a saddle-center at the universal critical value f/F = 2/π."""
+    with precisely():
+        pi = interval.pi()
+        value = 4 * (interval.ball(2 + PAPER_RHO) - pi) / pi**2
+        need(bool(value < 2 / pi), "f_sc may be 2F/π")
+    return refuted(
+        "Section 4 does not: Theorem 4.8 has it at f_sc(F, ω, R) = 4(2F + Rω² - Fπ)/π², and Remark "
+        "4.9 calls 2/π, as a universal value, an error of others. (Of orbits that exist the "
+        "sentence is nearer to the truth than the theorem: see fold.colliding-orbits)",
+        f"f_sc in {between(value, 6)} at the paper's parameters, in balls; 2/π in "
+        f"{between(2 / pi, 6)}.",
+    )
+
+
 @claim("prop:two-solutions", Kind.STEP, stated="Ψ_θθ < 0 on (θ₀, π - θ₀), θ₀ = arcsin(2f/(Fπ))")
 def inflection_points() -> Verdict:
     """Step 2: Ψ is concave on (θ₀, π - θ₀) with θ₀ = arcsin(2f/(Fπ)), convex outside."""

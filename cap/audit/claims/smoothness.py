@@ -10,7 +10,7 @@ from cap.audit.means.balls import between, pair, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted, vacuous
+from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
 from cap.one_one.closed_form import symmetric
 from cap.proofs.census import census
 from cap.sets import interval
@@ -94,7 +94,10 @@ def empty_interval() -> Verdict:
     """Smoothness holds uniformly for μ in [μ₀, 0), for any μ₀ > 0."""
     mu0 = symbols("mu0")
     need(sp.Interval.Ropen(mu0, 0) == sp.S.EmptySet, "the interval is not empty")
-    return vacuous("[μ₀, 0) is empty for μ₀ > 0", "Sets by sympy. (0, μ₀] may be meant.")
+    return corrected(
+        "[μ₀, 0) is empty for μ₀ > 0; what is meant is true for μ >= μ₀, while the orbit exists",
+        "Sets by sympy; Proposition 5.1 at each μ, and compactness.",
+    )
 
 
 @claim("remark 5.2", Kind.STEP, stated="smoothness breaks down at μ = 0")
@@ -160,14 +163,14 @@ def no_resonance() -> Verdict:
     )
 
 
-@claim("H2", Kind.CONSISTENCY, stated="(H2) and (H3) are hypotheses")
+@claim("H2", Kind.CONSISTENCY, stated="(H2) and (H3) by Theorem 3.3 and Proposition 5.1")
 def derived_hypotheses() -> Verdict:
-    """(H2) symplecticity and (H3) smoothness are hypotheses beside (H1)."""
+    """(H2) symplecticity and (H3) smoothness follow from (H1)."""
     k, d = sp.symbols("k d", real=True)
     det = (sp.Matrix([[-1, 0], [k, -1]]) * sp.Matrix([[1, d], [0, 1]])).det()
     need(same(det, sp.Integer(1)), "the determinant is another")
-    return imprecise(
-        "they follow from (H1) without its clause on F cos ωt*: Φ is analytic near P*, preserves "
+    return confirmed(
+        "they do, and without the clause of (H1) on F cos ωt*: Φ is analytic near P*, preserves "
         "dv ∧ dx, and is exact on a disk",
         "Proposition 5.1, and det Φ' = 1.",
         proof="kam.md#smoothness-and-openness",

@@ -11,6 +11,7 @@ from operator import add, mul
 from typing import Any
 
 from cap.audit.means.lazy import sympy as sp
+from cap.audit.means.need import made
 from cap.audit.verdict import Verdict, confirmed, corrected
 from cap.errors import NotProved
 from cap.sets import interval
@@ -122,6 +123,7 @@ def formula(derived: Any, stated: Any, evidence: str, found: str = "") -> Verdic
 
     ``found`` is the derived one in words of people, if the printed expression is not good enough.
     """
+    made()
     words = found or shown(sp.simplify(derived))
     if same(derived, stated):
         return confirmed(words, evidence)
@@ -132,5 +134,6 @@ def formula(derived: Any, stated: Any, evidence: str, found: str = "") -> Verdic
 
 def identity(name: str, left: Any, right: Any = 0) -> None:
     """Raise `NotProved` unless an identity is confirmed."""
+    made()
     if not same(sp.sympify(left), sp.sympify(right)):
         raise NotProved("algebra", f"this identity was not confirmed: {name}")

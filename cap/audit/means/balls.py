@@ -5,7 +5,8 @@ from contextlib import contextmanager
 from decimal import Decimal
 from fractions import Fraction
 
-from cap.audit.verdict import Verdict, confirmed, corrected
+from cap.audit.means.need import made
+from cap.audit.verdict import Verdict, confirmed, corrected, imprecise
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.sets import interval
@@ -56,18 +57,22 @@ def below(claimed: Enclosure, places: int = 4) -> str:
 
 
 def number(stated: str, value: Ball, evidence: str, found: str = "", *, digits: int = 3) -> Verdict:
-    """Return the verdict on a printed decimal: at most one unit of its last digit away, or not.
+    """Return the verdict on a printed decimal: what is found, rounded to its last digit, or not.
 
-    Both rounding and cutting off are accepted; ``digits`` are shown beyond those stated.
+    If it is farther away, but by less than a unit of this digit, it is imprecise.  ``digits`` are
+    shown beyond those stated.
     """
+    made()
     printed = Decimal(stated)
     exponent = printed.as_tuple().exponent
     places = -exponent if isinstance(exponent, int) else 0
     distance = abs(value - interval.ball(Fraction(printed)))
     unit = interval.ball(Fraction(1, 10**places))
     words = f"{found} {between(value, places + digits)}".strip()
-    if distance <= unit:
+    if distance <= unit / 2:
         return confirmed(words, evidence)
+    if unit / 2 < distance <= unit:
+        return imprecise(words, evidence)
     if distance > unit:
         return corrected(words, evidence)
     raise NotProved("number", f"whether {stated} is right is undecided", {"value": value})

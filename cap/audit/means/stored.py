@@ -2,19 +2,20 @@
 
 import hashlib
 from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
+from cap.audit.means import accepted
 from cap.audit.means.need import need
 from cap.errors import NotProved
 from cap.parameters import PAPER, Parameters
+from cap.tree import inside
 
-FOLDER = Path(__file__).resolve().parents[2] / "certificates"
+FOLDER = inside("certificates")
 _asked: set[str] = set()
 
 
 class Stored(NamedTuple):
-    """A certificate that the checker has accepted just now."""
+    """A certificate that the checker accepts: now, or as `cap.audit.means.accepted` says."""
 
     name: str
     parameters: dict[str, Any]
@@ -44,15 +45,20 @@ def at_the_paper(each: Stored) -> bool:
 
 @cache
 def _accepted(name: str) -> Stored:
-    from cap.checker.kernel.rejection import Rejected  # noqa: PLC0415 (the checker, where it is needed)
+    from cap.checker.kernel.certificate import read  # noqa: PLC0415 (the checker, where it is needed)
+    from cap.checker.kernel.rejection import Rejected  # noqa: PLC0415
     from cap.checker.verdict import check  # noqa: PLC0415
 
     path = FOLDER / name
     need(path.is_file(), f"there is no certificate {name}")
+    data = path.read_bytes()
     try:
-        found = check(path.read_bytes(), lambda _step: None)
+        done = accepted.known(name, data)
+        found = read(data) if done else check(data, lambda _step: None)
     except Rejected as reason:
         raise NotProved("audit", f"the checker rejects {name}: {reason}") from None
+    if not done:
+        accepted.note(name, data)
     return Stored(name, found.parameters._asdict(), found.claims)
 
 

@@ -3,7 +3,7 @@
 import re
 import unicodedata
 
-from cap.audit.report.view import INTRODUCTION, TITLE, Entry, Report, consequence
+from cap.audit.report.view import INTRODUCTION, Entry, Report, identity, title
 
 _SPECIAL = {
     **{sign: f"\\{sign}" for sign in "&%$#_{}"},
@@ -17,13 +17,15 @@ _SPECIAL = {
     "`": r"\textasciigrave{}",
     "−": "$-$",
     "…": r"\dots{}",
+    "“": r"\textquotedblleft{}",
+    "”": r"\textquotedblright{}",
 }
 _LETTERS = (
     ("αβγδεζηθκλμ", "alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu"),
     ("νξπρστφχψω", "nu xi pi rho sigma tau varphi chi psi omega"),
-    ("ΓΔΘΛΣΦΨΩℓ", "Gamma Delta Theta Lambda Sigma Phi Psi Omega ell"),
+    ("ΓΔΘΛΠΣΦΨΩℓ", "Gamma Delta Theta Lambda Pi Sigma Phi Psi Omega ell"),
     ("∂∫∮∞∧∪±∓·×≡≈♯‖", "partial int oint infty wedge cup pm mp cdot times equiv approx sharp Vert"),
-    ("∘", "circ"),
+    ("∘√", "circ surd"),
 )
 _COMMANDS = {
     sign: name for signs, names in _LETTERS for sign, name in zip(signs, names.split(), strict=True)
@@ -42,14 +44,16 @@ def latex(report: Report) -> str:
         r"\usepackage[a4paper,margin=25mm]{geometry}\usepackage{amssymb,graphicx,longtable}",
         r"\usepackage[hidelinks]{hyperref}\sloppy\setlength{\parindent}{0pt}",
         r"\setlength{\parskip}{4pt plus 2pt}",
-        rf"\title{{{written(TITLE)}}}\date{{}}\begin{{document}}\maketitle",
+        rf"\title{{{written(title())}}}\date{{}}\begin{{document}}\maketitle",
     ]
-    for paragraph in INTRODUCTION:
-        lines += [written(paragraph), ""]
+    for line in identity():
+        lines += [_broken(line), ""]
     if report.whole:
+        for paragraph in INTRODUCTION:
+            lines += [written(paragraph), ""]
         lines += [*_counts(report), *_findings(report), *_statements(report)]
-    for number, title, entries in report.sections():
-        heading = title if number == "0" else f"{number}. {title}"
+    for number, name, entries in report.sections():
+        heading = name if number == "0" else f"{number}. {name}"
         lines.append(rf"\section*{{{written(heading)}}}")
         for entry in entries:
             lines += _entry(entry)
@@ -100,16 +104,19 @@ def _counts(report: Report) -> list[str]:
 
 
 def _findings(report: Report) -> list[str]:
-    lines = [r"\section*{The ten that matter most}", r"\begin{enumerate}"]
-    for finding, entry in report.findings():
-        words = written(consequence(finding, entry))
-        lines.append(rf"\item {_typed(entry.claim.id)}, \emph{{{entry.verdict.outcome}}}. {words}")
+    lines = [r"\section*{The findings}", "The ten first matter most.", r"\begin{enumerate}"]
+    for found in report.findings():
+        head, change = (written(each) for each in (found.finding.title, found.finding.change))
+        lines.append(rf"\item \textbf{{{head}}} ({found.finding.severity}). {written(found.words)}")
+        where = f"{found.core.place}; lines {', '.join(map(str, found.lines))}."
+        lines.append(rf"\emph{{To change:}} {change} {written(where)}")
     return [*lines, r"\end{enumerate}", ""]
 
 
 def _statements(report: Report) -> list[str]:
     lines = [r"\section*{The statements, and what may be cited instead}"]
     lines.append(r"\begin{longtable}{p{0.28\textwidth}p{0.17\textwidth}p{0.47\textwidth}}")
+    lines.append(r"statement & status & what may be cited instead \\ \hline\endhead")
     for statement, status in report.statements():
         cells = map(written, (statement.name, status, statement.instead))
         lines.append(rf"{' & '.join(cells)} \\[3pt]")
@@ -120,6 +127,7 @@ def _entry(entry: Entry) -> list[str]:
     claim, verdict = entry.claim, entry.verdict
     head = rf"{_typed(claim.id)}: \emph{{{verdict.outcome}}} ({verdict.strength})"
     parts = [
+        ("Text", entry.quote and _broken(entry.quote, r"\texttt")),
         ("Stated", written(claim.stated)),
         ("Found", written(verdict.found)),
         ("Evidence", written(verdict.evidence)),
@@ -127,13 +135,20 @@ def _entry(entry: Entry) -> list[str]:
         ("Run", "; ".join(map(_typed, entry.commands))),
     ]
     rows = [rf"\textit{{{name}.}} {words}" for name, words in parts if words]
-    place = written(f"{entry.place}, {claim.kind}.")
+    place = written(f"{entry.place}, line {entry.line}, {claim.kind}.")
     return [rf"\bigskip\textbf{{{head}}}", "", f"{place} {written(claim.says)}", "", *_apart(rows)]
 
 
 def _typed(text: str) -> str:
     """Return what is to be typed, which may be broken after its signs."""
     return rf"\texttt{{{re.sub(r'([-/.])', _BREAK, written(text))}}}"
+
+
+def _broken(text: str, command: str = "") -> str:
+    """Return text that may be broken after each sixth sign of a long word."""
+    parts = (re.findall(".{1,6}", word) for word in text.split())
+    words = " ".join(r"\allowbreak{}".join(map(written, each)) for each in parts)
+    return f"{command}{{{words}}}" if command else words
 
 
 def _apart(rows: list[str]) -> list[str]:

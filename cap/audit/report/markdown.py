@@ -2,21 +2,21 @@
 
 import re
 
-from cap.audit.report.view import INTRODUCTION, TITLE, Entry, Report, consequence
+from cap.audit.report.view import INTRODUCTION, Entry, Report, identity, title
 
 _SPECIAL = re.compile(r"([\\`*_|<>\[\]~])")
 
 
 def markdown(report: Report) -> str:
     """Return the report in Markdown; its links are relative to ``docs``."""
-    lines: list[str] = []
+    lines = [f"# {escaped(title())}", "", *(f"{escaped(each)}\n" for each in identity())]
     if report.whole:
-        lines += [f"# {TITLE}", "", "Written by `python -m cap.audit --format markdown`.", ""]
+        lines += ["Written by `python -m cap.audit --format markdown`.", ""]
         for paragraph in INTRODUCTION:
             lines += [escaped(paragraph), ""]
         lines += [*_counts(report), *_findings(report), *_statements(report)]
-    for number, title, entries in report.sections():
-        lines += [f"## {escaped(title if number == '0' else f'{number}. {title}')}", ""]
+    for number, name, entries in report.sections():
+        lines += [f"## {escaped(name if number == '0' else f'{number}. {name}')}", ""]
         for entry in entries:
             lines += _entry(entry)
     return "\n".join(lines).rstrip() + "\n"
@@ -25,6 +25,14 @@ def markdown(report: Report) -> str:
 def escaped(text: str) -> str:
     """Return text that Markdown shows as it is."""
     return _SPECIAL.sub(r"\\\1", text)
+
+
+def code(text: str) -> str:
+    """Return text as code, between as many grave accents as it needs."""
+    longest = max((len(each) for each in re.findall("`+", text)), default=0)
+    fence = "`" * (longest + 1)
+    inner = f" {text} " if longest else text
+    return f"{fence}{inner}{fence}"
 
 
 def _counts(report: Report) -> list[str]:
@@ -37,11 +45,15 @@ def _counts(report: Report) -> list[str]:
 
 
 def _findings(report: Report) -> list[str]:
-    lines = ["## The ten that matter most", ""]
-    for count, (finding, entry) in enumerate(report.findings(), 1):
-        link = f"[`{entry.claim.id}`](#{_anchor(entry)})"
-        words = escaped(consequence(finding, entry))
-        lines.append(f"{count}. {link}, **{entry.verdict.outcome}**. {words}")
+    lines = ["## The findings", "", "The ten first matter most.", ""]
+    for count, found in enumerate(report.findings(), 1):
+        links = ", ".join(f"[`{e.claim.id}`](#{_anchor(e)})" for e in found.entries)
+        finding = found.finding
+        lines.append(
+            f"{count}. **{escaped(finding.title)}** ({finding.severity}). {escaped(found.words)} "
+            f"*To change:* {escaped(finding.change)} {escaped(found.core.place)}; lines "
+            f"{', '.join(map(str, found.lines))}; {links}."
+        )
     return [*lines, ""]
 
 
@@ -59,12 +71,16 @@ def _anchor(entry: Entry) -> str:
 
 def _entry(entry: Entry) -> list[str]:
     claim, verdict = entry.claim, entry.verdict
-    place = f"*{escaped(entry.place)}, {claim.kind}.*"
+    place = f"*{escaped(entry.place)}, line {entry.line}, {claim.kind}.*"
     lines = [f"### `{claim.id}`", "", f"{place} {escaped(claim.says)}", ""]
     lines.append(f"- **{verdict.outcome}**, {verdict.strength}")
+    if entry.quote:
+        lines.append(f"- text: {code(entry.quote)}")
     if claim.stated:
         lines.append(f"- stated: {escaped(claim.stated)}")
-    lines += [f"- found: {escaped(verdict.found)}", f"- evidence: {escaped(verdict.evidence)}"]
+    lines.append(f"- found: {escaped(verdict.found)}")
+    if verdict.evidence:
+        lines.append(f"- evidence: {escaped(verdict.evidence)}")
     if verdict.proof:
         path = f"proofs/audit/{verdict.proof}"
         lines.append(f"- proof: [{escaped(path)}](../{path})")

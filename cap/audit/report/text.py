@@ -1,23 +1,23 @@
-"""The report for a terminal."""
+"""The report for a terminal, and as data."""
 
 import json
 import textwrap
 
-from cap.audit.report.view import INTRODUCTION, TITLE, Entry, Report, consequence
+from cap.audit import labels, recorded
+from cap.audit.report.view import INTRODUCTION, Entry, Found, Report, identity, title
 
 WIDTH = 100
 
 
 def plain(report: Report) -> str:
     """Return the report as plain text."""
-    lines: list[str] = []
+    lines = [*wrapped(title()), "", *(line for each in identity() for line in wrapped(each)), ""]
     if report.whole:
-        lines += [TITLE, "=" * len(TITLE), ""]
         for paragraph in INTRODUCTION:
-            lines += [*_wrapped(paragraph), ""]
+            lines += [*wrapped(paragraph), ""]
         lines += [*_counts(report), "", *_findings(report), *_statements(report)]
-    for number, title, entries in report.sections():
-        heading = title if number == "0" else f"Section {number}. {title}"
+    for number, name, entries in report.sections():
+        heading = name if number == "0" else f"Section {number}. {name}"
         lines += [heading, "-" * len(heading), ""]
         for entry in entries:
             lines += [*_entry(entry), ""]
@@ -25,48 +25,75 @@ def plain(report: Report) -> str:
 
 
 def data(report: Report) -> str:
-    """Return the claims as a JSON list of objects."""
-    return json.dumps([entry.data() for entry in report.entries], ensure_ascii=False, indent=1)
+    """Return the claims, the findings, and what they are about, as JSON."""
+    paper, (day, program) = labels.stored(), recorded.made()
+    everything = {
+        "paper": {name: getattr(paper, name) for name in ("title", "author", "sha256")},
+        "program": program,
+        "recorded": day,
+        "claims": [entry.data() for entry in report.entries],
+        "findings": [_found(each) for each in report.findings()] if report.whole else [],
+    }
+    return json.dumps(everything, ensure_ascii=False, indent=1)
 
 
-def _wrapped(text: str, first: str = "", rest: str = "") -> list[str]:
+def _found(found: Found) -> dict[str, object]:
+    return {
+        "title": found.finding.title,
+        "severity": str(found.finding.severity),
+        "says": found.words,
+        "change": found.finding.change,
+        "claims": [entry.claim.id for entry in found.entries],
+        "lines": found.lines,
+    }
+
+
+def wrapped(text: str, first: str = "", rest: str = "") -> list[str]:
+    """Return a paragraph as lines of a terminal."""
     return textwrap.wrap(
-        text, WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False
+        text,
+        WIDTH,
+        initial_indent=first,
+        subsequent_indent=rest,
+        break_long_words=False,
+        break_on_hyphens=False,
     )
 
 
 def _counts(report: Report) -> list[str]:
-    outcomes = report.outcomes()
-    heads = [str(each) for each in outcomes]
-    rows = report.counts()
-    width = max(len(name) for name, _ in rows)
-    lines = [" " * width + "".join(f"  {head}" for head in heads)]
-    for name, row in rows:
-        cells = (f"  {count:>{len(head)}}" for head, count in zip(heads, row, strict=True))
-        lines.append(name.ljust(width) + "".join(cells))
+    """Return a table with the verdicts as columns, their names above one another."""
+    outcomes = [str(each) for each in report.outcomes()]
+    lines = ["|   " * k + name for k, name in enumerate(outcomes)]
+    for name, row in report.counts():
+        cells = "".join(f"{count:<4}" for count in row)
+        lines += wrapped(cells + name, rest=" " * len(cells))
     return lines
 
 
 def _findings(report: Report) -> list[str]:
-    lines = ["The ten that matter most", ""]
-    for count, (finding, entry) in enumerate(report.findings(), 1):
-        head = f"{count:>2}. {entry.claim.id}: {entry.verdict.outcome}. "
-        lines += [*_wrapped(head + consequence(finding, entry), rest="    "), ""]
+    lines = [f"The findings, {len(report.findings())}; those that matter most first", ""]
+    for count, found in enumerate(report.findings(), 1):
+        head = f"{count:>2}. {found.finding.title} [{found.finding.severity}]. {found.words} "
+        lines += [*wrapped(head + f"To change: {found.finding.change}", rest="    ")]
+        where = f"{found.core.place}; lines {', '.join(map(str, found.lines))}; "
+        names = ", ".join(entry.claim.id for entry in found.entries)
+        lines += [*wrapped(where + names, "    ", "    "), ""]
     return lines
 
 
 def _statements(report: Report) -> list[str]:
     lines = ["What became of the statements, and what may be cited instead", ""]
     for statement, status in report.statements():
-        lines += _wrapped(f"{statement.name}: {status}. {statement.instead}", rest="    ")
+        lines += wrapped(f"{statement.name}: {status}. {statement.instead}", rest="    ")
     return [*lines, ""]
 
 
 def _entry(entry: Entry) -> list[str]:
     claim, verdict = entry.claim, entry.verdict
-    lines = [f"{claim.id}: {verdict.outcome} ({verdict.strength})"]
+    lines = wrapped(f"{claim.id}: {verdict.outcome} ({verdict.strength})", rest="    ")
     parts = [
-        (f"{entry.place}, {claim.kind}", claim.says),
+        (f"{entry.place}, line {entry.line}, {claim.kind}", claim.says),
+        ("text", entry.quote),
         ("stated", claim.stated),
         ("found", verdict.found),
         ("evidence", verdict.evidence),
@@ -75,5 +102,5 @@ def _entry(entry: Entry) -> list[str]:
     ]
     for name, words in parts:
         if words:
-            lines += _wrapped(f"{name}: {words}", "    ", "        ")
+            lines += wrapped(f"{name}: {words}", "    ", "        ")
     return lines

@@ -4,16 +4,16 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from cap.audit import labels, ledger
+from cap.audit import labels, ledger, quotes, recorded
 from cap.audit.claim import Claim
-from cap.audit.matters import FINDINGS, Finding
+from cap.audit.findings import MOST, Finding, members
 from cap.audit.tables import Row
 from cap.audit.theorems import STATEMENTS, Statement
 from cap.audit.verdict import Outcome, Verdict
 
-TITLE = "Audit of the paper on mixed dynamics of the forced vibro-impact oscillator"
 INTRODUCTION = (
-    "Each checkable claim of the paper, in our words, with a verdict that a program decides, what "
+    "Claims of the paper, at least one from each of its labels that makes any: each with the words "
+    "of the TeX file from which it is taken and their line, a verdict that a program decides, what "
     "is true, and how that was found. It is meant as a referee's report that the author can run: "
     "every entry names the command that decides it again. Where the paper is right, this says so.",
     "Verdicts. Confirmed: true as stated. Corrected: what is meant holds with another value or a "
@@ -21,10 +21,28 @@ INTRODUCTION = (
     "something else than what holds. Vacuous: about nothing. Open: neither proved nor refuted, in "
     "the paper or here. Not checkable as stated: too little is said.",
     "Evidence. Proved: in ball arithmetic, symbolically, or exhaustively, when the command runs. "
-    "Certified: by a stored certificate that an independent checker accepts when the command runs. "
-    "By argument: by a written proof, in proofs/audit, of which a machine checked what it can. "
-    "Numerical: in floating point. Never-stopping means: the velocity never vanishes.",
+    "Certified: by a stored certificate that an independent checker accepts, when the command runs "
+    "or, where that takes minutes, when the verdicts were recorded. By argument: by a written "
+    "proof, in proofs/audit, of which a machine checked what it can. By reading: the text alone "
+    "shows it. Numerical: in doubles, by closed forms from event to event, located up to rounding; "
+    "what depends on chance, seeds or rounding says so. A printed number is confirmed if it is "
+    "what is found, rounded to its last digit. Never-stopping means: the velocity never vanishes.",
 )
+
+
+def title() -> str:
+    """Return the title of the report."""
+    return f"Audit of “{labels.stored().title}”"
+
+
+def identity() -> list[str]:
+    """Return which paper this is about, and which program says so, in a line each."""
+    paper, (day, program) = labels.stored(), recorded.made()
+    return [
+        f"The paper: {paper.author}, “{paper.title}”. The TeX file with the SHA-256 digest "
+        f"{paper.sha256}; lines and quotations are of this file.",
+        f"The audit: {program}; verdicts last recorded on {day}.",
+    ]
 
 
 @dataclass(frozen=True)
@@ -40,7 +58,19 @@ class Entry:
         place = labels.stored().place(self.claim.where)
         if place.kind == "abstract":
             return "Abstract"
+        if place.number.startswith("("):
+            return f"{place.kind.capitalize()} {place.number}, {place.label}"
         return f"{place.kind.capitalize()} {place.number} ({place.label})"
+
+    @property
+    def line(self) -> int:
+        """The line of the TeX file in which its quotation begins; 0 if there is none."""
+        return labels.stored().lines.get(self.claim.id, 0)
+
+    @property
+    def quote(self) -> str:
+        """The words of the TeX file from which it is taken, on one line."""
+        return " ".join(quotes.quote(self.claim.id).split())
 
     @property
     def section(self) -> str:
@@ -56,7 +86,7 @@ class Entry:
         name = self.verdict.certificate
         return [*own, f"python -m cap.verify certificates/{name}"] if name else own
 
-    def data(self) -> dict[str, str]:
+    def data(self) -> dict[str, str | int]:
         """Return it as one object of the JSON list."""
         return {
             "id": self.claim.id,
@@ -72,7 +102,33 @@ class Entry:
             "proof": self.verdict.proof and f"proofs/audit/{self.verdict.proof}",
             "kind": str(self.claim.kind),
             "section": self.section,
+            "place": self.place,
+            "line": self.line,
+            "quote": self.quote,
         }
+
+
+@dataclass(frozen=True)
+class Found:
+    """A finding with the entries of its claims, the core first."""
+
+    finding: Finding
+    entries: tuple[Entry, ...]
+
+    @property
+    def core(self) -> Entry:
+        """The entry of its core."""
+        return self.entries[0]
+
+    @property
+    def words(self) -> str:
+        """What it says; if the verdict on its core has changed, that it has to be written anew."""
+        return self.finding.words(self.core.verdict)
+
+    @property
+    def lines(self) -> list[int]:
+        """The lines of the TeX file in which its claims are made."""
+        return sorted({entry.line for entry in self.entries if entry.line})
 
 
 @dataclass(frozen=True)
@@ -111,21 +167,21 @@ class Report:
         found = {entry.verdict.outcome for entry in self.entries}
         return [each for each in Outcome if each in found]
 
-    def findings(self) -> list[tuple[Finding, Entry]]:
-        """Return the ten that matter most; if a verdict has changed, without its consequence."""
+    def findings(self) -> list[Found]:
+        """Return the findings, with the entries of their claims."""
         by_id = {entry.claim.id: entry for entry in self.entries}
-        return [(each, by_id[each.claim]) for each in FINDINGS]
+        return [
+            Found(each, tuple(by_id[name] for name in names))
+            for each, names in members(self.verdicts).items()
+        ]
+
+    def most(self) -> list[Found]:
+        """Return the findings that matter most."""
+        return self.findings()[:MOST]
 
     def statements(self) -> list[tuple[Statement, str]]:
         """Return the statements of the paper with what became of them."""
         return [(each, each.status(self.verdicts)) for each in STATEMENTS]
-
-
-def consequence(finding: Finding, entry: Entry) -> str:
-    """Return the consequence of a finding, if it was written for the verdict that it has."""
-    if finding.expected is entry.verdict.outcome:
-        return finding.consequence
-    return "(The verdict has changed; its consequence has to be written anew.)"
 
 
 def report(verdicts: dict[str, Verdict]) -> Report:

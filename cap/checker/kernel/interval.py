@@ -108,6 +108,12 @@ class Interval:
         a, b = self.lo << self.bits, -self.hi << self.bits
         return Interval(min(a // c, a // d), -min(b // c, b // d), self.bits)
 
+    def scaled(self, c: Fraction) -> Interval:
+        """Return the set of c x for x in the interval, rounded once."""
+        n, d = c.numerator, c.denominator
+        lo, hi = (self.lo * n, self.hi * n) if n >= 0 else (self.hi * n, self.lo * n)
+        return Interval(lo, hi, self.bits) if d == 1 else Interval(lo // d, -(-hi // d), self.bits)
+
     def square(self) -> Interval:
         """Return an enclosure of x^2 for x in the interval; its lower end is not negative."""
         near = max(self.lo, -self.hi, 0)  # min |x|

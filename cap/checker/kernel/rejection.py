@@ -9,3 +9,7 @@ def need(ok: object, why: str) -> None:
     """Raise ``Rejected(why)`` unless ``ok`` is exactly ``True`` (``python -O`` changes nothing)."""
     if ok is not True:
         raise Rejected(why)
+
+
+class TooCoarse(Rejected):
+    """A step that finer hints might pass."""

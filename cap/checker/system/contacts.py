@@ -5,9 +5,13 @@ each.  With the guard h_k and the reset R_k of the contact, and the flight in th
 
     h_k(q_k, t_k) = 0,      flight(R_k(q_k, t_k) from t_k to t_(k+1)) - q_(k+1) = 0,     F(z) = 0,
 
-where the contact after the last one is the first, p periods of the clock later.  In the variables
-y = (q, cos wt, sin wt, 1) the flight is exp(M d) y, d = t_(k+1) - t_k (``legs``); its derivative in
-d is exp(M d) M y.  All derivatives are those of jets of order one in t_k, q_k, t_(k+1).
+where the contact after the last one is the first, p periods of the clock later.  The flight is
+P(t_(k+1)) + exp(N d) y, d = t_(k+1) - t_k, y = (z - P, 1)(t_k) (``legs``); its derivative in d is
+exp(N d) N y.  All derivatives are by t_k, q_k, t_(k+1), which have the indices 0, 1, ..., n, n + 1.
+
+*Without a clock*, where cos and sin occur nowhere, orbits may be moved in time: the first contact
+is at the time 0, and t_0 is the period, at which it comes again.  Then (t, q) after a round is (t_0
++ a function of q_0, a function of q_0): the latter's derivative has n - 1 multipliers, and 0.
 
 *Existence.*  For a point m of a box Z and a matrix C, let
 
@@ -29,18 +33,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
+from operator import add
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.elementary import cos_sin, pi
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Jet, RealJet, cos_sin_jet
 from cap.checker.kernel.rejection import need
-from cap.checker.system.evaluation import evaluate
-from cap.checker.system.exponential import Exponential
-from cap.checker.system.legs import matrix
-from cap.checker.system.model import CLOCK, Guard, Model
-from cap.checker.system.polynomial import variable
+from cap.checker.kernel.slope import Slope
+from cap.checker.system.evaluation import Values
+from cap.checker.system.legs import Flights, dot
+from cap.checker.system.model import CLOCK, PI, Guard, Model
+from cap.checker.system.polynomial import ONE
 
+SHIFT, AGAIN = 48, 2
 Ends = tuple[Fraction, Fraction]
 Matrix = list[list[Interval]]
 
@@ -81,10 +86,14 @@ class Round(NamedTuple):
 
 
 class Step(NamedTuple):
-    """From one contact to the next: h and the state on arrival, in (t, q, the next t)."""
+    """From one contact to the next: h and the state on arrival, in (t, q, the next t).
 
-    guard: RealJet
-    arrival: list[RealJet]
+    And the state just after the contact.
+    """
+
+    guard: Slope
+    after: list[Interval]
+    arrival: list[Slope]
 
 
 class Equations:
@@ -94,10 +103,12 @@ class Equations:
         self.orbit, self.bits, self.model = orbit, bits, orbit.model
         self.n = len(orbit.model.state)
         self.size = (self.n + 1) * len(orbit.contacts)
-        omega = orbit.model.omega
-        self.period = pi(bits) * 2 / self.number(omega)
         modes = {contact.to for contact in orbit.contacts}
-        self.flights = {m: Exponential(matrix(orbit.model, m), bits) for m in sorted(modes)}
+        self.flights = {m: Flights(orbit.model, m, bits) for m in sorted(modes)}
+        self.omega = self.flights[orbit.contacts[0].to].omega
+        self.pi = pi(bits)
+        self.period = self.pi * 2 / self.omega
+        self.autonomous = orbit.model.autonomous
 
     def number(self, q: Fraction) -> Interval:
         """Return an enclosure of a rational number."""
@@ -108,79 +119,102 @@ class Equations:
         here = k * (self.n + 1)
         return here, (here + self.n + 1) % self.size
 
+    def start(self, z: Sequence[Interval], k: int) -> Interval:
+        """Return the time of the k-th contact."""
+        return z[0].integer(0) if self.autonomous and not k else z[self.places(k)[0]]
+
     def end(self, z: Sequence[Interval], k: int) -> Interval:
         """Return the time of the contact after the k-th."""
         here, there = self.places(k)
-        return z[there] if there > here else z[there] + self.period * self.orbit.periods
+        later = there <= here and not self.autonomous
+        return z[there] + self.period * self.orbit.periods if later else z[there]
 
-    def after(self, k: int, before: Mapping[str, RealJet]) -> dict[str, RealJet]:
-        """Return the state just after a contact."""
-        reset = self.orbit.guard(k).reset
-        return {z: evaluate(reset.get(z, variable(z)), before) for z in self.model.state}
+    def steps(self, z: Sequence[Interval], order: int = 1) -> list[Step]:
+        """Return the steps over a box of unknowns; of the order 0 they have no derivatives."""
+        return [self._step(z, k, order) for k in range(len(self.orbit.contacts))]
 
-    def steps(self, z: Sequence[Interval]) -> list[Step]:
-        """Return the steps over a box of unknowns."""
-        return [self._step(z, k) for k in range(len(self.orbit.contacts))]
+    def _step(self, z: Sequence[Interval], k: int, order: int) -> Step:
+        (here, _), n, flights = self.places(k), self.n, self.flights[self.orbit.contacts[k].to]
+        t, q, end = self.start(z, k), z[here + 1 : here + n + 1], self.end(z, k)
+        one = t.integer(1)
+        state = [Slope(x, {i: one} if order else {}) for i, x in enumerate(q, start=1)]
+        start, last = self._clock(t, 0, order), self._clock(end, n + 1, order)
+        guard, after = self.after(k, [*start, *state])
+        flown = Flown(flights, self._coordinates(flights, after, start), end - t)
+        reached = [self._arrival(flown, i, last, order) for i in range(n)]
+        return Step(guard, [x.value for x in after], reached)
 
-    def _step(self, z: Sequence[Interval], k: int) -> Step:
-        here, count = self.places(k)[0], self.n + 2
-        inputs = [*z[here : here + self.n + 1], self.end(z, k)]
-        t, *q, arrival = (
-            Jet(1, {_power(count): x, _power(count, i): x.integer(1)}) for i, x in enumerate(inputs)
-        )
-        clock = dict(zip(CLOCK, cos_sin_jet(t * self.number(self.model.omega)), strict=True))
-        before = dict(zip(self.model.state, q, strict=True)) | clock
-        one = Jet(1, {_power(count): inputs[0].integer(1)})
-        start = [*self.after(k, before).values(), *clock.values(), one]
-        mode = self.orbit.contacts[k].to
-        rows = [self._row(mode, i, arrival.constant - t.constant) for i in range(self.n)]
-        flown = [
-            reduce(Jet.__add__, (a * y for a, y in zip(row, start, strict=True))) for row in rows
-        ]
-        return Step(evaluate(self.orbit.guard(k).value, before), flown)
+    def _coordinates(self, flights: Flights, z: list[Slope], clock: Sequence[Slope]) -> list[Slope]:
+        """Return y of a state, where its flight is P + exp(N d) y, or exp(M d) y."""
+        one = Slope(self.pi.integer(1), {})
+        if flights.response is None:
+            return [*z, *clock, one]
+        cos, sin = clock
+        pairs = zip(z, flights.response, strict=True) if flights.response else ()
+        rests = [x - (cos * U + sin * V) for x, (U, V) in pairs]
+        return [*(rests or z), one]
 
-    def _row(self, mode: str, i: int, d: Interval) -> list[RealJet]:
-        """Return a row of exp(M d), where d is the last variable minus the first one."""
-        count = self.n + 2
-        value, slope = self.flights[mode].over(i, d, 1)
-        origin, first, last = _power(count), _power(count, 0), _power(count, count - 1)
-        pairs = zip(value, slope, strict=True)
-        return [Jet(1, {origin: x, first: -rate, last: rate}) for x, rate in pairs]
+    def _clock(self, t: Interval, index: int, order: int) -> tuple[Slope, Slope]:
+        """Return cos wt and sin wt with their derivatives by t."""
+        cos, sin = cos_sin(t * self.omega)
+        rates = ({index: -(sin * self.omega)}, {index: cos * self.omega}) if order else ({}, {})
+        return Slope(cos, rates[0]), Slope(sin, rates[1])
+
+    def after(self, k: int, before: Sequence[Slope]) -> tuple[Slope, list[Slope]]:
+        """Return the guard of a contact, and the state just after it; ``before``: clock, state."""
+        guard, names = self.orbit.guard(k), (*CLOCK, *self.model.state)
+        known = dict(zip(names, before, strict=True)) | {PI: Slope(self.pi, {})}
+        values = Values(known, Slope(self.pi.integer(1), {}))
+        state, divisor = dict(known), values.of(guard.divisor)
+        for z, q in guard.reset.items():
+            state[z] = values.of(q) if guard.divisor == ONE else values.of(q) / divisor
+        return values.of(guard.value), [state[z] for z in self.model.state]
+
+    def _arrival(self, step: Flown, i: int, end: Sequence[Slope], order: int) -> Slope:
+        """Return a variable on arrival."""
+        flights, y, d = step
+        row, *rates = flights.exponential.over(i, d, order)
+        flown = reduce(add, (x * a for x, a in zip(y, row, strict=True) if a.lo or a.hi))
+        for rate in rates:
+            speed = dot(rate, [x.value for x in y])
+            flown = flown + Slope(speed.integer(0), {0: -speed, self.n + 1: speed})
+        if not flights.response:
+            return flown
+        U, V = flights.response[i]
+        return flown + end[0] * U + end[1] * V
 
     def value(self, z: Sequence[Interval]) -> list[Interval]:
         """Return F."""
         result = list[Interval]()
-        for k, (h, arrival) in enumerate(self.steps(z)):
+        for k, (h, _, arrival) in enumerate(self.steps(z, 0)):
             there = self.places(k)[1]
-            result.append(h.constant)
-            result += [x.constant - z[there + 1 + i] for i, x in enumerate(arrival)]
+            result.append(h.value)
+            result += [x.value - z[there + 1 + i] for i, x in enumerate(arrival)]
         return result
 
-    def slope(self, z: Sequence[Interval]) -> list[dict[int, Interval]]:
+    def slope(self, steps: Sequence[Step]) -> list[dict[int, Interval]]:
         """Return the rows of F', without zeros."""
-        return [row for k, step in enumerate(self.steps(z)) for row in self._rows(k, step)]
+        return [row for k, step in enumerate(steps) for row in self._rows(k, step)]
 
     def _rows(self, k: int, step: Step) -> Iterator[dict[int, Interval]]:
         """Give the rows of the k-th contact; those of the next may be its own."""
         here, there = self.places(k)
-        yield dict(enumerate(derivatives(step.guard, self.n + 1), start=here))
+        first = int(self.autonomous and not k)  # the first contact is at the time 0
+        yield {here + i: x for i, x in step.guard.by.items() if i >= first}
         for i, x in enumerate(step.arrival):
-            *own, last = derivatives(x, self.n + 2)
-            row = dict(enumerate(own, start=here))
-            for j, entry in ((there, last), (there + 1 + i, last.integer(-1))):
+            row = {here + j: entry for j, entry in x.by.items() if first <= j <= self.n}
+            minus = x.value.integer(-1)
+            for j, entry in ((there, x.by[self.n + 1]), (there + 1 + i, minus)):
                 row[j] = row[j] + entry if j in row else entry
             yield row
 
 
-def _power(count: int, *raised: int) -> tuple[int, ...]:
-    """Return the power with ones at some places."""
-    return tuple(int(i in raised) for i in range(count))
+class Flown(NamedTuple):
+    """What a flight starts from, in coordinates in which it is exp(N d) y, and its duration."""
 
-
-def derivatives(x: RealJet, count: int) -> list[Interval]:
-    """Return the first few derivatives."""
-    size, zero = len(x.origin), x.constant.integer(0)
-    return [x.coefficients.get(_power(size, i), zero) for i in range(count)]
+    flights: Flights
+    y: list[Slope]
+    d: Interval
 
 
 def krawczyk(
@@ -189,42 +223,62 @@ def krawczyk(
     centre: Sequence[Fraction],
     preconditioner: Sequence[Sequence[Fraction]],
 ) -> list[Interval]:
-    """Return K(region) if it lies in the interior of the region, which contains the centre."""
+    """Return K(K(K(region))) if K(region) lies in the interior of the region.
+
+    C is the preconditioner, rounded to units 2^-`SHIFT`: any C will do.  The centre lies in the
+    region.  F' is in all steps that over the region, which contains the zero as K(region) does.
+    """
     inside = zip(region, centre, strict=True)
     need(all(a <= c <= b for (a, b), c in inside), "the centre is not in the box")
-    box = [Interval.enclosing(*ends, equations.bits) for ends in region]
+    bits = equations.bits
+    box = [Interval.enclosing(*ends, bits) for ends in region]
     middle = [equations.number(c) for c in centre]
     offsets = [z - c for z, c in zip(box, middle, strict=True)]
-    value, slope, K = equations.value(middle), equations.slope(box), list[Interval]()
-    for i, given in enumerate(preconditioner):
-        row = [*map(equations.number, given)]
-        residual = [c.integer(int(i == j)) for j, c in enumerate(row)]  # of 1 - C F'
-        for c, entries in zip(row, slope, strict=True):
-            for j, entry in entries.items():
-                residual[j] = residual[j] - c * entry
-        K.append(middle[i] - dot(row, value) + dot(residual, offsets))
-        need(K[i].lies_inside(*region[i]), "K does not lie in the interior of its box")
-    return K
+    value, slope = equations.value(middle), equations.slope(equations.steps(box))
+    newton, rows = list[Interval](), list[list[Interval]]()
+    for i, (given, c) in enumerate(zip(preconditioner, middle, strict=True)):
+        row = [round(q * (1 << SHIFT)) for q in given]
+        less = reduce(add, (f * q for q, f in zip(row, value, strict=True)))
+        newton.append(c - rounded(less))
+        rows.append(residual(row, slope, i))
+        K = newton[i] + dot(rows[i], offsets)
+        need(K.lies_inside(*region[i]), "K does not lie in the interior of its box")
+        box[i] = K
+    for _ in range(AGAIN):
+        offsets = [z - c for z, c in zip(box, middle, strict=True)]
+        box = [start + dot(row, offsets) for start, row in zip(newton, rows, strict=True)]
+    return box
 
 
-def dot(row: Sequence[Interval], column: Sequence[Interval]) -> Interval:
-    """Return the sum of products."""
-    products = (a * b for a, b in zip(row, column, strict=True))
-    return reduce(Interval.__add__, products)
+def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[Interval]:
+    """Return the i-th row of 1 - C F', where ``row`` is that of C in units 2^-`SHIFT`."""
+    bits = next(iter(slope[0].values())).bits
+    low, high = [0] * len(row), [0] * len(row)
+    low[i] = high[i] = 1 << bits + SHIFT
+    for c, entries in zip(row, slope, strict=True):
+        for j, x in entries.items():
+            a, b = (x.lo, x.hi) if c >= 0 else (x.hi, x.lo)
+            low[j] -= c * b
+            high[j] -= c * a
+    return [rounded(Interval(a, b, bits)) for a, b in zip(low, high, strict=True)]
 
 
-def return_map(equations: Equations, z: Sequence[Interval]) -> Matrix:
+def rounded(x: Interval) -> Interval:
+    """Return x 2^-`SHIFT`."""
+    return Interval(x.lo >> SHIFT, -(-x.hi >> SHIFT), x.bits)
+
+
+def return_map(steps: Sequence[Step], n: int) -> Matrix:
     """Return the derivative of a round by (t, q) at the first contact."""
-    steps = equations.steps(z)
     ends = [*steps[1:], steps[0]]
-    parts = [_leg(step, end.guard, equations.n) for step, end in zip(steps, ends, strict=True)]
+    parts = [_leg(step, end.guard, n) for step, end in zip(steps, ends, strict=True)]
     return reduce(lambda total, part: product(part, total), parts)
 
 
-def _leg(step: Step, guard: RealJet, n: int) -> Matrix:
+def _leg(step: Step, guard: Slope, n: int) -> Matrix:
     """Return the derivative of (t, q) at a contact by (t, q) at the one before."""
-    by_time, *by_state = derivatives(guard, n + 1)
-    rows = [derivatives(x, n + 2) for x in step.arrival]
+    by_time, *by_state = guard.derivatives(n + 1)
+    rows = [x.derivatives(n + 2) for x in step.arrival]
     rate = by_time + dot(by_state, [row[-1] for row in rows])
     need((-rate).is_positive(), "a guard may not be crossed: a graze")
     time = [-dot(by_state, [row[j] for row in rows]) / rate for j in range(n + 1)]
@@ -239,13 +293,23 @@ def product(A: Matrix, B: Matrix) -> Matrix:
 
 def symmetric(D: Matrix, count: int) -> list[Interval]:
     """Return the first few elementary symmetric functions of the eigenvalues."""
-    one = D[0][0].integer(1)
-    found, traces, power = [one], list[Interval](), D
+    found, traces, powers = [D[0][0].integer(1)], list[Interval](), [D]  # D, D^2, ...
     for j in range(1, count + 1):
-        if j > 1:
-            power = product(power, D)
-        traces.append(reduce(Interval.__add__, (power[i][i] for i in range(len(D)))))
+        traces.append(_trace(powers, j))
         signs = [1 if i % 2 == 0 else -1 for i in range(j)]
         total = dot([found[j - 1 - i] * s for i, s in enumerate(signs)], traces)
         found.append(total / j)
     return found[1:]
+
+
+def _trace(powers: list[Matrix], j: int) -> Interval:
+    """Return the trace of D^j, from the powers with half the exponent, which are kept."""
+    first, D = j // 2, powers[0]
+    if not first:
+        return reduce(add, (D[i][i] for i in range(len(D))))
+    while len(powers) < j - first:
+        powers.append(product(powers[-1], D))
+    A, B = powers[first - 1], powers[j - first - 1]
+    return reduce(
+        add, (dot(row, column) for row, column in zip(A, zip(*B, strict=True), strict=True))
+    )

@@ -17,16 +17,19 @@ a) <= 1:
     R_0(t) lies in R_0(a) (1 + M D + M^2 D^2/2) + [-r, r],    r = |R_0(a)| z^3/2,
 
 where |.| is the largest entry, as z^3/3! + z^4/4! + ... <= (z^3/6) e^z <= z^3/2.
+
+*A nilpotent M.*  If M^N = 0, exp(M d) is a polynomial in d, and so are its rows, which are
+evaluated by Horner's rule.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import lcm
+from math import lcm, perm
 
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import TooCoarse, need
 
 MOST = 400  # of a
 GUARD = 16  # p - bits
@@ -44,9 +47,26 @@ class Exponential:
         self.norm = max(sum((abs(x) for _, x in column), Fraction(0)) for column in columns)
         self._known = dict[tuple[int, int], Row]()
         self._tables = dict[tuple[int, int], list[list[int]]]()
+        powers = [self._powers(i, M) for i in range(len(M))]
+        self._series = powers if all(not any(rows[-1]) for rows in powers) else None
+        self._columns = dict[tuple[int, int], list[list[Interval]]]()
+
+    def _powers(self, i: int, M: Sequence[Sequence[Fraction]]) -> list[list[Fraction]]:
+        """Return the i-th row of M^j/j!, j = 0, 1, ..., until one is zero, or none will be."""
+        none = Fraction(0)
+        rows = [[Fraction(int(i == j)) for j in range(len(M))]]
+        while any(rows[-1]) and len(rows) <= len(M):
+            total = [none] * len(M)
+            for x, row in zip(rows[-1], M, strict=True):
+                if x:
+                    total = [t + x * y if y else t for t, y in zip(total, row, strict=True)]
+            rows.append([t / len(rows) if t else t for t in total])
+        return rows
 
     def over(self, i: int, d: Interval, order: int = 0) -> list[Row]:
         """Return enclosures of the i-th row of M^k exp(M t) for all t in d, k = 0, ..., order."""
+        if self._series:
+            return [self._polynomial(i, d, k) for k in range(order + 1)]
         left = self._rates(self.at(i, d.lo), order)
         if d.lo == d.hi:
             return left
@@ -61,6 +81,27 @@ class Exponential:
                 above = [_between(*entry, span) for entry in zip(a, b, above, strict=True)]
             rows.append(above)
         return rows[::-1]
+
+    def _polynomial(self, i: int, d: Interval, order: int) -> Row:
+        """Return the derivative of some order of the i-th row, a polynomial in d."""
+        if (i, order) not in self._columns:
+            self._columns[i, order] = self._coefficients(i, order)
+        found = Row()
+        for first, *others in self._columns[i, order]:
+            for c in others:
+                first = first * d + c  # noqa: PLW2901
+            found.append(first)
+        return found
+
+    def _coefficients(self, i: int, order: int) -> list[list[Interval]]:
+        """Return for each column the coefficients, that of the highest power first."""
+        found = list[list[Interval]]()
+        for column in zip(*(self._series or [])[i], strict=True):
+            terms = [column[j] * perm(j, order) for j in range(order, len(column))] or [Fraction(0)]
+            while len(terms) > 1 and not terms[-1]:
+                terms.pop()
+            found.append([Interval.enclosing(c, c, self.bits) for c in reversed(terms)])
+        return found
 
     def at(self, i: int, z: int) -> Row:
         """Return the i-th row at the point z 2^-bits."""
@@ -109,7 +150,8 @@ class Exponential:
     def _whole(self, first: Row, span: Interval) -> Row:
         """Return an enclosure of a row times exp(M t), t in [0, b - a]."""
         z = self.norm * span.upper
-        need(z <= 1, "a piece of a flight is too long for an exponential")
+        if z > 1:
+            raise TooCoarse("a piece of a flight is too long for an exponential")
         _, slope, bend = self._rates(first, 2)
         r = int(max(x.magnitude().hi for x in first) * z**3 / 2) + 1
         terms = zip(first, slope, bend, strict=True)

@@ -6,9 +6,10 @@
                             "reset": {"v": [["-9/10", "v"]]}, "to": ["fly"]}}}}}
 
 A polynomial is a list of terms; a term is a rational number and the names of its factors, each as
-often as its power: variables of the state, and cos and sin, which stand for cos wt and sin wt.
-Fields and resets are linear.  Variables that a reset does not name do not jump.  Names are compared
-and printed; nothing is evaluated in any other way.
+often as its power: variables of the state, cos and sin, which stand for cos wt and sin wt, and pi.
+Omega is a rational number, or with "times_pi": "1" that times pi.  Fields are linear.  Variables
+that a reset does not name do not jump; what it gives is over the "divisor", if there is one.  Names
+are compared and printed; nothing is evaluated in any other way.
 """
 
 from __future__ import annotations
@@ -22,23 +23,29 @@ from typing import Any
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Many
-from cap.checker.system.model import CLOCK, Guard, Mode, Model
-from cap.checker.system.polynomial import Polynomial
+from cap.checker.kernel.shapes import Many, Maybe, Word
+from cap.checker.system.model import CLOCK, PI, Guard, Mode, Model
+from cap.checker.system.polynomial import ONE, Polynomial
 
-STATES, MODES, GUARDS, TERMS, DEGREE = 8, 64, 16, 40, 3
+STATES, MODES, GUARDS, TERMS, DEGREE = 8, 64, 16, 40, 6
 _VARIABLE = re.compile("[A-Za-z][A-Za-z_0-9]{0,19}", re.ASCII)
-_RESERVED = (*CLOCK, "pi", "t", "omega")
+_RESERVED = (*CLOCK, PI, "t", "omega")
 _COMMON = 10**30  # of the denominators of a field
 
 POLYNOMIAL = Many(Many(text, 1, 1 + DEGREE), 0, TERMS)
 GUARD = {
     "value": POLYNOMIAL,
     "reset": Named(POLYNOMIAL, STATES),
+    "divisor": Maybe(POLYNOMIAL),
     "to": Many(name, 1, MODES),
 }
 MODE = {"field": Named(POLYNOMIAL, STATES), "guards": Named(GUARD, GUARDS)}
-SYSTEM = {"state": Many(name, 1, STATES), "omega": number, "modes": Named(MODE, MODES)}
+SYSTEM = {
+    "state": Many(name, 1, STATES),
+    "omega": number,
+    "times_pi": Maybe(Word(("1",))),
+    "modes": Named(MODE, MODES),
+}
 
 
 def model(given: dict[str, Any]) -> Model:
@@ -49,7 +56,8 @@ def model(given: dict[str, Any]) -> Model:
     for z in state:
         need(_VARIABLE.fullmatch(z) is not None, f"{z} is not a name of a variable")
         need(z not in _RESERVED, f"{z} is not a free name")
-    return Model(state, omega, {key: _mode(part, state, modes, key) for key, part in modes.items()})
+    read = {key: _mode(part, state, modes, key) for key, part in modes.items()}
+    return Model(state, omega, read, "times_pi" in given)
 
 
 def _mode(given: dict[str, Any], state: tuple[str, ...], modes: Iterable[str], key: str) -> Mode:
@@ -69,18 +77,21 @@ def _guard(
     given: dict[str, Any], state: tuple[str, ...], modes: Iterable[str], where: str
 ) -> Guard:
     value = _polynomial(given["value"], state, where)
-    need(bool(value.variables), f"{where} is constant")
+    need(bool(value.variables - {PI}), f"{where} is constant")
     need(given["reset"].keys() <= {*state}, f"{where} resets what is no variable of the state")
-    reset = {z: _linear(q, state, f"{z} after {where}") for z, q in given["reset"].items()}
+    reset = {z: _polynomial(q, state, f"{z} after {where}") for z, q in given["reset"].items()}
+    divisor = _polynomial(given.get("divisor", [["1"]]), state, f"the divisor of {where}")
+    need(bool(divisor.terms), f"the divisor of {where} is 0")
     need({*given["to"]} <= {*modes}, f"{where} leads to an unknown mode")
     need(len({*given["to"]}) == len(given["to"]), f"{where} leads to a mode twice")
-    return Guard(value, reset, tuple(given["to"]))
+    return Guard(value, reset, tuple(given["to"]), divisor)
 
 
 def _linear(given: list[list[str]], state: tuple[str, ...], where: str) -> Polynomial:
-    """Return a polynomial of degree at most one."""
+    """Return a polynomial of degree at most one, but for pi."""
     q = _polynomial(given, state, where)
-    need(all(len(monomial) <= 1 for monomial in q.terms), f"{where} is not linear")
+    degrees = (sum(z != PI for z in monomial) for monomial in q.terms)
+    need(all(degree <= 1 for degree in degrees), f"{where} is not linear")
     return q
 
 
@@ -89,7 +100,7 @@ def _polynomial(given: list[list[str]], state: tuple[str, ...], where: str) -> P
     for term in given:
         c, monomial = number(term[0], where), tuple(sorted(term[1:]))
         need(_fits(c), f"{where} has a number that is not between 10^-30 and 10^30 in size")
-        need({*monomial} <= {*state, *CLOCK}, f"{where} has an unknown variable")
+        need({*monomial} <= {*state, *CLOCK, PI}, f"{where} has an unknown variable")
         need(monomial not in total, f"{where} has a monomial twice")
         total[monomial] = c
     return Polynomial(total)
@@ -106,7 +117,8 @@ def _fits(c: Fraction) -> bool:
 def told(model: Model) -> str:
     """Return the system in one line."""
     modes = (_told_mode(model, key) for key in model.modes)
-    return f"state ({', '.join(model.state)}), omega = {model.omega}; " + "; ".join(modes)
+    omega = printed(model.frequency)
+    return f"state ({', '.join(model.state)}), omega = {omega}; " + "; ".join(modes)
 
 
 def _told_mode(model: Model, key: str) -> str:
@@ -117,7 +129,11 @@ def _told_mode(model: Model, key: str) -> str:
 
 
 def _told_guard(key: str, guard: Guard) -> str:
-    jumps = [f"{z} becomes {printed(q)}" for z, q in guard.reset.items()]
+    over = "" if guard.divisor == ONE else f"/({printed(guard.divisor)})"
+    jumps = [
+        f"{z} becomes {f'({printed(q)}){over}' if over else printed(q)}"
+        for z, q in guard.reset.items()
+    ]
     jumps.append("mode " + " or ".join(f"'{m}'" for m in guard.to))
     return f"{printed(guard.value)} > 0 ('{key}', at 0 {', '.join(jumps)})"
 

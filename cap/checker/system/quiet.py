@@ -1,47 +1,48 @@
-"""Lemma B: a guard stays positive on a leg, for given cuts; nothing is searched.
+"""A guard stays positive on a leg, by two lemmas; nothing is searched.
 
-Let h be a guard along the flights of a mode from t_0 to t_1, each known in an interval, and cut the
-time from the least t_0 to the greatest t_1 into pieces.  Here h is what the formula of the flights
-has, beyond their ends, too.
+Let h be a guard along the flights of a mode from t_0 to t_1, each known in an interval.  Here h is
+what the formula of the flights has, beyond their ends, too.
 
-1. *In the middle.*  On a piece P with a point m in it, h(t) = h(m) + (t - m) L h(s) for some s in
-   P: h is positive on P, if h(m) + (P - m) L h(P) is.
-2. *At the start.*  If h, L h, ..., L^(n-1) h vanish at t_0, n > 0, by Taylor's formula h(t) is the
-   integral of (t - s)^(n-1)/(n-1)! L^n h(s) from t_0 to t: it is positive after t_0 on the first
-   piece, if L^n h is positive on it.
-3. *At the end.*  If h, ..., L^(n-1) h vanish at t_1, the same backward in time: h is positive
-   before t_1 on the last piece, if (-1)^n L^n h is positive on it.
+*Lemma M.*  If L h = -c g, c > 0, or L h = -(g + g'), for other guards of the mode that stay
+positive between t_0 and t_1, h falls there: it is positive before t_1 if it is positive or 0 then.
+
+*Lemma B, for given cuts.*  Cut the time from the least t_0 to the greatest t_1 into pieces.  On a
+piece [a, b] let m <= L^2 h <= M, M > 0, m < 0, and s = b - a.
+
+1. *A chord.*  h differs from its chord by less than M s^2/8 below: h > 0 if h(a) and h(b) are above
+   M s^2/8; if L^2 h <= 0 all over the piece, if both are positive.
+2. *A tangent.*  h(t) >= h(a) + L h(a) (t - a) + m (t - a)^2/2 by Taylor's formula, so h > 0 if the
+   least of this at t = a and, with the last two terms replaced by min(0, L h(a)) s + m s^2/2, at b
+   is; and so from b backwards.
+3. *At the start*, where h(t_0) = 0: h > 0 after t_0 on the first piece, if L h(t_0) + m s/2 > 0 by
+   the same formula; or if h(b) > 0 and L^2 h <= 0, so that h is concave.  If L h(t_0) = 0, too, if
+   L^2 h > 0 on the piece.
+4. *At the end*, where h(t_1) = 0: the same backward in time.
 
 So h > 0 strictly between t_0 and t_1, and at those ends where it does not vanish.  If it is so for
 all guards of the mode, the flights are orbits of the system until t_1.
 
-*What vanishes after an event.*  Where the guard g comes to zero, the state z becomes R(z).  If h(R)
-is a constant times g, as polynomials, h vanishes after the event; and so for L h, and so on.
+*What vanishes after an event.*  Where the guard g comes to zero, the state z becomes R(z)/D.  If
+D^k h(R/D) is a constant times D^k g, as polynomials, h vanishes after the event; and so for L h,
+and so on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import pairwise
-from typing import Protocol
+from itertools import combinations, pairwise
+from typing import NamedTuple, Protocol
 
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import TooCoarse, need
 from cap.checker.system.model import Guard, Model
-from cap.checker.system.polynomial import Polynomial
+from cap.checker.system.polynomial import ONE, ZERO, Polynomial
 
 
 class Flights(Protocol):
     """Flights of a mode, each from a time in the interval ``start`` on."""
-
-    @property
-    def model(self) -> Model:
-        """The system."""
-
-    @property
-    def mode(self) -> str:
-        """The mode."""
 
     @property
     def start(self) -> Interval:
@@ -51,33 +52,103 @@ class Flights(Protocol):
         """Return a polynomial in the state at all times of an interval, for all of the flights."""
 
 
+class Watched(NamedTuple):
+    """A guard h of a mode, L h and L^2 h."""
+
+    h: Polynomial
+    rate: Polynomial
+    bend: Polynomial
+
+    @classmethod
+    def of(cls, model: Model, mode: str, h: Polynomial) -> Watched:
+        """Return them."""
+        rate = model.lie(mode, h)
+        return cls(h, rate, model.lie(mode, rate))
+
+
+def falls(h: Watched, others: Iterable[Watched]) -> bool:
+    """Return whether Lemma M holds for h and one of the others, or the sum of two."""
+    listed = [other.h for other in others]
+    one = any((c := _factor(-h.rate, g)) is not None and c > 0 for g in listed)
+    return one or any(-h.rate == a + b for a, b in combinations(listed, 2))
+
+
+def ends_positive(flights: Flights, h: Watched, end: Interval, zeros: tuple[int, int]) -> None:
+    """Prove Lemma M's h > 0 at the end, if it does not vanish there, nor at the start."""
+    first, last = zeros
+    need(not first, "a guard falls from zero")
+    need(last > 0 or flights.over(h.h, end).is_positive(), "a guard may vanish before the end")
+
+
 def stays_positive(
     flights: Flights,
-    h: Polynomial,
+    h: Watched,
     end: Interval,
     cuts: Sequence[Fraction],
     zeros: tuple[int, int] = (0, 0),
 ) -> None:
     """Prove that a guard stays positive until each flight ends, at a time in ``end``.
 
-    So many of h, L h, ... vanish at the start and at the end, as ``zeros`` says.
+    So many of h, L h, ... vanish at the start and at the end, 0 to 2 of them, as ``zeros`` says.
     """
     first, last = zeros
-    rates = [h]
-    for _ in range(max(1, first, last)):
-        rates.append(flights.model.lie(flights.mode, rates[-1]))
     pieces = _pieces(flights.start, end, cuts)
-    need(len(pieces) >= bool(first) + bool(last), "a guard is 0 at both ends of a piece")
-    if first:
-        leaves = flights.over(rates[first], pieces.pop(0)).is_positive()
-        need(leaves, "a guard may vanish again just after the start")
-    if last:
-        comes = (flights.over(rates[last], pieces.pop()) * (-1) ** last).is_positive()
-        need(comes, "a guard may vanish already before the end")
-    for piece in pieces:
-        m = piece.midpoint()
-        value = flights.over(h, m) + flights.over(rates[1], piece) * (piece - m)
-        need(value.is_positive(), f"a guard may vanish near {float(m.lower):.6g}")
+    if len(pieces) < bool(first) + bool(last):
+        raise TooCoarse("a guard is 0 at both ends of a piece")
+    for k, piece in enumerate(pieces):
+        on = Piece(flights, h, piece)
+        if first and k == 0:
+            shown, place = on.leaves(flights.start, first, 1), "again just after the start"
+        elif last and k + 1 == len(pieces):
+            shown, place = on.leaves(end, last, -1), "already before the end"
+        else:
+            shown = on.by_chord() or on.by_tangent()
+            place = f"near {float(piece.midpoint().lower):.6g}"
+        if not shown:
+            raise TooCoarse(f"a guard may vanish {place}")
+
+
+class Piece:
+    """A guard on a piece of a leg."""
+
+    def __init__(self, flights: Flights, h: Watched, piece: Interval) -> None:
+        self.flights, self.h = flights, h
+        self.a = Interval(piece.lo, piece.lo, piece.bits)
+        self.b = Interval(piece.hi, piece.hi, piece.bits)
+        self.bend = flights.over(h.bend, piece)
+        self.length = self.b - self.a
+        self.dip = self.length.square() * Interval(min(self.bend.lo, 0), 0, piece.bits) / 2
+
+    @property
+    def concave(self) -> bool:
+        """Whether L^2 h <= 0 on it."""
+        return self.bend.hi <= 0
+
+    def by_chord(self) -> bool:
+        """Return whether 1 holds."""
+        above = Interval(0, max(self.bend.hi, 0), self.a.bits)
+        sag = self.length.square() * above / 8
+        heights = (self.flights.over(self.h.h, t) - sag for t in (self.a, self.b))
+        return all(height.is_positive() for height in heights)
+
+    def by_tangent(self) -> bool:
+        """Return whether 2 holds, at one of the ends."""
+        for t, sign in ((self.a, 1), (self.b, -1)):
+            rate = self.flights.over(self.h.rate, t) * sign
+            down = Interval(min(rate.lo, 0), 0, rate.bits) * self.length
+            if (self.flights.over(self.h.h, t) + down + self.dip).is_positive():
+                return True
+        return False
+
+    def leaves(self, at: Interval, zeros: int, sign: int) -> bool:
+        """Return whether 3 holds at the start, ``sign`` = 1, or 4 at the end, ``sign`` = -1."""
+        if zeros == 2:
+            return self.bend.is_positive()
+        rate = self.flights.over(self.h.rate, at) * sign
+        fall = self.length * Interval(min(self.bend.lo, 0), 0, rate.bits) / 2
+        other = self.b if sign > 0 else self.a
+        concave = self.concave and self.flights.over(self.h.h, other).is_positive()
+        return (rate + fall).is_positive() or concave
 
 
 def _pieces(start: Interval, end: Interval, cuts: Sequence[Fraction]) -> list[Interval]:
@@ -87,19 +158,42 @@ def _pieces(start: Interval, end: Interval, cuts: Sequence[Fraction]) -> list[In
     return [Interval.enclosing(a, b, start.bits) for a, b in pairwise(ends)]
 
 
-def zeros_after(model: Model, mode: str, h: Polynomial, event: Guard, most: int = 2) -> int:
-    """Return how many of h, L h, ..., at most so many, vanish in a mode just after an event."""
-    for n in range(most):
-        if not _is_multiple(h.substituted(event.reset), event.value):
-            return n
-        h = model.lie(mode, h)
-    return most
+def zeros_after(h: Watched, event: Guard) -> int:
+    """Return how many of h, L h vanish in a mode just after an event."""
+    found = 0
+    for g in (h.h, h.rate):
+        if not _vanishes(g, event):
+            return found
+        found += 1
+    return found
 
 
-def _is_multiple(h: Polynomial, g: Polynomial) -> bool:
-    """Return whether h is a constant times g."""
+def _vanishes(h: Polynomial, event: Guard) -> bool:
+    """Return whether D^k h(R/D) is a constant times D^k g."""
+    jumps = [Counter(m)[z] for m in h.terms for z in event.reset]
+    degree = 0 if event.divisor == ONE or not any(jumps) else max(map(len, h.terms))
+    total, power = ZERO, _power(event.divisor, degree)
+    for monomial, c in h.terms.items():
+        changed = [z for z in monomial if z in event.reset]
+        term = Polynomial({tuple(z for z in monomial if z not in event.reset): c})
+        for z in changed:
+            term = term * event.reset[z]
+        total += term * (_power(event.divisor, degree - len(changed)) if degree else ONE)
+    return not total.terms or _factor(total, event.value * power) is not None
+
+
+def _power(q: Polynomial, n: int) -> Polynomial:
+    """Return q^n."""
+    total = ONE
+    for _ in range(n):
+        total = total * q
+    return total
+
+
+def _factor(h: Polynomial, g: Polynomial) -> Fraction | None:
+    """Return c if h is a constant c /= 0 times g."""
     if not h.terms:
-        return True
+        return None
     monomial, c = next(iter(h.terms.items()))
     divisor = g.terms.get(monomial)
-    return divisor is not None and h == g * (c / divisor)
+    return c / divisor if divisor and h == g * (c / divisor) else None

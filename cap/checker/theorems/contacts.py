@@ -6,12 +6,13 @@ between contacts nothing else is assumed than the equations of its mode.
 
 1. *Existence.*  K(box) lies in the interior of the box of the times and states just before the
    contacts: F has exactly one zero there (``contacts``).
-2. *Localisation.*  The same for a box S = m +- radius in it: the zero lies in K(S).
-3. *Nothing else happens.*  On each leg, all guards of the mode are positive between the contacts,
-   and L h < 0 where the next one comes to zero (Lemma B, ``quiet``); a guard that vanishes at the
-   start of a leg does so by an identity of polynomials.  So the zero of F is a periodic orbit.
-4. *Claims.*  Times and states of the contacts, and the elementary symmetric functions of the
-   multipliers.
+   This lies in K(box).
+2. *Nothing else happens.*  On each leg, all guards of the mode are positive between the contacts,
+   and L h < 0 where the next one comes to zero (``quiet``: Lemma B for guards with cuts, M for the
+   others); a guard that vanishes at the start of a leg does so by an identity of polynomials.  So
+   the zero of F is a periodic orbit.
+3. *Claims.*  Times and states of the contacts, the elementary symmetric functions of the
+   multipliers, and from these how many multipliers lie outside the unit circle (``stability``).
 """
 
 from __future__ import annotations
@@ -21,27 +22,28 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, cite
-from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, region
+from cap.checker.kernel.shapes import Field, Many, Maybe, Quantity, Whole, region
 from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system.contacts import (
     Contact,
     Ends,
     Equations,
+    Matrix,
     Round,
+    Step,
     krawczyk,
     return_map,
     symmetric,
 )
 from cap.checker.system.given import GUARDS, STATES, SYSTEM, model, told
 from cap.checker.system.legs import Leg
-from cap.checker.system.model import CLOCK, Model
-from cap.checker.system.quiet import stays_positive, zeros_after
+from cap.checker.system.model import Model
+from cap.checker.system.quiet import Watched, ends_positive, falls, stays_positive, zeros_after
+from cap.checker.system.stability import kind_of_two, outside
 
 CONTACTS, CUTS, PERIODS = 64, 1000, 1000
 MOST_BITS, WORK = 1024, 1 << 23  # of bits x variables x pieces
@@ -57,11 +59,10 @@ class Contacts(Theorem):
         BITS,
         Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
               "time and state near those of each contact, in the box"),
-        Field("radius", number, "", "", "S = m +- radius: the zero lies in K(S)"),
         Field("preconditioner", Many(Many(number, 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
               "near F'(m)^-1"),
         Field("cuts", Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), "", "",
-              "for the leg after each contact and each guard of its mode, the cuts of Lemma B"),
+              "for the leg after each contact, by guard of its mode, the cuts of Lemma B"),
     )
     CLAIMS = (
         Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
@@ -75,11 +76,14 @@ class Contacts(Theorem):
               "just before the contacts"),
         Field("symmetric", Many(Quantity(), 1, STATES), "multipliers", "e_j",
               "elementary symmetric functions of the multipliers: their sum, ..., their product"),
+        Field("unstable", Maybe(Whole(0, STATES)), "", "",
+              "how many multipliers lie outside the circle of this radius; none lies on it"),
+        Field("radius", Maybe(number), "", "r", "of this circle around 0, if it is not 1"),
     )
     CITES = (
         cite("Krawczyk", NEUMAIER,
-             ("smooth", "F is real analytic on the box: guards and resets are polynomials, flights "
-              "exponentials", "box"),
+             ("smooth", "F is real analytic on the box: guards are polynomials, resets rational "
+              "functions, flights exponentials", "box"),
              ("inclusion", "K(box) lies in the interior of the box", "box")),
     )
     # fmt: on
@@ -114,60 +118,70 @@ class Contacts(Theorem):
         self.orbit = Round(self.p, contacts, self.claims["periods"])
         self.orbit.confirm()
         self.equations = Equations(self.orbit, self.hints["bits"])
+        once = not self.equations.autonomous or self.claims["periods"] == 1
+        need(once, "claims.periods is not 1, but the system has no clock")
         same = len(self.hints["preconditioner"]) == self.equations.size
         need(same, f"there are not {self.equations.size} unknowns")
         zero = self.zero()
-        self.nothing_else(zero)
+        steps = self.equations.steps(zero)
+        self.nothing_else(zero, steps)
         step = self.equations.n + 1
         each = [zero[k : k + step] for k in range(0, len(zero), step)]
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
-        multipliers = symmetric(return_map(self.equations, zero), self.equations.n)
+        multipliers = symmetric(self.derivative(steps), self.equations.n)
         self.confirm(symmetric=multipliers)
+        self.count(multipliers)
         self.step("times, states and multipliers are those claimed")
+
+    def derivative(self, steps: list[Step]) -> Matrix:
+        """Return that of the return map, with the multipliers as eigenvalues, and a 0."""
+        D = return_map(steps, self.equations.n)
+        return [row[1:] for row in D[1:]] if self.equations.autonomous else D
+
+    def count(self, multipliers: list[Interval]) -> None:
+        """Prove what is claimed of how many multipliers lie outside a circle."""
+        radius, given = self.claims.get("radius", Fraction(1)), "unstable" in self.claims
+        need(given or "radius" not in self.claims, "claims.radius is one of nothing")
+        need(1 <= radius <= 2, "claims.radius is not between 1 and 2")
+        scaled = [x.scaled(1 / radius ** (k + 1)) for k, x in enumerate(multipliers)]
+        certain = not given or outside(scaled) == self.claims["unstable"]
+        need(certain, "claims.unstable is not certain to be the number of these multipliers")
 
     def zero(self) -> list[Interval]:
         """Prove that F has exactly one zero in the box; return K(S), which contains it."""
         box: list[Ends] = [side[:2] for sides in self.claims["box"] for side in sides]
         centre = [c for place in self.hints["centre"] for c in place]
-        radius = self.hints["radius"]
-        need(radius > 0, "radius is not positive")
-        small = [(c - radius, c + radius) for c in centre]
-        inside = all(z[0] <= s[0] and s[1] <= z[1] for s, z in zip(small, box, strict=True))
-        need(inside, "S is not in the box")
         C = self.hints["preconditioner"]
-        krawczyk(self.equations, box, centre, C)
-        self.step("K(box) lies in the interior of the box: exactly one zero of F")
-        result = krawczyk(self.equations, small, centre, C)
-        self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains the zero")
-        return result
+        zero = krawczyk(self.equations, box, centre, C)
+        self.step("K(box) lies in the interior of the box: exactly one zero of F, in K(box)")
+        return zero
 
-    def nothing_else(self, zero: list[Interval]) -> None:
+    def nothing_else(self, zero: list[Interval], steps: list[Step]) -> None:
         """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
-        for k, cuts in enumerate(self.hints["cuts"]):
-            guards = self.p.modes[self.orbit.contacts[k].to].guards
-            need(cuts.keys() == guards.keys(), f"leg {k + 1}: the cuts are not those of its guards")
-            self.leg(zero, k, cuts)
+        watched = dict[str, dict[str, Watched]]()
+        for mode in {contact.to for contact in self.orbit.contacts}:
+            guards = self.p.modes[mode].guards.items()
+            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in guards}
+        for k in range(len(self.orbit.contacts)):
+            self.leg(zero, steps[k], k, watched[self.orbit.contacts[k].to])
         self.step("on each leg all guards of its mode are positive between the contacts")
 
-    def leg(self, zero: list[Interval], k: int, cuts: dict[str, Any]) -> None:
+    def leg(self, zero: list[Interval], step: Step, k: int, guards: dict[str, Watched]) -> None:
         """Prove that nothing else happens between a contact and the next one."""
-        (here, _), n, mode = self.equations.places(k), self.equations.n, self.orbit.contacts[k].to
-        start, end, guard = zero[here], self.equations.end(zero, k), self.orbit.guard(k)
+        mode, cuts = self.orbit.contacts[k].to, self.hints["cuts"][k]
+        start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
-        before = dict(zip(self.p.state, zero[here + 1 : here + 1 + n], strict=True))
-        known = self.equations.flights[mode]
-        flights = Leg(self.p, mode, start, self.after(k, start, before), known)
-        for key, (h, _, _) in self.p.modes[mode].guards.items():
-            first = zeros_after(self.p, mode, h, guard)
-            last = int(key == self.orbit.following(k).guard)
-            stays_positive(flights, h, end, cuts[key], (first, last))
-
-    def after(self, k: int, t: Interval, before: dict[str, Interval]) -> dict[str, Interval]:
-        """Return the state just after a contact."""
-        clock = cos_sin(t * self.number(self.p.omega))
-        values = before | dict(zip(CLOCK, clock, strict=True))
-        jets = {z: Jet(0, {(): q}) for z, q in values.items()}
-        return {z: q.constant for z, q in self.equations.after(k, jets).items()}
+        need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
+        after = dict(zip(self.p.state, step.after, strict=True))
+        flights = Leg(self.p, mode, start, after, self.equations.flights[mode])
+        for key, h in guards.items():
+            zeros = zeros_after(h, self.orbit.guard(k)), int(key == self.orbit.following(k).guard)
+            if key in cuts:
+                stays_positive(flights, h, end, cuts[key], zeros)
+            else:
+                others = [guards[other] for other in cuts]
+                need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")
+                ends_positive(flights, h, end, zeros)
 
     def words(self) -> str:
         """Return the theorem in one line."""
@@ -180,14 +194,31 @@ class Contacts(Theorem):
         )
         sums = ", ".join(map(str, claims["symmetric"]))
         box = "; ".join(" x ".join(map(str, sides)) for sides in claims["box"])
+        period, numbers = f"{claims['periods']} x 2 pi/omega", f"{len(self.p.state)} multipliers"
+        if self.p.autonomous:
+            period = f"in {claims['times'][0]} (times count from its first contact on)"
+            numbers = f"{len(self.p.state) - 1} multipliers and of 0"
+        alone = "but for shifts in time it is" if self.p.autonomous else "it is"
         return (
-            f"the system with the {told(self.p)}; has an orbit of period {claims['periods']} x "
-            f"2 pi/omega with these contacts in one round, at each of which the guard falls "
-            f"through 0, and no others: {contacts} (values just before a contact); it is the only "
-            f"one with these contacts whose (t, {', '.join(self.p.state)}) at them lie in {box}; "
-            f"the elementary symmetric functions of its {len(self.p.state)} multipliers (sum, ..., "
-            f"product) are in {sums}"
+            f"the system with the {told(self.p)}; has an orbit of period {period} with these "
+            f"contacts in one round, at each of which the guard falls through 0, and no others: "
+            f"{contacts} (values just before a contact); {alone} the only one with these contacts "
+            f"whose (t, {', '.join(self.p.state)}) at them lie in {box}; the elementary symmetric "
+            f"functions of its {numbers} (sum, ..., product) are in {sums}{self.stability()}"
         )
+
+    def stability(self) -> str:
+        """Return what is claimed of the multipliers in words."""
+        count, n = self.claims.get("unstable"), len(self.p.state)
+        if count is None:
+            return ""
+        if "radius" in self.claims:
+            return f", {count} of the {n} outside the circle of radius {self.claims['radius']}"
+        sums = self.claims["symmetric"]
+        named = n == 2 and not self.p.autonomous
+        kind = kind_of_two(sums[0], sums[1], count) if named else ""
+        attracts = "; it attracts" if not count else ""
+        return f", {count} of the {n} outside the unit circle and none on it{kind}{attracts}"
 
 
 THEOREM = Contacts

@@ -7,8 +7,10 @@ sqrt(trace^2 - 4))/2 with the sign of the trace, and the inner one is its invers
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from cap.checker.flow.itinerary import Passage
-from cap.checker.kernel.citation import HADAMARD_PERRON, cite
+from cap.checker.kernel.citation import HADAMARD_PERRON, Citation, cite
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.maps.fixed_point import Point
@@ -24,7 +26,7 @@ class Saddle(NonSticking):
         Field("multipliers", [Quantity()] * 2, "multiplier", r"\lambda",
               "the eigenvalue of Phi'(P*) outside the unit circle, then the one inside"),
     )
-    CITES = (
+    CITES: ClassVar[tuple[Citation, ...]] = (
         KRAWCZYK,
         cite(
             *HADAMARD_PERRON,

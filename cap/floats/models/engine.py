@@ -1,18 +1,21 @@
 """Orbits of any system in doubles, many at once, with all their events in exact order.
 
 The function that follows them is compiled from the model (`cap.floats.models.source`) when it is
-first used, and kept for the next time.  Guards must be affine in the state, cos wt and sin wt.
+first used, and kept for the next time.  Guards must be affine in the state, cos wt and sin wt, up
+to terms that are quadratic in time on each flight.
 """
 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -22,11 +25,11 @@ from cap.errors import BadInput
 from cap.files import replacing
 from cap.floats.engine.compiled import announced
 from cap.floats.models import roots
-from cap.floats.models.source import Source, affine
-from cap.floats.models.spectrum import Floats
+from cap.floats.models.source import Source
+from cap.floats.models.spectrum import Floats, evaluated
 from cap.process import at_home
 from cap.system.model import System
-from cap.system.polynomial import variable
+from cap.system.polynomial import COS, SIN, variable
 
 OUTSIDE = 8
 """A bit of flags beside those of `cap.floats.models.source`: it began outside its mode."""
@@ -48,12 +51,14 @@ class Ends:
     counts: Integers
     flags: Integers
     log: Floats
+    path: Floats
 
 
 class Engine:
     """The flow of a system without free parameters.
 
-    ``modes`` and ``words`` are the names of modes and of events.  Raises `BadInput` for a system
+    ``modes`` and ``words`` are the names of modes and of events, ``exponentials`` those of modes,
+    and ``free`` tells in which modes orbits may begin.  Raises `BadInput` for a system
     that floats do not follow, and says why.
     """
 
@@ -64,12 +69,8 @@ class Engine:
         self.system, self.modes = system, source.modes
         self.words = (*source.words, "capture")
         self._numbers, self._follow = source.numbers, _compiled(source.text)
-        self._guards = [
-            np.array([affine(system, name, word) for word in mode.guards])
-            for name, mode in system.modes.items()
-        ]
-
-        self._free = np.array([is_free(system, name) for name in system.modes])
+        self.exponentials = source.exponentials
+        self.free = np.array([is_free(system, name) for name in system.modes])
 
     def follow(
         self,
@@ -79,12 +80,13 @@ class Engine:
         periods: int = 1,
         phase: float = 0.0,
         log: int = 0,
+        every: bool = False,
     ) -> Ends:
         """Follow orbits from states (N, n) at the angle ``phase`` of the clock.
 
         If no ``modes`` are given, each begins in the first one where no guard is negative and
         nothing rests: every position changes with its velocity.  `BadInput` if there is none.  At
-        most ``log`` events are listed.
+        most ``log`` events are listed; with ``every`` the states after each period are told.
         """
         starts = np.ascontiguousarray(states, dtype=float)
         if starts.ndim != 2 or starts.shape[1] != len(self.system.state):
@@ -92,31 +94,38 @@ class Engine:
         if not np.isfinite(starts).all():
             raise BadInput("a state is not finite")
         inside = self.inside(starts, phase)
-        begun = self._begun(inside, modes)
+        begun = self.begun(starts, modes, phase, inside)
         N, n = starts.shape
         ends, last = np.empty((N, n)), np.empty(N, dtype=np.int64)
         counts = np.zeros((N, len(self.words)), dtype=np.int64)
         flags = np.where(inside[begun, np.arange(N)], 0, OUTSIDE)
         lines = np.full((log, 4 + n), np.nan)
-        arrays = ends, last, counts, flags, lines
+        path = np.full((N if every else 0, periods, n), np.nan)
+        arrays = ends, last, counts, flags, lines, path
         used = self._follow(self._numbers, starts, begun, phase, periods, MOST, *arrays)
-        return Ends(ends, last, counts, flags, lines[:used])
+        return Ends(ends, last, counts, flags, lines[:used], path)
 
     def inside(self, states: Floats, phase: float = 0.0) -> NDArray[np.bool_]:
         """Return (M, N) whether the guards of each mode are not negative at the states."""
-        clock = np.array([np.cos(phase), np.sin(phase), 1.0])
-        y = np.hstack([states, np.broadcast_to(clock, (len(states), 3))])
-        return np.array(
-            [
-                (y @ rows.T >= 0).all(axis=1) if len(rows) else np.ones(len(y), bool)
-                for rows in self._guards
-            ]
-        )
+        values = {**dict(zip(self.system.state, states.T, strict=True)), COS: np.cos(phase)}
+        values[SIN] = np.sin(phase)
+        inside = np.ones((len(self.modes), len(states)), dtype=bool)
+        for k, mode in enumerate(self.system.modes.values()):
+            for guard in mode.guards.values():
+                inside[k] &= evaluated(guard.value, values) >= 0
+        return inside
 
-    def _begun(self, inside: NDArray[np.bool_], modes: Sequence[str] | Integers | None) -> Integers:
+    def begun(
+        self,
+        states: Floats,
+        modes: Sequence[str] | Integers | None = None,
+        phase: float = 0.0,
+        inside: NDArray[np.bool_] | None = None,
+    ) -> Integers:
         """Return the indices of the modes in which orbits begin."""
+        inside = self.inside(states, phase) if inside is None else inside
         if modes is None:
-            free = inside & self._free[:, np.newaxis]
+            free = inside & self.free[:, np.newaxis]
             if not free.any(axis=0).all():
                 raise BadInput("a state lies in no mode in which nothing rests: name its mode")
             return np.asarray(np.argmax(free, axis=0), dtype=np.int64)
@@ -148,9 +157,10 @@ def _compiled(text: str) -> Callable[..., Any]:
             if not path.exists() or path.read_text(encoding="utf-8") != text:
                 with replacing(path) as file:
                     file.write(text.encode())
-    names: dict[str, Any] = {"__name__": path.stem}
-    exec(compile(text, str(path), "exec"), names)  # noqa: S102 (it is our own source, not read)
-    return announced(names["follow"], digest)
+    module = sys.modules.setdefault(path.stem, ModuleType(path.stem))  # where what is kept looks
+    module.__file__ = str(path)
+    exec(compile(text, str(path), "exec"), module.__dict__)  # noqa: S102 (our own source, not read)
+    return announced(module.__dict__["follow"], digest)
 
 
 def _folder() -> Path:

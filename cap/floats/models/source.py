@@ -38,7 +38,7 @@ SIMULTANEOUS, NO_MODE, MANY = {SIMULTANEOUS}, {NO_MODE}, {MANY}
 '''
 FOLLOW = '''
 
-def follow(K, starts, modes, phase, periods, most, ends, last, counts, flags, log):
+def follow(K, starts, modes, phase, periods, most, ends, last, counts, flags, log, path):
     """Follow orbits; the arrays from ``ends`` on are written, and how many lines of ``log``."""
 '''
 
@@ -54,6 +54,7 @@ class Source:
         self._y = (*(f"y{i}" for i in range(len(system.state))), "c", "s", "1.0")
         self._after = (*(f"f{i}" for i in range(len(system.state))), "c", "s", "1.0")
         self._along: dict[str, str] = {}
+        self.exponentials: list[Exponential] = []  # of the modes
         blocks = [line for k in range(len(self.modes)) for line in self._mode(k)]
         self.text = self._driver(blocks)
 
@@ -101,6 +102,7 @@ class Source:
         name = self.modes[k]
         guards = self.system.modes[name].guards
         E = exponential(self.system, name)
+        self.exponentials.append(E)
         self._along[kinds(E)] = along(kinds(E))
         rates = [self._number(part) for z in E.rates for part in (z.real, z.imag)]
         yield f"{'if' if k == 0 else 'elif'} m == {k}:  # {name}"
@@ -128,9 +130,12 @@ class Source:
 
     def _next(self, E: Exponential, mode: str, word: str, g: int, solver: str) -> Iterator[str]:
         """Yield the code that asks when a guard comes to zero, before D."""
-        rows = E.rows(affine(self.system, mode, word))
+        row, curved = split(self.system, mode, word)
+        rows, h = E.rows(row), self.system.guard(mode, word).value
         for order in ORDERS:
-            yield f"    a{order} = {self._dot(rows[order], self._y)}"
+            value = self._value(h, self._y) if curved else self._dot(rows[order], self._y)
+            yield f"    a{order} = {value}"
+            h = self.system.lie(mode, h)
             yield f"    if zeros & {1 << (3 * g + order)}:"
             yield f"        a{order} = 0.0"
         parts = [self._dot(row, self._y) for row in rows[3:]]
@@ -239,6 +244,8 @@ class Source:
             "        else:",
             "            flags[o] |= MANY",
             "        zeros = 0",
+            "        if len(path):",
+            *(f"            path[o, period, {i}] = y{i}" for i in range(n)),
             "        if flags[o] & (MANY | NO_MODE):",
             f"            {state} = ({', '.join(['math.nan'] * n)},)",
             "            break",
@@ -278,16 +285,23 @@ def along(kinds: str) -> str:
     return "\n".join([head + body, "", *solvers, ""])
 
 
-def affine(system: System, mode: str, word: str) -> Floats:
-    """Return the row (Z,) of a guard h = row.y; refuse one that is not affine."""
-    h = system.guard(mode, word).value
-    if h.degree > 1:
+def split(system: System, mode: str, word: str) -> tuple[Floats, Polynomial]:
+    """Return a guard as row.y, row (Z,), and the rest, which is a quadratic in time on all flights.
+
+    Refuses a guard whose rest is none: L^3 of it is not identically zero.
+    """
+    h, names = system.guard(mode, word).value, (*system.state, COS, SIN)
+    linear = Polynomial({m: c for m, c in h.terms.items() if Polynomial({m: c}).degree <= 1})
+    rest = higher = h - linear
+    for _ in ORDERS:
+        higher = system.lie(mode, higher)
+    if higher:
         raise BadInput(
-            f"floats follow guards of degree 1 in the state, cos wt and sin wt: {word} of the "
-            f"mode {mode} has the degree {h.degree}"
+            "floats follow guards of degree 1 in the state, cos wt and sin wt, and what is "
+            f"quadratic in time on a flight: {word} of the mode {mode} is neither"
         )
-    names = (*system.state, COS, SIN)
-    return np.array([float(number(q)) for q in (*map(h.derivative, names), h.without(*names))])
+    slopes = (*map(linear.derivative, names), linear.without(*names))
+    return np.array([float(number(q)) for q in slopes]), rest
 
 
 def identities(system: System, mode: str, word: str, to: str) -> dict[str, int]:

@@ -12,7 +12,7 @@ are rounded to doubles at the end.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from typing import Any, NamedTuple
@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.system.model import System
+from cap.system.polynomial import Polynomial
 
 Floats = NDArray[np.float64]
 DIGITS, LONGEST = 40, 3
@@ -91,6 +92,11 @@ def number(q: Any) -> Any:
     """Return the value of an exact number."""
     value = q.evaluated({}, lambda c: mpmath.mpf(c.numerator) / c.denominator, mpmath.pi)
     return mpmath.mpf(value)
+
+
+def evaluated(q: Polynomial, values: Mapping[str, Any]) -> Any:
+    """Return the value of a polynomial in doubles, or arrays of them."""
+    return q.evaluated(values, float, np.pi)
 
 
 def _clock_roots(system: System) -> list[Any]:

@@ -1,0 +1,115 @@
+"""Another version of the paper: what became of the sentence that each claim was taken from."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from decimal import Decimal
+from enum import StrEnum
+
+from cap.audit import errata, ledger, quotes, recorded
+from cap.audit.claim import Kind
+from cap.audit.manuscript import Manuscript
+from cap.audit.verdict import Outcome, Verdict
+
+_NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
+WRONG = Outcome.CORRECTED, Outcome.REFUTED
+PRINTED = Kind.FORMULA, Kind.NUMBER, Kind.INEQUALITY  # of which each wrong one has a change
+
+
+class State(StrEnum):
+    """What became of a sentence."""
+
+    STANDS = "as it was"
+    CORRECTED = "corrected"  # as the erratum has it, or a number that is the one found
+    CHANGED = "changed"  # another number, or a part of the erratum
+    GONE = "gone"
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """The state of a claim's sentence, and what is seen."""
+
+    claim: str
+    state: State
+    seen: str = ""
+
+
+def sentences(manuscript: Manuscript) -> Iterator[Sentence]:
+    """Give the state of every claim's sentence in a text."""
+    known = recorded.recorded()
+    for name in ledger.claims():
+        yield sentence(name, manuscript, known.get(name))
+
+
+def sentence(name: str, manuscript: Manuscript, verdict: Verdict | None) -> Sentence:
+    """Return the state of the sentence of a claim, whose verdict decides what number is right."""
+    wanted = errata.of(name)
+    done = [_made(each, manuscript) for each in wanted]
+    if wanted and all(done):
+        return Sentence(name, State.CORRECTED, "as the erratum has it")
+    piece = quotes.quote(name)
+    if manuscript.count(piece):
+        return Sentence(name, State.STANDS, "" if not any(done) else "corrected elsewhere only")
+    if any(done):
+        return Sentence(name, State.CHANGED, "corrected in some places, not in all")
+    numbers = _numbers(piece, manuscript)
+    if not numbers and (others := _others(piece, manuscript)):
+        return Sentence(name, State.CORRECTED, f"the erratum has it, for {', '.join(others)}")
+    if not numbers:
+        return Sentence(name, State.GONE, " ".join(piece.split()))
+    right = verdict is not None and all(agrees(each, verdict.found) for each in numbers)
+    words = f"now {', '.join(numbers)}; found: {verdict.found if verdict else 'nothing'}"
+    return Sentence(name, State.CORRECTED if right else State.CHANGED, words)
+
+
+def _others(piece: str, manuscript: Manuscript) -> list[str]:
+    """Return the claims whose changes have been made in a piece, or around it."""
+    own = " ".join(piece.split())
+    names: dict[str, None] = {}
+    for each in errata.changes():
+        old = " ".join(each.old.split())
+        if (own in old or old in own) and _made(each, manuscript):
+            names |= dict.fromkeys(each.claims)
+    return list(names)
+
+
+def _made(change: errata.Change, manuscript: Manuscript) -> bool:
+    return manuscript.count(change.new) > 0 and not manuscript.count(change.old)
+
+
+def _numbers(piece: str, manuscript: Manuscript) -> list[str]:
+    """Return the numbers that are others where, but for its numbers, the piece is in the text."""
+    words = [_NUMBER.split(word) for word in piece.split()]
+    number = r"([-+]?\d+(?:\.\d+)?)"
+    pattern = r"\s+".join(number.join(map(re.escape, parts)) for parts in words)
+    found = list(re.finditer(pattern, manuscript.text))
+    if len(found) != 1:
+        return []
+    old = [Decimal(each) for each in _NUMBER.findall(piece)]
+    return [new for was, new in zip(old, found[0].groups(), strict=True) if Decimal(new) != was]
+
+
+def agrees(number: str, found: str) -> bool:
+    """Return whether a printed number is one of those found, rounded to its last digit."""
+    printed = Decimal(number)
+    exponent = printed.as_tuple().exponent
+    half = Decimal(1).scaleb(exponent if isinstance(exponent, int) else 0) / 2
+    return any(abs(Decimal(each) - printed) <= half for each in _NUMBER.findall(found))
+
+
+def told(manuscript: Manuscript) -> list[str]:
+    """Return, in lines, which sentences are others now, and how many wrong ones are left."""
+    all_ = list(sentences(manuscript))
+    others = [each for each in all_ if each.state is not State.STANDS or each.seen]
+    lines = [f"{each.state}: {each.claim}: {each.seen}" for each in others]
+    known = recorded.recorded()
+    wrong = [each for each in all_ if known[each.claim].outcome in WRONG]
+    left = [each for each in wrong if each.state is State.STANDS]
+    kinds = [ledger.claims()[each.claim].kind for each in left]
+    stand = sum(each.state is State.STANDS for each in all_)
+    return [
+        *sorted(lines),
+        f"{stand} of {len(all_)} sentences are in this file as they were; of {len(wrong)} that are "
+        f"corrected or refuted {len(left)} are, {sum(kind in PRINTED for kind in kinds)} of them "
+        "formulas and numbers",
+    ]

@@ -1,0 +1,253 @@
+"""The command ``cap.prove periodic --model FILE``: orbits of a system of one's own.
+
+Candidates are found by the float engine of the model, or come from a state; each is proved by its
+contacts (`cap.proofs.contacts`).
+"""
+
+import argparse
+import json
+import sys
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from cap.certificate import report, writer
+from cap.command import own_table
+from cap.command.console import Parser, columns, program, protected
+from cap.command.output import writable, writable_into
+from cap.command.progress import Progress, answered
+from cap.errors import BadInput, NotProved
+from cap.floats.models.periodic import Closed, Met, near, search
+from cap.option import integer
+from cap.parameters import exact
+from cap.proofs import contacts
+from cap.system.files import assigned, read
+from cap.system.model import System
+from cap.words import printable, quoted, say
+
+LONGEST = 120  # characters of a name
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command line; return its exit status."""
+    options = parser().parse_args([protected(word) for word in words])
+    progress = Progress()
+
+    def run() -> int:
+        asked = Asked.of(options)
+        if options.table is None:
+            return _run(asked, progress)
+        jobs = integer(options.jobs, "jobs", (1, 1024))
+        if options.journal is not None:
+            writable(options.journal)
+        return own_table.proved(
+            asked.system, options.table, asked.digits, jobs, options.journal, progress
+        )
+
+    return answered(run, progress)
+
+
+def parser() -> Parser:
+    """Return the parser of this command."""
+    p = Parser(
+        prog=f"{program('cap.prove')} periodic --model FILE",
+        description="Prove periodic orbits of a system of your own by their contacts: that there "
+        "is one near each candidate, which contacts it has and that it has no others, and its "
+        "multipliers.  FILE.py has a function of the parameters that returns a cap.System (see "
+        "docs/own-system.md); it may be FILE.json, which runs nothing.  The certificate holds "
+        "the system: `python -m cap.verify` needs no FILE.py.  Orbits that rest after infinitely "
+        "many contacts are not proved.",
+        epilog="Examples: python -m cap.prove periodic --model examples/ball.py --set A=6/5,e=1/2 "
+        "--all;  python -m cap.prove periodic --model examples/ball.py --orbit 2.0 -2.6 "
+        "--mode fly --out /tmp",
+    )
+    p.add_argument("theorem", metavar="periodic", help="what is proved")
+    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
+    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    p.add_argument(
+        "--period", default="1", metavar="N", help="of N periods of the clock (default 1)"
+    )
+    p.add_argument("--all", action="store_true", help="prove every orbit that is found")
+    p.add_argument(
+        "--orbit", nargs="+", metavar="Z", help="prove the orbit near that of this state at t = 0"
+    )
+    p.add_argument("--mode", metavar="MODE", help="the mode of that state")
+    p.add_argument(
+        "--table",
+        type=Path,
+        metavar="FILE",
+        help="prove the orbit of each row of a CSV file and compare it with the row; columns t0, "
+        "x0, .., t1, .. are times and states just before contacts, periods those of the clock; "
+        "no certificate is kept",
+    )
+    p.add_argument("--jobs", default="1", metavar="N", help="processes for --table (default 1)")
+    p.add_argument(
+        "--journal",
+        type=Path,
+        metavar="FILE",
+        help="a file of the rows that are done, from which an interrupted --table goes on",
+    )
+    p.add_argument("--digits", default="10", metavar="N", help="digits claimed (default 10)")
+    p.add_argument(
+        "--out",
+        type=Path,
+        default=Path("certificates"),
+        metavar="PATH",
+        help="a file ending in .json, which is replaced; or a directory (default: certificates), "
+        "which is made if it is missing: there no other file is replaced",
+    )
+    return p
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is asked for; all of it makes sense."""
+
+    system: System
+    name: str
+    periods: int
+    every: bool
+    state: list[float]
+    mode: str | None
+    digits: int
+    out: Path
+
+    @classmethod
+    def of(cls, options: argparse.Namespace) -> "Asked":
+        """Read the options; raise `BadInput` with what is wrong."""
+        if options.theorem not in ("periodic", "contacts"):
+            raise BadInput(
+                f"of a system of one's own `periodic` is proved: {options.theorem} is about the "
+                "oscillator with dry friction between two walls, so leave out --model"
+            )
+        values = assigned(options.set)
+        system = read(options.model, values)
+        state = [float(exact(word)) for word in options.orbit or ()]
+        if state and len(state) != len(system.state):
+            raise BadInput(f"--orbit is a state: give {', '.join(system.state)}")
+        if options.mode is not None and (not state or options.mode not in system.modes):
+            raise BadInput(f"--mode is that of --orbit: one of {', '.join(system.modes)}")
+        alone = options.all or state or options.period != "1"
+        if options.table is not None and alone:
+            raise BadInput("--table goes with none of --all, --orbit, --period")
+        if options.table is None and (options.journal or options.jobs != "1"):
+            raise BadInput("--jobs and --journal go with --table")
+        if system.autonomous and options.period != "1":
+            raise BadInput(
+                "nothing depends on the clock: leave out --period, the period is unknown"
+            )
+        if options.all and (state or options.out.suffix == ".json"):
+            raise BadInput("--all goes neither with --orbit nor with one file as --out")
+        stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
+        told = [f"{key}={value}" for key, value in sorted(values.items())]
+        return cls(
+            system,
+            "-".join(["contacts", Path(stem).stem, *told]),
+            integer(options.period, "period", (1, 64)),
+            options.all,
+            state,
+            options.mode,
+            integer(options.digits, "digits", (6, 100)),
+            options.out,
+        )
+
+    def path(self, orbit: Closed) -> Path:
+        """Return where the certificate of an orbit goes."""
+        if self.out.suffix == ".json":
+            return self.out
+        at = [f"{name}={q:.6g}" for name, q in zip(("t", *self.system.state), orbit.guess)]  # noqa: B905
+        told = "-".join([self.name, *at]).replace("/", "_")
+        if len(told) > LONGEST:
+            told = f"contacts-{sha256(told.encode()).hexdigest()[:16]}"
+        return self.out / f"{told}.json"
+
+
+def _run(asked: Asked, progress: Progress) -> int:
+    """Find orbits, and prove them."""
+    if asked.out.suffix == ".json":
+        writable(asked.out)
+    else:
+        writable_into(asked.out, ".json")
+    contacts.as_parameters(asked.system)
+    orbits, lines = _found(asked, progress)
+    for orbit in orbits if asked.out.suffix != ".json" else ():
+        _free(asked.path(orbit), orbit)
+    progress.clear()
+    print("\n".join([*map(printable, lines), ""]), flush=True)
+    return max(_proved(asked, orbit, progress) for orbit in orbits)
+
+
+def _found(asked: Asked, progress: Progress) -> tuple[list[Closed], list[str]]:
+    """Return the orbits to be proved, and what was found, in words."""
+    if asked.state:
+        try:
+            orbit = near(asked.system, asked.state, asked.mode, asked.periods)
+        except NotProved as failure:
+            raise BadInput(f"no orbit that closes is near that of the state: {failure}") from None
+        return [orbit], ["Newton's method leads to:", f"  {orbit.shown()}"]
+    met = search(asked.system, asked.periods, progress.tell)
+    if not met.orbits:
+        also = "".join(f"; {line}" for line in _others(met))
+        raise BadInput(
+            f"no orbit that closes after {asked.periods} periods of the clock was found, none "
+            f"isolated and with a contact (a state near one can be given with --orbit){also}"
+        )
+    count = len(met.orbits)
+    chosen = met.orbits if asked.every else met.orbits[:1]
+    which = "all" if asked.every else "the first" if count > 1 else "it"
+    heading = (
+        f"Found {count} orbit{'s' if count > 1 else ''} (those that attract first); "
+        f"proving {which}:"
+    )
+    listed = [f"  {k}  {orbit.shown()}" for k, orbit in enumerate(met.orbits, 1)]
+    return chosen, [heading, *listed, *(f"Besides, {line}." for line in _others(met))]
+
+
+def _others(met: Met) -> Iterable[str]:
+    """Give what else was met, in words."""
+    for n, count in sorted(met.periods.items()):
+        yield f"{count} that attract close after {n} periods (--period {n})"
+    if met.captured:
+        yield (
+            f"{met.captured} of {met.settled} states end where infinitely many contacts accumulate "
+            "in a period: such orbits are not proved by contacts"
+        )
+
+
+def _proved(asked: Asked, orbit: Closed, progress: Progress) -> int:
+    """Prove an orbit, write its certificate and print it; return the status."""
+    progress.tell("proving", None)
+    path = asked.path(orbit)
+    try:
+        proved = contacts.prove(orbit.itinerary, orbit.guess, asked.digits)
+    except NotProved as failure:
+        progress.clear()
+        say(f"NOT PROVED (contacts, {printable(orbit.shown())}).  {failure}", sys.stderr)
+        return 1
+    progress.clear()
+    told = report.theorem(proved, columns(sys.stdout) or report.WIDTH)
+    try:
+        written = writer.write(proved, path)
+    except OSError as error:
+        print(told)
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    print(
+        f"{told}\n\nCertificate: {quoted(path)} ({written}; the independent checker accepts it)\n"
+    )
+    return 0
+
+
+def _free(path: Path, orbit: Closed) -> None:
+    """Raise `BadInput` if there is a file at a path, but about the same contacts of the system."""
+    if not path.exists():
+        return
+    try:
+        old = json.loads(path.read_bytes())
+        system, listed = old["parameters"], old["claims"]["contacts"]
+    except (OSError, ValueError, LookupError, TypeError):
+        system, listed = None, None
+    same = [contact._asdict() for contact in orbit.itinerary.contacts]
+    if (system, listed) != (contacts.as_parameters(orbit.itinerary.system), same):
+        advice = "move it away, or name the file with --out FILE.json"
+        raise BadInput(f"there is another file at {quoted(path)}: {advice}")

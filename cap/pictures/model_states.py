@@ -1,0 +1,191 @@
+"""Pictures of states of a model: portraits, attractors, basins, bifurcation diagrams."""
+
+import textwrap
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.figure import FigureBase
+from matplotlib.patches import Patch
+
+from cap.floats.models.attractor import ModelAttractor, ModelAttractors
+from cap.floats.models.basin import OUTSIDE, ModelBasin
+from cap.floats.models.continuation import ModelBranch
+from cap.floats.models.diagram import ModelDiagram
+from cap.floats.models.portrait import ModelPortrait
+from cap.floats.models.spectrum import Floats
+from cap.floats.models.walls import Wall
+from cap.pictures.models import MARKERS, heading
+from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, RED
+
+SOLID = "#D9D9D9"
+STROBE = r" at $t \equiv 0$ mod $T$"
+
+
+def portrait(findings: ModelPortrait, figure: FigureBase) -> None:
+    """Draw the states of all orbits in each plane, grey where contacts accumulated."""
+    planes = figure.subplots(1, len(findings.planes), squeeze=False)[0]
+    for axes, plane in zip(planes, findings.planes, strict=True):
+        i, k = (findings.state.index(z) for z in plane)
+        _walls(axes, plane, findings.walls)
+        for n, path in enumerate(findings.states):
+            colour = "#AAAAAA" if findings.rested[n] else CYCLE[n % len(CYCLE)]
+            _dots(axes, path[:, [i, k]], colour, 1.0)
+        _labels(axes, plane, findings.event)
+    handles = [Patch(fc="#AAAAAA", label="contacts accumulate")] if findings.rested.any() else []
+    if handles and not findings.rested.all():
+        figure.legend(handles=handles, loc="outside lower center", handlelength=0.9)
+    N, K, _ = findings.states.shape
+    heading(figure, findings, f"Portrait: {N} orbits, {K} states of each")
+
+
+def attractors(findings: ModelAttractors, figure: FigureBase) -> None:
+    """Draw the attractors in each plane."""
+    planes = figure.subplots(1, len(findings.planes), squeeze=False)[0]
+    for axes, plane in zip(planes, findings.planes, strict=True):
+        _walls(axes, plane, findings.walls)
+        _drawn(axes, findings, plane, findings.found)
+        _labels(axes, plane, "")
+    _legend(figure, findings.found)
+    heading(figure, findings, f"Where {len(findings.label)} seeds end")
+
+
+def attractor(findings: ModelAttractors | ModelDiagram, figure: FigureBase) -> None:
+    """Draw attractors, or their diagram over a parameter."""
+    if isinstance(findings, ModelDiagram):
+        diagram(findings, figure)
+    else:
+        attractors(findings, figure)
+
+
+def diagram(findings: ModelDiagram, figure: FigureBase) -> None:
+    """Draw the first variable over the parameter, and the largest exponent below."""
+    top, low = figure.subplots(2, 1, sharex=True, height_ratios=[2.2, 1])
+    value = np.broadcast_to(findings.value[:, None, None], findings.states.shape[:3])
+    rested = np.broadcast_to(findings.rested[:, :, None], value.shape)
+    for chosen, colour in ((rested, "#AAAAAA"), (~rested, BLUE)):
+        points = np.stack([value[chosen], findings.states[..., 0][chosen]], axis=1)
+        _dots(top, points, colour, 0.5)
+    top.set_ylabel(f"{findings.state[0]}{STROBE}")
+    x = np.broadcast_to(findings.value[:, None], findings.exponent.shape)
+    with np.errstate(invalid="ignore"):
+        shown = np.where(np.isfinite(findings.exponent), findings.exponent, np.nan)
+    low.axhline(0, color=GREY, lw=0.6)
+    for chosen, colour in ((shown > 0, RED), (shown <= 0, BLACK)):
+        low.plot(x[chosen], shown[chosen], ".", ms=1.5, color=colour)
+    low.set_ylabel("largest exponent\n[1/time]")
+    low.set_xlabel(findings.parameter)
+    low.set_xlim(findings.value[0], findings.value[-1])
+    if findings.rested.any() and not findings.rested.all():
+        handles = [Patch(fc=BLUE, label="no contacts accumulate"),
+                   Patch(fc="#AAAAAA", label="contacts accumulate")]  # fmt: skip
+        figure.legend(handles=handles, loc="outside lower center", ncols=2, handlelength=0.9)
+    heading(figure, findings, f"Attractors over {findings.parameter}")
+
+
+def basin(findings: ModelBasin, figure: FigureBase) -> None:
+    """Draw where the states of a plane end, with the attractors in it."""
+    axes = figure.subplots()
+    count = len(findings.found)
+    shades = [_pale(CYCLE[k % len(CYCLE)]) for k in range(count)]
+    colours = ListedColormap([SOLID, BLACK, *shades])
+    norm = BoundaryNorm(np.arange(OUTSIDE - 0.5, count + 0.5), count + 2)
+    extent = _extent(findings.first, findings.second)
+    axes.imshow(
+        findings.label, origin="lower", extent=extent, aspect="auto", cmap=colours, norm=norm
+    )
+    if not findings.fixed:
+        _drawn(axes, findings, findings.plane, findings.found, size=6)
+    axes.set_xlim(extent[:2])
+    axes.set_ylim(extent[2:])
+    _labels(axes, findings.plane, "")
+    _legend(figure, findings.found)
+    others = "".join(f", {z} = {q:.4g}" for z, q in findings.fixed.items())
+    heading(figure, findings, f"Where the states at $t = 0$ end{others}")
+
+
+def _extent(x: Floats, y: Floats) -> tuple[float, float, float, float]:
+    """Return the edges of the cells around states."""
+    a, b = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
+    return float(x[0] - a), float(x[-1] + a), float(y[0] - b), float(y[-1] + b)
+
+
+def _pale(colour: str) -> str:
+    """Return a colour, lighter."""
+    parts = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    return "#" + "".join(f"{int(0.45 * part + 0.55 * 255):02X}" for part in parts)
+
+
+def _drawn(
+    axes: Axes,
+    findings: ModelAttractors | ModelBasin,
+    plane: tuple[str, str],
+    found: tuple[ModelAttractor, ...],
+    size: float = 5,
+) -> None:
+    """Draw the states of attractors in a plane."""
+    i, k = (findings.state.index(z) for z in plane)
+    for n, each in enumerate(found):
+        states = each.states[:, [i, k]]
+        colour = CYCLE[n % len(CYCLE)]
+        if len(states) > 64:
+            _dots(axes, states, colour, 0.8)
+        else:
+            axes.plot(states[:, 0], states[:, 1], "o", ms=size, mfc=colour, mec=BLACK, mew=0.5)
+
+
+def _legend(figure: FigureBase, found: tuple[ModelAttractor, ...]) -> None:
+    """Name the attractors with their shares."""
+    handles = []
+    for n, each in enumerate(found[:9]):
+        label = textwrap.shorten(f"{each.kind} ({each.share:.1%}): {each.events}", 60)
+        handles.append(Patch(fc=CYCLE[n % len(CYCLE)], ec=BLACK, lw=0.4, label=label))
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, handlelength=0.9)
+
+
+def _walls(axes: Axes, plane: tuple[str, str], walls: tuple[Wall, ...]) -> None:
+    """Draw the walls at t = 0."""
+    for wall in walls:
+        draw = {plane[0]: axes.axvline, plane[1]: axes.axhline}.get(wall.variable)
+        if draw and wall.solid:
+            draw(float(wall.place[0]), color=GREY, ls="--", lw=0.8)
+
+
+def _labels(axes: Axes, plane: tuple[str, str], event: str) -> None:
+    """Label the axes of a plane of states."""
+    axes.set_xlabel(plane[0])
+    axes.set_ylabel(plane[1] + (f" just after {event}" if event else STROBE))
+
+
+def _dots(axes: Axes, points: Floats, colour: str, size: float) -> None:
+    look: dict[str, Any] = {"rasterized": len(points) > 2000, "lw": 0}
+    axes.scatter(points[:, 0], points[:, 1], s=size, c=colour, **look)
+
+
+def continuation(findings: ModelBranch, figure: FigureBase) -> None:
+    """Draw the branch, solid where it attracts, and the moduli of its multipliers below."""
+    top, low = figure.subplots(2, 1, sharex=True, height_ratios=[1.6, 1])
+    value, first = findings.value, findings.states[:, 0]
+    looks = 2 * findings.itinerary + findings.stable
+    cuts = [0, *(np.flatnonzero(np.diff(looks)) + 1).tolist(), len(value)]
+    for begin, end in pairwise(cuts):
+        style: Any = {"lw": 1.4} if findings.stable[begin] else {"lw": 0.9, "ls": (0, (4, 2))}
+        part = slice(begin, min(end + 1, len(value)))
+        top.plot(value[part], first[part], color=BLUE, **style)
+    for k, label in enumerate(dict.fromkeys(each.label for each in findings.special)):
+        own = [each for each in findings.special if each.label == label]
+        top.plot([e.value for e in own], [e.state[0] for e in own], MARKERS[k % len(MARKERS)],
+                 ms=6, mfc="white", mec=CYCLE[(k + 1) % len(CYCLE)], ls="none",
+                 label=label)  # fmt: skip
+    low.axhline(1, color=GREY, lw=0.6)
+    for k, sizes in enumerate(np.abs(findings.multipliers).T):
+        low.plot(value, sizes, color=CYCLE[k % len(CYCLE)], lw=0.9)
+    low.set_ylim(0, min(3.0, 1.05 * float(np.abs(findings.multipliers).max())))
+    top.set_ylabel(f"{findings.state[0]}{STROBE}")
+    low.set_ylabel("|multipliers|")
+    low.set_xlabel(findings.parameter)
+    if findings.special:
+        figure.legend(loc="outside lower center", ncols=4)
+    heading(figure, findings, f"An orbit of period {findings.periods} T over {findings.parameter}")

@@ -1,0 +1,106 @@
+"""Quotations, the erratum, and other versions of the paper; the TeX file itself is not here.
+
+What is tested is made of the pieces that are quoted.  That they are in the paper, each once, and
+that every change fits, was found when its places were read: `labels.stored().bound` says of what.
+"""
+
+import subprocess
+
+import pytest
+
+from cap.audit import errata, quotes, recorded, revision
+from cap.audit.manuscript import Manuscript
+from cap.audit.revision import State
+from cap.errors import BadInput
+
+TWIST = "birkhoff.value-of-the-twist"
+CHANGES = pytest.mark.parametrize("change", errata.changes(), ids=lambda each: each.claims[0])
+
+
+def state(name, text):
+    """Return what became of a claim's sentence in a text."""
+    return revision.sentence(name, Manuscript(text), recorded.recorded().get(name)).state
+
+
+def test_pieces_are_found_however_lines_are_broken():
+    """With the line in which they begin."""
+    text = Manuscript("one\ntwo three\n  four three\nfour")
+    assert text.lines("three four") == [2, 3]
+    assert text.count("two three") == 1
+    assert text.replaced("three four", r"\3").text == "one\ntwo \\3 \\3"
+
+
+def test_title_and_author():
+    """As they stand in the file."""
+    text = Manuscript("\\title{On\n mixed dynamics}\n\\author{A. Author}")
+    assert (text.title, text.author) == ("On mixed dynamics", "A. Author")
+    assert Manuscript("").title == ""
+
+
+def test_each_sentence_stands_in_its_own_quotation():
+    """Nothing is seen to change where nothing does."""
+    for name, piece in quotes.stored().items():
+        assert state(name, piece) is State.STANDS
+
+
+@CHANGES
+def test_a_change_replaces_what_it_is_about(change):
+    """Nothing of the old is in the new; made twice it is made once."""
+    text = Manuscript("\n\n".join([change.old] * change.times))
+    new = text.replaced(change.old, change.new)
+    assert new.count(change.old) == 0
+    assert new.count(change.new) == change.times
+
+
+def test_a_patch_is_one_for_git(tmp_path, monkeypatch):
+    """It applies to the file, and makes of it what is announced; another file is told."""
+    change = errata.of("saltation.wall-entry")[0]
+    monkeypatch.setattr(errata, "changes", lambda: (change,))
+    path = tmp_path / "paper.tex"
+    path.write_text("before\n\\[\n" + change.old + "\n\\]\nafter\n")
+    (tmp_path / "erratum.patch").write_text(errata.patch(path))
+    for words in (["apply", "--check", "erratum.patch"], ["apply", "erratum.patch"]):
+        subprocess.run(["git", *words], cwd=tmp_path, check=True)  # noqa: S607 (whose git is there)
+    assert path.read_text() == "before\n\\[\n" + change.new + "\n\\]\nafter\n"
+    with pytest.raises(BadInput, match="in the file 0 times, not 1"):
+        errata.patch(path)
+
+
+@pytest.mark.parametrize(
+    ("new", "expected"),
+    [
+        ("-0.42", State.STANDS),
+        ("+0.113", State.CORRECTED),  # what is found, rounded
+        ("0.1135", State.CORRECTED),
+        ("+0.114", State.CHANGED),
+        ("-0.113", State.CHANGED),
+        ("-0.41", State.CHANGED),
+        ("small", State.GONE),
+    ],
+)
+def test_a_number_that_changes(new, expected):
+    """It is corrected if it is the one found, in any number of digits; words are gone."""
+    text = quotes.quote(TWIST).replace("-0.42", new)
+    assert state(TWIST, text) is expected
+
+
+def test_the_erratum_is_recognised():
+    """All changes of a claim have to be made; what is around a change is changed by it."""
+    name = "linearization.impulse-bound-in-f"
+    olds, news = ([getattr(each, what) for each in errata.of(name)] for what in ("old", "new"))
+    assert state(name, " ".join(news)) is State.CORRECTED
+    assert state(name, " ".join([news[0], *olds[1:]])) is State.CHANGED
+    around = "fig-hist-cont.f-imp-pi-f-2"
+    assert state(around, news[-1]) is State.CORRECTED
+    assert state(around, "") is State.GONE
+
+
+def test_what_is_told_of_a_version():
+    """What changed, and how many wrong sentences are left, formulas and numbers apart."""
+    pieces = dict.fromkeys(quotes.stored().values())
+    text = "\n\n".join(pieces).replace(
+        "yields $\\tau_1 \\approx -0.42", "yields $\\tau_1 \\approx 0.1135"
+    )
+    lines = revision.told(Manuscript(text))
+    assert any(line.startswith(f"corrected: {TWIST}: now 0.1135; found:") for line in lines)
+    assert "of them formulas and numbers" in lines[-1]

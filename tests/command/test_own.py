@@ -1,0 +1,86 @@
+"""`cap.prove periodic --model`: an orbit of a file, proved from nothing; refusals in one line."""
+
+import json
+
+import pytest
+
+from cap.checker.verdict import check
+from cap.command.prover import main
+from cap.floats.models.engine import Engine
+from cap.floats.models.periodic import search
+from cap.system.files import read
+
+MODEL = "examples/impact_oscillator.py"
+
+
+def prove(*words, model=MODEL):
+    """Run the command and return its status."""
+    return main(["periodic", "--model", model, *map(str, words)])
+
+
+def test_from_a_file_to_a_certificate(tmp_path, capsys):
+    """It finds the orbit, proves it, and names a certificate that stands by itself."""
+    assert prove("--set", "e=1/2", "--all", "--out", tmp_path) == 0
+    said = capsys.readouterr().out
+    assert "Theorem (contacts)." in said
+    (path,) = tmp_path.glob("*.json")
+    assert path.name.startswith("contacts-impact_oscillator-e=1_2-t=")
+    assert json.loads(path.read_bytes())["claims"]["unstable"] == "0"
+    check(path.read_bytes(), lambda _: None)
+    assert prove("--set", "e=1/2", "--out", tmp_path) == 0
+    assert "(unchanged;" in capsys.readouterr().out
+    path.write_text("{}")
+    assert prove("--set", "e=1/2", "--out", tmp_path) == 2
+    assert "there is another file at" in capsys.readouterr().err
+
+
+def test_from_a_state(tmp_path, capsys):
+    """Newton's method leads from a state at t = 0 to the orbit, here from where orbits settle."""
+    engine, out = Engine(read(MODEL)), tmp_path / "one.json"
+    ends = engine.follow([[0.0, 0.5]], periods=200)
+    state = [f"{z:.3f}" for z in ends.states[0]]
+    mode = engine.modes[ends.modes[0]]
+    assert prove("--orbit", *state, "--mode", mode, "--digits", "12", "--out", out) == 0
+    assert capsys.readouterr().out.startswith("Newton's method leads to:\n  1 x wall;")
+    assert json.loads(out.read_bytes())["digits"] == "12"
+
+
+def test_orbits_are_listed_once_and_by_their_least_period():
+    """Of period 1 there is the one that attracts; it is none of period 2."""
+    system = read(MODEL)
+    (one,) = search(system, 1, lambda *_: None).orbits
+    assert one.attracts
+    assert [c.guard for c in one.itinerary.contacts] == ["wall"]
+    met = search(system, 2, lambda *_: None)
+    assert one.itinerary.contacts not in [orbit.itinerary.contacts for orbit in met.orbits]
+    assert met.periods[1] == met.settled - met.captured
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (("--set", "e"), "NAME=VALUE"),
+        (("--set", "e=1/2,e=1/3"), "has two values"),
+        (("--set", "q=1"), "no parameter q"),
+        (("--orbit", "1"), "--orbit is a state: give x, v"),
+        (("--mode", "fly"), "--mode is that of --orbit"),
+        (("--all", "--orbit", "1", "2"), "--all goes neither"),
+        (("--digits", "1"), "--digits must be an integer"),
+        (("--period", "0"), "--period must be an integer"),
+    ],
+)
+def test_refused_in_a_line(words, why, capsys, tmp_path):
+    """Bad input is one line, and the status 2."""
+    assert prove(*words, "--out", tmp_path) == 2
+    said = capsys.readouterr().err
+    assert why in said
+    assert said.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_is_not_for_own_systems(capsys):
+    """Other theorems say why they do not apply; a billiard's guard is beyond the float engine."""
+    assert main(["elliptic", "--model", MODEL]) == 2
+    assert "of a system of one's own `periodic` is proved" in capsys.readouterr().err
+    assert prove(model="nowhere.py") == 2
+    assert "cannot read nowhere.py" in capsys.readouterr().err

@@ -1,0 +1,170 @@
+"""The commands of `cap.explore` about a model: what they print, draw and refuse."""
+
+import re
+import shlex
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cap.command import prover
+from cap.explore import explorer
+from cap.explore.arrays import load
+from cap.floats.models import engine
+from cap.floats.models.closing import Start, logged, product
+from cap.floats.models.engine import Engine
+from cap.floats.models.legs import Legs
+from cap.floats.models.samples import exponents
+from cap.floats.models.subject import Subject
+from cap.system.files import load as read_model
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+PAIR = "--model", str(EXAMPLES / "harvester.py")
+
+
+def run(capsys, *words):
+    """Return the exit status, what is printed, and what is complained of."""
+    try:
+        status = explorer.main(words)
+    except SystemExit as end:
+        status = end.code
+    out, err = capsys.readouterr()
+    return status, out, err
+
+
+def test_an_orbit(capsys, tmp_path):
+    """It is closed, its events are told with what jumps; there is a wall on each side."""
+    files = [tmp_path / name for name in ("orbit.svg", "orbit.npz", "orbit.csv")]
+    out = [word for file in files for word in ("--out", str(file))]
+    status, text, _ = run(capsys, "orbit", *PAIR, "--set", "s=1/2,e=0.5", *out)
+    assert status == 0
+    assert re.search(r"top +free -> free  z = 0.25, v = 0.930820\d+ -> -0.46541", text)
+    assert "it closes after 1 period of the clock; multipliers -0.242" in text
+    assert "it attracts" in text
+    found = load(files[1])
+    assert found["values"] == {"s": "1/2", "e": "1/2", "G": "1/10"}
+    assert found["words"].tolist() == ["top", "bottom"]
+    assert [found["walls"][k]["place"][0] for k in (0, 1)] == [0.25, -0.25]
+    assert np.abs(found["states"][:, 0]).max() == pytest.approx(0.25)
+    assert files[2].read_text().startswith("# model = ")
+    assert files[0].read_text().count("<path") > 10
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("orbit", "--model", "none.py"), "cannot read none.py"),
+        (("orbit", *PAIR, "--set", "E=1"), "no parameter E: there are s = 1/2, e = 1/2, G = 1/10"),
+        (("orbit", *PAIR, "--set", "e=x"), "e: not a number: 'x' .*the parameters are s = 1/2"),
+        (
+            ("orbit", *PAIR, "--set", "e=2"),
+            r"harvester.py:\d+: the restitution .* not .* in \[0, 1\]",
+        ),
+        (("orbit", *PAIR, "--set", "e"), "write values of parameters as NAME=VALUE"),
+        (("orbit", *PAIR, "--state", "1"), "--state takes 2 numbers, z, v: 1 given"),
+        (("orbit", *PAIR, "--state", "9", "1"), "in no mode"),
+        (("orbit", *PAIR, "--state", "0", "1", "--mode", "fly"), "no mode 'fly': there are free"),
+        (("orbit", *PAIR, "--plane", "z", "w"), "no variable w: the state is z, v"),
+        (("orbit", *PAIR, "--F", "3"), "unrecognized arguments: --F 3"),
+        (("sali", *PAIR), "invalid choice: 'sali'"),
+    ],
+)
+def test_refusals(capsys, words, message):
+    """One line, exit status 2."""
+    status, _, err = run(capsys, *words)
+    assert status == 2
+    assert re.search(message, err)
+    assert err.count("\n") == 1
+
+
+def test_attractors(capsys, tmp_path):
+    """All seeds end at the orbit above; its exponents are those of its multipliers."""
+    picture = tmp_path / "attractor.png"
+    words = ("attractor", *PAIR, "--points", "40", "--transient", "200", "--out", str(picture))
+    status, text, _ = run(capsys, *words)
+    assert status == 0
+    assert re.search(r"1  100.00%  period 1 T: 1 top, 1 bottom per T; exponents -0.693\d+", text)
+    assert re.search(
+        r"python -m cap.prove periodic --model \S+ --set s=1/2,e=1/2,G=1/10 --orbit", text
+    )
+    assert picture.stat().st_size > 5000
+
+
+def test_a_diagram(capsys, tmp_path):
+    """Over a parameter; the exponents add up to the divergence: here there is only restitution."""
+    file = tmp_path / "diagram.npz"
+    words = ("--parameter", "s", "--range", "0.3", "0.5", "--points", "8", "--transient", "100")
+    status, text, _ = run(capsys, "attractor", *PAIR, *words, "--out", str(file))
+    assert status == 0
+    assert "attractors over s = 0.31" in text
+    found = load(file)
+    assert found["states"].shape == (8, 8, 64, 2)
+    assert np.isfinite(found["exponent"]).all()
+
+
+def test_exponents_add_up():
+    """Sum of exponents: 2 log(e) at each contact, as flights of the pair keep areas."""
+    pair = Subject(read_model(PAIR[1], {"s": "2/5", "e": "7/10"}))
+    states = pair.seeds(6, pair.box)
+    settled = pair.engine.follow(states, periods=100)
+    rates, _ = exponents(pair, settled.states, settled.modes, 200)
+    hits = pair.engine.follow(settled.states, settled.modes, periods=200).counts.sum(axis=1)
+    assert rates.sum(axis=1) == pytest.approx(2 * np.log(0.7) * hits / (200 * pair.period))
+
+
+def test_saltation():
+    """The derivative over two periods is that by differences."""
+    pair = Subject(read_model(PAIR[1], {}))
+    start = Start(np.array([0.07, 0.71]), 0)
+    ends = logged(pair.engine, start.states, start.modes, 2)
+    legs = Legs.of(pair.engine, start.states, start.modes, ends, 2 * pair.period)
+    step = 1e-6
+    near = start.state + step * np.array([[1, 0], [-1, 0], [0, 1], [0, -1]])
+    found = pair.engine.follow(near, periods=2).states
+    differences = np.stack([found[0] - found[1], found[2] - found[3]], axis=1) / (2 * step)
+    assert len(ends.log) == 4
+    assert product(legs.derivatives()) == pytest.approx(differences, abs=1e-7)
+
+
+def test_a_basin(capsys, tmp_path):
+    """The states outside are no states of a mode; the others end at one orbit."""
+    file = tmp_path / "basin.npz"
+    words = ("--box", "-0.5", "0.5", "-1", "1", "--points", "10", "--transient", "100")
+    status, text, _ = run(capsys, "basin", *PAIR, *words, "--out", str(file))
+    assert status == 0
+    assert "40 states of the plane (z, v)" in text
+    label = load(file)["label"]
+    assert (label[:, [0, 1, 2, 7, 8, 9]] == -2).all()
+    assert (label[:, 3:7] == 0).all()
+
+
+def test_a_portrait(capsys, tmp_path):
+    """After a transient all states are the one of the orbit."""
+    words = ("--orbits", "5", "--transient", "300", "--periods", "4")
+    out = [str(tmp_path / name) for name in ("portrait.npz", "portrait.svg")]
+    status, _, _ = run(capsys, "portrait", *PAIR, *words, "--out", out[0], "--out", out[1])
+    assert status == 0
+    states = load(out[0])["states"]
+    assert states.shape == (5, 4, 2)
+    assert states == pytest.approx(np.tile([0.073717988, 0.711477683], (5, 4, 1)))
+
+
+@pytest.mark.slow
+def test_a_search_and_its_proof(capsys, tmp_path):
+    """What is found has a command that proves it."""
+    ball = "--model", str(EXAMPLES / "ball.py")
+    status, text, _ = run(capsys, "search", *ball, "--out", str(tmp_path / "orbits.png"))
+    assert status == 0
+    line = next(line for line in text.splitlines() if "cap.prove" in line)
+    words = [*shlex.split(line)[3:], "--out", str(tmp_path / "orbit.json")]
+    assert prover.main(words) == 0
+    assert "the independent checker accepts it" in capsys.readouterr().out
+
+
+def test_it_is_kept():
+    """A process that comes later loads what was compiled, and compiles nothing."""
+    system = Subject(read_model(PAIR[1], {})).system
+    engine._compiled.cache_clear()
+    again = Engine(system)
+    again.follow([[0.0, 0.7]])
+    assert again._follow._compiled.stats.cache_hits.total() == 1
