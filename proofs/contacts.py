@@ -25,6 +25,7 @@ from typing import Any, NamedTuple
 from cap.certificate import writer
 from cap.certificate.writer import Pair, Rounding
 from cap.checker.kernel.rejection import Rejected, TooCoarse
+from cap.checker.system.contacts import SHIFT
 from cap.checker.system.given import DEGREE, TERMS
 from cap.checker.theorems import load
 from cap.checker.verdict import check
@@ -223,7 +224,7 @@ def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     return {
         "bits": str(bits),
         "centre": [[_decimal(c) for c in place] for place in _places(orbit, orbit.hint.centre)],
-        "preconditioner": [[f"{float(c):.12f}" for c in row] for row in orbit.hint.matrix],
+        "preconditioner": [[str(round(c * 2**SHIFT)) for c in row] for row in orbit.hint.matrix],
         "cuts": [],
     }
 

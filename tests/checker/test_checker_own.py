@@ -168,7 +168,7 @@ def test_the_other_sign_of_a_guard():
     given = certificate("spring")
     stop_of(given)["value"] = [["-1/10"], ["1", "x"]]
     for row in given["hints"]["preconditioner"]:
-        row[0] = str(-Fraction(row[0]))
+        row[0] = str(-int(row[0]))
     rejected(given, "a guard may vanish")
 
 
@@ -232,6 +232,10 @@ def test_another_preconditioner():
     """C need not be trusted: none, or another one, proves nothing."""
     given = certificate("spring")
     given["hints"]["preconditioner"] = [["0"] * 3] * 3
+    rejected(given, "K does not lie in the interior of its box")
+    given["hints"]["preconditioner"][0][0] = "1/2"
+    rejected(given, "is not an integer of at most 40 digits")
+    given["hints"]["preconditioner"] = [["1" + "0" * 39] * 3] * 3
     rejected(given, "K does not lie in the interior of its box")
 
 
