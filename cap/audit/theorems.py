@@ -168,7 +168,7 @@ STATEMENTS = (
         "cor:Hamilton-island",
         "kam.area-of-the-curves",
         "kam.measure-estimate",
-        instead="The corollary, given the measure estimate; without it: density one. At the paper's "
+        instead="The corollary, given the measure estimate; without it: density one. At its "
         "parameters an invariant disk inside an explicit curve, with its area (island.json).",
     ),
     statement(
