@@ -61,9 +61,12 @@ class PeriodicOrbit:
     @cached_property
     def symmetric(self) -> list[Ball]:
         """The elementary symmetric functions of the n multipliers: their sum, .., their product."""
-        coefficients = self.derivative.charpoly().coeffs()
-        n = len(self.itinerary.system.state)
-        return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
+        n, D = len(self.itinerary.system.state), self.derivative
+        if self.itinerary.system.autonomous:  # that of the state; one of its multipliers is 0
+            rows = D.table()
+            D = interval.matrix([row[1:] for row in rows[1:]])
+        coefficients = D.charpoly().coeffs()
+        return [(-1) ** k * coefficients[D.nrows() - k] for k in range(1, n + 1)]
 
     def unstable(self, radius: Fraction = Fraction(1)) -> int | None:
         """How many multipliers lie outside a circle around 0, if certainly none lies on it."""
@@ -147,14 +150,17 @@ class Prover:
     def legs(self, box: Box) -> list[Leg]:
         """Return the legs of the orbits whose contacts lie in a box."""
         equations, of, n = self.equations, self.balls, self.equations.n
-        clocks = {place.here: of.clock(box[place.here]) for place in equations.places}
+        starts = [equations.start(box, place) for place in equations.places]
+        clocks = {
+            place.here: of.clock(t) for place, t in zip(equations.places, starts, strict=True)
+        }
         found = []
         for k, (leg, place) in enumerate(zip(equations.legs, equations.places, strict=True)):
             here, there, _ = place
             before = box[here + 1 : here + n + 1]
             after = of.of(leg.after)(*clocks[here], *before)
             end = End(equations.end(box, place, of), clocks[there], box[there + 1 : there + n + 1])
-            found.append(Leg(k, End(box[here], clocks[here], after), end, of))
+            found.append(Leg(k, End(starts[k], clocks[here], after), end, of))
         return found
 
     def _minima_of(self, mode: str, name: str) -> list[Minimum] | None:

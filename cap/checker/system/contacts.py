@@ -9,6 +9,10 @@ where the contact after the last one is the first, p periods of the clock later.
 P(t_(k+1)) + exp(N d) y, d = t_(k+1) - t_k, y = (z - P, 1)(t_k) (``legs``); its derivative in d is
 exp(N d) N y.  All derivatives are by t_k, q_k, t_(k+1), which have the indices 0, 1, ..., n, n + 1.
 
+*Without a clock*, where cos and sin occur nowhere, orbits may be moved in time: the first contact
+is at the time 0, and t_0 is the period, at which it comes again.  Then (t, q) after a round is (t_0
++ a function of q_0, a function of q_0): the latter's derivative has n - 1 multipliers, and 0.
+
 *Existence.*  For a point m of a box Z and a matrix C, let
 
     K(Z) = m - C F(m) + (1 - C F'(Z)) (Z - m).
@@ -104,6 +108,7 @@ class Equations:
         self.omega = self.flights[orbit.contacts[0].to].omega
         self.pi = pi(bits)
         self.period = self.pi * 2 / self.omega
+        self.autonomous = orbit.model.autonomous
 
     def number(self, q: Fraction) -> Interval:
         """Return an enclosure of a rational number."""
@@ -114,10 +119,15 @@ class Equations:
         here = k * (self.n + 1)
         return here, (here + self.n + 1) % self.size
 
+    def start(self, z: Sequence[Interval], k: int) -> Interval:
+        """Return the time of the k-th contact."""
+        return z[0].integer(0) if self.autonomous and not k else z[self.places(k)[0]]
+
     def end(self, z: Sequence[Interval], k: int) -> Interval:
         """Return the time of the contact after the k-th."""
         here, there = self.places(k)
-        return z[there] if there > here else z[there] + self.period * self.orbit.periods
+        later = there <= here and not self.autonomous
+        return z[there] + self.period * self.orbit.periods if later else z[there]
 
     def steps(self, z: Sequence[Interval], order: int = 1) -> list[Step]:
         """Return the steps over a box of unknowns; of the order 0 they have no derivatives."""
@@ -125,7 +135,7 @@ class Equations:
 
     def _step(self, z: Sequence[Interval], k: int, order: int) -> Step:
         (here, _), n, flights = self.places(k), self.n, self.flights[self.orbit.contacts[k].to]
-        t, q, end = z[here], z[here + 1 : here + n + 1], self.end(z, k)
+        t, q, end = self.start(z, k), z[here + 1 : here + n + 1], self.end(z, k)
         one = t.integer(1)
         state = [Slope(x, {i: one} if order else {}) for i, x in enumerate(q, start=1)]
         start, last = self._clock(t, 0, order), self._clock(end, n + 1, order)
@@ -189,9 +199,10 @@ class Equations:
     def _rows(self, k: int, step: Step) -> Iterator[dict[int, Interval]]:
         """Give the rows of the k-th contact; those of the next may be its own."""
         here, there = self.places(k)
-        yield {here + i: x for i, x in step.guard.by.items()}
+        first = int(self.autonomous and not k)  # the first contact is at the time 0
+        yield {here + i: x for i, x in step.guard.by.items() if i >= first}
         for i, x in enumerate(step.arrival):
-            row = {here + j: entry for j, entry in x.by.items() if j <= self.n}
+            row = {here + j: entry for j, entry in x.by.items() if first <= j <= self.n}
             minus = x.value.integer(-1)
             for j, entry in ((there, x.by[self.n + 1]), (there + 1 + i, minus)):
                 row[j] = row[j] + entry if j in row else entry

@@ -32,6 +32,7 @@ from cap.checker.system.contacts import (
     Contact,
     Ends,
     Equations,
+    Matrix,
     Round,
     Step,
     krawczyk,
@@ -117,6 +118,8 @@ class Contacts(Theorem):
         self.orbit = Round(self.p, contacts, self.claims["periods"])
         self.orbit.confirm()
         self.equations = Equations(self.orbit, self.hints["bits"])
+        once = not self.equations.autonomous or self.claims["periods"] == 1
+        need(once, "claims.periods is not 1, but the system has no clock")
         same = len(self.hints["preconditioner"]) == self.equations.size
         need(same, f"there are not {self.equations.size} unknowns")
         zero = self.zero()
@@ -125,10 +128,15 @@ class Contacts(Theorem):
         step = self.equations.n + 1
         each = [zero[k : k + step] for k in range(0, len(zero), step)]
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
-        multipliers = symmetric(return_map(steps, self.equations.n), self.equations.n)
+        multipliers = symmetric(self.derivative(steps), self.equations.n)
         self.confirm(symmetric=multipliers)
         self.count(multipliers)
         self.step("times, states and multipliers are those claimed")
+
+    def derivative(self, steps: list[Step]) -> Matrix:
+        """Return that of the return map, with the multipliers as eigenvalues, and a 0."""
+        D = return_map(steps, self.equations.n)
+        return [row[1:] for row in D[1:]] if self.equations.autonomous else D
 
     def count(self, multipliers: list[Interval]) -> None:
         """Prove what is claimed of how many multipliers lie outside a circle."""
@@ -160,12 +168,8 @@ class Contacts(Theorem):
 
     def leg(self, zero: list[Interval], step: Step, k: int, guards: dict[str, Watched]) -> None:
         """Prove that nothing else happens between a contact and the next one."""
-        (here, _), mode, cuts = (
-            self.equations.places(k),
-            self.orbit.contacts[k].to,
-            self.hints["cuts"][k],
-        )
-        start, end = zero[here], self.equations.end(zero, k)
+        mode, cuts = self.orbit.contacts[k].to, self.hints["cuts"][k]
+        start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
         after = dict(zip(self.p.state, step.after, strict=True))
@@ -190,13 +194,17 @@ class Contacts(Theorem):
         )
         sums = ", ".join(map(str, claims["symmetric"]))
         box = "; ".join(" x ".join(map(str, sides)) for sides in claims["box"])
+        period, numbers = f"{claims['periods']} x 2 pi/omega", f"{len(self.p.state)} multipliers"
+        if self.p.autonomous:
+            period = f"in {claims['times'][0]} (times count from its first contact on)"
+            numbers = f"{len(self.p.state) - 1} multipliers and of 0"
+        alone = "but for shifts in time it is" if self.p.autonomous else "it is"
         return (
-            f"the system with the {told(self.p)}; has an orbit of period {claims['periods']} x "
-            f"2 pi/omega with these contacts in one round, at each of which the guard falls "
-            f"through 0, and no others: {contacts} (values just before a contact); it is the only "
-            f"one with these contacts whose (t, {', '.join(self.p.state)}) at them lie in {box}; "
-            f"the elementary symmetric functions of its {len(self.p.state)} multipliers (sum, ..., "
-            f"product) are in {sums}{self.stability()}"
+            f"the system with the {told(self.p)}; has an orbit of period {period} with these "
+            f"contacts in one round, at each of which the guard falls through 0, and no others: "
+            f"{contacts} (values just before a contact); {alone} the only one with these contacts "
+            f"whose (t, {', '.join(self.p.state)}) at them lie in {box}; the elementary symmetric "
+            f"functions of its {numbers} (sum, ..., product) are in {sums}{self.stability()}"
         )
 
     def stability(self) -> str:
@@ -207,7 +215,8 @@ class Contacts(Theorem):
         if "radius" in self.claims:
             return f", {count} of the {n} outside the circle of radius {self.claims['radius']}"
         sums = self.claims["symmetric"]
-        kind = kind_of_two(sums[0], sums[1], count) if n == 2 else ""
+        named = n == 2 and not self.p.autonomous
+        kind = kind_of_two(sums[0], sums[1], count) if named else ""
         attracts = "; it attracts" if not count else ""
         return f", {count} of the {n} outside the unit circle and none on it{kind}{attracts}"
 
