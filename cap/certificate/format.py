@@ -13,7 +13,6 @@ import json
 import re
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 from cap.checker.kernel.certificate import DIGITS
@@ -38,9 +37,10 @@ from cap.checker.kernel.shapes import (
 from cap.checker.kernel.theorem import Theorem
 from cap.checker.theorems import NAMES, load
 from cap.files import replacing
+from cap.tree import inside
 from cap.words import say
 
-HOME = Path(__file__).parents[1] / "certificates"
+HOME = inside("certificates")
 SCHEMA, PAGE = HOME / "schema/certificate.schema.json", HOME / "FORMAT.md"
 
 Json = dict[str, Any]

@@ -40,7 +40,7 @@ def test_orbits_stay_in_the_ellipse():
     """From the boundary of the inner one, forwards and backwards, for what floats can follow."""
     claims = cap.prove_theorem(THEOREM, degree=6, periods=10**4, digits=12).claims
     starts = boundary(claims)
-    ahead = follow(PAPER, starts, 3000, every=True)
+    ahead = follow(PAPER, starts, 1000, every=True)
     assert not (ahead.turned | ahead.stuck | ahead.captured).any()
     for states in (ahead.states.reshape(-1, 2), retrace(PAPER, starts, 300)):
         assert radii(claims, states).max() < 1
