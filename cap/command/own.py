@@ -55,7 +55,7 @@ def parser() -> Parser:
         description="Prove periodic orbits of a system of your own by their contacts: that there "
         "is one near each candidate, which contacts it has and that it has no others, and its "
         "multipliers.  FILE.py has a function of the parameters that returns a cap.System (see "
-        "docs/own-systems.md); it may be FILE.json, which runs nothing.  The certificate holds "
+        "docs/own-system.md); it may be FILE.json, which runs nothing.  The certificate holds "
         "the system: `python -m cap.verify` needs no FILE.py.  Orbits that rest after infinitely "
         "many contacts are not proved.",
         epilog="Examples: python -m cap.prove periodic --model examples/ball.py --set A=6/5,e=1/2 "
@@ -133,6 +133,10 @@ class Asked:
             raise BadInput("--table goes with none of --all, --orbit, --period")
         if options.table is None and (options.journal or options.jobs != "1"):
             raise BadInput("--jobs and --journal go with --table")
+        if system.autonomous and options.period != "1":
+            raise BadInput(
+                "nothing depends on the clock: leave out --period, the period is unknown"
+            )
         if options.all and (state or options.out.suffix == ".json"):
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
         stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model

@@ -7,21 +7,16 @@ picture, and the exit status is 1.  So what is drawn is proved: of coloured regi
 
 import sys
 from collections.abc import Sequence
-from concurrent.futures import BrokenExecutor
 from pathlib import Path
 
 from cap.checker.folded.masses import Places
-from cap.checker.kernel.certificate import read
 from cap.checker.kernel.processes import Work
-from cap.checker.kernel.rejection import Rejected
-from cap.checker.kernel.theorem import Certificate, Theorem
 from cap.checker.theorems.mixed import PLACES, Map, Mixed
 from cap.command import entry
 from cap.command.console import Parser, program, protected
-from cap.command.outcome import content, why
 from cap.command.progress import Progress, answered
-from cap.errors import BadInput
-from cap.explore.export import IMAGES, kind
+from cap.explore.export import kind
+from cap.explore.verified import certificate, image, rejected
 from cap.files import replacing
 from cap.option import integer
 from cap.runner import within
@@ -34,17 +29,17 @@ def main(words: Sequence[str]) -> int:
     progress = Progress()
 
     def run() -> int:
-        _image(options.out)
+        image(options.out)
         jobs = integer(options.jobs, "jobs", (1, 1024), 4)
-        theorem = Proof(_certificate(options.file), lambda _step: None)
+        theorem = Proof(certificate(options.file, "mixed"), lambda _step: None)
         drawn = {words: cost for words, cost in theorem.phases().items() if words != PLACES}
         proof = sum(theorem.phases().values())
         part = proof / (proof + sum(drawn.values()))
         theorem.jobs, theorem.tell = jobs, within(progress.tell, 0, part)
-        rejected = _rejected(theorem)
-        if rejected:
+        reason = rejected(theorem)
+        if reason:
             progress.clear()
-            say(f"REJECTED: {quoted(options.file)}: {rejected}; no picture is drawn", sys.stdout)
+            say(f"REJECTED: {quoted(options.file)}: {reason}; no picture is drawn", sys.stdout)
             return 1
         work = Work(jobs, within(progress.tell, part, 1, "picture: "), drawn)
         _draw(theorem, work, options.out)
@@ -85,17 +80,6 @@ class Proof(Mixed):
         return self.known
 
 
-def _rejected(theorem: Theorem) -> str:
-    """Return why the checker rejects a certificate; nothing if it proves the theorem."""
-    try:
-        theorem.prove()
-    except BrokenExecutor:
-        raise BadInput("a process was killed: that is no verdict") from None
-    except Exception as reason:  # noqa: BLE001 (whatever goes wrong, nothing is proved)
-        return why(reason)
-    return ""
-
-
 def _draw(theorem: Proof, work: Work, out: Path) -> None:
     """Write the picture of a theorem that is proved."""
     from cap.pictures.proved import draw  # noqa: PLC0415 (matplotlib is slow to load)
@@ -103,25 +87,6 @@ def _draw(theorem: Proof, work: Work, out: Path) -> None:
     figure = draw(theorem, theorem.known, work)
     with replacing(out) as target:
         figure.savefig(target, format=kind(out))
-
-
-def _image(out: Path) -> None:
-    """Refuse a file that is no picture, or that cannot be written."""
-    if kind(out) not in IMAGES:
-        raise BadInput(f"no picture: {quoted(out)}")
-
-
-def _certificate(file: Path) -> Certificate:
-    """Return a certificate of the theorem."""
-    try:
-        certificate = read(content(file))
-    except OSError as error:
-        raise BadInput(f"cannot read {quoted(file)}: {error.strerror}") from None
-    except Rejected as reason:
-        raise BadInput(f"{quoted(file)} is no certificate: {reason}") from None
-    if certificate.theorem != "mixed":
-        raise BadInput(f"{quoted(file)} is about the theorem {certificate.theorem}, not mixed")
-    return certificate
 
 
 if __name__ == "__main__":

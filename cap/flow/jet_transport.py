@@ -15,9 +15,17 @@ def strobe_jet(osc: Oscillator[Any], box: Box, orbit: Orbit[Ball], order: int) -
     ``orbit`` is ``strobe(osc, box, ...)``, with hits only: it proves that the hit times are
     analytic functions of the state on ``box`` and encloses them.  The jets are in (δx, δv).
     """
+    x, v = Jet.variables(box, order)
+    return transported(osc, orbit, x, v)
+
+
+def transported(osc: Oscillator[Any], orbit: Orbit[Ball], x: Jet, v: Jet) -> tuple[Jet, Jet]:
+    """Return jets of Φ∘z, where (x, v) are those of z, in any variables, with values in the box.
+
+    ``orbit`` is ``strobe(osc, box, ...)``, with hits only, as in `strobe_jet`.
+    """
     if orbit.events != orbit.hits:
         raise ValueError("jets are transported through hits only")
-    x, v = Jet.variables(box, order)
     flight = osc.launch(orbit.s, Moment(Ball(0), Ball(0), Ball(1)), x, v)
     for hit in orbit.events:
         moment = _hit_moment(osc, flight, hit)

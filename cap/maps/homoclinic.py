@@ -11,6 +11,7 @@ From a guess to the interval: z_n(p) passes P* closer the better p is.  Newton's
 0, which is nearly that z_n lies on the stable curve, gains digits with n, until |Q| <= r.
 """
 
+import math
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -124,23 +125,12 @@ class Shooter:
         z, carried = _points(self.cones.at(p, Ball(0))), self.cones.columns
         back, found = matrix.inverse(self.cones.columns), list[_Shot]()
         for _ in range(n):
-            _, orbit = find_windows(self.osc, z, self.foreseen(z), BALLS)
+            _, orbit = find_windows(self.osc, z, foreseen(self.parameters, z), BALLS)
             carried = _midpoints(matrix.product(orbit.monodromy, carried))
             z = _points(orbit.end)
             P, Q = matrix.apply(back, _minus(z, self.cones.saddle))
             found.append(_Shot(P, Q, matrix.product(back, carried)[0][0]))
         return found
-
-    def foreseen(self, z: Box) -> Itinerary:
-        """Return the hits of the next period, in floats: hints."""
-        x, v = (float(q.mid()) for q in z)
-        try:
-            path = itinerary(self.parameters, x, v, float(self.osc.T.mid()))
-        except BadInput as reason:
-            raise NotProved("homoclinic point", str(reason), {"x": z[0], "v": z[1]}) from None
-        if any(not event.word.startswith("hit") for event in path.events):
-            raise NotProved("homoclinic point", "an orbit turns", {"x": z[0], "v": z[1]})
-        return tuple(Expected(e.word, interval.ball(Fraction(e.time))) for e in path.events)
 
     def _between(self, middle: Fraction, n: int) -> tuple[Fraction, Fraction]:
         """Return an interval around a crossing: P varies by several L r on it."""
@@ -192,7 +182,9 @@ class Way:
     def follow(self) -> None:
         """Prove the hits of the next period, and carry the states over it."""
         now, osc = self.places[-1], self.shooter.osc
-        hits, orbit = find_windows(osc, now.box, self.shooter.foreseen(now.point), BALLS)
+        hits, orbit = find_windows(
+            osc, now.box, foreseen(self.shooter.parameters, now.point), BALLS
+        )
         end = image(osc, now.point, hits)
         moved = matrix.product(orbit.monodromy, now.frame)
         frame, point = self._along(moved), _points(end)
@@ -250,6 +242,21 @@ class Way:
         cosine = abs(a * c + b * d) / ((a * a + b * b) * (c * c + d * d)).sqrt()
         angle: Ball = cosine.acos() * 180 / interval.pi()
         return angle
+
+
+def foreseen(p: Parameters, z: Box) -> Itinerary:
+    """Return the hits of the next period from a state, in floats: hints.
+
+    Raises `NotProved` if there is another event.
+    """
+    x, v = (float(q.mid()) for q in z)
+    try:
+        path = itinerary(p, x, v, 2 * math.pi / float(p.omega))
+    except BadInput as reason:
+        raise NotProved("homoclinic point", str(reason), {"x": z[0], "v": z[1]}) from None
+    if any(not event.word.startswith("hit") for event in path.events):
+        raise NotProved("homoclinic point", "an orbit turns", {"x": z[0], "v": z[1]})
+    return tuple(Expected(e.word, interval.ball(Fraction(e.time))) for e in path.events)
 
 
 def _points(z: Box) -> Box:

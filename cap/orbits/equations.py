@@ -8,6 +8,9 @@ each.  With R_k the reset, and the flight in the mode after it,
 where the contact after the last is the first one, p periods of the clock later.  No contact is
 located and no flight is long, so nothing wraps as it does where a period is one map.
 
+*Without a clock* orbits may begin at any time: the first contact is at the time 0, and its unknown
+t_0 is the period, at which it comes again.
+
 *Derivative.*  (t, q)_(k+1) is a function of (t, q)_k: the time is that at which the next guard
 comes to zero, its derivative follows from h_(k+1) = 0.  The product over a round has the
 multipliers of the orbit as eigenvalues, and 0.
@@ -52,6 +55,7 @@ class Equations:
         self.n, count = len(itinerary.system.state), len(self.legs)
         step = self.n + 1
         self.size = step * count
+        self.autonomous = kinds.autonomous
         self.places = [
             Place(step * k, step * (k + 1) % self.size, k + 1 == count) for k in range(count)
         ]
@@ -84,6 +88,8 @@ class Equations:
             for i, entries in enumerate(block.rows):
                 row: list[Any] = [0] * self.size
                 row[here : here + self.n + 1] = entries[:-1]
+                if self.autonomous and not here:
+                    row[here] = 0  # the first contact is at the time 0
                 row[there] = row[there] + entries[-1]
                 row[there + 1 + i] = row[there + 1 + i] - 1
                 result.append(row)
@@ -91,19 +97,24 @@ class Equations:
 
     def _arguments(self, z: Unknowns, of: Numbers) -> Iterator[tuple[Any, Place, list[Any]]]:
         """Yield each leg with the places of its unknowns and its inputs."""
-        clocks = {place.here: of.clock(z[place.here]) for place in self.places}
+        clocks = {place.here: of.clock(self.start(z, place)) for place in self.places}
         for leg, place in zip(self.legs, self.places, strict=True):
-            t0, t1 = z[place.here], self.end(z, place, of)
+            t0, t1 = self.start(z, place), self.end(z, place, of)
             q = z[place.here + 1 : place.here + self.n + 1]
             arguments = [t0, *clocks[place.here], *q, t1, *clocks[place.there]]
             if leg.motion.generator:
                 arguments += of.exponential(leg.motion, t1 - t0)
             yield leg, place, arguments
 
+    def start(self, z: Unknowns, place: Place) -> Any:
+        """Return the time of a contact."""
+        return z[place.here] * 0 if self.autonomous and not place.here else z[place.here]
+
     def end(self, z: Unknowns, place: Place, of: Numbers) -> Any:
         """Return the time of the next contact."""
         t = z[place.there]
-        return t + of.period * self.itinerary.periods if place.wraps else t
+        later = place.wraps and not self.autonomous
+        return t + of.period * self.itinerary.periods if later else t
 
 
 def derivative(blocks: Sequence[Block]) -> Matrix:

@@ -45,6 +45,7 @@ class PeriodicOrbit:
     box: Box
     reasons: list[Reason]
     derivative: Matrix
+    autonomous: bool
 
     @property
     def contacts(self) -> list[tuple[Ball, Box]]:
@@ -61,9 +62,12 @@ class PeriodicOrbit:
     @cached_property
     def symmetric(self) -> list[Ball]:
         """The elementary symmetric functions of the n multipliers: their sum, .., their product."""
-        coefficients = self.derivative.charpoly().coeffs()
-        n = len(self.itinerary.system.state)
-        return [(-1) ** k * coefficients[n + 1 - k] for k in range(1, n + 1)]
+        n, D = len(self.itinerary.system.state), self.derivative
+        if self.autonomous:  # that of the state; one of its multipliers is 0
+            rows = D.table()
+            D = interval.matrix([row[1:] for row in rows[1:]])
+        coefficients = D.charpoly().coeffs()
+        return [(-1) ** k * coefficients[D.nrows() - k] for k in range(1, n + 1)]
 
     def unstable(self, radius: Fraction = Fraction(1)) -> int | None:
         """How many multipliers lie outside a circle around 0, if certainly none lies on it."""
@@ -121,12 +125,16 @@ class Prover:
         Returns a box that contains its contacts, the derivatives of the legs over all points within
         reach, and why nothing else happens.
         """
+        k, blocks = self._zero(hint, reach)
+        return k, blocks, self.reasons(k)
+
+    def _zero(self, hint: Hint, reach: Sequence[Fraction]) -> tuple[Box, list[Block]]:
+        """Prove that F has one zero within reach of the hint; return a box around it, and F'."""
         equations, box = self.equations, hint.box(reach)
         with interval.guarded():  # K cannot be narrower than F(m)
             value = equations.value(hint.point, self.balls)
         blocks = equations.blocks(box, self.balls)
-        k = zero.contract(hint, value, interval.matrix(equations.rows(blocks)), box)
-        return k, blocks, self.reasons(k)
+        return zero.contract(hint, value, interval.matrix(equations.rows(blocks)), box), blocks
 
     def reasons(self, box: Box) -> list[Reason]:
         """Prove that nothing else happens on the orbits whose contacts lie in a box."""
@@ -147,14 +155,17 @@ class Prover:
     def legs(self, box: Box) -> list[Leg]:
         """Return the legs of the orbits whose contacts lie in a box."""
         equations, of, n = self.equations, self.balls, self.equations.n
-        clocks = {place.here: of.clock(box[place.here]) for place in equations.places}
+        starts = [equations.start(box, place) for place in equations.places]
+        clocks = {
+            place.here: of.clock(t) for place, t in zip(equations.places, starts, strict=True)
+        }
         found = []
         for k, (leg, place) in enumerate(zip(equations.legs, equations.places, strict=True)):
             here, there, _ = place
             before = box[here + 1 : here + n + 1]
             after = of.of(leg.after)(*clocks[here], *before)
             end = End(equations.end(box, place, of), clocks[there], box[there + 1 : there + n + 1])
-            found.append(Leg(k, End(box[here], clocks[here], after), end, of))
+            found.append(Leg(k, End(starts[k], clocks[here], after), end, of))
         return found
 
     def _minima_of(self, mode: str, name: str) -> list[Minimum] | None:
@@ -178,11 +189,10 @@ class Prover:
         matrix = zero.inverse_of(self.problem.slope(point))
         hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
         reach = (far or Fraction(100, 10**digits),) * len(near)
-        box, _, _ = self.existence(hint, reach)
-        box = self.problem.tightened(hint, box)
-        blocks = self.equations.blocks(box, self.balls)
-        reasons = self.reasons(box)
-        return PeriodicOrbit(self.itinerary, hint, reach, box, reasons, derivative(blocks))
+        box = self.problem.tightened(hint, self._zero(hint, reach)[0])
+        reasons, autonomous = self.reasons(box), self.equations.autonomous
+        D = derivative(self.equations.blocks(box, self.balls))
+        return PeriodicOrbit(self.itinerary, hint, reach, box, reasons, D, autonomous)
 
     def newton(self, guess: Sequence[float]) -> list[float]:
         """Return a zero of F near a guess, in doubles: the last step is below 1e-10."""

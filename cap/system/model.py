@@ -107,6 +107,17 @@ class System:
         object.__setattr__(self, "parameters", tuple(self.parameters))
         validate(self)
 
+    @property
+    def autonomous(self) -> bool:
+        """Whether the clock occurs nowhere."""
+        found = [q for mode in self.modes.values() for q in mode.field.values()]
+        for key, mode in self.modes.items():
+            for name, guard in mode.guards.items():
+                parts = self.reset(key, name).values()
+                found += [guard.value, *(q.numerator for q in parts)]
+                found += [q.denominator for q in parts]
+        return all(q.variables.isdisjoint(CLOCK) for q in found)
+
     def guard(self, mode: str, name: str) -> Guard:
         """Return a guard of a mode."""
         return self.modes[mode].guards[name]

@@ -15,7 +15,7 @@ must hold in all norms of smaller ρ too: arithmetic of `cap.sets.fourier`, with
 fixed polynomials, is.  Whoever calls shows that for real functions it is 𝓕, and that real curves
 within ``reach`` of K lie in U.  `invariant_curve` then does the rest.
 
-*The theorem*: docs/theorems/invariant-curve-proof.md, with this notation.
+*The theorem*: docs/invariant-curve-proof.md, with this notation.
 """
 
 from collections.abc import Callable

@@ -41,13 +41,8 @@ class Quadratic:
     def complete(self, n: int) -> tuple[Fraction, Fraction]:
         """Return numbers on both sides of A_n."""
         *others, last = self.quotients(n, AHEAD)
-        ends = []
-        for end in (Fraction(last), Fraction(last + 1)):
-            value = end
-            for a in reversed(others):
-                value = a + 1 / value
-            ends.append(value)
-        return min(ends), max(ends)
+        a, b = (_finite([*others, end]) for end in (last, last + 1))
+        return min(a, b), max(a, b)
 
     def value(self) -> Ball:
         """Return an enclosure at the working precision."""
@@ -67,3 +62,12 @@ class Quadratic:
         m = len(self.head)
         tail = max(self.complete(m + 1 + j)[1] for j in range(len(self.period)))
         return min(least, 1 / (tail + 1))
+
+
+def _finite(quotients: list[int]) -> Fraction:
+    """Return [a; b, ...]."""
+    *others, last = quotients
+    value = Fraction(last)
+    for a in reversed(others):
+        value = a + 1 / value
+    return value

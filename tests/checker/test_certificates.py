@@ -65,9 +65,22 @@ REASONS = {
 }
 
 
+SLOW = {  # like others of their theorems, and as long to check as a true one
+    "conservative_by_three_flights",
+    "entropies_with_a_larger_share_of_cycles",
+    "mixed_early_sticks_dropped",
+    "mixed_places_all_at_once",
+    "mixed_share_of_both_enlarged",
+    "mixed_sticks_dropped",
+    "mixed_turns_dropped",
+}
+
+
 def files(kind):
-    """Return the files of a folder, for `parametrize`."""
-    return [pytest.param(path, id=path.stem) for path in sorted((HERE / kind).glob("*.json"))]
+    """Return the files of a folder, for `parametrize`; some are slow."""
+    paths = sorted((HERE / kind).glob("*.json"))
+    marks = {path: [pytest.mark.slow] * (path.stem in SLOW) for path in paths}
+    return [pytest.param(path, id=path.stem, marks=marks[path]) for path in paths]
 
 
 def run(capsys, path):

@@ -27,6 +27,7 @@ def distances(low, high):
     return UNITS.distances(enclosure([low, high], "an interval"))
 
 
+@pytest.mark.slow
 def test_the_interval_of_the_stored_certificate():
     """It is taken into itself; moved by a little, or made a little shorter, it is not."""
     low, high = json.loads(STORED.read_text())["claims"]["attractor"]["interval"]

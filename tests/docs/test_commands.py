@@ -12,12 +12,14 @@ from cap.command import archive, own, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
-from cap.explore import explorer, mixed
+from cap.explore import explorer, homoclinic, mixed
 from cap.explore.commands import COMMANDS
+from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
 from cap.explore.play import command as page
 from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
 
+PICTURES = {"cap.explore.mixed": mixed, "cap.explore.homoclinic": homoclinic}
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PAGES = [page for page in PAGES if page.name not in ("tutorial.md", "audit.md")]
@@ -54,10 +56,11 @@ def test_a_command(module, words, monkeypatch):
             over_f = THEOREMS[options.theorem].over_f.name if options.theorem else None
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
-        options = explorer.parser().parse_args(given)
-        assert options.paper or options.command in (*COMMANDS, page.NAME)
-    elif module == "cap.explore.mixed":
-        assert mixed.parser().parse_args(given).file.is_file()
+        options = explorer.read(given)
+        known = MODEL_COMMANDS if "--model" in given else (*COMMANDS, page.NAME)
+        assert options.paper or options.command in known
+    elif module in PICTURES:
+        assert PICTURES[module].parser().parse_args(given).file.is_file()
     elif module == "cap.audit":
         audit.parser().parse_args(given)
     elif module == "cap.verify":
@@ -70,8 +73,8 @@ def test_a_command(module, words, monkeypatch):
 
 def test_there_are_commands():
     """They are found: of each kind some."""
-    known = {"cap.prove", "cap.verify", "cap.explore", "cap.explore.mixed", "cap.audit"}
-    known.add("cap.command.archive")
+    known = {"cap.prove", "cap.verify", "cap.explore", "cap.audit", "cap.command.archive"}
+    known |= {*PICTURES}
     assert {module for module, _ in ALL} == known
     assert len(ALL) > 25
 

@@ -63,6 +63,7 @@ def test_the_rooms_of_the_checker():
     assert sorted(named) == sorted([*rooms(ROOT / "cap/checker"), "verdict"])
 
 
+@pytest.mark.slow
 def test_the_docstrings():
     """Each dotted name of this package in a docstring exists."""
     wrong = []

@@ -95,7 +95,7 @@ def test_data_and_picture(name, tmp_path, capsys):
     assert capsys.readouterr().out.splitlines()[0] == said.splitlines()[0]
 
 
-@pytest.mark.parametrize("kind", ["pdf", "svg"])
+@pytest.mark.parametrize("kind", only(["pdf", "svg"], "svg"))
 def test_vector_pictures(kind, tmp_path):
     """They are what they are called, and the same bytes every time."""
     files = [tmp_path / f"{k}.{kind}" for k in range(2)]
@@ -253,6 +253,7 @@ def interrupted(runner):
     return []
 
 
+@pytest.mark.slow
 def test_more_jobs_change_nothing(tmp_path):
     """Threads and processes give the same numbers."""
     for name in ("sali", "plane"):
@@ -312,6 +313,7 @@ def test_help_needs_no_library():
     assert json.loads(done.stdout.splitlines()[-1]) == []
 
 
+@pytest.mark.slow
 def test_data_need_no_matplotlib(tmp_path):
     """It is loaded where something is drawn."""
     program = (

@@ -115,6 +115,7 @@ def test_a_word_while_one_waits(monkeypatch, capsys):
     assert capsys.readouterr().err == f"{compiled.WORDS}\n"
 
 
+@pytest.mark.slow
 def test_a_home_that_does_not_exist(tmp_path):
     """A picture is drawn, and nothing is said about caches."""
     path = tmp_path / "orbit.png"

@@ -32,6 +32,7 @@ def values(found, label):
     return [each.value for each in found.special if each.label == label]
 
 
+@pytest.mark.slow
 def test_pitchfork_and_fold_in_closed_form(over_friction):
     """f_pf = (2F/π) sqrt(1 - (2Rω²/(F(π²-4)))²), and the saddle-center at 2F/π."""
     assert values(over_friction, "pitchfork") == [pytest.approx(PITCHFORK, abs=1e-9)]
@@ -75,6 +76,7 @@ def test_sticking_border(over_friction):
     assert 0 < nearest < 1e-2
 
 
+@pytest.mark.slow
 def test_flip_and_fold_of_sinks():
     """The focus of F = 3: born in a fold, broken in a pitchfork, its pair flips."""
     p = replace(PAPER, F=Fraction(3))
@@ -218,6 +220,7 @@ def test_inventory_from_many_seeds(force, count):
     assert len(found.orbits) == count
 
 
+@pytest.mark.slow
 def test_gallery_has_traces():
     """At F = 9/2 the focus of the paper or its mirror image."""
     found = gallery(PAPER, values=(4.5,), periods=1)

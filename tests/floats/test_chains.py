@@ -21,6 +21,7 @@ def found():
     return seen.centre, chains(PAPER, seen.centre, seeds[::20], 29)
 
 
+@pytest.mark.slow
 def test_the_chains_of_the_island(found):
     """Also those that no orbit on the ray along x meets: 8/29 and 3/11."""
     assert [chain.number for chain in found[1]] == KNOWN

@@ -111,6 +111,7 @@ def test_the_images_of_a_period_two_orbit_are_one_orbit():
             assert abs(other.trace - c.trace) < 1e-4
 
 
+@pytest.mark.slow
 def test_walls_and_units():
     """Shifted walls, and other units: the same orbits in them."""
     plain = found("3/2")
@@ -207,6 +208,7 @@ def test_nothing_is_found_where_nothing_is():
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.slow
 def test_a_search_that_cannot_succeed_ends_at_once():
     """Where a period has thousands of events: one line that says so."""
     with pytest.raises(BadInput, match="too many events in a period") as caught:

@@ -34,10 +34,10 @@ def engine(system):
     return Engine(made[system]() if isinstance(system, str) else oscillator(system))
 
 
-SOME = pytest.param(SCALED, marks=pytest.mark.slow)  # compiled anew: other factors are 1
+SLOW = [pytest.param(p, marks=pytest.mark.slow) for p in (PAPER, SCALED)]  # compiled anew
 
 
-@pytest.mark.parametrize("p", [PAPER, LOSSY, SOME], ids=["paper", "lossy", "scaled"])
+@pytest.mark.parametrize("p", [LOSSY, *SLOW], ids=["lossy", "paper", "scaled"])
 def test_friction_as_the_hand_written_engine(p):
     """The same states after three periods, hits and captures, of 2000 orbits."""
     random = np.random.default_rng(7)
@@ -81,7 +81,7 @@ def sampled(system, mode, y, times):
     ("name", "box"),
     [
         pytest.param("ball", ([0.0, -3], [3, 3]), marks=pytest.mark.slow),
-        ("spring", ([-2, -2], [0, 2])),
+        pytest.param("spring", ([-2, -2], [0, 2]), marks=pytest.mark.slow),
     ],
 )
 def test_no_event_is_missed(name, box):

@@ -18,6 +18,7 @@ from cap.parameters import PAPER
 ROOT = Path(__file__).parents[2]
 
 
+@pytest.mark.slow
 def test_the_graph():
     """One branch fills the interval, which G takes into itself; there most iterates end."""
     findings = release(PAPER, points=1000)

@@ -85,6 +85,7 @@ def compare(p, state, periods, t0=0.0, digits=35):
     return {event.word for event in events}
 
 
+@pytest.mark.slow
 def test_random_orbits_against_mpmath():
     """Ends and events agree with mpmath for random parameters, states, times; all kinds occur."""
     random, words = seeded(11), set()

@@ -99,6 +99,7 @@ def test_what_is_worth_little_is_left_out():
     assert counts[0] > counts[1] > counts[2] == 0
 
 
+@pytest.mark.slow
 def test_columns_are_cut_where_much_is_lost():
     """Not where nothing is, and not below the finest width; the other lines stay."""
     world, one, two = family(2)
@@ -112,6 +113,7 @@ def test_columns_are_cut_where_much_is_lost():
     assert (strips.lossy((one, two), 2, 1e-6, 1 / 128, Runner(2)) >= parts).all()
 
 
+@pytest.mark.slow
 def test_too_many_cells(monkeypatch):
     """What the checker does not read is not proved; that is said before anything is tried."""
     monkeypatch.setattr("cap.checker.strips.columns.LONGEST", 2)

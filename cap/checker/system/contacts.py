@@ -9,6 +9,10 @@ where the contact after the last one is the first, p periods of the clock later.
 P(t_(k+1)) + exp(N d) y, d = t_(k+1) - t_k, y = (z - P, 1)(t_k) (``legs``); its derivative in d is
 exp(N d) N y.  All derivatives are by t_k, q_k, t_(k+1), which have the indices 0, 1, ..., n, n + 1.
 
+*Without a clock*, where cos and sin occur nowhere, orbits may be moved in time: the first contact
+is at the time 0, and t_0 is the period, at which it comes again.  Then (t, q) after a round is (t_0
++ a function of q_0, a function of q_0): the latter's derivative has n - 1 multipliers, and 0.
+
 *Existence.*  For a point m of a box Z and a matrix C, let
 
     K(Z) = m - C F(m) + (1 - C F'(Z)) (Z - m).
@@ -29,7 +33,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from operator import add
+from operator import add, mul
 from typing import NamedTuple
 
 from cap.checker.kernel.elementary import cos_sin, pi
@@ -104,6 +108,7 @@ class Equations:
         self.omega = self.flights[orbit.contacts[0].to].omega
         self.pi = pi(bits)
         self.period = self.pi * 2 / self.omega
+        self.autonomous = orbit.model.autonomous
 
     def number(self, q: Fraction) -> Interval:
         """Return an enclosure of a rational number."""
@@ -114,10 +119,15 @@ class Equations:
         here = k * (self.n + 1)
         return here, (here + self.n + 1) % self.size
 
+    def start(self, z: Sequence[Interval], k: int) -> Interval:
+        """Return the time of the k-th contact."""
+        return z[0].integer(0) if self.autonomous and not k else z[self.places(k)[0]]
+
     def end(self, z: Sequence[Interval], k: int) -> Interval:
         """Return the time of the contact after the k-th."""
         here, there = self.places(k)
-        return z[there] if there > here else z[there] + self.period * self.orbit.periods
+        later = there <= here and not self.autonomous
+        return z[there] + self.period * self.orbit.periods if later else z[there]
 
     def steps(self, z: Sequence[Interval], order: int = 1) -> list[Step]:
         """Return the steps over a box of unknowns; of the order 0 they have no derivatives."""
@@ -125,7 +135,7 @@ class Equations:
 
     def _step(self, z: Sequence[Interval], k: int, order: int) -> Step:
         (here, _), n, flights = self.places(k), self.n, self.flights[self.orbit.contacts[k].to]
-        t, q, end = z[here], z[here + 1 : here + n + 1], self.end(z, k)
+        t, q, end = self.start(z, k), z[here + 1 : here + n + 1], self.end(z, k)
         one = t.integer(1)
         state = [Slope(x, {i: one} if order else {}) for i, x in enumerate(q, start=1)]
         start, last = self._clock(t, 0, order), self._clock(end, n + 1, order)
@@ -189,9 +199,10 @@ class Equations:
     def _rows(self, k: int, step: Step) -> Iterator[dict[int, Interval]]:
         """Give the rows of the k-th contact; those of the next may be its own."""
         here, there = self.places(k)
-        yield {here + i: x for i, x in step.guard.by.items()}
+        first = int(self.autonomous and not k)  # the first contact is at the time 0
+        yield {here + i: x for i, x in step.guard.by.items() if i >= first}
         for i, x in enumerate(step.arrival):
-            row = {here + j: entry for j, entry in x.by.items() if j <= self.n}
+            row = {here + j: entry for j, entry in x.by.items() if first <= j <= self.n}
             minus = x.value.integer(-1)
             for j, entry in ((there, x.by[self.n + 1]), (there + 1 + i, minus)):
                 row[j] = row[j] + entry if j in row else entry
@@ -210,37 +221,33 @@ def krawczyk(
     equations: Equations,
     region: Sequence[Ends],
     centre: Sequence[Fraction],
-    preconditioner: Sequence[Sequence[Fraction]],
+    preconditioner: Sequence[Sequence[int]],
 ) -> list[Interval]:
     """Return K(K(K(region))) if K(region) lies in the interior of the region.
 
-    C is the preconditioner, rounded to units 2^-`SHIFT`: any C will do.  The centre lies in the
-    region.  F' is in all steps that over the region, which contains the zero as K(region) does.
+    C is the preconditioner in units 2^-`SHIFT`.  The centre lies in the region.  F' is in all steps
+    that over the region, which contains the zero as K(region) does.
     """
     inside = zip(region, centre, strict=True)
     need(all(a <= c <= b for (a, b), c in inside), "the centre is not in the box")
-    bits = equations.bits
-    box = [Interval.enclosing(*ends, bits) for ends in region]
+    box = [Interval.enclosing(*ends, equations.bits) for ends in region]
     middle = [equations.number(c) for c in centre]
-    offsets = [z - c for z, c in zip(box, middle, strict=True)]
     value, slope = equations.value(middle), equations.slope(equations.steps(box))
-    newton, rows = list[Interval](), list[list[Interval]]()
-    for i, (given, c) in enumerate(zip(preconditioner, middle, strict=True)):
-        row = [round(q * (1 << SHIFT)) for q in given]
+    newton, rows = list[Interval](), list[list[int]]()
+    for i, (row, c) in enumerate(zip(preconditioner, middle, strict=True)):
         less = reduce(add, (f * q for q, f in zip(row, value, strict=True)))
-        newton.append(c - rounded(less))
+        newton.append(c - Interval(less.lo >> SHIFT, -(-less.hi >> SHIFT), less.bits))
         rows.append(residual(row, slope, i))
-        K = newton[i] + dot(rows[i], offsets)
-        need(K.lies_inside(*region[i]), "K does not lie in the interior of its box")
-        box[i] = K
+    K = _moved(newton, rows, box, middle)
+    inner = all(z.lies_inside(*ends) for z, ends in zip(K, region, strict=True))
+    need(inner, "K does not lie in the interior of its box")
     for _ in range(AGAIN):
-        offsets = [z - c for z, c in zip(box, middle, strict=True)]
-        box = [start + dot(row, offsets) for start, row in zip(newton, rows, strict=True)]
-    return box
+        K = _moved(newton, rows, K, middle)
+    return K
 
 
-def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[Interval]:
-    """Return the i-th row of 1 - C F', where ``row`` is that of C in units 2^-`SHIFT`."""
+def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[int]:
+    """Return bounds of the i-th row of |1 - C F'|; ``row`` is that of C in units 2^-`SHIFT`."""
     bits = next(iter(slope[0].values())).bits
     low, high = [0] * len(row), [0] * len(row)
     low[i] = high[i] = 1 << bits + SHIFT
@@ -249,12 +256,21 @@ def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int
             a, b = (x.lo, x.hi) if c >= 0 else (x.hi, x.lo)
             low[j] -= c * b
             high[j] -= c * a
-    return [rounded(Interval(a, b, bits)) for a, b in zip(low, high, strict=True)]
+    return [(max(-a, b) >> SHIFT) + 1 for a, b in zip(low, high, strict=True)]
 
 
-def rounded(x: Interval) -> Interval:
-    """Return x 2^-`SHIFT`."""
-    return Interval(x.lo >> SHIFT, -(-x.hi >> SHIFT), x.bits)
+def _moved(
+    newton: Sequence[Interval],
+    rows: Sequence[Sequence[int]],
+    box: Sequence[Interval],
+    middle: Sequence[Interval],
+) -> list[Interval]:
+    """Return m - C F(m) + (1 - C F') (box - m), by the sizes of the factors."""
+    far, found = [max(m.hi - z.lo, z.hi - m.lo) for z, m in zip(box, middle, strict=True)], []
+    for z, row in zip(newton, rows, strict=True):
+        reach = (sum(map(mul, row, far)) >> z.bits) + 1
+        found.append(Interval(z.lo - reach, z.hi + reach, z.bits))
+    return found
 
 
 def return_map(steps: Sequence[Step], n: int) -> Matrix:

@@ -55,6 +55,15 @@ class Model(NamedTuple):
         """The frequency of the clock."""
         return variable(PI) * self.omega if self.times_pi else Polynomial.of(self.omega)
 
+    @property
+    def autonomous(self) -> bool:
+        """Whether the clock occurs nowhere."""
+        found = [q for mode in self.modes.values() for q in mode.field.values()]
+        for mode in self.modes.values():
+            for guard in mode.guards.values():
+                found += [guard.value, guard.divisor, *guard.reset.values()]
+        return all(q.variables.isdisjoint(CLOCK) for q in found)
+
     def lie(self, mode: str, h: Polynomial) -> Polynomial:
         """Return the derivative of h in time along the flights of a mode."""
         w = self.frequency

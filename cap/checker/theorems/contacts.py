@@ -26,12 +26,13 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many, Maybe, Quantity, Whole, region
+from cap.checker.kernel.shapes import Field, Integer, Many, Maybe, Quantity, Whole, region
 from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system.contacts import (
     Contact,
     Ends,
     Equations,
+    Matrix,
     Round,
     Step,
     krawczyk,
@@ -58,8 +59,8 @@ class Contacts(Theorem):
         BITS,
         Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
               "time and state near those of each contact, in the box"),
-        Field("preconditioner", Many(Many(number, 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
-              "near F'(m)^-1"),
+        Field("preconditioner", Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
+              "near F'(m)^-1, in units 2^-48"),
         Field("cuts", Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), "", "",
               "for the leg after each contact, by guard of its mode, the cuts of Lemma B"),
     )
@@ -117,6 +118,8 @@ class Contacts(Theorem):
         self.orbit = Round(self.p, contacts, self.claims["periods"])
         self.orbit.confirm()
         self.equations = Equations(self.orbit, self.hints["bits"])
+        once = not self.equations.autonomous or self.claims["periods"] == 1
+        need(once, "claims.periods is not 1, but the system has no clock")
         same = len(self.hints["preconditioner"]) == self.equations.size
         need(same, f"there are not {self.equations.size} unknowns")
         zero = self.zero()
@@ -125,10 +128,15 @@ class Contacts(Theorem):
         step = self.equations.n + 1
         each = [zero[k : k + step] for k in range(0, len(zero), step)]
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
-        multipliers = symmetric(return_map(steps, self.equations.n), self.equations.n)
+        multipliers = symmetric(self.derivative(steps), self.equations.n)
         self.confirm(symmetric=multipliers)
         self.count(multipliers)
         self.step("times, states and multipliers are those claimed")
+
+    def derivative(self, steps: list[Step]) -> Matrix:
+        """Return that of the return map, with the multipliers as eigenvalues, and a 0."""
+        D = return_map(steps, self.equations.n)
+        return [row[1:] for row in D[1:]] if self.equations.autonomous else D
 
     def count(self, multipliers: list[Interval]) -> None:
         """Prove what is claimed of how many multipliers lie outside a circle."""
@@ -152,32 +160,42 @@ class Contacts(Theorem):
         """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
         watched = dict[str, dict[str, Watched]]()
         for mode in {contact.to for contact in self.orbit.contacts}:
-            guards = self.p.modes[mode].guards.items()
-            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in guards}
-        for k in range(len(self.orbit.contacts)):
-            self.leg(zero, steps[k], k, watched[self.orbit.contacts[k].to])
+            named = self.p.modes[mode].guards.items()
+            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in named}
+        zeros = dict[Contact, dict[str, int]]()
+        for k, contact in enumerate(self.orbit.contacts):
+            guards = watched[contact.to]
+            if contact not in zeros:
+                zeros[contact] = {g: zeros_after(h, self.orbit.guard(k)) for g, h in guards.items()}
+            self.leg(zero, steps[k], k, guards, zeros[contact])
         self.step("on each leg all guards of its mode are positive between the contacts")
 
-    def leg(self, zero: list[Interval], step: Step, k: int, guards: dict[str, Watched]) -> None:
-        """Prove that nothing else happens between a contact and the next one."""
-        (here, _), mode, cuts = (
-            self.equations.places(k),
-            self.orbit.contacts[k].to,
-            self.hints["cuts"][k],
-        )
-        start, end = zero[here], self.equations.end(zero, k)
+    def leg(
+        self,
+        zero: list[Interval],
+        step: Step,
+        k: int,
+        guards: dict[str, Watched],
+        zeros: dict[str, int],
+    ) -> None:
+        """Prove that nothing else happens between a contact and the next one.
+
+        So many of h, L h of each guard are ``zeros`` at the start.
+        """
+        mode, cuts = self.orbit.contacts[k].to, self.hints["cuts"][k]
+        start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
         after = dict(zip(self.p.state, step.after, strict=True))
         flights = Leg(self.p, mode, start, after, self.equations.flights[mode])
         for key, h in guards.items():
-            zeros = zeros_after(h, self.orbit.guard(k)), int(key == self.orbit.following(k).guard)
+            ends = zeros[key], int(key == self.orbit.following(k).guard)
             if key in cuts:
-                stays_positive(flights, h, end, cuts[key], zeros)
+                stays_positive(flights, h, end, cuts[key], ends)
             else:
                 others = [guards[other] for other in cuts]
                 need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")
-                ends_positive(flights, h, end, zeros)
+                ends_positive(flights, h, end, ends)
 
     def words(self) -> str:
         """Return the theorem in one line."""
@@ -190,13 +208,17 @@ class Contacts(Theorem):
         )
         sums = ", ".join(map(str, claims["symmetric"]))
         box = "; ".join(" x ".join(map(str, sides)) for sides in claims["box"])
+        period, numbers = f"{claims['periods']} x 2 pi/omega", f"{len(self.p.state)} multipliers"
+        if self.p.autonomous:
+            period = f"in {claims['times'][0]} (times count from its first contact on)"
+            numbers = f"{len(self.p.state) - 1} multipliers and of 0"
+        alone = "but for shifts in time it is" if self.p.autonomous else "it is"
         return (
-            f"the system with the {told(self.p)}; has an orbit of period {claims['periods']} x "
-            f"2 pi/omega with these contacts in one round, at each of which the guard falls "
-            f"through 0, and no others: {contacts} (values just before a contact); it is the only "
-            f"one with these contacts whose (t, {', '.join(self.p.state)}) at them lie in {box}; "
-            f"the elementary symmetric functions of its {len(self.p.state)} multipliers (sum, ..., "
-            f"product) are in {sums}{self.stability()}"
+            f"the system with the {told(self.p)}; has an orbit of period {period} with these "
+            f"contacts in one round, at each of which the guard falls through 0, and no others: "
+            f"{contacts} (values just before a contact); {alone} the only one with these contacts "
+            f"whose (t, {', '.join(self.p.state)}) at them lie in {box}; the elementary symmetric "
+            f"functions of its {numbers} (sum, ..., product) are in {sums}{self.stability()}"
         )
 
     def stability(self) -> str:
@@ -207,7 +229,8 @@ class Contacts(Theorem):
         if "radius" in self.claims:
             return f", {count} of the {n} outside the circle of radius {self.claims['radius']}"
         sums = self.claims["symmetric"]
-        kind = kind_of_two(sums[0], sums[1], count) if n == 2 else ""
+        named = n == 2 and not self.p.autonomous
+        kind = kind_of_two(sums[0], sums[1], count) if named else ""
         attracts = "; it attracts" if not count else ""
         return f", {count} of the {n} outside the unit circle and none on it{kind}{attracts}"
 

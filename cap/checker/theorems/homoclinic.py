@@ -90,15 +90,19 @@ class Homoclinic(Saddle):
 
     def crossing(self, n: int, cones: Cones, hint: dict[str, Any]) -> None:
         """Prove that the curves cross at one of the points."""
-        windows = [[ends(window) for window in period] for period in hint["hit_times"]]
         k = hint["periods"]
-        need(k < len(windows), f"orbits[{n}] ends before its point")
-        orbit = Orbit(cones, self.p, ends(hint["start"]), windows)
+        need(k < len(hint["hit_times"]), f"orbits[{n}] ends before its point")
+        orbit = self.followed(cones, hint)
         orbit.crosses()
         x, v = orbit.places[k].box
         found = {"x": x, "v": v, "angle": orbit.angle(k, self.omega)}
         self.compare(f"points[{n}]", self.claims["points"][n], found)
         self.step(f"point {n + 1}: the curves cross transversely, and no orbit stops")
+
+    def followed(self, cones: Cones, hint: dict[str, Any]) -> Orbit:
+        """Return an orbit, with its hits proved."""
+        windows = [[ends(window) for window in period] for period in hint["hit_times"]]
+        return Orbit(cones, self.p, ends(hint["start"]), windows)
 
     def apart(self, fixed_point: Point) -> None:
         """Check that the points are not P*, and that no two are the same."""

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.models.engine import Engine
-from cap.floats.models.spectrum import Exponential, Floats, exponential, number
+from cap.floats.models.spectrum import Exponential, Floats, number
 from cap.orbits.itinerary import Contact, Itinerary
 
 MOST = 64  # contacts of a round
+LONG = 200  # periods of 2 pi/omega after which an orbit has settled
 
 
 def contacts(
@@ -39,13 +41,60 @@ def contacts(
     found = [Contact(*names) for names in zip(before, words, after, strict=True)]
     times = [0.0, *ends.log[:, 1]]
     starts = [np.array(state, float), *ends.log[:, 4:]]
-    flights = {name: exponential(engine.system, name) for name in dict.fromkeys(before)}
-    omega, guess = float(number(engine.system.omega)), list[float]()
-    for k, contact in enumerate(found):
-        y = [*starts[k], np.cos(omega * times[k]), np.sin(omega * times[k]), 1.0]
-        arrived = _flown(flights[contact.mode], np.array(y), times[k + 1] - times[k])[: len(state)]
-        guess += [float(times[k + 1]), *map(float, arrived)]
+    before_each = _arrivals(engine, found, times, starts)
+    guess = [x for t, q in zip(times[1:], before_each, strict=True) for x in (float(t), *q)]
     return Itinerary(engine.system, found, periods), guess
+
+
+def cycle(
+    engine: Engine, state: Sequence[float], mode: str | None = None
+) -> tuple[Itinerary, list[float]]:
+    """Return the same of what an orbit of a system without a clock comes to after a long time.
+
+    The time of the first contact is the period, those of the others count from it on.
+    """
+    modes = None if mode is None else [mode]
+    ends = engine.follow([state], modes, periods=LONG, log=LONG * MOST)
+    log = ends.log[-2 * MOST :]
+    if ends.flags[0] or len(log) < 3:
+        raise BadInput("the orbit is lost, begins outside its mode, or has few contacts")
+    if len(engine.words) - 1 in log[:, 2]:
+        raise BadInput("infinitely many contacts accumulate: no list of contacts proves the orbit")
+    count = _round(log)
+    if not count:
+        raise BadInput("the orbit does not come back to a contact")
+    log = log[-count - 1 :]
+    names = [(engine.modes[int(line[3])], engine.words[int(line[2])]) for line in log]
+    found = [Contact(a, word, b) for (a, _), (b, word) in pairwise(names)]
+    times = list(log[:, 1] - log[0, 1])
+    arrivals = _arrivals(engine, found, times, list(log[:, 4:]))
+    rows = [[float(t), *q] for t, q in zip(times[1:], arrivals, strict=True)]
+    contacts_, rows = [found[-1], *found[:-1]], [rows[-1], *rows[:-1]]
+    return Itinerary(engine.system, contacts_), [x for row in rows for x in row]
+
+
+def _round(log: Floats) -> int:
+    """Return after how many events the last one came again, nearly; 0 if it did not."""
+    last = log[-1]
+    for count in range(1, min(MOST, len(log) - 1) + 1):
+        other = log[-1 - count]
+        same = (other[2:4] == last[2:4]).all()
+        if same and np.abs(other[4:] - last[4:]).max() < 1e-5 * (1 + np.abs(last[4:]).max()):
+            return count
+    return 0
+
+
+def _arrivals(
+    engine: Engine, found: Sequence[Contact], times: Sequence[float], starts: Sequence[Floats]
+) -> list[list[float]]:
+    """Return the state just before each contact, from that after the one before."""
+    flights = dict(zip(engine.modes, engine.exponentials, strict=True))
+    omega, arrivals = float(number(engine.system.omega)), list[list[float]]()
+    for contact, start, (a, b) in zip(found, starts, pairwise(times), strict=False):
+        y = np.array([*start, np.cos(omega * a), np.sin(omega * a), 1.0])
+        arrived = _flown(flights[contact.mode], y, b - a)[: len(start)]
+        arrivals.append([float(x) for x in arrived])
+    return arrivals
 
 
 def _flown(E: Exponential, y: Floats, d: float) -> Floats:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput, NotProved
-from cap.floats.models.contacts import contacts
+from cap.floats.models.contacts import contacts, cycle
 from cap.floats.models.engine import Engine, Integers, is_free
 from cap.floats.models.spectrum import Floats
 from cap.orbits.equations import Equations
@@ -30,6 +30,7 @@ from cap.system.model import System
 
 SEEDS, SETTLED, SETTLING, NEAREST = 4000, 400, 300, 120
 FAR = 1e6  # of what runs away
+TRIED = 12  # states of a system without a clock
 SAME = 1e-6  # times and states of one orbit
 PERIODS = range(1, 33)  # after which what attracts may close
 
@@ -58,7 +59,9 @@ class Closed(NamedTuple):
         pairs = [f"{x.real:.4g} +- {x.imag:.4g} i" for x in self.multipliers if x.imag > 0]
         values = ", ".join([*real, *pairs])
         words = ", ".join(f"{n} x {guard}" for guard, n in counts.items())
-        return f"{words}; {first.guard} at t = {self.guess[0]:.6g}, {state}; multipliers {values}"
+        time = f"the period {self.guess[0]:.6g}" if self.itinerary.system.autonomous else ""
+        time = time or f"t = {self.guess[0]:.6g}"
+        return f"{words}; {first.guard} at {time}, {state}; multipliers {values}"
 
 
 @dataclass
@@ -81,13 +84,18 @@ def search(system: System, periods: int, tell: Tell) -> Met:
     tell("compiling the system", None)
     engine = Engine(system)
     seeds, modes = _seeds(engine)
-    met, kinds = Met(), Kinds(system)
+    met, kinds, alone = Met(), Kinds(system), system.autonomous
     tell("following random states", None)
-    starts = list(_starts(engine, seeds, modes, periods, met))
+    if alone:
+        tried = zip(seeds[:TRIED], modes, strict=False)
+        starts = [(state, engine.modes[mode]) for state, mode in tried]
+    else:
+        starts = list(_starts(engine, seeds, modes, periods, met))
     for k, (state, mode) in enumerate(starts):
         tell("searching", k / len(starts))
         try:
-            guess = contacts(engine, state.tolist(), mode, periods)
+            z = state.tolist()
+            guess = cycle(engine, z, mode) if alone else contacts(engine, z, mode, periods)
             _add(met, closed(*guess, kinds))
         except (BadInput, NotProved):  # it is captured, meets nothing, or leads nowhere
             continue
@@ -97,7 +105,10 @@ def search(system: System, periods: int, tell: Tell) -> Met:
 
 def near(system: System, state: list[float], mode: str | None, periods: int) -> Closed:
     """Return the orbit to which Newton's iteration leads from a state at t = 0."""
-    return closed(*contacts(Engine(system), state, mode, periods), Kinds(system))
+    engine = Engine(system)
+    if system.autonomous:
+        return closed(*cycle(engine, state, mode), Kinds(system))
+    return closed(*contacts(engine, state, mode, periods), Kinds(system))
 
 
 def closed(itinerary: Itinerary, guess: list[float], kinds: Kinds) -> Closed:
@@ -108,10 +119,13 @@ def closed(itinerary: Itinerary, guess: list[float], kinds: Kinds) -> Closed:
     equations = Equations(itinerary, kinds)
     found = Prover(equations).newton(guess)
     period = Doubles(itinerary.system).period
-    turns = np.floor(found[0] / period) * period
-    times = np.array(found[:: equations.n + 1]) - turns
-    last = times[0] + itinerary.periods * period
-    if not (np.diff([*times, last]) > 0).all():
+    times = np.array(found[:: equations.n + 1])
+    if equations.autonomous:
+        last, begins = times[0], np.array([0.0, *times[1:]])
+    else:
+        times -= np.floor(found[0] / period) * period
+        last, begins = times[0] + itinerary.periods * period, times
+    if not (np.diff([*begins, last]) > 0).all():
         raise NotProved("Newton", "the contacts are not in order", {"t": list(times)})
     found[:: equations.n + 1] = times.tolist()
     return Closed(itinerary, found, _multipliers(equations, found))
@@ -126,7 +140,7 @@ def _multipliers(equations: Equations, z: list[float]) -> NDArray[np.complex128]
         by, last = rows[:, :-1], rows[:, -1]
         time = -(guard[1:] @ by) / (guard[0] + guard[1:] @ last)
         total = np.vstack([time, by + np.outer(last, time)]) @ total
-    values = np.linalg.eigvals(total)
+    values = np.linalg.eigvals(total[1:, 1:] if equations.autonomous else total)
     return np.sort_complex(np.delete(values, np.argmin(np.abs(values))))[::-1]
 
 
@@ -213,6 +227,9 @@ def _follows(one: Closed, other: Closed, shift: int) -> bool:
         return False
     period = Doubles(one.itinerary.system).period
     ours, theirs = _table(one), np.roll(_table(other), -shift, axis=0)
+    if one.itinerary.system.autonomous:
+        size = 1 + np.abs(ours).max()
+        return bool(np.abs(ours - theirs)[:, 1:].max() < SAME * size)
     theirs[len(theirs) - shift :, 0] += one.itinerary.periods * period
     theirs[:, 0] -= round((theirs[0, 0] - ours[0, 0]) / period) * period
     return bool(np.abs(ours - theirs).max() < SAME * (1 + np.abs(ours).max()))

@@ -15,6 +15,10 @@ from cap.errors import NotProved
 
 LONG = 8_000
 SHORT = 2_000
+ROUNDING = 1e-15
+STEEP = 0.8  # no coefficients are taken to fall faster
+NOISE, QUIET = 1e-11, 8  # so many modes in a row below it are the end
+AVERAGES = (8_000, 160), (60_000, 800)  # over so many periods, for so many modes
 FIRST = 1e-2  # a radius from which on orbits turn less, or more, the larger it is
 State = tuple[float, float]
 Array = np.ndarray[Any, Any]
@@ -160,16 +164,44 @@ def radius(at: Centre, rotation: float) -> float:
     return s
 
 
-def coefficients(at: Centre, rotation: float, modes: int) -> Array:
-    """Return Fourier coefficients 0..modes of both components of the curve, as rows."""
-    orbit = at.orbit(radius(at, rotation), LONG) @ at.frame.T + at.point
-    phases = np.exp(-2j * math.pi * ((rotation * np.arange(LONG + 1)) % 1))
-    w = weights(LONG + 1)
-    result, factor = [], w.astype(complex)
-    for _ in range(modes + 1):
-        result.append(factor @ orbit)
-        factor = factor * phases
-    return np.array(result).T
+def last_radius(at: Centre) -> float:
+    """Return the largest radius found from which orbits go on, to a thousandth."""
+    inner, outer = 0.0, FIRST
+    while math.isfinite(at.turns(outer)):
+        inner, outer = outer, 1.3 * outer
+    while outer - inner > 1e-3 * outer:
+        middle = (inner + outer) / 2
+        inner, outer = (middle, outer) if math.isfinite(at.turns(middle)) else (inner, middle)
+    return inner
+
+
+def decay(rows: Array) -> float:
+    """Return a rate at which coefficients fall exponentially."""
+    sizes = np.abs(rows).max(axis=0)
+    envelope = np.maximum.accumulate(sizes[::-1])[::-1]
+    later = range(max(2, len(sizes) // 2), len(sizes))
+    return min([STEEP, *(math.log(sizes[1] / envelope[k]) / (k - 1) for k in later)])
+
+
+def coefficients(at: Centre, rotation: float) -> Array:
+    """Return Fourier coefficients of both components of the curve, as rows, down to the noise.
+
+    An orbit that is too short shows modes that are none: they come back after the noise.
+    """
+    start = radius(at, rotation)
+    for count, modes in AVERAGES:
+        orbit = at.orbit(start, count) @ at.frame.T + at.point
+        turned = np.exp(-2j * math.pi * ((rotation * np.arange(count + 1)) % 1))
+        rows, factor = [], weights(count + 1).astype(complex)
+        for _ in range(modes):
+            rows.append(factor @ orbit)
+            factor = factor * turned
+        sizes = np.abs(rows).max(axis=1)
+        quiet = [k for k in range(modes - QUIET) if sizes[k : k + QUIET].max() < NOISE]
+        if quiet:
+            break
+    result: Array = np.array(rows[: quiet[0] if quiet else modes]).T
+    return result
 
 
 class Torus(NamedTuple):
@@ -208,6 +240,7 @@ def on_grid(row: Array, size: int) -> Array:
 
 
 def off_grid(values: Array, degree: int) -> Array:
-    """Return coefficients 0..degree of a real function."""
+    """Return coefficients 0..degree of a real function, those that are above rounding errors."""
     result: Array = np.fft.rfft(values)[: degree + 1] / len(values)
+    result[np.abs(result) < ROUNDING * np.abs(result).max()] = 0
     return result

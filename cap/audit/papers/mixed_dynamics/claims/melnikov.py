@@ -6,8 +6,8 @@ from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import differs, identity, symbols
 from cap.audit.means.balls import between, precisely
 from cap.audit.means.lazy import sympy as sp
+from cap.audit.means.melnikov import SECH, SECH_SQUARED_COS, SECH_TANH_COS, SECH_TANH_SIN
 from cap.audit.means.need import need
-from cap.audit.means.quadrature import over_the_line
 from cap.audit.verdict import (
     Verdict,
     confirmed,
@@ -17,28 +17,9 @@ from cap.audit.verdict import (
     vacuous,
 )
 from cap.sets import interval
-from cap.sets.interval import Ball, ComplexBall
+from cap.sets.interval import Ball
 
 FREQUENCIES = Fraction(1, 2), Fraction(1), Fraction(3)
-
-
-def sech_tanh(u: ComplexBall) -> ComplexBall:
-    """Return sech u tanh u, of which the size on the line is at most 2 exp(-|u|)."""
-    inverse = 1 / u.cosh()
-    value: ComplexBall = inverse * inverse * u.sinh()
-    return value
-
-
-def transforms(xi: Ball) -> tuple[Ball, Ball]:
-    """Enclose the integrals of sech u tanh u cos ξu and sech u tanh u sin ξu over the line."""
-    cosine = over_the_line(lambda u: sech_tanh(u) * (u * xi).cos(), 2)
-    sine = over_the_line(lambda u: sech_tanh(u) * (u * xi).sin(), 2)
-    return cosine, sine
-
-
-def _sech_squared(xi: Ball) -> Ball:
-    """Enclose the integral of sech² u cos ξu over the line."""
-    return over_the_line(lambda u: (u * xi).cos() / (u.cosh() * u.cosh()), 4)
 
 
 @claim("thm:melnikov", Kind.FORMULA, stated="∫ sech u tanh u sin ξu du = πξ/sinh(πξ/2)")
@@ -48,11 +29,10 @@ def sine_transform() -> Verdict:
     with precisely():
         for q in FREQUENCIES:
             xi = interval.ball(q)
-            _, value = transforms(xi)
-            half = interval.pi() * xi / 2
-            need((value - 2 * half / half.cosh()).contains(0), "it is not πξ/cosh(πξ/2)")
-            need(not (value - 2 * half / half.sinh()).contains(0), "it may be πξ/sinh(πξ/2)")
-            need((_sech_squared(xi) - 2 * half / half.sinh()).contains(0), "nor that of sech²")
+            value, of_square = SECH_TANH_SIN.by_quadrature(xi), SECH_SQUARED_COS.closed(xi)
+            need(value.overlaps(SECH_TANH_SIN.closed(xi)), "it is not πξ/cosh(πξ/2)")
+            need(not value.overlaps(of_square), "it may be πξ/sinh(πξ/2)")
+            need(SECH_SQUARED_COS.by_quadrature(xi).overlaps(of_square), "nor that of sech²")
             shown.append(between(value, 8))
     xi, u = symbols("xi u")
     identity("by parts", sp.diff(sp.sech(u), u) + sp.sech(u) * sp.tanh(u))
@@ -75,11 +55,11 @@ def cosine_transform() -> Verdict:
     shown = []
     with precisely():
         for q in FREQUENCIES:
-            half = interval.pi() * interval.ball(q) / 2
-            cosine, _ = transforms(interval.ball(q))
+            xi = interval.ball(q)
+            cosine, as_stated = SECH_TANH_COS.by_quadrature(xi), SECH_SQUARED_COS.closed(xi)
             need(cosine.contains(0), "the integral is not 0")
-            need(not (cosine - 2 * half / half.sinh()).contains(0), "it may be as stated")
-            shown.append(between(2 * half / half.sinh(), 4))
+            need(not cosine.overlaps(as_stated), "it may be as stated")
+            shown.append(between(as_stated, 4))
     return refuted(
         "it is 0: the integrand is odd. No sign convention turns 0 into the stated value, "
         f"{', '.join(shown)} at ξ = 1/2, 1, 3",
@@ -98,7 +78,7 @@ def vanishing_integral() -> Verdict:
     product = bracket * sp.sin(xi * u)
     identity("odd times odd is even", product.subs(u, -u), product)
     with precisely():
-        cosine, sine = transforms(Ball(1))
+        cosine, sine = (each.by_quadrature(Ball(1)) for each in (SECH_TANH_COS, SECH_TANH_SIN))
         need(cosine.contains(0), "the cosine integral does not vanish")
         need(sine > 1, "the sine integral may vanish")
         words = between(sine, 6)
@@ -149,8 +129,8 @@ def order_of_the_poles() -> Verdict:
 def integral_of_sech() -> Verdict:
     """J₀ = ∫ sech(λ* s) ds = π/λ*."""
     with precisely():
-        value = over_the_line(lambda u: 1 / u.cosh(), 2)
-        need((value - interval.pi()).contains(0), "the integral of sech is not π")
+        value = SECH.by_quadrature(Ball(1))
+        need(value.overlaps(SECH.closed(Ball(1))), "the integral of sech is not π")
         words = between(value, 10)
     u = symbols("u")
     identity("an antiderivative", sp.diff(2 * sp.atan(sp.tanh(u / 2)), u), sp.sech(u))

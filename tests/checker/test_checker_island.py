@@ -1,0 +1,247 @@
+"""The theorem ``island``: what is true is verified; each number moved, each lie, is noticed."""
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems.island import Island, coefficients
+from cap.checker.tori import rotation
+from cap.checker.tori.half_period import Motion, States, cells
+from cap.checker.tori.invariant_curve import Sizes, near
+from cap.checker.verdict import words
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.tampered import malformed
+
+ROOT = Path(__file__).parents[2]
+GOOD = json.loads((ROOT / "tests/certificates/accept/island_small.json").read_text())
+_QUOTIENTS = "rotation_number"
+UNIT = 10 ** int(GOOD["hints"]["places"])
+CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
+
+
+def altered(part, *path_and_value):
+    """Return the certificate with another claim or hint."""
+    return changed(GOOD, part, *path_and_value)
+
+
+def bumped(text, mode, by):
+    """Return a polynomial with a real part of a coefficient changed."""
+    parts = text.split(",")
+    re, im = parts[mode].split(" ")
+    parts[mode] = f"{int(re) + by} {im}"
+    return ",".join(parts)
+
+
+def test_it_is_verified():
+    """All steps; the schema describes it; the sentence has the numbers claimed."""
+    assert len(verify(GOOD)) == 10
+    fits_the_schema(GOOD)
+
+
+LIES = {
+    "a coefficient": (
+        "claims",
+        "curve",
+        "x",
+        bumped(CLAIMS["curve"]["x"], 2, UNIT // 10**6),
+        "y0|twist",
+    ),
+    "a coefficient of v": (
+        "claims",
+        "curve",
+        "v",
+        bumped(CLAIMS["curve"]["v"], 1, -UNIT // 10**6),
+        "y0|twist",
+    ),
+    "a mean value": (
+        "claims",
+        "curve",
+        "x",
+        bumped(CLAIMS["curve"]["x"], 0, UNIT // 10**6),
+        "y0|twist",
+    ),
+    "the error": ("claims", "distance", "0." + 40 * "0" + "1", "farther"),
+    "no error": ("claims", "distance", "0", "farther"),
+    "rotation": ("claims", "rotation_number", "head", ["3", "2", "18"], "y0|Diophantine"),
+    "rotation far away": (
+        "claims",
+        "rotation_number",
+        "head",
+        [*GOOD["claims"]["rotation_number"]["head"], *["1"] * 17, "2"],
+        "y0",
+    ),
+    "period": ("claims", "rotation_number", "period", ["2"], "y0"),
+    "Diophantine": ("claims", "diophantine", "0.06", "Diophantine"),
+    "Diophantine zero": ("claims", "diophantine", "0", "not positive"),
+    "Diophantine negative": ("claims", "diophantine", "-1", "not positive"),
+    "winding": ("claims", "winding", "1" if CLAIMS["winding"] == "-1" else "-1", "other way"),
+    "sigma": ("claims", "map", "sigma", "hit for each|leave|inside"),
+    "a frame": ("hints", "frame", "x", bumped(HINTS["frame"]["x"], 1, 10**21), "1/2|y0|twist"),
+    "a time": (
+        "hints",
+        "hits",
+        0,
+        "time",
+        bumped(HINTS["hits"][0]["time"], 0, UNIT // 100),
+        "contraction|farther|y0|twist",
+    ),
+    "an inverse": ("hints", "hits", 1, "inverse", "0 0", "contraction"),
+    "reach": ("hints", "reach", "1/3", "leave U"),
+    "no reach": ("hints", "reach", "0", "reach"),
+    "a small reach": ("hints", "reach", "1/" + 45 * "9", "y0|R.*r/4|contains zero"),
+    "half": ("hints", "half", "0.001", "leave U"),
+    "half negative": ("hints", "half", "-1", "parallelogram"),
+    "axes": ("hints", "axes", [["1", "2"], ["2", "4"]], "parallelogram"),
+    "U too large": ("hints", "half", "0.2", "hit|vanish|outside"),
+    "middle": ("hints", "middle", 0, "0.2", "lie inside|vanish|wall|elsewhere"),
+    "radius": ("hints", "radius", "0", "radius"),
+    "preconditioner": ("hints", "preconditioner", [["0", "0"], ["0", "0"]], "lie inside"),
+    "rho": ("hints", "rho", "0", "rho"),
+    "rho too large": ("hints", "rho", "1", "may|large"),
+    "one hit": ("hints", "hits", HINTS["hits"][:1], "one hit"),
+    "degree": ("hints", "degree", "8", "too many"),
+    "work": ("hints", "places", "200000", "between"),
+}
+
+
+@pytest.mark.parametrize("name", LIES)
+def test_lies(name):
+    """Each is rejected, by what it contradicts."""
+    *path, value, why = LIES[name]
+    rejected(altered(*path, value), why)
+
+
+def test_enclosures_are_moved():
+    """P* and the area."""
+    for name in ("x", "v", "area"):
+        low, high = map(Fraction, CLAIMS[name])
+        width = high - low
+        for ends in ((low - width, low), (high, high + width), (high, low)):
+            rejected(altered("claims", name, [str(end) for end in ends]), "contain|lower > upper")
+    rejected(altered("claims", "area", ["-1", CLAIMS["area"][1]]), "positive")
+    rejected(altered("claims", "x", ["-1", "1"]), "wider")
+
+
+@pytest.mark.parametrize("parameter", ["F", "omega", "f", "l", "r"])
+def test_other_parameters(parameter):
+    """The curve is one at these parameters only: another by 1e-20 has none so near."""
+    value = str(Fraction(GOOD["parameters"][parameter]) + Fraction(1, 10**12))
+    with pytest.raises(Rejected):
+        verify(changed(GOOD, "parameters", parameter, value))
+
+
+@pytest.mark.parametrize("loss", [{"e": "1"}, {"mu": "0"}, {"e": "999999999999/1000000000000"}])
+def test_losses_are_no_parameters(loss):
+    """The theorem has none: what contracts area has no such curve, and no inequality sees it."""
+    rejected({**GOOD, "parameters": GOOD["parameters"] | loss}, "unknown fields")
+
+
+def test_no_friction():
+    """Refused: flights would need another lemma."""
+    rejected(changed(GOOD, "parameters", "f", "0"), "0 < f")
+
+
+def test_a_claim_of_less():
+    """One disk, a larger distance, a smaller constant: true, too."""
+    less = altered("claims", "disks", "1")
+    assert len(verify(less)) == 9
+    assert len(verify(altered("claims", "distance", "0.0001"))) == 10
+
+
+def test_what_is_malformed():
+    """Fields missing, added, of another type; what has the form of numbers is tested above."""
+    survived = [where for where, bad in malformed(GOOD) if not refused(bad)]
+    fewer = [("hints", "hits", n) for n in (0, 1)]
+    form = [w for w in survived if w[-1] == ["2", "1"] or w[1] == _QUOTIENTS or w in fewer]
+    assert survived == form
+
+
+def refused(certificate):
+    """Return whether a certificate is refused when it is read, or its polynomials are."""
+    try:
+        given = read(encode(certificate))
+        Island(given, lambda _: None).polynomials()
+    except Rejected:
+        return True
+    return False
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "1", "1 2,", "1 0,2", "1 1", "1 0, 2 3", "1e3 0", "1.5 0", "١ 0", "-- 0", "1 0,2 3 4"],
+)
+def test_what_is_no_polynomial(text):
+    """Integers in pairs, the first one real."""
+    with pytest.raises(Rejected):
+        coefficients(text)
+
+
+def test_each_inequality():
+    """Each of the theorem, broken once."""
+    exact = lambda q: Interval.enclosing(Fraction(q), Fraction(q), 400)  # noqa: E731
+    good = Sizes(*map(exact, ("1e-40", 1, 100, "1/100", 100, 50, 1, "1/100", "1/10", 1)))
+    assert 0 < near(good).distance < Fraction(1, 10**20)
+    for change, why in {
+        ("d0", "6/10"): "d <= 1/2",
+        ("tm", "1/10000000000000000000000000000000"): "dT|y0",
+        ("tm", 0): "dT",
+        ("tm", -1): "dT",
+        ("eps", "1e-6"): "y0",
+        ("M", "1e60"): "y0|dT",
+        ("rho", "1/1000000000000"): "y0",
+        ("small", "1e40"): "y0",
+    }.items():
+        with pytest.raises(Rejected, match=why):
+            near(good._replace(**{change[0]: exact(change[1])}))
+
+
+def test_rotation_numbers():
+    """γ is a lower bound, and not a small one."""
+    for head, period in (([3], [1]), ([1, 2], [3, 1]), ([4, 1, 7], [2])):
+        alpha, gamma = rotation.value(head, period, 80), rotation.constant(head, period)
+        worst = min(
+            k * min(x % 1, 1 - x % 1)
+            for k in range(1, 3000)
+            for x in (alpha.lower * k, alpha.upper * k)
+        )
+        assert gamma * Fraction(999, 1000) < worst < 3 * gamma
+        assert gamma < worst + Fraction(1, 10**15)
+
+
+def test_states_stop_or_not():
+    """Boxes in which motions stop, hit twice, or are beyond a wall are refused."""
+    motion = Motion(Fraction(2, 5), Fraction(1), 96)
+
+    def after(x, v, size):
+        (cell,) = cells(
+            (Fraction(x), Fraction(v)),
+            [[Fraction(1), Fraction(0)], [Fraction(0), Fraction(1)]],
+            Fraction(size),
+            1,
+            96,
+        )
+        return motion.after(cell)
+
+    assert isinstance(after("0.1", "0.54", "0.001"), States)
+    for state in (
+        ("0.1", "0.2", "0.001"),
+        ("0.1", "0.54", "0.4"),
+        ("1.5", "0.5", "0.001"),
+        ("0.1", "-0.5", "0.001"),
+        ("0.1", "3", "0.001"),
+        ("-0.9", "0.3", "0.01"),
+    ):
+        with pytest.raises(Rejected):
+            after(*state)
+
+
+def test_the_sentence():
+    """It says what is claimed."""
+    said = words(read(encode(GOOD)))
+    for part in ("[0;3,2,17,(1)]", CLAIMS["area"][0], "never vanishes", "disjoint"):
+        assert part in said
