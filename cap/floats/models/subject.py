@@ -172,7 +172,8 @@ def about(subject: Subject, varies: str = "") -> dict[str, Any]:
 def command(subject: Subject, periods: int, state: Floats, mode: str) -> str:
     """Return the command that proves the orbit near that of a state at t = 0."""
     period = f" --period {periods}" if periods > 1 else ""
-    numbers = " ".join(f"{q:.15g}" for q in state)
+    size = 1e-15 * float(np.abs(state).max())
+    numbers = " ".join(f"{q:.15g}" if abs(q) > size else "0" for q in state)
     return (
         f"python -m cap.prove periodic {subject.words()}{period} --orbit {numbers} "
         f"--mode {shlex.quote(mode)}"
