@@ -68,6 +68,15 @@ def test_an_orbit(capsys, tmp_path):
         (("orbit", *PAIR, "--plane", "z", "w"), "no variable w: the state is z, v"),
         (("orbit", *PAIR, "--F", "3"), "unrecognized arguments: --F 3"),
         (("sali", *PAIR), "invalid choice: 'sali'"),
+        (("search",), "search is about a model: --model FILE"),
+        (("continuation", *PAIR), "say what varies, between which values"),
+        (("continuation", *PAIR, "--parameter", "s", "--range", "1", "2"), "s = 0.5 is not in"),
+        (("attractor", *PAIR, "--parameter", "s"), "--parameter NAME needs --range A B"),
+        (
+            ("attractor", *PAIR, "--parameter", "S", "--range", "1", "2"),
+            "no parameter S: the model",
+        ),
+        (("basin", *PAIR, "--box", "0", "1"), "--box takes 4 numbers, z from, z to, v from, v to"),
     ],
 )
 def test_refusals(capsys, words, message):

@@ -53,7 +53,8 @@ class Subject:
     def words(self, *, but: tuple[str, ...] = ()) -> str:
         """Return the options that name the model on a command line."""
         settings = self.loaded.settings(but=but)
-        return f"--model {self.loaded.path}" + (f" --set {settings}" if settings else "")
+        file = shlex.quote(self.loaded.path)
+        return f"--model {file}" + (f" --set {settings}" if settings else "")
 
     def positions(self) -> tuple[str, ...]:
         """Return the variables that have a velocity; all if none has."""
