@@ -3,12 +3,12 @@
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.saltation import LATER
 from cap.audit.means import block
 from cap.audit.means.balls import pair
 from cap.audit.means.need import need
 from cap.audit.means.orbits import States, hits_only
 from cap.audit.means.stored import at_the_paper, stored
+from cap.audit.papers.mixed_dynamics.claims.saltation import LATER
 from cap.audit.verdict import (
     Verdict,
     confirmed,
