@@ -22,6 +22,7 @@ from cap.checker.kernel.named import NAME, Named, name
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
     First,
+    Integer,
     Later,
     Many,
     Maybe,
@@ -138,6 +139,8 @@ def schema(shape: Any) -> Json:  # noqa: C901, PLR0911, PLR0912
             return _ref("enclosure")
         case Whole():
             return _ref("count")
+        case Integer(digits):
+            return {"type": "string", "pattern": f"^-?[0-9]{{1,{digits}}}$"}
     return _LEAVES[shape]
 
 
@@ -276,6 +279,8 @@ def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
             return ", ".join(f'`"{word}"`' for word in words)
         case Whole(least, most):
             return f"{least} to {most}"
+        case Integer(digits):
+            return f"integer of up to {digits} digits"
         case Quantity():
             return "enclosure"
         case Taken(_, digits):
