@@ -40,7 +40,6 @@ class ModelOrbit(OfModel):
     of two positions.  ``closes`` in words.
     """
 
-    autonomous: bool
     t: Floats
     states: Floats
     words: NDArray[np.str_]
@@ -176,7 +175,6 @@ def _found(
         strobe += list(path[0])
     return ModelOrbit(
         **about(subject),
-        autonomous=subject.system.autonomous,
         t=t,
         states=states,
         words=names[legs.word[events]],
