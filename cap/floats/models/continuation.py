@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import ROUGHLY, closing, settled
+from cap.floats.models.closing import closing_near, settled
 from cap.floats.models.family import Family, Station
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
@@ -96,7 +96,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     if not low <= value <= high or low == high:
         raise BadInput(f"{parameter} = {value:g} is not in the range from {low:g} to {high:g}")
     start = settled(subject, 400) if state is None else given_start(subject, state, mode, None)
-    closed = closing(subject, start, ROUGHLY)
+    closed = closing_near(subject, start)
     if closed is None or closed.rests:
         raise BadInput("no orbit without captures closes near that state: see `search`")
     size = np.maximum(np.ptp(subject.box, axis=1) / 2, np.abs(closed.start.state).max() / 10)
