@@ -90,7 +90,7 @@ def curves_in_the_set() -> Verdict:
     need(claims["twist"].lower > 0 and claims["least_speed"].lower > 0, "a hypothesis fails")
     return confirmed(
         "true, with the closed curves and all that is inside; at the paper's parameters for P* and "
-        "its mirror image",
+        "its mirror image, where one curve is explicit (strobe.never-stopping-orbits-exist)",
         "Orbits between an invariant curve and P* stay there, so they never stop: Moser, with the "
         "stored certificate.",
         certificate="elliptic.json",
