@@ -9,6 +9,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 from cap.errors import BadInput
+from cap.floats.coverings import planar
+from cap.floats.coverings.search import Family, families
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.search import periodic, tori
 from cap.floats.search.cycles import Cycle, near
@@ -24,6 +26,7 @@ from cap.release.trap import critical_points
 __all__ = [
     "Candidate",
     "Excursion",
+    "Family",
     "Found",
     "Release",
     "Request",
@@ -38,7 +41,9 @@ __all__ = [
     "elliptic",
     "every_motion",
     "excursions",
+    "families",
     "fates",
+    "half_period",
     "lighter",
     "non_sticking",
     "particles",
@@ -50,6 +55,7 @@ __all__ = [
     "turning",
 ]
 
+half_period = planar.half_period
 TYPES = ("sink focus", "sink node", "superstable", "elliptic", "saddle", "flip saddle")
 SMALLEST = Fraction(1, 64)  # of the first step, when an orbit is continued
 PATIENCE = 10  # periods after which an orbit that has not been captured is given up

@@ -1,0 +1,27 @@
+"""A planar map, as coverings see it: enclosures of its values and of its derivative.
+
+To add a map: a class with ``image``.  Nothing else in this folder knows which map it is.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol
+
+from cap.checker.kernel.doubles import Double
+
+Row = tuple[Double, Double]
+
+
+class Image(NamedTuple):
+    """Enclosures of g = (x, y) and of its derivative over a rectangle."""
+
+    x: Double
+    y: Double
+    derivative: tuple[Row, Row]
+
+
+class Planar(Protocol):
+    """A map g, continuously differentiable where it is defined."""
+
+    def image(self, x: Double, y: Double) -> Image:
+        """Enclose g and Dg on a rectangle; reject unless g is defined on a neighbourhood of it."""

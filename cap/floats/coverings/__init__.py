@@ -1,0 +1,1 @@
+"""Float search for parallelograms that cover each other: hints, nothing here is trusted."""

@@ -1,0 +1,135 @@
+"""Planar maps in floats, with derivatives, for compiled code.
+
+To add a map: a number, a function like `half_period`, a line in `image`; and for the checker a
+class in `cap.checker.coverings`.  Nothing else in this folder knows which map it is.
+"""
+
+import math
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numba.extending import register_jitable
+from numpy.typing import NDArray
+
+from cap.floats.engine.compiled import announced
+
+Floats = NDArray[np.float64]
+Six = tuple[float, float, float, float, float, float]
+
+HALF_PERIOD = 0
+STEPS, CLOSE = 60, 1e-12
+
+
+class Planar(NamedTuple):
+    """A map: its ``kind`` and ``constants``; ``window`` (x0, x1, y0, y1) has its saddles.
+
+    ``size``: what is a large distance.
+    """
+
+    kind: int
+    constants: Floats
+    window: tuple[float, float, float, float]
+    size: float
+
+
+def half_period(phi: float, a: float) -> Planar:
+    """Return sigma of motions that never stop, in units F = ω = 1, for φ = f/F and walls ±a."""
+    return Planar(HALF_PERIOD, np.array([phi, a]), (-a, a, 0.0, 2.5 + 2 * a), a)
+
+
+@register_jitable
+def image(kind: int, y: Floats, x: float, v: float) -> tuple[bool, Six]:
+    """Return whether the map is defined, its value, and its derivative row by row."""
+    if kind == HALF_PERIOD:
+        return _half_period(y[0], y[1], x, v)
+    return _nowhere()
+
+
+@register_jitable
+def _nowhere() -> tuple[bool, Six]:
+    return False, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@register_jitable
+def _half_period(phi: float, a: float, x: float, v: float) -> tuple[bool, Six]:
+    """Follow a motion: one hit, no stop.  Formulas: `cap.checker.coverings.half_period`."""
+    if not (v > 0 and abs(x) < a):
+        return _nowhere()
+    end = _until(phi, v)
+    if x + v * end + 1 - math.cos(end) - phi * end * end / 2 <= a:
+        return _nowhere()
+    t = _hit(phi, a, x, v, end)
+    w = v + math.sin(t) - phi * t
+    slow = math.pi - math.acos(phi)
+    top = math.sqrt(1 - phi * phi) + phi * slow - v - 2 * math.sin(t)
+    d = math.pi - t
+    X = (v + 2 * math.sin(t) - phi * t) * d - a - 1 - math.cos(t) - phi * d * d / 2
+    if not (w > 0 and top < 0 and a > X):
+        return _nowhere()
+    k = -2 * math.cos(t) / w
+    D = 1 + d * k
+    return True, (X, v + 2 * math.sin(t) - phi * math.pi, D, D * t + d, k, k * t + 1)
+
+
+@register_jitable
+def _until(phi: float, v: float) -> float:
+    """Return the time, at most π, until which the velocity is positive."""
+    low, high = math.acos(phi), math.pi
+    if v - phi * high > 0:
+        return high
+    for _ in range(50):
+        middle = (low + high) / 2
+        if v + math.sin(middle) - phi * middle > 0:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@register_jitable
+def _hit(phi: float, a: float, x: float, v: float, end: float) -> float:
+    """Return the time of the hit, by Newton's method kept in a bracket."""
+    low, high = 0.0, end
+    t = min(end, (a - x) / (v + 0.5))
+    for _ in range(STEPS):
+        s, c = math.sin(t), math.cos(t)
+        gap = x + v * t + 1 - c - phi * t * t / 2 - a
+        if gap > 0:
+            high = t
+        else:
+            low = t
+        then = t - gap / (v + s - phi * t)
+        if not low < then < high:
+            then = (low + high) / 2
+        if abs(then - t) < CLOSE:
+            return then
+        t = then
+    return t
+
+
+def kept(function: Any) -> Any:
+    """Compile a function, and keep it as long as no file of this folder changes."""
+    return announced(function, _DIGEST)
+
+
+_FILES = sorted(Path(__file__).parent.glob("*.py"))
+_DIGEST = sha256(b"".join(file.read_bytes() for file in _FILES)).hexdigest()
+
+
+def _step(kind: Any, y: Any, points: Any, out: Any) -> Any:
+    for k in range(len(points)):
+        known, six = image(kind, y, points[k, 0], points[k, 1])
+        for n in range(6):
+            out[k, n] = six[n] if known else np.nan
+
+
+_STEP = kept(_step)
+
+
+def images(g: Planar, points: Floats) -> Floats:
+    """Return (N, 6) values and derivatives of N points, nan where the map is not defined."""
+    out = np.full((len(points), 6), np.nan)
+    _STEP(g.kind, g.constants, np.ascontiguousarray(points, dtype=np.float64), out)
+    return out

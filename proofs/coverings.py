@@ -1,0 +1,206 @@
+"""Coverings between parallelograms, proved; what the theorems on horseshoes share.
+
+A family comes from floats.  Its sets are made exact; each covering is proved, or given up;
+coverings that make a diamond are given up, the least important first; what is left grows by an
+integer vector.  The lemmas: `cap.checker.coverings.covering` and `cap.checker.coverings.graph`.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from cap.checker.coverings.covering import Parallelogram, covers
+from cap.checker.coverings.graph import overlaps
+from cap.checker.coverings.planar import Planar
+from cap.checker.kernel.rejection import Rejected
+from cap.errors import NotProved
+from cap.floats.candidates import Family
+from cap.maps.graphs import Part, Places, fastest
+from cap.runner import Runner
+from cap.sets import interval
+
+SIGNIFICANT, SCALE, PLACES = 12, 10**16, 8  # digits of the sets, of the vector, of the claims
+Edge = tuple[int, int]
+Sets = list[list[Fraction]]
+
+
+class Proved(NamedTuple):
+    """Sets with proved coverings, without diamonds, and the growth of their graph."""
+
+    sets: Sets
+    edges: list[list[int]]
+    vector: list[int]
+    growth: Fraction
+    together: int
+
+    def hints(self) -> dict[str, object]:
+        """Return what the certificate says of them."""
+        return {
+            "sets": [[interval.exact_decimal(n) for n in numbers] for numbers in self.sets],
+            "coverings": [[str(j) for j in targets] for targets in self.edges],
+            "vector": [str(v) for v in self.vector],
+        }
+
+    def claims(self, iterates: int) -> dict[str, str]:
+        """Return the claims; the map that they are about is an iterate."""
+        return {
+            "growth": interval.decimal(self.growth, PLACES),
+            "entropy": interval.decimal(entropy(self.growth, iterates), PLACES),
+            "together": str(self.together),
+        }
+
+
+def proved(g: Planar, found: Family, runner: Runner, *, disjoint: bool) -> Proved:
+    """Return what is proved of a family; `NotProved` if its graph does not grow."""
+    sets = [[_short(float(n)) for n in row] for row in found.sets]
+    edges = lemma_1_coverings(g, sets, found, runner)
+    part, edges = lemma_2_no_diamond(sets, edges, disjoint=disjoint)
+    if part.growth <= 1:
+        raise NotProved("Lemma 2", "the coverings that are proved make no two loops")
+    return _certified(sets, part, edges)
+
+
+def lemma_1_coverings(g: Planar, sets: Sets, found: Family, runner: Runner) -> list[Edge]:
+    """*Statement.* Sets cover sets.
+
+    *Computed.* Each covering, by subdivision and the mean value form; those that are not proved are
+    left out.
+    """
+    targets: list[list[int]] = [[] for _ in sets]
+    for i, j in zip(found.source.tolist(), found.target.tolist(), strict=True):
+        targets[i].append(j)
+    work = partial(_covered, g, sets, targets)
+    proved = runner.map(work, range(len(sets)), "coverings are proved", processes=True)
+    return [(i, j) for i, held in enumerate(proved) for j in held]
+
+
+def _covered(g: Planar, sets: Sets, targets: list[list[int]], i: int) -> list[int]:
+    """Return the sets that a set covers, proved."""
+    source = Parallelogram(sets[i])
+
+    def held(which: list[int]) -> bool:
+        try:
+            covers(g, source, [Parallelogram(sets[j]) for j in which])
+        except Rejected:
+            return False
+        return True
+
+    return targets[i] if held(targets[i]) else [j for j in targets[i] if held([j])]
+
+
+def lemma_2_no_diamond(sets: Sets, edges: list[Edge], *, disjoint: bool) -> tuple[Part, list[Edge]]:
+    """*Statement.* There is no diamond; or no two sets overlap.
+
+    *Computed.* Exactly; the covering with the least flow is left out of each diamond found, and of
+    two sets that overlap the one with the less flow.
+    """
+    overlapping = overlaps(sets)
+    while True:
+        part = _fastest(edges, len(sets))
+        edges = [(i, j) for i, j in edges if part.right[i] > 0 and part.right[j] > 0]
+        if not edges:
+            return part, edges
+        if disjoint:
+            out = _one_of_two(part, edges, overlapping)
+            kept = [(i, j) for i, j in edges if i not in out and j not in out]
+        else:
+            cut = {
+                min(diamond, key=partial(_flow, part)) for diamond in diamonds(edges, overlapping)
+            }
+            kept = [edge for edge in edges if edge not in cut]
+        if len(kept) == len(edges):
+            return part, edges
+        edges = kept
+
+
+def _flow(part: Part, edge: Edge) -> float:
+    return float(part.left[edge[0]] * part.right[edge[1]])
+
+
+def _one_of_two(part: Part, edges: list[Edge], overlapping: Sequence[set[int]]) -> set[int]:
+    """Return sets without which no two overlap: those with the less flow, one after the other."""
+    weight, out = part.left * part.right, set[int]()
+    used = {i for edge in edges for i in edge}
+    for i in sorted(used, key=lambda i: (weight[i], i)):
+        if overlapping[i] & (used - out):
+            out.add(i)
+    return out
+
+
+def diamonds(edges: Sequence[Edge], overlapping: Sequence[set[int]]) -> Iterator[list[Edge]]:
+    """Give diamonds, as their edges: at least one if there is any."""
+    out: dict[int, list[int]] = {}
+    for i, j in edges:
+        out.setdefault(i, []).append(j)
+    before: dict[Edge, Edge] = {}
+    waiting = [(i, i) for i in out]
+    for here in waiting:
+        i, j = here
+        for b in out.get(i, ()):
+            for c in out.get(j, ()):
+                if b == c and i != j:
+                    yield list(_back(before, here, b))
+                elif c in overlapping[b] and (b, c) not in before:
+                    before[b, c] = here
+                    waiting.append((b, c))
+
+
+def _back(before: dict[Edge, Edge], here: Edge, end: int) -> Iterator[Edge]:
+    """Give the edges of the two paths that lead to a vertex by a pair."""
+    then = end, end
+    while True:
+        yield here[0], then[0]
+        yield here[1], then[1]
+        if here not in before:
+            return
+        here, then = before[here], here
+
+
+def _fastest(edges: list[Edge], count: int) -> Part:
+    source, target = _arrays(edges)
+    return fastest(source, target, count)
+
+
+def _arrays(edges: list[Edge]) -> tuple[Places, Places]:
+    pairs = np.array(edges, dtype=np.int64).reshape(-1, 2)
+    return pairs[:, 0].copy(), pairs[:, 1].copy()
+
+
+def _certified(sets: Sets, part: Part, edges: list[Edge]) -> Proved:
+    """Return the sets in use, renumbered, with an integer vector and what it proves."""
+    used = sorted({i for edge in edges for i in edge})
+    number = {i: k for k, i in enumerate(used)}
+    lists: list[list[int]] = [[] for _ in used]
+    for i, j in edges:
+        lists[number[i]].append(number[j])
+    largest = float(part.right.max())
+    vector = [int(Fraction(float(part.right[i]) / largest) * SCALE) for i in used]
+    ratios = [
+        Fraction(sum(vector[j] for j in targets), v)
+        for targets, v in zip(lists, vector, strict=True)
+        if v > 0
+    ]
+    chosen = [sets[i] for i in used]
+    together = 1 + max(map(len, overlaps(chosen)))
+    return Proved(chosen, lists, vector, _rounded_down(min(ratios)), together)
+
+
+def entropy(growth: Fraction, iterates: int) -> Fraction:
+    """Return a lower bound of iterates log(growth)."""
+    with interval.workprec(64):
+        value = iterates * interval.ball(growth).log()
+        return _rounded_down(interval.ends(value)[0])
+
+
+def _rounded_down(q: Fraction) -> Fraction:
+    return Fraction(math.floor(q * 10**PLACES), 10**PLACES)
+
+
+def _short(x: float) -> Fraction:
+    """Return a decimal of a few significant digits near a double."""
+    places = SIGNIFICANT - 1 - (math.floor(math.log10(abs(x))) if x else 0)
+    return Fraction(round(Fraction(x) * 10**places), 10**places)
