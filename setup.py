@@ -1,14 +1,21 @@
 """The packages to install: those found in `cap`, and two folders of the tree that belong inside it.
 
 In the tree `cap/proofs` and `cap/certificates` are links to these folders; here they are named, for
-systems without links and for archives.  Everything else is in `pyproject.toml`.
+systems without links and for archives.  An editable installation puts the tree itself on the path
+(where there are no links, `cap` finds both folders beside it), so that type checkers see it too.
+Everything else is in `pyproject.toml`.
 """
+
+import sys
 
 from setuptools import find_packages, setup
 
 INSIDE = {"cap.proofs": "proofs", "cap.certificates": "certificates"}
+FOUND = {
+    name for name in find_packages(include=["cap", "cap.*"]) if not name.startswith(tuple(INSIDE))
+}
 
-setup(
-    packages=sorted({*find_packages(include=["cap", "cap.*"]), *INSIDE}),
-    package_dir=INSIDE,
-)
+if "editable_wheel" in sys.argv:
+    setup(packages=sorted(FOUND), package_dir={"": "."})
+else:
+    setup(packages=sorted({*FOUND, *INSIDE}), package_dir=INSIDE)

@@ -7,11 +7,12 @@
     cap.verify_certificate("certificates/saddle.json")
 
 A system of one's own is a `cap.System` of `cap.Mode` with `cap.Guard` and `cap.Bounce`, written
-with `cap.variables` (docs/own-systems.md).
+with `cap.variables` (docs/own-system.md).
 
 Nothing is imported before it is asked for, so that the checker can be loaded alone.
 """
 
+import os
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from cap.system.model import Bounce, Guard, Mode, System
     from cap.system.polynomial import variables
 
-__version__ = "0.1.0"
+__version__ = "0.2.0.dev0"
 __all__ = [
     "BadInput",
     "Bounce",
@@ -42,6 +43,8 @@ __all__ = [
     "variables",
     "verify_certificate",
 ]
+if not os.path.isdir(os.path.join(__path__[0], "proofs")):  # noqa: PTH112, PTH118 (pathlib is slow)
+    __path__.append(os.path.dirname(__path__[0]))  # noqa: PTH120 (a checkout without links)
 _MODULES = ("figures",)
 _ELSEWHERE = {
     **dict.fromkeys(("Bounce", "Guard", "Mode", "System"), "cap.system.model"),

@@ -25,7 +25,8 @@ from typing import Any, NamedTuple
 from cap.certificate import writer
 from cap.certificate.writer import Pair, Rounding
 from cap.checker.kernel.rejection import Rejected, TooCoarse
-from cap.checker.system.given import DEGREE, TERMS
+from cap.checker.system.contacts import SHIFT
+from cap.checker.system.given import DEGREE, OF_GUARDS, TERMS
 from cap.checker.theorems import load
 from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
@@ -128,7 +129,7 @@ def as_parameters(system: System) -> dict[str, Any]:
                 "field": {z: _polynomial(q, f"{z}' of {key}") for z, q in mode.field.items()},
                 "guards": {
                     g: {
-                        "value": _polynomial(guard.value, f"the guard {g} of {key}"),
+                        "value": _polynomial(guard.value, f"the guard {g} of {key}", OF_GUARDS),
                         **_reset(system, key, g),
                         "to": list(guard.to),
                     }
@@ -160,12 +161,13 @@ def _reset(system: System, mode: str, guard: str) -> dict[str, Any]:
     return {"reset": reset, **divided}
 
 
-def _polynomial(q: Polynomial, where: str) -> list[list[str]]:
+def _polynomial(q: Polynomial, where: str, degree: int = DEGREE) -> list[list[str]]:
     """Return the terms, each a number and the names of its factors."""
     if any(power < 0 for monomial in q.terms for _, power in monomial):
         raise BadInput(f"{where} is divided by pi: a certificate cannot hold it yet")
-    if q.degree > DEGREE or len(q.terms) > TERMS:
-        raise BadInput(f"{where} has more than {TERMS} terms, or a degree above {DEGREE}")
+    longest = max((sum(power for _, power in monomial) for monomial in q.terms), default=0)
+    if longest > degree or len(q.terms) > TERMS:
+        raise BadInput(f"{where} has more than {TERMS} terms, or a degree (with pi) above {degree}")
     return [
         [str(c), *(name for name, power in monomial for _ in range(power))]
         for monomial, c in sorted(q.terms.items())
@@ -223,7 +225,7 @@ def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     return {
         "bits": str(bits),
         "centre": [[_decimal(c) for c in place] for place in _places(orbit, orbit.hint.centre)],
-        "preconditioner": [[f"{float(c):.12f}" for c in row] for row in orbit.hint.matrix],
+        "preconditioner": [[str(round(c * 2**SHIFT)) for c in row] for row in orbit.hint.matrix],
         "cuts": [],
     }
 

@@ -30,11 +30,11 @@ Hence Φⁿ(E') lies in W_|n|, in E, for |n| <= N.  Between nT and (n+1)T the mo
 in the box.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.errors import BadInput, NotProved
+from cap.errors import NotProved
 from cap.floats import candidates
 from cap.flow.jet_transport import strobe_jet
 from cap.flow.windows import Itinerary
@@ -42,8 +42,8 @@ from cap.maps import approximate_integral, normal_form
 from cap.maps.approximate_integral import Ellipse, Plan
 from cap.maps.normal_form import Ellipticity
 from cap.option import Option, count
-from cap.parameters import exact
 from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.options import PERIODS
 from cap.proofs.orbit import HITS, need_hits
 from cap.sets import interval
 from cap.sets.jet import Jet
@@ -52,24 +52,6 @@ SUMMARY = "an ellipse around an elliptic orbit whose motions do not stop for N p
 GROUP = "orbit"
 SEARCH = candidates.elliptic
 
-
-def _periods(words: Sequence[str], name: str) -> Fraction:
-    value = exact(words[0])
-    if value.denominator != 1 or not 1 <= value <= MOST:
-        raise BadInput(f"--{name} must be an integer from 1 to 1e18: {words[0].strip()[:40]!r}")
-    return value
-
-
-MOST = 10**18
-PERIODS = Option(
-    "periods",
-    _periods,
-    "so many periods N, forwards and backwards, at most 1e18 (default 1e9): the more, the smaller "
-    "the ellipse",
-    "N",
-    default=Fraction(10**9),
-    about=True,
-)
 DEGREE = Option(
     "degree",
     count(5, 15),
@@ -78,10 +60,11 @@ DEGREE = Option(
     default=10,
 )
 OPTIONS = (PERIODS, DEGREE)
+MANY = Fraction(10**9)  # periods, if not asked for
 CENTRE = 12  # digits of the centre
 EXPANDED = Fraction(8, 5)  # times this degree is the order of Φ, to bound what H leaves
-SPARED = 2  # times as many periods are planned; many more if the checker cannot follow: where
-LITTLE = Fraction(3, 10)  # of the box is left
+SPARED = 2  # times as many periods are planned; more, if the checker cannot follow, where
+HALF = Fraction(1, 2)  # of the box is not left
 GUARD = 20  # digits of H, beyond those that N needs
 
 
@@ -104,7 +87,7 @@ def prove(setting: Setting) -> Proof:
 
 def conclusion(orbit: Located) -> Callable[[Around], Content]:
     """Expand Φ at P*, and H; return what proves the rest when the box is known."""
-    setting, point, periods = orbit.setting, orbit.point, orbit.setting.of(PERIODS)
+    setting, point, periods = orbit.setting, orbit.point, _asked(orbit.setting)
     degree = setting.of(DEGREE)
     jets = strobe_jet(orbit.osc, point.box, point.orbit, degree + 2)
     linear = normal_form.ellipticity(*jets)
@@ -114,7 +97,7 @@ def conclusion(orbit: Located) -> Callable[[Around], Content]:
     proved = dict[Plan, Proved]()
 
     def conclude(around: Around) -> Content:
-        spared = SPARED if around.part > LITTLE else SPARED**10
+        spared = SPARED * max(Fraction(1), HALF / around.part) ** 3
         plan = approximate_integral.plan(growths, periods * spared, largest(linear, around))
         if plan not in proved:
             E = approximate_integral.ellipse(linear, centre(orbit), plan.radius)
@@ -126,6 +109,11 @@ def conclusion(orbit: Located) -> Callable[[Around], Content]:
         return claims(setting, proved[plan]), hints(setting, proved[plan])
 
     return conclude
+
+
+def _asked(setting: Setting) -> Fraction:
+    """Return N."""
+    return setting.of(PERIODS) or MANY
 
 
 def order_of(setting: Setting) -> int:
@@ -158,7 +146,7 @@ def lemma_3_drift(orbit: Located, expected: Itinerary, proved: Proved) -> None:
     """
     setting, (E, H, part) = orbit.setting, proved
     bounds = approximate_integral.held(orbit.osc, expected, E, H, part, order_of(setting))
-    if not bounds.inner + interval.ball(setting.of(PERIODS)) * bounds.drift < bounds.outer:
+    if not bounds.inner + interval.ball(_asked(setting)) * bounds.drift < bounds.outer:
         raise NotProved("Lemma 3", "orbits may leave the ellipse before", bounds._asdict())
 
 
@@ -185,7 +173,7 @@ def claims(setting: Setting, proved: Proved) -> dict[str, Any]:
         "centre": [exact(c) for c in E.centre],
         "axes": [[exact(entry) for entry in row] for row in E.axes],
         "part": exact(part),
-        "periods": str(setting.of(PERIODS)),
+        "periods": str(_asked(setting)),
         "area": setting.rounding.pair(area, setting.units.area),
     }
 

@@ -7,7 +7,7 @@
  (ii)  the topological entropy of Φ on Λ is at least ``entropy``;
  (iii) for each n, σⁿ has at least tr(Aⁿ)/mu fixed points in Λ, A the matrix of the coverings.
 
-With ``--disjoint`` the sets are disjoint: then mu = 1, and σ on Λ is semiconjugate onto the
+With ``--sets disjoint`` the sets are disjoint: then mu = 1, and σ on Λ is semiconjugate onto the
 subshift of A.  The entropy is smaller then.
 
 Proof.  Parallelograms cover each other under σ (Lemma 1).  Along each path of coverings there is an
@@ -26,7 +26,7 @@ from fractions import Fraction
 from cap.checker.coverings.half_period import HalfPeriod
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
-from cap.option import Option, count
+from cap.option import Option, choice, count
 from cap.proofs.coverings import Proved, proved
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.options import JOBS
@@ -46,10 +46,14 @@ EFFORT = Option(
     "N",
     default=USUAL,
 )
-DISJOINT = Option(
-    "disjoint", None, "only sets that do not overlap: a semiconjugacy onto a subshift"
+SETS = Option(
+    "sets",
+    choice("any", "disjoint"),
+    "any: sets may overlap, for more entropy (default); disjoint: they do not, for a semiconjugacy",
+    "WHICH",
+    default="any",
 )
-OPTIONS = (EFFORT, DISJOINT, JOBS)
+OPTIONS = (EFFORT, SETS, JOBS)
 
 
 def prove(setting: Setting) -> Proof:
@@ -75,7 +79,7 @@ def _best(setting: Setting, phi: Fraction, a: Fraction) -> Proved:
             reason = "no sets that cover each other in two loops are found: more --effort may help"
             continue
         try:
-            return proved(g, found, runner, disjoint=bool(setting.of(DISJOINT)))
+            return proved(g, found, runner, disjoint=setting.of(SETS) == "disjoint")
         except NotProved as failure:
             reason = str(failure)
     raise NotProved("search", reason)

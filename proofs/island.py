@@ -79,9 +79,9 @@ class Scale:
 
     @classmethod
     def of(cls, decay: float, digits: int, attempt: int) -> "Scale":
-        """Return what suits coefficients that fall like exp(-decay k): the strip is a quarter."""
-        rho = decay / 4
-        degree = min(round(80 / (decay - rho) * 1.3**attempt), MODES)
+        """Return what suits coefficients that fall like exp(-decay k): the strip is a fifth."""
+        rho = decay / 5
+        degree = min(round(95 / (decay - rho) * 1.3**attempt), MODES)
         places = max(40 + round(rho * degree / 2.3), digits + 16)
         return cls(degree, Fraction(max(1, round(rho * 10**5)), 10**5), places)
 
@@ -125,15 +125,17 @@ def island(setting: Setting, place: Place, q: Quadratic) -> Content:
     setting.progress(f"alpha = {q}: orbits with this rotation number are looked for")
     rows = tori.coefficients(place.centre, float(q.value()))
     decay = tori.decay(rows)
-    for attempt in range(TRIES):
-        scale = Scale.of(decay, setting.digits, attempt)
+    scales = {Scale.of(decay, setting.digits, attempt): None for attempt in range(TRIES)}
+    failed = NotProved("curve", "there is no number of modes to try")
+    for scale in scales:
         try:
             with interval.workprec(scale.bits):
                 return _content(setting, place, q, scale, rows)
         except NotProved as reason:
-            if reason.step not in STEPS_OF_CURVE or attempt + 1 == TRIES:
+            if reason.step not in STEPS_OF_CURVE:
                 raise
-    raise NotProved("curve", "there is no number of modes to try")
+            failed = reason
+    raise failed
 
 
 def _content(setting: Setting, place: Place, q: Quadratic, scale: Scale, rows: Any) -> Content:

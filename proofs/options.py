@@ -10,11 +10,12 @@ from typing import Any, NoReturn
 
 from cap.errors import BadInput
 from cap.option import Option, count, exact_number, masses, path
-from cap.parameters import Parameters
+from cap.parameters import Parameters, exact
 
 FROM = Option("from", exact_number, "for f from here", "Q", word="lowest", about=True)
 TO = Option("to", exact_number, "for f up to here", "Q", word="highest", about=True)
 RANGE_OF_F = (FROM, TO)
+MOST_PERIODS = 10**18
 
 JOBS = Option("jobs", count(1, 1024), "processes (default 1)", "N", default=1)
 JOURNAL = Option(
@@ -47,6 +48,23 @@ PROPORTIONAL = Option(
     nargs=0,
 )
 OF_MASSES = (MASSES, PROPORTIONAL)
+
+
+def _periods(words: Sequence[str], name: str) -> Fraction:
+    value = exact(words[0])
+    if value.denominator != 1 or not 1 <= value <= MOST_PERIODS:
+        raise BadInput(f"--{name} must be an integer from 1 to 1e18: {words[0].strip()[:40]!r}")
+    return value
+
+
+PERIODS = Option(
+    "periods",
+    _periods,
+    "so many periods N, forwards and backwards, at most 1e18 (default 1e9, of two masses 1e6): the "
+    "more, the smaller the ellipse",
+    "N",
+    about=True,
+)
 
 
 def range_of_f(

@@ -4,7 +4,6 @@ import os
 import shutil
 import subprocess
 import sys
-import tomllib
 import zipfile
 from configparser import ConfigParser
 from pathlib import Path
@@ -77,12 +76,13 @@ def run(site, tmp_path):
 
 def test_nothing_but_cap(site):
     """Only `cap`, and what describes it, enters site-packages."""
-    assert {path.name.partition("-")[0] for path in site.iterdir()} == {"cap"}
+    found = {path.name.partition("-")[0] for path in site.iterdir()}
+    assert found == {"cap", "cap_impact_friction"}
 
 
 def test_every_module_is_there(site):
     """Every module of the tree, the proofs inside `cap`; every certificate, table and page."""
-    cap_files = files(ROOT / "cap", "*.py", "*.json", "*.css", "*.js", "py.typed")
+    cap_files = files(ROOT / "cap", "*.py", "*.json", "*.toml", "*.css", "*.js", "py.typed")
     proofs = files(ROOT / "proofs", "*.py", "*.md", "*.v", "Makefile")
     certificates = files(ROOT / "certificates", "*")
     inside = {f"proofs/{name}" for name in proofs} | {
@@ -100,6 +100,80 @@ def test_the_tree_has_the_same_names():
     assert Path(cap.__file__).parent == ROOT / "cap"
 
 
+@pytest.fixture(scope="module")
+def unlinked(tmp_path_factory):
+    """Return a checkout as git makes it where there are no links: files with their targets."""
+    tree = tmp_path_factory.mktemp("unlinked")
+    ignored = shutil.ignore_patterns("__pycache__", "*.nbc", "*.nbi")
+    for name in ("cap", "proofs", "certificates"):
+        shutil.copytree(ROOT / name, tree / name, symlinks=True, ignore=ignored)
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, tree)
+    for name in ("proofs", "certificates"):
+        (tree / "cap" / name).unlink()
+        (tree / "cap" / name).write_text(f"../{name}")
+    return tree
+
+
+def test_a_checkout_without_links(unlinked):
+    """It proves, knows stored certificates, and decides claims by them and by written proofs."""
+    for words, told in (
+        (("cap.prove", "saddle", "--out", "x.json"), "the independent checker accepts it"),
+        (("cap.verify", "x.json", "saddle"), "VERIFIED"),
+        (("cap.audit", "--only", "wellposed.no-accumulation", "--fresh"), "capture.json"),
+        (("cap.audit", "--only", "strobe.forward-invariance", "--fresh"), "Audit of"),
+        (("cap.certificate.format", "--check"), ""),
+    ):
+        done = subprocess.run(
+            [sys.executable, "-m", *words],
+            cwd=unlinked,
+            env=clean(PYTHONPATH=str(unlinked), CAP_CACHE="cache"),
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        assert told in done.stdout
+
+
+def test_an_editable_installation(unlinked, tmp_path):
+    """It puts the tree on the path, where type checkers look, and runs no finder of its own."""
+    code = "from setuptools import build_meta; print(build_meta.build_editable({!r}))"
+    words = [sys.executable, "-c", code.format(str(tmp_path))]
+    subprocess.run(words, cwd=unlinked, env=clean(), check=True, capture_output=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        (path,) = (name for name in archive.namelist() if "/" not in name)
+        assert path.endswith(".pth")
+        assert archive.read(path).decode().strip() == str(unlinked)
+
+
+def test_the_source_archive(tmp_path):
+    """It has every file of the repository."""
+    listed = subprocess.run(
+        [shutil.which("git") or "git", "ls-files"],
+        cwd=ROOT,
+        check=False,
+        capture_output=True,
+        text=True,
+    )
+    if listed.returncode:
+        pytest.skip("this is no repository")
+    tree = tmp_path / "tree"
+    for name in listed.stdout.splitlines():
+        (tree / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tree / name, follow_symlinks=False)
+    code = "from setuptools import build_meta; print(build_meta.build_sdist('made'))"
+    subprocess.run(
+        [sys.executable, "-c", code], cwd=tree, env=clean(), check=True, capture_output=True
+    )
+    (made,) = (tree / "made").glob("*.tar.gz")
+    shutil.unpack_archive(made, tmp_path / "unpacked", filter="data")
+    (unpacked,) = (tmp_path / "unpacked").iterdir()
+    missing = set(listed.stdout.splitlines()) - files(unpacked, "*", ".*")
+    assert missing <= {"cap/proofs", "cap/certificates", ".gitignore"}
+
+
 def test_the_scripts(site):
     """Each script calls a function that exists, and `pyproject.toml` names no other."""
     found = ConfigParser()
@@ -108,10 +182,10 @@ def test_the_scripts(site):
 
 
 @pytest.mark.parametrize("script", SCRIPTS)
-def test_version_and_name(run, script):
+def test_version_and_name(run, site, script):
     """`--version` says the version, and `--help` the name by which the command was called."""
-    with (ROOT / "pyproject.toml").open("rb") as file:
-        version = tomllib.load(file)["project"]["version"]
+    (info,) = site.glob("*.dist-info")
+    version = info.name.removesuffix(".dist-info").partition("-")[2]
     code = "from importlib.metadata import entry_points as e; import sys; sys.argv[0] = '{0}';"
     call = code.format(script) + "next(iter(e(group='console_scripts', name=sys.argv[0]))).load()()"
     assert run("-c", call, "--version").stdout == f"cap {version}\n" == f"cap {cap.__version__}\n"

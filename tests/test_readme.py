@@ -61,7 +61,10 @@ def test_every_step():
 def test_the_citation():
     """`CITATION.cff` and `CHANGELOG.md` know the version."""
     assert f"\nversion: {cap.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
-    assert f"\n## {cap.__version__}\n" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    release, dev, _ = cap.__version__.partition(".dev")
+    heading = f"\n## {release} (not yet released)\n" if dev else f"\n## {release}\n"
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert changes.index(heading) == changes.index("\n## ")
 
 
 def test_the_workflow():
@@ -71,6 +74,6 @@ def test_the_workflow():
     assert all(f" .ci/{script.name}" in workflow for script in (ROOT / ".ci").iterdir())
     with (ROOT / "pyproject.toml").open("rb") as file:
         oldest = tomllib.load(file)["project"]["requires-python"].removeprefix(">=")
-    versions = re.findall(r'"(3\.\d+)"', workflow)
+    versions = list(dict.fromkeys(re.findall(r'"(3\.\d+)"', workflow)))
     assert versions[0] == oldest
     assert [int(v.partition(".")[2]) for v in versions] == [11 + n for n in range(len(versions))]

@@ -162,13 +162,14 @@ STATEMENTS = (
         "birkhoff.twist-per-action",
         instead="(H1) without its clause, (H4) to (H6): invariant curves of density one. Its "
         "hypotheses are certified at the paper's parameters (elliptic.json) and along the branch "
-        "(branch.json).",
+        "(branch.json); one curve is explicit, with its rotation number (island.json).",
     ),
     statement(
         "cor:Hamilton-island",
         "kam.area-of-the-curves",
         "kam.measure-estimate",
-        instead="The corollary, given the measure estimate; without it: density one.",
+        instead="The corollary, given the measure estimate; without it: density one. At its "
+        "parameters an invariant disk inside an explicit curve, with its area (island.json).",
     ),
     statement(
         "prop:slow-Ham",

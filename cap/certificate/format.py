@@ -13,7 +13,6 @@ import json
 import re
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 from cap.checker.kernel.certificate import DIGITS
@@ -23,6 +22,7 @@ from cap.checker.kernel.named import NAME, Named, name
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
 from cap.checker.kernel.shapes import (
     First,
+    Integer,
     Later,
     Many,
     Maybe,
@@ -37,9 +37,10 @@ from cap.checker.kernel.shapes import (
 from cap.checker.kernel.theorem import Theorem
 from cap.checker.theorems import NAMES, load
 from cap.files import replacing
+from cap.tree import inside
 from cap.words import say
 
-HOME = Path(__file__).parents[1] / "certificates"
+HOME = inside("certificates")
 SCHEMA, PAGE = HOME / "schema/certificate.schema.json", HOME / "FORMAT.md"
 
 Json = dict[str, Any]
@@ -138,6 +139,8 @@ def schema(shape: Any) -> Json:  # noqa: C901, PLR0911, PLR0912
             return _ref("enclosure")
         case Whole():
             return _ref("count")
+        case Integer(digits):
+            return {"type": "string", "pattern": f"^-?[0-9]{{1,{digits}}}$"}
     return _LEAVES[shape]
 
 
@@ -276,6 +279,8 @@ def form(shape: Any) -> str:  # noqa: C901, PLR0911, PLR0912
             return ", ".join(f'`"{word}"`' for word in words)
         case Whole(least, most):
             return f"{least} to {most}"
+        case Integer(digits):
+            return f"integer of up to {digits} digits"
         case Quantity():
             return "enclosure"
         case Taken(_, digits):

@@ -40,6 +40,7 @@ PARTS = (
     "command/verifier.py",
     "errors.py",
     "process.py",
+    "tree.py",
     "verify.py",
     "words.py",
 )

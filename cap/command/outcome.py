@@ -18,9 +18,10 @@ from cap.checker.kernel.certificate import MAX_BYTES
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.verdict import check, words
+from cap.tree import inside
 from cap.words import meant, printable, quoted, unread
 
-STORED = Path(__file__).parents[1] / "certificates"
+STORED = inside("certificates")
 
 
 class Outcome(NamedTuple):

@@ -55,7 +55,7 @@ def parser() -> Parser:
         description="Prove periodic orbits of a system of your own by their contacts: that there "
         "is one near each candidate, which contacts it has and that it has no others, and its "
         "multipliers.  FILE.py has a function of the parameters that returns a cap.System (see "
-        "docs/own-systems.md); it may be FILE.json, which runs nothing.  The certificate holds "
+        "docs/own-system.md); it may be FILE.json, which runs nothing.  The certificate holds "
         "the system: `python -m cap.verify` needs no FILE.py.  Orbits that rest after infinitely "
         "many contacts are not proved.",
         epilog="Examples: python -m cap.prove periodic --model examples/ball.py --set A=6/5,e=1/2 "

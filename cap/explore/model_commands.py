@@ -85,4 +85,20 @@ COMMANDS = {
         (Option("period", option.count(1, 64), "of N periods of the clock (1)", "N"), PLANE),
         (6.0, 5.2),
     ),
+    "continuation": Command(
+        "a periodic orbit followed over a parameter, with its bifurcations",
+        "cap.floats.models.continuation:continuation",
+        "model_states:continuation",
+        "--model examples/ball.py --state 2.06 -2.63 --parameter A --range 1 2 --out branch.png",
+        "Folds, flips, branch points, Neimark-Sacker points and changes of events are located.\n"
+        "Twice the period: give a --state beyond the flip.",
+        (
+            PARAMETER,
+            Option("range", option.exacts, "of the parameter", ("A", "B"), 2),
+            STATE,
+            MODE,
+            Option("points", option.count(1, 20_000), "orbits on each side, at most (300)", "N"),
+        ),
+        (6.4, 5.2),
+    ),
 }

@@ -39,6 +39,7 @@ __all__ = [
     "continued",
     "cyclic",
     "elliptic",
+    "elliptic_particles",
     "every_motion",
     "excursions",
     "families",
@@ -102,6 +103,11 @@ def saddles(request: Request) -> Found:
 def elliptic(request: Request) -> Found:
     """Find elliptic orbits that never turn, for a theorem of another name."""
     return non_sticking(replace(request, kind="elliptic"))
+
+
+def elliptic_particles(request: Request) -> Found:
+    """Find an elliptic orbit of two masses, for a theorem of another name."""
+    return particles(replace(request, kind="particles"))
 
 
 def _never_stopping(request: Request) -> list[Guess]:

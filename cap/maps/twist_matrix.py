@@ -130,7 +130,7 @@ def twist_matrix(jets: Sequence[Jet], frame: Frame) -> Matrix:
     The caller knows that there is no resonance of order 4.  Verifies that there is none of order 3,
     and that B may be real and symmetric.
     """
-    maps = _in_coordinates(jets, frame)
+    maps = in_coordinates(jets, frame)
     changes = _changes(maps, frame)
     B = [[_entry(substitute(maps[j], changes), j, k, frame) for k in range(2)] for j in range(2)]
     (a, b), (c, d) = B
@@ -140,7 +140,7 @@ def twist_matrix(jets: Sequence[Jet], frame: Frame) -> Matrix:
     return (a, off), (off, d)
 
 
-def _in_coordinates(jets: Sequence[Jet], frame: Frame) -> list[Jet]:
+def in_coordinates(jets: Sequence[Jet], frame: Frame) -> list[Jet]:
     """Return the jets of w_1, w_2 and of their conjugates after the map, in (w, w̄)."""
     n = len(frame.vectors)
     w = Jet.variables([ComplexBall(0)] * (2 * n), jets[0].space.order)
@@ -152,10 +152,10 @@ def _in_coordinates(jets: Sequence[Jet], frame: Frame) -> list[Jet]:
         u.append(total)
     image = [substitute(jet, u) for jet in jets]
     first = [frame.coordinate(j, image) for j in range(n)]
-    return first + [_conjugate(q, n) for q in first]
+    return first + [conjugate(q, n) for q in first]
 
 
-def _conjugate(f: Jet, n: int) -> Jet:
+def conjugate(f: Jet, n: int) -> Jet:
     """Return the jet in (w, w̄) of the complex conjugate."""
     swapped = (f[exponent[n:] + exponent[:n]] for exponent in f.space.exponents)
     return Jet(f.space, [ComplexBall(q).conjugate() for q in swapped])
@@ -171,12 +171,13 @@ def _changes(maps: Sequence[Jet], frame: Frame) -> list[Jet]:
         psi = list(Jet.variables([ComplexBall(0)] * (2 * n), space.order)[j].coefficients)
         for i, exponent in enumerate(space.exponents):
             if sum(exponent) == 2:
-                psi[i] = maps[j].coefficients[i] / _divisor(spectrum, exponent, j)
+                psi[i] = maps[j].coefficients[i] / divisor(spectrum, exponent, j)
         changes.append(Jet(space, psi))
-    return changes + [_conjugate(q, n) for q in changes]
+    return changes + [conjugate(q, n) for q in changes]
 
 
-def _divisor(spectrum: list[ComplexBall], exponent: tuple[int, ...], j: int) -> ComplexBall:
+def divisor(spectrum: list[ComplexBall], exponent: tuple[int, ...], j: int) -> ComplexBall:
+    """Return Λ^m - λ_j, proved not zero; ``spectrum`` is λ_1, .., and the conjugates."""
     product = ComplexBall(1)
     for multiplier, power in zip(spectrum, exponent, strict=True):
         product = product * multiplier**power

@@ -55,7 +55,7 @@ class Equations:
         self.n, count = len(itinerary.system.state), len(self.legs)
         step = self.n + 1
         self.size = step * count
-        self.autonomous = itinerary.system.autonomous
+        self.autonomous = kinds.autonomous
         self.places = [
             Place(step * k, step * (k + 1) % self.size, k + 1 == count) for k in range(count)
         ]

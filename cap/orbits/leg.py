@@ -29,6 +29,11 @@ class Kinds:
         self._watches = dict[tuple[str, str], Watch]()
         self._lemmas = dict[str, dict[str, Lemma]]()
 
+    @cached_property
+    def autonomous(self) -> bool:
+        """Whether the clock occurs nowhere in the system."""
+        return self.system.autonomous
+
     def leg(self, contact: Contact) -> "Leg":
         """Return the functions of the legs that begin with such a contact."""
         if contact not in self._legs:

@@ -45,6 +45,7 @@ class PeriodicOrbit:
     box: Box
     reasons: list[Reason]
     derivative: Matrix
+    autonomous: bool
 
     @property
     def contacts(self) -> list[tuple[Ball, Box]]:
@@ -62,7 +63,7 @@ class PeriodicOrbit:
     def symmetric(self) -> list[Ball]:
         """The elementary symmetric functions of the n multipliers: their sum, .., their product."""
         n, D = len(self.itinerary.system.state), self.derivative
-        if self.itinerary.system.autonomous:  # that of the state; one of its multipliers is 0
+        if self.autonomous:  # that of the state; one of its multipliers is 0
             rows = D.table()
             D = interval.matrix([row[1:] for row in rows[1:]])
         coefficients = D.charpoly().coeffs()
@@ -124,12 +125,16 @@ class Prover:
         Returns a box that contains its contacts, the derivatives of the legs over all points within
         reach, and why nothing else happens.
         """
+        k, blocks = self._zero(hint, reach)
+        return k, blocks, self.reasons(k)
+
+    def _zero(self, hint: Hint, reach: Sequence[Fraction]) -> tuple[Box, list[Block]]:
+        """Prove that F has one zero within reach of the hint; return a box around it, and F'."""
         equations, box = self.equations, hint.box(reach)
         with interval.guarded():  # K cannot be narrower than F(m)
             value = equations.value(hint.point, self.balls)
         blocks = equations.blocks(box, self.balls)
-        k = zero.contract(hint, value, interval.matrix(equations.rows(blocks)), box)
-        return k, blocks, self.reasons(k)
+        return zero.contract(hint, value, interval.matrix(equations.rows(blocks)), box), blocks
 
     def reasons(self, box: Box) -> list[Reason]:
         """Prove that nothing else happens on the orbits whose contacts lie in a box."""
@@ -184,11 +189,10 @@ class Prover:
         matrix = zero.inverse_of(self.problem.slope(point))
         hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
         reach = (far or Fraction(100, 10**digits),) * len(near)
-        box, _, _ = self.existence(hint, reach)
-        box = self.problem.tightened(hint, box)
-        blocks = self.equations.blocks(box, self.balls)
-        reasons = self.reasons(box)
-        return PeriodicOrbit(self.itinerary, hint, reach, box, reasons, derivative(blocks))
+        box = self.problem.tightened(hint, self._zero(hint, reach)[0])
+        reasons, autonomous = self.reasons(box), self.equations.autonomous
+        D = derivative(self.equations.blocks(box, self.balls))
+        return PeriodicOrbit(self.itinerary, hint, reach, box, reasons, D, autonomous)
 
     def newton(self, guess: Sequence[float]) -> list[float]:
         """Return a zero of F near a guess, in doubles: the last step is below 1e-10."""

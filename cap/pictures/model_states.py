@@ -1,6 +1,7 @@
 """Pictures of states of a model: portraits, attractors, basins, bifurcation diagrams."""
 
 import textwrap
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,11 +12,12 @@ from matplotlib.patches import Patch
 
 from cap.floats.models.attractor import ModelAttractor, ModelAttractors
 from cap.floats.models.basin import OUTSIDE, ModelBasin
+from cap.floats.models.continuation import ModelBranch
 from cap.floats.models.diagram import ModelDiagram
 from cap.floats.models.portrait import ModelPortrait
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.walls import Wall
-from cap.pictures.models import heading
+from cap.pictures.models import MARKERS, heading
 from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, RED
 
 SOLID = "#D9D9D9"
@@ -160,3 +162,30 @@ def _labels(axes: Axes, plane: tuple[str, str], event: str) -> None:
 def _dots(axes: Axes, points: Floats, colour: str, size: float) -> None:
     look: dict[str, Any] = {"rasterized": len(points) > 2000, "lw": 0}
     axes.scatter(points[:, 0], points[:, 1], s=size, c=colour, **look)
+
+
+def continuation(findings: ModelBranch, figure: FigureBase) -> None:
+    """Draw the branch, solid where it attracts, and the moduli of its multipliers below."""
+    top, low = figure.subplots(2, 1, sharex=True, height_ratios=[1.6, 1])
+    value, first = findings.value, findings.states[:, 0]
+    looks = 2 * findings.itinerary + findings.stable
+    cuts = [0, *(np.flatnonzero(np.diff(looks)) + 1).tolist(), len(value)]
+    for begin, end in pairwise(cuts):
+        style: Any = {"lw": 1.4} if findings.stable[begin] else {"lw": 0.9, "ls": (0, (4, 2))}
+        part = slice(begin, min(end + 1, len(value)))
+        top.plot(value[part], first[part], color=BLUE, **style)
+    for k, label in enumerate(dict.fromkeys(each.label for each in findings.special)):
+        own = [each for each in findings.special if each.label == label]
+        top.plot([e.value for e in own], [e.state[0] for e in own], MARKERS[k % len(MARKERS)],
+                 ms=6, mfc="white", mec=CYCLE[(k + 1) % len(CYCLE)], ls="none",
+                 label=label)  # fmt: skip
+    low.axhline(1, color=GREY, lw=0.6)
+    for k, sizes in enumerate(np.abs(findings.multipliers).T):
+        low.plot(value, sizes, color=CYCLE[k % len(CYCLE)], lw=0.9)
+    low.set_ylim(0, min(3.0, 1.05 * float(np.abs(findings.multipliers).max())))
+    top.set_ylabel(f"{findings.state[0]}{STROBE}")
+    low.set_ylabel("|multipliers|")
+    low.set_xlabel(findings.parameter)
+    if findings.special:
+        figure.legend(loc="outside lower center", ncols=4)
+    heading(figure, findings, f"An orbit of period {findings.periods} T over {findings.parameter}")

@@ -135,6 +135,9 @@ def _plane(axes: Axes, findings: ModelOrbit) -> None:
         elif draw and wall.solid and set(findings.plane) != set(findings.positions):
             span: Any = axes.axvspan if draw == axes.axvline else axes.axhspan
             span(low, high, color=PALER, lw=0, zorder=0, label="where the wall moves")
+    for n, each in enumerate(findings.surfaces):
+        label = None if n else "the wall at an event"
+        axes.plot(each.first, each.second, color=GREY, lw=0.8, zorder=0, label=label)
     axes.plot(findings.states[:, i], findings.states[:, k], color=BLACK, lw=0.8)
     for word, chosen, look in events(findings):
         mark(axes, (findings.before[chosen, i], findings.before[chosen, k]), look, word)
@@ -143,6 +146,9 @@ def _plane(axes: Axes, findings: ModelOrbit) -> None:
         star(axes, (state[i], state[k]), label)
     axes.set_xlabel(findings.plane[0])
     axes.set_ylabel(findings.plane[1])
+    if findings.surfaces:
+        low, high = _limits(findings.states[:, k])
+        axes.set_ylim(low - 0.25 * (high - low), high)
 
 
 def orbits(findings: ModelOrbits, figure: FigureBase) -> None:

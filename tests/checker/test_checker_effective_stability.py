@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from fractions import Fraction
+from itertools import product
 
 import pytest
 from support import rounds, seeded
@@ -67,7 +68,7 @@ def test_other_axes(small):
 
     rejected(scaled(Fraction(3, 2)), "leave the ellipse before")
     rejected(scaled(40), "outer ellipse is not in the box")
-    rejected(changed(small, "claims", "axes", [["0.001", "0.002"]] * 2), "the axes are parallel")
+    rejected(changed(small, "claims", "axes", [["0.001", "0.002"]] * 2), "do not span the space")
     turned = [[str(b), str(a)] for a, b in axes]
     rejected(changed(small, "claims", "axes", turned), "leave the ellipse before")
 
@@ -78,9 +79,10 @@ def test_another_centre(small):
     near = changed(small, "claims", "centre", [str(x + Fraction(1, 100)), str(v)])
     rejected(near, "outer ellipse is not in the box|certainly in the inner")
     far = changed(small, "claims", "centre", [str(x + 1), str(v)])
-    rejected(far, "outer ellipse is not in the box")
+    rejected(far, "certainly in the inner")
 
 
+@pytest.mark.slow
 def test_another_integral(small):
     """|u|² alone, one coefficient changed, and a polynomial that is no integral but constant."""
     rows = small["hints"]["integral"]
@@ -121,9 +123,10 @@ def test_every_claim_is_compared(small):
 
 @pytest.mark.slow
 def test_malformed(small):
-    """A field or an item more, less, or of another type."""
+    """A field or an item more, less, or of another type; but a shorter integral is one, too."""
+    last = "hints", "integral", len(small["hints"]["integral"]) - 1
     for path, bad in malformed(small):
-        if path[-1:] != ("provenance",):
+        if path[-1:] != ("provenance",) and path != last:
             assert not accepted(bad), path
 
 
@@ -148,12 +151,11 @@ def test_sizes_bound_polynomials_on_the_ellipse():
 def test_values_of_polynomials():
     """H(u) by Horner's rule is the sum of its terms."""
     random = seeded(4)
-    H = [[Fraction(random.randint(-9, 9)) for _ in range(n + 1)] for n in range(1, 6)]
-    u = [Jet(0, {(0, 0): thin(Fraction(q, 4))}) for q in (3, -5)]
-    a, b = Fraction(3, 4), Fraction(-5, 4)
-    expected = sum(
-        c * a ** (n - j) * b**j for n, row in enumerate(H, start=1) for j, c in enumerate(row)
-    )
+    powers = [p for p in product(range(4), repeat=3) if 0 < sum(p) < 6]
+    H = {p: Fraction(random.randint(-9, 9)) for p in powers if random.random() < 0.7}
+    at = Fraction(3, 4), Fraction(-5, 4), Fraction(1, 2)
+    u = [Jet(0, {(0, 0, 0): thin(q)}) for q in at]
+    expected = sum(c * math.prod(q**k for q, k in zip(at, p, strict=True)) for p, c in H.items())
     value = drift.value(H, u).constant
     assert value.lower <= expected <= value.upper
     assert value.upper - value.lower < Fraction(1, 10**40)
@@ -164,7 +166,7 @@ def test_jets_that_are_too_short():
     jet = Jet(3, {(0, 0): thin(1)})
     short = Centred(Jet(1, {(0, 0): thin(1)}), jet, [thin(0)] * 2)
     with pytest.raises(Rejected, match="too short"):
-        drift.drift(short, drift.UNIT)
+        drift.drift(short, [[Fraction(1), Fraction(0)], [Fraction(0), Fraction(1)]])
 
 
 def test_encoded(small):

@@ -61,7 +61,7 @@ def test_the_command_line_adds_only_itself():
     modules = loaded("import cap.verify, cap.command.verifier")
     ours = {m for m in modules if m.split(".")[0] == "cap"}
     own = {f"cap.command.{name}" for name in ("verifier", "outcome", "layout", "entry", "console")}
-    own |= {"cap.verify", "cap.process", "cap.words"}
+    own |= {"cap.verify", "cap.process", "cap.tree", "cap.words"}
     assert ours <= {"cap", "cap.command", "cap.checker", *own, *MODULES}
     assert not {m.split(".")[0] for m in modules} & FOREIGN
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import time
 from fractions import Fraction
+from itertools import product
 
 import pytest
 from own_systems import certificate
@@ -168,7 +170,7 @@ def test_the_other_sign_of_a_guard():
     given = certificate("spring")
     stop_of(given)["value"] = [["-1/10"], ["1", "x"]]
     for row in given["hints"]["preconditioner"]:
-        row[0] = str(-Fraction(row[0]))
+        row[0] = str(-int(row[0]))
     rejected(given, "a guard may vanish")
 
 
@@ -232,6 +234,10 @@ def test_another_preconditioner():
     """C need not be trusted: none, or another one, proves nothing."""
     given = certificate("spring")
     given["hints"]["preconditioner"] = [["0"] * 3] * 3
+    rejected(given, "K does not lie in the interior of its box")
+    given["hints"]["preconditioner"][0][0] = "1/2"
+    rejected(given, "is not an integer of at most 40 digits")
+    given["hints"]["preconditioner"] = [["1" + "0" * 39] * 3] * 3
     rejected(given, "K does not lie in the interior of its box")
 
 
@@ -354,6 +360,10 @@ def stop(**parts):
 HOSTILE |= {
     "a field that is not linear": (rate([["1", "x", "v"]]), "v' in the mode fly is not linear"),
     "a product with the clock": (rate([["1", "x", "cos"]]), "v' in the mode fly is not linear"),
+    "a guard of a high degree": (
+        stop(value=[["1"], ["1", *"xxvv"]]),
+        "the guard stop of the mode fly has a degree above 3",
+    ),
     "a high power": (rate([["1", *"xxxxxxx"]]), "is not a list of 1 to 7"),
     "many terms": (rate([["1", "x"]] * 41), "is not a list of 0 to 40"),
     "a monomial twice": (rate([["1", "x"], ["1", "x"]]), "has a monomial twice"),
@@ -393,6 +403,22 @@ def test_hostile_systems(what):
     given = certificate("spring")
     change(given["parameters"])
     rejected(given, reason)
+
+
+def test_work_is_bounded():
+    """Resets and a divisor with as many terms as there may be: rejected at once."""
+    given = certificate("spring")
+    factors = (
+        [*a, *b] for a in product("xv", repeat=3) for b in product(("cos", "sin", "pi"), repeat=3)
+    )
+    monomials = sorted({tuple(sorted(f)) for f in factors})[:40]
+    terms = [[f"1/{10**6 + k}", *m] for k, m in enumerate(monomials)]
+    assert len(terms) == 40
+    stop(value=[["1/10", "x", "x", "x"], ["-1", "x", "v", "v"]])(given["parameters"])
+    stop(reset={"v": terms, "x": terms}, divisor=[["1"], *terms[1:]])(given["parameters"])
+    began = time.process_time()
+    rejected(given, "the interior of its box|contains zero|may vanish|is not in")
+    assert time.process_time() - began < 2
 
 
 def test_deep_nesting():

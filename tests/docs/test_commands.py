@@ -14,6 +14,7 @@ from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
 from cap.explore import explorer, homoclinic, mixed
 from cap.explore.commands import COMMANDS
+from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
 from cap.explore.play import command as page
 from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
@@ -55,8 +56,9 @@ def test_a_command(module, words, monkeypatch):
             over_f = THEOREMS[options.theorem].over_f.name if options.theorem else None
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
-        options = explorer.parser().parse_args(given)
-        assert options.paper or options.command in (*COMMANDS, page.NAME)
+        options = explorer.read(given)
+        known = MODEL_COMMANDS if "--model" in given else (*COMMANDS, page.NAME)
+        assert options.paper or options.command in known
     elif module in PICTURES:
         assert PICTURES[module].parser().parse_args(given).file.is_file()
     elif module == "cap.audit":

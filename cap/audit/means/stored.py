@@ -2,15 +2,15 @@
 
 import hashlib
 from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from cap.audit.means import accepted
 from cap.audit.means.need import need
 from cap.errors import NotProved
 from cap.parameters import PAPER, Parameters
+from cap.tree import inside
 
-FOLDER = Path(__file__).resolve().parents[2] / "certificates"
+FOLDER = inside("certificates")
 _asked: set[str] = set()
 
 

@@ -2,9 +2,10 @@
 
 import re
 from functools import cache
-from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parents[2] / "proofs" / "audit"
+from cap.tree import inside
+
+FOLDER = inside("proofs") / "audit"
 
 
 def exists(reference: str) -> bool:

@@ -135,6 +135,18 @@ class Whole(NamedTuple):
         return int(value)
 
 
+class Integer(NamedTuple):
+    """An integer of either sign, of so many digits at most."""
+
+    digits: int
+
+    def __call__(self, value: Any, where: str) -> int:
+        """Read it."""
+        small = re.fullmatch(f"-?[0-9]{{1,{self.digits}}}", text(value, where), re.ASCII)
+        need(small is not None, f"{where} is not an integer of at most {self.digits} digits")
+        return int(value)
+
+
 class Many(NamedTuple):
     """A list of values of one shape, so many at least and at most."""
 

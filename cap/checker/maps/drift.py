@@ -1,8 +1,8 @@
 """How long orbits stay in an ellipse: by a polynomial that the map hardly changes.
 
-Let Phi be a map with a fixed point P*, continuous and injective on E = {c + A u : |u| <= 1}, where
-A is regular, and let P* lie in E' = {c + A u : |u| <= kappa}, kappa < 1.  Let H be a polynomial in
-u, and
+Let Phi be a map of R^n, n even, with a fixed point P*, continuous and injective on E = {c + A u :
+|u| <= 1}, where A is regular, and let P* lie in E' = {c + A u : |u| <= kappa}, kappa < 1.  Let H be
+a polynomial in u, and
 
     H <= inner on E',    H >= outer on the boundary of E,    |H o Phi - H| <= D on E.
 
@@ -20,45 +20,49 @@ around E, which is convex, with centre c.  By Taylor's formula, with xi in the b
 
     G(c + dz) = sum over k < n of G_k(c)(dz) + G_n(xi)(dz),       dz = A u.
 
-*A homogeneous polynomial* of degree k in u is, with zeta = u_1 + i u_2, a sum of a_jl zeta^j
-zeta^-^l, j + l = k: on |u| <= kappa it is at most kappa^k times the sum of |a_jl|.  A form a u_1 +
-b u_2 is (a - ib)/2 zeta + (a + ib)/2 zeta^-.
+*A homogeneous polynomial* of degree k in u is, with zeta_1 = u_1 + i u_2, zeta_2 = u_3 + i u_4, ..,
+a sum of monomials in these and their conjugates.  One of degree k_j in zeta_j and its conjugate has
+the modulus prod |zeta_j|^k_j; where sum |zeta_j|^2 = |u|^2 <= kappa^2 this is at most kappa^k times
+the root of prod k_j^k_j / k^k.  A form a u_1 + b u_2 is (a - ib)/2 zeta + (a + ib)/2 zeta^-.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import prod
 
 from cap.checker.kernel.complex import Complex
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, Power, RealJet, lift
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.substitution import powers, substituted
+from cap.checker.kernel.substitution import substituted
 from cap.checker.maps.normal_form import complexified
 
 Rows = Sequence[Sequence[Fraction]]
-Integral = Sequence[Sequence[Fraction]]
-"""H: for each degree n = 1, 2, .. the coefficients of u_1^(n-j) u_2^j, j = 0 .. n."""
-
-UNIT = ((Fraction(1), Fraction(0)), (Fraction(0), Fraction(1)))
+Polynomial = Mapping[Power, Fraction]
 
 
-def determinant(axes: Rows) -> Fraction:
-    """Return det A."""
-    (a, b), (c, d) = axes
-    return a * d - b * c
-
-
-def inverse(axes: Rows) -> Rows:
-    """Return A^-1 of a regular A."""
-    (a, b), (c, d) = axes
-    det = determinant(axes)
-    return ((d / det, -b / det), (-c / det, a / det))
+def eliminated(axes: Rows) -> tuple[Fraction, Rows]:
+    """Return det A and A^-1, by Gauss's elimination; A must be regular."""
+    n, det = len(axes), Fraction(1)
+    rows = [[*row, *(Fraction(int(i == j)) for j in range(n))] for i, row in enumerate(axes)]
+    for k in range(n):
+        pivot = next((i for i in range(k, n) if rows[i][k]), None)
+        need(pivot is not None, "the axes do not span the space")
+        p = pivot or k
+        if p != k:
+            rows[k], rows[p], det = rows[p], rows[k], -det
+        det *= rows[k][k]
+        rows[k] = [entry / rows[k][k] for entry in rows[k]]
+        for i in range(n):
+            if i != k:
+                rows[i] = [a - rows[i][k] * b for a, b in zip(rows[i], rows[k], strict=True)]
+    return det, [row[n:] for row in rows]
 
 
 def half_widths(axes: Rows, bits: int) -> list[Interval]:
-    """Return the half-widths of the least rectangle around E: the norms of the rows of A."""
+    """Return the half-widths of the least box around E: the norms of the rows of A."""
     squares = (sum(entry**2 for entry in row) for row in axes)
     return [Interval.enclosing(q, q, bits).sqrt() for q in squares]
 
@@ -75,26 +79,27 @@ def coordinate(
     return total
 
 
-def value(H: Integral, u: Sequence[RealJet]) -> RealJet:
-    """Return H(u), by Horner's rule in u_1, its coefficients polynomials in u_2."""
-    degree, (first, second) = len(H), u
-    zero, bits = first.constant.integer(0), first.constant.bits
-    known = [Jet(first.order, {first.origin: zero + 1}), *powers(second, degree)]
-    total = Jet(first.order, {first.origin: zero})
-    for i in range(degree, -1, -1):
+def value(H: Polynomial, u: Sequence[RealJet]) -> RealJet:
+    """Return H(u) by Horner's rule in u_1, its coefficients polynomials in the other variables."""
+    first, *others = u
+    zero = Jet(first.order, {first.origin: first.constant.integer(0)})
+    total, bits = zero, first.constant.bits
+    for k in range(max((p[0] for p in H), default=0), -1, -1):
+        rest = {p[1:]: c for p, c in H.items() if p[0] == k}
         total = total * first
-        for j in range(int(i == 0), degree - i + 1):
-            c = H[i + j - 1][j]
-            total = total + known[j] * Interval.enclosing(c, c, bits)
+        if others and rest:
+            total = total + value(rest, others)
+        for c in () if others else rest.values():
+            total = total + Jet(zero.order, {first.origin: Interval.enclosing(c, c, bits)})
     return total
 
 
-def change(H: Integral, axes: Rows, centre: Sequence[Fraction], z: Sequence[Centred]) -> Centred:
-    """Return H o Phi - H over a box, from x, v and their images under Phi."""
-    rows = inverse(axes)
+def change(H: Polynomial, axes: Rows, centre: Sequence[Fraction], z: Sequence[Centred]) -> Centred:
+    """Return H o Phi - H over a box, from the coordinates and their images under Phi."""
+    rows, n = eliminated(axes)[1], len(axes)
 
     def formula(*jets: RealJet) -> RealJet:
-        before, after = ([coordinate(row, q, centre) for row in rows] for q in (jets[:2], jets[2:]))
+        before, after = ([coordinate(row, q, centre) for row in rows] for q in (jets[:n], jets[n:]))
         return value(H, after) - value(H, before)
 
     return lift(formula, *z)
@@ -109,15 +114,22 @@ def size(homogeneous: RealJet, axes: Rows, zero: Interval) -> Interval:
     """Return a bound of a homogeneous polynomial in dz at dz = A u, |u| <= 1."""
     forms = [_form(row, homogeneous.order, zero) for row in axes]
     total = zero
-    for c in substituted(complexified(homogeneous), forms).coefficients.values():
-        total = total + (c.re.square() + c.im.square()).sqrt()
+    for power, c in substituted(complexified(homogeneous), forms).coefficients.items():
+        k = [sum(power[j : j + 2]) for j in range(0, len(power), 2)]
+        most = Fraction(prod(d**d for d in k), sum(k) ** sum(k))
+        square = (c.re.square() + c.im.square()) * Interval.enclosing(most, most, zero.bits)
+        total = total + square.sqrt()
     return total
 
 
 def _form(row: Sequence[Fraction], order: int, zero: Interval) -> Jet[Complex]:
-    """Return a u_1 + b u_2 as a polynomial in zeta and zeta^-."""
-    a, b = (Interval.enclosing(entry / 2, entry / 2, zero.bits) for entry in row)
-    return Jet(order, {(1, 0): Complex(a, -b), (0, 1): Complex(a, b)})
+    """Return the sum of a u_1 + b u_2, .. as a polynomial in the zeta_j and their conjugates."""
+    form = dict[Power, Complex]()
+    for j in range(0, len(row), 2):
+        a, b = (Interval.enclosing(entry / 2, entry / 2, zero.bits) for entry in row[j : j + 2])
+        for k, c in ((j, Complex(a, -b)), (j + 1, Complex(a, b))):
+            form[tuple(int(i == k) for i in range(len(row)))] = c
+    return Jet(order, form)
 
 
 def drift(G: Centred, axes: Rows) -> Interval:
@@ -130,15 +142,16 @@ def drift(G: Centred, axes: Rows) -> Interval:
     return total + size(terms(G.box, n), axes, zero)
 
 
-def excess(H: Integral, kappa: Fraction, bits: int) -> Interval:
+def excess(H: Polynomial, kappa: Fraction, bits: int) -> Interval:
     """Return a bound of |H - |u|^2| for |u| <= kappa."""
+    n = len(next(iter(H)))
+    unit = [[Fraction(int(i == j)) for j in range(n)] for i in range(n)]
+    rest = {tuple(2 * int(i == j) for j in range(n)): Fraction(-1) for i in range(n)}
+    for power, c in H.items():
+        rest[power] = rest.get(power, Fraction(0)) + c
     total = zero = Interval.enclosing(0, 0, bits)
-    for n, row in enumerate(H, start=1):
-        square = {0: 1, 2: 1} if n == 2 else {}
-        rest = (c - square.get(j, 0) for j, c in enumerate(row))
-        jet: dict[Power, Interval] = {
-            (n - j, j): Interval.enclosing(c, c, bits) for j, c in enumerate(rest)
-        }
-        scale = Interval.enclosing(kappa**n, kappa**n, bits)
-        total = total + size(Jet(n, jet), UNIT, zero) * scale
+    for degree in {sum(power) for power in rest}:
+        part = {p: Interval.enclosing(c, c, bits) for p, c in rest.items() if sum(p) == degree}
+        scale = Interval.enclosing(kappa**degree, kappa**degree, bits)
+        total = total + size(Jet(degree, part), unit, zero) * scale
     return total

@@ -33,7 +33,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from operator import add
+from operator import add, mul
 from typing import NamedTuple
 
 from cap.checker.kernel.elementary import cos_sin, pi
@@ -221,37 +221,33 @@ def krawczyk(
     equations: Equations,
     region: Sequence[Ends],
     centre: Sequence[Fraction],
-    preconditioner: Sequence[Sequence[Fraction]],
+    preconditioner: Sequence[Sequence[int]],
 ) -> list[Interval]:
     """Return K(K(K(region))) if K(region) lies in the interior of the region.
 
-    C is the preconditioner, rounded to units 2^-`SHIFT`: any C will do.  The centre lies in the
-    region.  F' is in all steps that over the region, which contains the zero as K(region) does.
+    C is the preconditioner in units 2^-`SHIFT`.  The centre lies in the region.  F' is in all steps
+    that over the region, which contains the zero as K(region) does.
     """
     inside = zip(region, centre, strict=True)
     need(all(a <= c <= b for (a, b), c in inside), "the centre is not in the box")
-    bits = equations.bits
-    box = [Interval.enclosing(*ends, bits) for ends in region]
+    box = [Interval.enclosing(*ends, equations.bits) for ends in region]
     middle = [equations.number(c) for c in centre]
-    offsets = [z - c for z, c in zip(box, middle, strict=True)]
     value, slope = equations.value(middle), equations.slope(equations.steps(box))
-    newton, rows = list[Interval](), list[list[Interval]]()
-    for i, (given, c) in enumerate(zip(preconditioner, middle, strict=True)):
-        row = [round(q * (1 << SHIFT)) for q in given]
+    newton, rows = list[Interval](), list[list[int]]()
+    for i, (row, c) in enumerate(zip(preconditioner, middle, strict=True)):
         less = reduce(add, (f * q for q, f in zip(row, value, strict=True)))
-        newton.append(c - rounded(less))
+        newton.append(c - Interval(less.lo >> SHIFT, -(-less.hi >> SHIFT), less.bits))
         rows.append(residual(row, slope, i))
-        K = newton[i] + dot(rows[i], offsets)
-        need(K.lies_inside(*region[i]), "K does not lie in the interior of its box")
-        box[i] = K
+    K = _moved(newton, rows, box, middle)
+    inner = all(z.lies_inside(*ends) for z, ends in zip(K, region, strict=True))
+    need(inner, "K does not lie in the interior of its box")
     for _ in range(AGAIN):
-        offsets = [z - c for z, c in zip(box, middle, strict=True)]
-        box = [start + dot(row, offsets) for start, row in zip(newton, rows, strict=True)]
-    return box
+        K = _moved(newton, rows, K, middle)
+    return K
 
 
-def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[Interval]:
-    """Return the i-th row of 1 - C F', where ``row`` is that of C in units 2^-`SHIFT`."""
+def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[int]:
+    """Return bounds of the i-th row of |1 - C F'|; ``row`` is that of C in units 2^-`SHIFT`."""
     bits = next(iter(slope[0].values())).bits
     low, high = [0] * len(row), [0] * len(row)
     low[i] = high[i] = 1 << bits + SHIFT
@@ -260,12 +256,21 @@ def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int
             a, b = (x.lo, x.hi) if c >= 0 else (x.hi, x.lo)
             low[j] -= c * b
             high[j] -= c * a
-    return [rounded(Interval(a, b, bits)) for a, b in zip(low, high, strict=True)]
+    return [(max(-a, b) >> SHIFT) + 1 for a, b in zip(low, high, strict=True)]
 
 
-def rounded(x: Interval) -> Interval:
-    """Return x 2^-`SHIFT`."""
-    return Interval(x.lo >> SHIFT, -(-x.hi >> SHIFT), x.bits)
+def _moved(
+    newton: Sequence[Interval],
+    rows: Sequence[Sequence[int]],
+    box: Sequence[Interval],
+    middle: Sequence[Interval],
+) -> list[Interval]:
+    """Return m - C F(m) + (1 - C F') (box - m), by the sizes of the factors."""
+    far, found = [max(m.hi - z.lo, z.hi - m.lo) for z, m in zip(box, middle, strict=True)], []
+    for z, row in zip(newton, rows, strict=True):
+        reach = (sum(map(mul, row, far)) >> z.bits) + 1
+        found.append(Interval(z.lo - reach, z.hi + reach, z.bits))
+    return found
 
 
 def return_map(steps: Sequence[Step], n: int) -> Matrix:

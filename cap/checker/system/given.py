@@ -28,6 +28,7 @@ from cap.checker.system.model import CLOCK, PI, Guard, Mode, Model
 from cap.checker.system.polynomial import ONE, Polynomial
 
 STATES, MODES, GUARDS, TERMS, DEGREE = 8, 64, 16, 40, 6
+OF_GUARDS = 3  # their degree
 _VARIABLE = re.compile("[A-Za-z][A-Za-z_0-9]{0,19}", re.ASCII)
 _RESERVED = (*CLOCK, PI, "t", "omega")
 _COMMON = 10**30  # of the denominators of a field
@@ -77,6 +78,8 @@ def _guard(
     given: dict[str, Any], state: tuple[str, ...], modes: Iterable[str], where: str
 ) -> Guard:
     value = _polynomial(given["value"], state, where)
+    low = all(len(monomial) <= OF_GUARDS for monomial in value.terms)
+    need(low, f"{where} has a degree above {OF_GUARDS}")
     need(bool(value.variables - {PI}), f"{where} is constant")
     need(given["reset"].keys() <= {*state}, f"{where} resets what is no variable of the state")
     reset = {z: _polynomial(q, state, f"{z} after {where}") for z, q in given["reset"].items()}

@@ -29,7 +29,6 @@ and so on.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import combinations, pairwise
@@ -39,6 +38,8 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import TooCoarse, need
 from cap.checker.system.model import Guard, Model
 from cap.checker.system.polynomial import ONE, ZERO, Polynomial
+
+WORK = 20_000  # terms to be multiplied
 
 
 class Flights(Protocol):
@@ -169,16 +170,20 @@ def zeros_after(h: Watched, event: Guard) -> int:
 
 
 def _vanishes(h: Polynomial, event: Guard) -> bool:
-    """Return whether D^k h(R/D) is a constant times D^k g."""
-    jumps = [Counter(m)[z] for m in h.terms for z in event.reset]
-    degree = 0 if event.divisor == ONE or not any(jumps) else max(map(len, h.terms))
+    """Return whether D^k h(R/D) is a constant times D^k g; no, if that is more than `WORK`."""
+    jumps = {m: [z for z in m if z in event.reset] for m in h.terms}
+    most = max(map(len, jumps.values()), default=0)
+    degree = 0 if event.divisor == ONE else most
+    sizes = [len(event.divisor.terms), *(len(q.terms) for q in event.reset.values())]
+    if len(h.terms) * max(sizes) ** most > WORK:
+        return False
     total, power = ZERO, _power(event.divisor, degree)
     for monomial, c in h.terms.items():
-        changed = [z for z in monomial if z in event.reset]
         term = Polynomial({tuple(z for z in monomial if z not in event.reset): c})
-        for z in changed:
+        for z in jumps[monomial]:
             term = term * event.reset[z]
-        total += term * (_power(event.divisor, degree - len(changed)) if degree else ONE)
+        left = degree - len(jumps[monomial])
+        total += term * _power(event.divisor, left) if degree else term
     return not total.terms or _factor(total, event.value * power) is not None
 
 

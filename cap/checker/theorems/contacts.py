@@ -26,7 +26,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many, Maybe, Quantity, Whole, region
+from cap.checker.kernel.shapes import Field, Integer, Many, Maybe, Quantity, Whole, region
 from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system.contacts import (
     Contact,
@@ -59,8 +59,8 @@ class Contacts(Theorem):
         BITS,
         Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
               "time and state near those of each contact, in the box"),
-        Field("preconditioner", Many(Many(number, 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
-              "near F'(m)^-1"),
+        Field("preconditioner", Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
+              "near F'(m)^-1, in units 2^-48"),
         Field("cuts", Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), "", "",
               "for the leg after each contact, by guard of its mode, the cuts of Lemma B"),
     )
@@ -160,14 +160,28 @@ class Contacts(Theorem):
         """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
         watched = dict[str, dict[str, Watched]]()
         for mode in {contact.to for contact in self.orbit.contacts}:
-            guards = self.p.modes[mode].guards.items()
-            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in guards}
-        for k in range(len(self.orbit.contacts)):
-            self.leg(zero, steps[k], k, watched[self.orbit.contacts[k].to])
+            named = self.p.modes[mode].guards.items()
+            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in named}
+        zeros = dict[Contact, dict[str, int]]()
+        for k, contact in enumerate(self.orbit.contacts):
+            guards = watched[contact.to]
+            if contact not in zeros:
+                zeros[contact] = {g: zeros_after(h, self.orbit.guard(k)) for g, h in guards.items()}
+            self.leg(zero, steps[k], k, guards, zeros[contact])
         self.step("on each leg all guards of its mode are positive between the contacts")
 
-    def leg(self, zero: list[Interval], step: Step, k: int, guards: dict[str, Watched]) -> None:
-        """Prove that nothing else happens between a contact and the next one."""
+    def leg(
+        self,
+        zero: list[Interval],
+        step: Step,
+        k: int,
+        guards: dict[str, Watched],
+        zeros: dict[str, int],
+    ) -> None:
+        """Prove that nothing else happens between a contact and the next one.
+
+        So many of h, L h of each guard are ``zeros`` at the start.
+        """
         mode, cuts = self.orbit.contacts[k].to, self.hints["cuts"][k]
         start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
@@ -175,13 +189,13 @@ class Contacts(Theorem):
         after = dict(zip(self.p.state, step.after, strict=True))
         flights = Leg(self.p, mode, start, after, self.equations.flights[mode])
         for key, h in guards.items():
-            zeros = zeros_after(h, self.orbit.guard(k)), int(key == self.orbit.following(k).guard)
+            ends = zeros[key], int(key == self.orbit.following(k).guard)
             if key in cuts:
-                stays_positive(flights, h, end, cuts[key], zeros)
+                stays_positive(flights, h, end, cuts[key], ends)
             else:
                 others = [guards[other] for other in cuts]
                 need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")
-                ends_positive(flights, h, end, zeros)
+                ends_positive(flights, h, end, ends)
 
     def words(self) -> str:
         """Return the theorem in one line."""

@@ -31,6 +31,7 @@ from cap.checker.coverings.graph import (
 )
 from cap.checker.coverings.half_period import HalfPeriod
 from cap.checker.kernel.citation import cite
+from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
 from cap.checker.kernel.rejection import need
@@ -120,7 +121,9 @@ class Horseshoe(BetweenWalls):
         """Return the theorem in one line."""
         kind = _DISJOINT if self.claims["together"] == 1 else _OVERLAPPING
         edges = sum(map(len, self.hints["coverings"]))
-        return self.told(SYSTEM + _HORSESHOE + kind, sets=len(self.hints["sets"]), edges=edges)
+        claimed = {name: decimal(self.claims[name]) for name in ("growth", "entropy")}
+        text, sets = SYSTEM + _HORSESHOE + kind, len(self.hints["sets"])
+        return self.told(text, sets=sets, edges=edges, **claimed)
 
 
 def confirm_overlaps(sets: list[list[Fraction]], edges: list[list[int]]) -> int:

@@ -53,7 +53,7 @@ from cap.checker.tori.invariant_curve import (
 )
 
 MAX_DEGREE = 4096
-MAX_WORK = 4096 * 200  # degree times places
+MAX_WORK = 4096 * 100  # degree times places
 ROUGH = 96  # bits, for boxes
 COARSE = 20  # decimal places
 POLYNOMIAL = re.compile("-?[0-9]{1,400} -?[0-9]{1,400}(,-?[0-9]{1,400} -?[0-9]{1,400})*")

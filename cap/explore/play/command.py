@@ -15,7 +15,7 @@ MORE = """
 Sliders for all parameters; a click on the portrait shows the orbit of that state, its
 events and the mass; `prove this` proves a theorem in a process of its own.  The page is
 served from this machine to itself alone, until ctrl-C.  It needs the library Bokeh:
-  pip install 'cap[play]'
+  pip install 'cap-impact-friction[play]'
 """
 
 
@@ -45,6 +45,8 @@ def run(options: argparse.Namespace, p: Parameters) -> int:
         except ModuleNotFoundError as error:
             if str(error.name).partition(".")[0] != "bokeh":
                 raise
-            raise BadInput("the page needs Bokeh: pip install 'cap[play]'") from None
+            raise BadInput(
+                "the page needs Bokeh: pip install 'cap-impact-friction[play]'"
+            ) from None
     play(p, port, opens=not options.no_browser, say=lambda line: print(line, flush=True))
     return 0

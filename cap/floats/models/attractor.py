@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import CLOSE, Closed, Start, closing
+from cap.floats.models.closing import CLOSE, Closed, closing, first_start
 from cap.floats.models.samples import exponents, samples
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import OfModel, Subject, about, is_autonomous
-from cap.floats.models.trajectory import proving
+from cap.floats.models.subject import OfModel, Subject, about
+from cap.floats.models.trajectory import proving, told
 from cap.floats.models.walls import Wall, walls
 from cap.floats.words import with_error
 from cap.runner import Runner
@@ -45,8 +45,10 @@ class ModelAttractor:
         """Return it in words."""
         pairs = zip(self.exponents, self.errors, strict=True)
         rates = ", ".join(with_error(float(x), float(e)) for x, e in pairs)
-        through = ", ".join(f"{q:.8g}" for q in self.states[0])
-        first = f"{self.share:7.2%}  {self.kind}: {self.events}; exponents {rates} per time"
+        size = float(np.abs(self.states).max())
+        through = ", ".join(told(float(q), size, 8) for q in self.states[0])
+        told_rates = f"; exponents {rates} per time" if rates else ""
+        first = f"{self.share:7.2%}  {self.kind}: {self.events}{told_rates}"
         return [f"{first}; through ({through})", *(f"         {hint}" for hint in self.hints)]
 
 
@@ -91,7 +93,7 @@ def attractors(
     planes = (subject.named(plane),) if plane else subject.planes()
     runner.tell("attractors", None)
     label, found = ends_of(subject, seeds, transient)
-    fixed = () if is_autonomous(subject.system) else walls(
+    fixed = () if subject.system.autonomous else walls(
         subject.system, np.zeros(1), seeds[:1], fixed=True)  # fmt: skip
     return ModelAttractors(
         **about(subject), seeds=seeds, label=label, found=found, planes=planes, walls=fixed
@@ -173,16 +175,18 @@ def _attractor(
 ) -> ModelAttractor:
     """Return an attractor, given its orbits: states (M, K, n), and starts for more."""
     counts, share = told
-    autonomous = is_autonomous(subject.system)
+    autonomous = subject.system.autonomous
     events = ", ".join(
         f"{q / LATE / (2 if autonomous else 1):.4g} {word}"
         for word, q in zip(subject.engine.words, counts, strict=True)
         if q
     )
-    events = f"{events} per T" if events else "no events"
+    events = f"{events} per {'2 pi' if autonomous else 'T'}" if events else "no events"
     n, closed = states.shape[2], None
+    if not counts.any() and not subject.engine.free[starts[1]].any():
+        return ModelAttractor("rests", share, events, states[0, -1:], np.empty(0), np.empty(0), ())
     if period:
-        closed = closing(subject, Start(starts[0][0], int(starts[1][0])))
+        closed = closing(subject, first_start(subject, *starts))
     if closed:
         with np.errstate(divide="ignore"):
             rates = np.log(np.abs(closed.multipliers)) / closed.time
@@ -199,6 +203,6 @@ def _attractor(
 
 def _kind(subject: Subject, closed: Closed) -> str:
     """Return the kind of a cycle in words."""
-    what = f"period {closed.time:.10g}" if is_autonomous(subject.system) else (
+    what = f"period {closed.time:.10g}" if subject.system.autonomous else (
         f"period {closed.count} T")  # fmt: skip
     return what if closed.attracts else f"{what}, which does not attract"

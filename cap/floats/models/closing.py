@@ -16,11 +16,11 @@ from cap.errors import BadInput
 from cap.floats.models.engine import Ends, Engine
 from cap.floats.models.legs import Legs
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import Subject, is_autonomous
+from cap.floats.models.subject import Subject
 
 LONGEST = 64  # of the periods, or of the events of one kind, after which an orbit may close
-CLOSE = 1e-5  # of a state that comes back, as a part of the sizes of all
-EXACT, FAR, STEPS = 1e-11, 1e-2, 20  # of Newton's iteration
+CLOSE, ROUGHLY = 1e-5, 1e-2  # of what comes back, and of what is given, as a part of its size
+EXACT, FAR, STEPS = 1e-11, 3e-2, 20  # of Newton's iteration
 LINES = 2000  # of a log, for each orbit and period; more are asked for where they do not do
 
 
@@ -49,7 +49,7 @@ class Closed:
     count: int
     time: float
     multipliers: NDArray[np.complex128]
-    rests: bool = False  # infinitely many contacts accumulate
+    rests: bool = False  # infinitely many contacts accumulate, or there is none
 
     @property
     def attracts(self) -> bool:
@@ -76,10 +76,12 @@ def logged(
         room *= 4
 
 
-def closing(subject: Subject, start: Start, longest: int = LONGEST) -> Closed | None:
+def closing(
+    subject: Subject, start: Start, near: float = CLOSE, longest: int = LONGEST
+) -> Closed | None:
     """Return the closed orbit to which Newton's method leads from one that nearly closes."""
-    returns = _sectional if is_autonomous(subject.system) else _periodic
-    count = _count(subject, start, longest)
+    returns = _sectional if subject.system.autonomous else _periodic
+    count = _count(subject, start, near, longest)
     if not count:
         return None
     state = start.state
@@ -105,23 +107,23 @@ def closing(subject: Subject, start: Start, longest: int = LONGEST) -> Closed | 
 def _sorted(subject: Subject, values: NDArray[Any]) -> NDArray[np.complex128]:
     """Return the multipliers, the largest first; without a clock one 0 is that of the section."""
     ordered = values.astype(np.complex128)[np.argsort(-np.abs(values), kind="stable")]
-    return ordered[:-1] if is_autonomous(subject.system) else ordered
+    return ordered[:-1] if subject.system.autonomous else ordered
 
 
-def _count(subject: Subject, start: Start, longest: int) -> int:
+def _count(subject: Subject, start: Start, close: float, longest: int) -> int:
     """Return the least number of returns after which the orbit is nearly where it was, or 0."""
     engine, size = subject.engine, 1 + np.abs(start.state).max()
-    if is_autonomous(subject.system):
+    if subject.system.autonomous:
         ends = logged(engine, start.states, start.modes, longest)
         states, modes = ends.log[:, 4:], ends.log[:, 3]
-        near = (np.abs(states - start.state).max(axis=1) < CLOSE * size) & (modes == start.mode)
+        near = (np.abs(states - start.state).max(axis=1) < close * size) & (modes == start.mode)
         near[: np.argmax(ends.log[:, 1] > 0)] = False
         if not near.any():
             return 0
         same = ends.log[: np.argmax(near) + 1, 2] == ends.log[np.argmax(near), 2]
         return int(same.sum())
     path = engine.follow(start.states, start.modes, periods=longest, every=True).path
-    near = np.abs(path[0] - start.state).max(axis=1) < CLOSE * size
+    near = np.abs(path[0] - start.state).max(axis=1) < close * size
     return int(np.argmax(near)) + 1 if near.any() else 0
 
 
@@ -133,9 +135,9 @@ def _periodic(subject: Subject, start: Start, count: int) -> Returned | None:
     ends = logged(subject.engine, start.states, start.modes, count)
     if ends.flags[0] or ends.modes[0] != start.mode:
         return None
-    time = count * subject.period
+    time, rests = count * subject.period, bool(ends.counts[0, -1]) or not len(ends.log)
     legs = Legs.of(subject.engine, start.states, start.modes, ends, time)
-    return ends.states[0], product(legs.derivatives()), time, bool(ends.counts[0, -1])
+    return ends.states[0], product(legs.derivatives()), time, rests
 
 
 def _sectional(subject: Subject, start: Start, count: int) -> Returned | None:
@@ -176,8 +178,8 @@ def settled(subject: Subject, periods: int, longest: int = LONGEST) -> Start:
     if not well.any():
         raise BadInput("no orbit from anywhere is followed to its end: give --state")
     states, modes = ends.states[well], ends.modes[well]
-    if is_autonomous(subject.system):
-        return _on_section(subject, states, modes)
+    if subject.system.autonomous:
+        return first_start(subject, states, modes)
     path = engine.follow(states, modes, periods=longest, every=True).path
     near = np.abs(path - states[:, None]).max(axis=2) < CLOSE * (1 + np.abs(states).max())
     first = np.where(near.any(axis=1), near.argmax(axis=1), longest)
@@ -186,8 +188,10 @@ def settled(subject: Subject, periods: int, longest: int = LONGEST) -> Start:
     return Start(states[best], int(modes[best]))
 
 
-def _on_section(subject: Subject, states: Floats, modes: NDArray[np.int64]) -> Start:
-    """Return the state just after the first event of the first orbit that has one."""
+def first_start(subject: Subject, states: Floats, modes: NDArray[np.int64]) -> Start:
+    """Return the first of some states; without a clock that just after an event that follows."""
+    if not subject.system.autonomous:
+        return Start(states[0], int(modes[0]))
     ends = logged(subject.engine, states, modes, 4)
     told = ends.log[ends.log[:, 2] < len(subject.engine.words) - 1]
     if not len(told):

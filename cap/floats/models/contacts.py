@@ -9,7 +9,7 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.models.engine import Engine
-from cap.floats.models.spectrum import Exponential, Floats, exponential, number
+from cap.floats.models.spectrum import Exponential, Floats, number
 from cap.orbits.itinerary import Contact, Itinerary
 
 MOST = 64  # contacts of a round
@@ -88,7 +88,7 @@ def _arrivals(
     engine: Engine, found: Sequence[Contact], times: Sequence[float], starts: Sequence[Floats]
 ) -> list[list[float]]:
     """Return the state just before each contact, from that after the one before."""
-    flights = {m: exponential(engine.system, m) for m in dict.fromkeys(c.mode for c in found)}
+    flights = dict(zip(engine.modes, engine.exponentials, strict=True))
     omega, arrivals = float(number(engine.system.omega)), list[list[float]]()
     for contact, start, (a, b) in zip(found, starts, pairwise(times), strict=False):
         y = np.array([*start, np.cos(omega * a), np.sin(omega * a), 1.0])

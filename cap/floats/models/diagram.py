@@ -105,17 +105,18 @@ def diagram(  # noqa: PLR0913
     transient: int,
     runner: Runner,
 ) -> ModelDiagram:
-    """Return where orbits from the same seeds end, at values within the limits."""
+    """Return where orbits from the same box end, at values within the limits."""
     low, high = limits
     subject.at(parameter, low), subject.at(parameter, high)  # both must be possible
     if not low < high or points > MOST:
         raise BadInput(f"--range must be A < B, with at most {MOST} values: {low} {high}")
     values = [low + (k + SHIFT) * (high - low) / points for k in np.arange(points).tolist()]
     middle = subject.at(parameter, values[points // 2])
-    seeds = middle.seeds(ORBITS, middle.ranges(box))
+    ranges = middle.ranges(box)
 
     def settle(value: Fraction) -> tuple[Floats, Floats, NDArray[np.int64], NDArray[np.bool_]]:
-        return _settled(subject.at(parameter, value), seeds, transient)
+        model = subject.at(parameter, value)
+        return _settled(model, model.seeds(ORBITS, ranges), transient)
 
     done = runner.map(settle, values, "attractors")
     if not done:
@@ -136,14 +137,7 @@ def diagram(  # noqa: PLR0913
 def _settled(
     subject: Subject, seeds: Floats, transient: int
 ) -> tuple[Floats, Floats, NDArray[np.int64], NDArray[np.bool_]]:
-    """Return states, exponents, periods of orbits after a transient; whether contacts accumulate.
-
-    A seed that lies in no mode, as a parameter moved a wall over it, gives way to another.
-    """
-    fits = subject.starting(seeds)
-    if not fits.any():
-        raise BadInput("no seed lies in a mode at every value: give a smaller --box, or --range")
-    seeds = np.where(fits[:, None], seeds, seeds[np.argmax(fits)])
+    """Return states, exponents, periods of orbits after a transient; if contacts accumulate."""
     engine = subject.engine
     late = engine.follow(seeds, engine.begun(seeds), periods=max(1, transient))
     found = samples(subject, late.states, late.modes, SHOWN)

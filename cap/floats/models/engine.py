@@ -57,7 +57,8 @@ class Ends:
 class Engine:
     """The flow of a system without free parameters.
 
-    ``modes`` and ``words`` are the names of modes and of events.  Raises `BadInput` for a system
+    ``modes`` and ``words`` are the names of modes and of events, ``exponentials`` those of modes,
+    and ``free`` tells in which modes orbits may begin.  Raises `BadInput` for a system
     that floats do not follow, and says why.
     """
 
@@ -68,6 +69,7 @@ class Engine:
         self.system, self.modes = system, source.modes
         self.words = (*source.words, "capture")
         self._numbers, self._follow = source.numbers, _compiled(source.text)
+        self.exponentials = source.exponentials
         self.free = np.array([is_free(system, name) for name in system.modes])
 
     def follow(

@@ -13,7 +13,7 @@ from cap.floats.models.engine import Engine
 from cap.floats.models.legs import Legs
 from cap.floats.models.periodic import Closed, search
 from cap.floats.models.spectrum import Floats, evaluated
-from cap.floats.models.subject import OfModel, Subject, about, command, is_autonomous
+from cap.floats.models.subject import OfModel, Subject, about, command
 from cap.floats.models.trajectory import along
 from cap.runner import Runner
 from cap.system.polynomial import COS, SIN
@@ -79,8 +79,8 @@ def inventory(
 ) -> ModelOrbits:
     """Search for orbits of a period; nothing that is found is all that there is."""
     runner = runner or Runner()
-    if is_autonomous(subject.system):
-        raise BadInput("without a clock no period is known: see `orbit`")
+    if subject.system.autonomous:
+        raise BadInput("without a clock the period is unknown: `orbit` finds it")
     pair = subject.named(plane) if plane else subject.plane()
     met = search(subject.system, period, runner.tell)
     others = [f"{n} that attract have the period {p} T" for p, n in sorted(met.periods.items())]

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from cap.floats.models.engine import Ends, Engine
 from cap.floats.models.source import resting
-from cap.floats.models.spectrum import Exponential, Floats, evaluated, exponential, number
+from cap.floats.models.spectrum import Exponential, Floats, evaluated, number
 from cap.system.polynomial import COS, ONE, SIN, Polynomial, Quotient
 
 NONE = -1  # no event: the end of the time
@@ -85,11 +85,10 @@ class Legs:
             place = np.flatnonzero((key == (mode, word, to)).all(axis=1))
             yield Leg(mode, word, to, place)
 
-    @cached_property
-    def flights(self) -> dict[int, Exponential]:
-        """The exponentials of the modes that occur."""
-        system, modes = self.engine.system, self.engine.modes
-        return {m: exponential(system, modes[m]) for m in np.unique(self.mode).tolist()}
+    @property
+    def flights(self) -> list[Exponential]:
+        """The exponentials of the modes."""
+        return self.engine.exponentials
 
     @cached_property
     def omega(self) -> float:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cap.errors import BadInput
 from cap.floats.models.samples import samples, section
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import OfModel, Subject, about, is_autonomous
+from cap.floats.models.subject import OfModel, Subject, about
 from cap.floats.models.walls import Wall, walls
 from cap.runner import Runner
 
@@ -82,7 +82,7 @@ def portrait(  # noqa: PLR0913 (the options of the command)
             raise BadInput(f"all orbits are lost within {transient} periods")
     runner.tell("portrait", None)
     found = samples(subject, starts, modes, periods)
-    autonomous = is_autonomous(subject.system)
+    autonomous = subject.system.autonomous
     at = np.zeros(1), starts[:1]
     return ModelPortrait(
         **about(subject),

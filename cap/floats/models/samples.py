@@ -13,7 +13,7 @@ from cap.errors import BadInput
 from cap.floats.models.closing import logged
 from cap.floats.models.legs import Legs
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import Subject, is_autonomous
+from cap.floats.models.subject import Subject
 
 BLOCKS = 10  # parts of the time, of which each has its exponents
 EVENTS = 400_000  # of a log at a time
@@ -45,7 +45,7 @@ def section(subject: Subject) -> int:
 def samples(subject: Subject, states: Floats, modes: NDArray[np.int64], count: int) -> Samples:
     """Return so many states of each orbit."""
     engine = subject.engine
-    if not is_autonomous(subject.system):
+    if not subject.system.autonomous:
         ends = engine.follow(states, modes, periods=count, every=True)
         return Samples(ends.path, ends.states, ends.modes, ends.counts, ends.flags)
     word, n = section(subject), states.shape[1]

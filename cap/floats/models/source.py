@@ -54,6 +54,7 @@ class Source:
         self._y = (*(f"y{i}" for i in range(len(system.state))), "c", "s", "1.0")
         self._after = (*(f"f{i}" for i in range(len(system.state))), "c", "s", "1.0")
         self._along: dict[str, str] = {}
+        self.exponentials: list[Exponential] = []  # of the modes
         blocks = [line for k in range(len(self.modes)) for line in self._mode(k)]
         self.text = self._driver(blocks)
 
@@ -101,6 +102,7 @@ class Source:
         name = self.modes[k]
         guards = self.system.modes[name].guards
         E = exponential(self.system, name)
+        self.exponentials.append(E)
         self._along[kinds(E)] = along(kinds(E))
         rates = [self._number(part) for z in E.rates for part in (z.real, z.imag)]
         yield f"{'if' if k == 0 else 'elif'} m == {k}:  # {name}"

@@ -17,9 +17,8 @@ from cap.floats.models.engine import Engine
 from cap.floats.models.spectrum import Floats, number
 from cap.system.files import Loaded, load
 from cap.system.model import System
-from cap.system.polynomial import COS, SIN
 
-SEEDS, SETTLING, LATE = 200, 60, 20  # of states all over; periods before, and those looked at
+SEEDS, SOON, SETTLING, LATE = 200, 2, 60, 20  # states all over; periods that are looked at
 SCALES = 0.3, 1.0, 3.0  # of states all over
 
 
@@ -118,32 +117,24 @@ class Subject:
 
     @cached_property
     def box(self) -> Floats:
-        """Ranges (n, 2) of the states, where orbits from all over are after a while, and a rim."""
-        ends = self.engine.follow(self.seeds(SEEDS), periods=SETTLING + LATE, every=True)
-        whole = np.isfinite(ends.path).all(axis=(1, 2))
-        late = ends.path[whole, SETTLING:] if whole.any() else ends.path
-        late = late.reshape(-1, len(self.system.state))
-        late = late[np.isfinite(late).all(axis=1)]
-        if not len(late):
-            raise BadInput("every orbit from anywhere is lost in a period: give --box, or --state")
-        low, high = np.percentile(late, [1, 99], axis=0)
-        rim = np.maximum(0.3 * (high - low), 0.1 * (1e-3 + np.abs(late).max(axis=0)))
+        """Ranges (n, 2) of the states: of orbits from all over, soon and after a while; a rim."""
+        path = self.engine.follow(self.seeds(SEEDS), periods=SETTLING + LATE, every=True).path
+        whole = np.isfinite(path).all(axis=(1, 2))
+        late = path[whole, SETTLING:] if whole.any() else path
+        low, high = self._spread(late)
+        early = self._spread(path[:, :SOON])
+        low, high = np.minimum(low, early[0]), np.maximum(high, early[1])
+        rim = 0.1 * (high - low) + 1e-3 * (1e-3 + np.maximum(np.abs(low), np.abs(high)))
         return np.stack([low - rim, high + rim], axis=1)
 
-
-def is_autonomous(system: System) -> bool:
-    """Return whether the clock occurs nowhere."""
-    clock = {COS, SIN}
-    guards = [guard for mode in system.modes.values() for guard in mode.guards.values()]
-    rates = [rate for mode in system.modes.values() for rate in mode.field.values()]
-    resets = [
-        q
-        for name, mode in system.modes.items()
-        for word in mode.guards
-        for q in system.reset(name, word).values()
-    ]
-    found = [q.variables for q in rates] + [q.variables for q in resets]
-    return not any(clock & names for names in [*found, *(g.value.variables for g in guards)])
+    def _spread(self, path: Floats) -> tuple[Floats, Floats]:
+        """Return between which numbers nearly all states lie."""
+        states = path.reshape(-1, len(self.system.state))
+        states = states[np.isfinite(states).all(axis=1)]
+        if not len(states):
+            raise BadInput("every orbit from anywhere is lost in a period: give --box, or --state")
+        low, high = np.percentile(states, [2, 98], axis=0)
+        return low, high
 
 
 @dataclass(frozen=True, kw_only=True)

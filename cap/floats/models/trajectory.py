@@ -9,17 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import Closed, Start, closing, logged, settled
+from cap.floats.models.closing import ROUGHLY, Closed, Start, closing, logged, settled
 from cap.floats.models.engine import OUTSIDE, Ends
 from cap.floats.models.legs import NONE, Legs
 from cap.floats.models.source import MANY, NO_MODE, SIMULTANEOUS
 from cap.floats.models.spectrum import Floats
-from cap.floats.models.subject import OfModel, Subject, about, command, is_autonomous
-from cap.floats.models.walls import Wall, walls
+from cap.floats.models.subject import OfModel, Subject, about, command
+from cap.floats.models.walls import Surface, Wall, surface, walls
 from cap.runner import Runner
 
 SAMPLES, MOST_SAMPLES = 400, 200_000  # in a period, and of an orbit
-MOST = 30  # events told
+MOST, SURFACES = 30, 12  # events told, and those at which walls are drawn
 ROUNDING = 1e-9  # as a part of the largest number of a state
 SETTLING, SHOWN = 400, 8  # periods before, and those shown of an orbit that does not close
 FLAGS = {
@@ -36,7 +36,8 @@ class ModelOrbit(OfModel):
 
     ``words`` are events, ``modes`` (E + 1,) those before each and at the end; ``before`` and
     ``after`` (E, n) the states at an event; ``strobe`` (M, n) those at t = 0, T, ...
-    ``walls`` are what it can meet, each with its places (K,).  ``closes`` in words.
+    ``walls`` are what it can meet, each with its places (K,); ``surfaces`` what it meets in a plane
+    of two positions.  ``closes`` in words.
     """
 
     autonomous: bool
@@ -51,6 +52,7 @@ class ModelOrbit(OfModel):
     walls: tuple[Wall, ...]
     positions: tuple[str, ...]
     plane: tuple[str, str]
+    surfaces: tuple[Surface, ...]
     closes: tuple[str, ...]
     flag: str = ""
 
@@ -83,7 +85,7 @@ class ModelOrbit(OfModel):
         """Return the state at an event; what jumps with both values."""
         size = float(np.abs(self.states).max())
         return ", ".join(
-            f"{z} = {_told(a, size)}" + ("" if same else f" -> {_told(b, size)}")
+            f"{z} = {told(a, size)}" + ("" if same else f" -> {told(b, size)}")
             for z, a, b in zip(self.state, before, after, strict=True)
             for same in [abs(a - b) < ROUNDING * size]
         )
@@ -101,9 +103,9 @@ def orbit(  # noqa: PLR0913 (the options of the command)
     runner: Runner | None = None,  # noqa: ARG001 (as all commands: here there is nothing to share)
 ) -> ModelOrbit:
     """Return the orbit of a state, or one on which others end; it is closed if it nearly is."""
-    start = _start(subject, state, mode, transient)
+    start = given_start(subject, state, mode, transient)
     names = subject.named(plane) if plane else subject.plane()
-    closed = None if exactly else closing(subject, start)
+    closed = None if exactly else closing(subject, start, ROUGHLY)
     start = closed.start if closed else start
     end = _shown(subject, closed, periods)
     whole = math.ceil(end / subject.period - 1e-9)
@@ -113,12 +115,12 @@ def orbit(  # noqa: PLR0913 (the options of the command)
 
 def _shown(subject: Subject, closed: Closed | None, periods: int | None) -> float:
     """Return the time that is shown; without a clock its period is that of the closed orbit."""
-    if closed and is_autonomous(subject.system):
+    if closed and subject.system.autonomous:
         return closed.time * (periods or 1)
     return subject.period * (periods or (closed.count if closed else SHOWN))
 
 
-def _start(
+def given_start(
     subject: Subject, state: tuple[float, ...] | None, mode: str | None, transient: int | None
 ) -> Start:
     """Return the state from which an orbit is shown."""
@@ -168,13 +170,13 @@ def _found(
     last = legs.to[events[-1]] if len(events) else legs.mode[0]
     visited = modes[[*legs.mode[events], last]]
     strobe = [start.state]
-    if not is_autonomous(subject.system):
+    if not subject.system.autonomous:
         shown = round(end / subject.period)
         path = engine.follow(start.states, start.modes, periods=shown, every=True).path
         strobe += list(path[0])
     return ModelOrbit(
         **about(subject),
-        autonomous=is_autonomous(subject.system),
+        autonomous=subject.system.autonomous,
         t=t,
         states=states,
         words=names[legs.word[events]],
@@ -186,9 +188,27 @@ def _found(
         walls=walls(subject.system, t, states, modes=set(visited.tolist())),
         positions=subject.positions(),
         plane=plane,
+        surfaces=_surfaces(legs, events, plane, states),
         closes=_closing(subject, closed),
         flag=flagged(int(ends.flags[0])),
     )
+
+
+def _surfaces(
+    legs: Legs, events: NDArray[np.int64], plane: tuple[str, str], states: Floats
+) -> tuple[Surface, ...]:
+    """Return what the orbit meets at its first events, in a plane of two positions."""
+    system = legs.engine.system
+    if not all(system.velocity_of(z) for z in plane):
+        return ()
+    x = states[:, system.state.index(plane[0])]
+    rim = 0.1 * (x.max() - x.min()) + 1e-9
+    across, found = np.linspace(x.min() - rim, x.max() + rim, 200), []
+    for k in events[:SURFACES]:
+        if legs.word[k] < len(legs.engine.words) - 1:
+            mode, word = legs.engine.modes[legs.mode[k]], legs.engine.words[legs.word[k]]
+            found.append(surface(system, mode, word, float(legs.end[k]), plane, across))
+    return tuple(filter(None, found))
 
 
 def along(legs: Legs, k: int, until: float, whole: float) -> tuple[Floats, Floats]:
@@ -209,24 +229,25 @@ def _closing(subject: Subject, closed: Closed | None) -> tuple[str, ...]:
     if closed is None:
         return ()
     clock = f"{closed.count} period{'s' * (closed.count > 1)} of the clock"
-    after = f"t = {closed.time:.10g}" if is_autonomous(subject.system) else clock
+    after = f"t = {closed.time:.10g}" if subject.system.autonomous else clock
     return (f"it closes after {after}; {closed.shown()}", *proving(subject, closed))
 
 
 def proving(subject: Subject, closed: Closed) -> tuple[str, ...]:
     """Return the command that proves an orbit, or its state where there is none."""
     mode = subject.engine.modes[closed.start.mode]
-    if not is_autonomous(subject.system) and not closed.rests:
-        return (command(subject, closed.count, closed.start.state, mode),)
+    if not closed.rests:
+        count = 1 if subject.system.autonomous else closed.count
+        return (command(subject, count, closed.start.state, mode),)
     state = " ".join(f"{q:.15g}" for q in closed.start.state)
     return (f"state at t = 0: {state}, mode {mode}",)
 
 
 def _values(names: tuple[str, ...], state: Floats) -> str:
     size = float(np.abs(state).max())
-    return ", ".join(f"{z} = {_told(q, size)}" for z, q in zip(names, state, strict=True))
+    return ", ".join(f"{z} = {told(q, size)}" for z, q in zip(names, state, strict=True))
 
 
-def _told(value: float, size: float) -> str:
-    """Return a number; what is only rounding is 0."""
-    return f"{value:.10g}" if abs(value) > 1e-3 * ROUNDING * size else "0"
+def told(value: float, size: float, digits: int = 10) -> str:
+    """Return a number; what is only rounding, beside numbers of some size, is 0."""
+    return f"{value:.{digits}g}" if abs(value) > 1e-3 * ROUNDING * size else "0"

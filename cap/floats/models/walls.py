@@ -9,7 +9,7 @@ import numpy as np
 
 from cap.floats.models.source import restitution
 from cap.floats.models.spectrum import Floats, evaluated, number
-from cap.system.model import System
+from cap.system.model import Bounce, System
 from cap.system.polynomial import COS, SIN, Polynomial, variable
 
 
@@ -57,6 +57,29 @@ def walls(
     return tuple(found.values())
 
 
+class Surface(NamedTuple):
+    """Where a guard is zero at one time, in a plane of two positions: ``second`` over ``first``."""
+
+    name: str
+    first: Floats
+    second: Floats
+
+
+def surface(
+    system: System, mode: str, word: str, time: float, plane: tuple[str, str], first: Floats
+) -> Surface | None:
+    """Return where a guard is zero in a plane at a time, None if it does not tell that."""
+    h = system.guard(mode, word).value
+    c, omega = h.derivative(plane[1]), float(number(system.omega))
+    if not _is_simple(c):
+        return None
+    q = variable(plane[1]) - h / c
+    if q.variables - {plane[0], COS, SIN}:
+        return None
+    values = {plane[0]: first, COS: np.cos(omega * time), SIN: np.sin(omega * time)}
+    return Surface(word, first, np.broadcast_to(evaluated(q, values), first.shape).astype(float))
+
+
 def _guards(system: System) -> list[tuple[str, str, str, Polynomial]]:
     """Return mode, name, variable and value of each guard that can be solved for a variable."""
     listed = []
@@ -81,8 +104,11 @@ def _is_simple(q: Polynomial) -> bool:
 
 def _bounces(system: System, mode: str, word: str, to: str) -> bool:
     """Return whether a position is turned round at an event."""
-    h = system.guard(mode, word).value
+    guard = system.guard(mode, word)
+    h = guard.value
     if not any(h.derivative(z) and system.velocity_of(z) for z in system.state):
         return False
+    if isinstance(guard.reset, Bounce):
+        return True
     e = restitution(system, mode, word, to)
     return e is not None and e >= 0

@@ -1,0 +1,294 @@
+"""The theorem ``horseshoe``: its map, coverings, overlaps, diamonds; what is true, and lies."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from support import rounds, seeded
+
+from cap.checker.coverings.covering import Parallelogram, covers
+from cap.checker.coverings.graph import (
+    confirm_entropy,
+    confirm_growth,
+    confirm_no_diamond,
+    confirm_paths,
+    overlaps,
+)
+from cap.checker.coverings.half_period import HalfPeriod
+from cap.checker.coverings.planar import Image
+from cap.checker.kernel.doubles import Double
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.verdict import check, words
+from cap.flow.itinerary import itinerary
+from cap.parameters import PAPER
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
+
+FILE = Path(__file__).parents[2] / "certificates/horseshoe-1.json"
+CERTIFICATE = json.loads(FILE.read_text())
+SETS, EDGES = CERTIFICATE["hints"]["sets"], CERTIFICATE["hints"]["coverings"]
+SIGMA = HalfPeriod(Fraction(2, 5), Fraction(1))
+
+
+def test_it_is_verified():
+    """The steps are told; the schema describes it; the sentence has its numbers."""
+    assert len(verify(CERTIFICATE)) > 4
+    fits_the_schema(CERTIFICATE)
+    line = words(check(encode(CERTIFICATE), lambda _: None))
+    for part in ("f = 2/5", "e = 1", CERTIFICATE["claims"]["entropy"], f"{len(SETS)} parallelo"):
+        assert part in line
+
+
+def test_sigma_contains_motions():
+    """Of random states of small boxes, against the float flow; a period is two half-periods."""
+    random, seen = seeded(7), 0
+    for _ in range(rounds(40)):
+        x, v = random.uniform(-0.2, 0.6), random.uniform(0.45, 1.2)
+        r = random.choice([0.0, 1e-6, 1e-3])
+        try:
+            found = SIGMA.image(Double(x, r), Double(v, r))
+        except Rejected:
+            continue
+        seen += 1
+        end = itinerary(PAPER, x + r / 2, v - r / 3, 3.141592653589793).end
+        for box, value in ((found.x, -end[0]), (found.y, -end[1])):
+            assert box.lower - 1e-8 <= value <= box.upper + 1e-8
+            assert box.rad < 1e-12 + 40 * r
+    assert seen > 10
+
+
+def test_the_derivative_of_sigma():
+    """It is that of differences, and has the determinant 1."""
+    x, v, h = 0.34, 0.77, 1e-5
+    (a, b), (c, d) = SIGMA.image(Double(x), Double(v)).derivative
+    for column, (dx, dv) in zip(((a, c), (b, d)), ((h, 0.0), (0.0, h)), strict=True):
+        up = SIGMA.image(Double(x + dx), Double(v + dv))
+        down = SIGMA.image(Double(x - dx), Double(v - dv))
+        for entry, one, other in zip(column, up[:2], down[:2], strict=True):
+            assert abs((one.mid - other.mid) / (2 * h) - entry.mid) < 1e-6
+    assert abs((a * d - b * c).mid - 1) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("x", "v", "why"),
+    [
+        (Double(1.0), Double(0.7), "beyond a wall"),
+        (Double(0.3), Double(0.0, 0.1), "not positive"),
+        (Double(-0.9), Double(0.05), "may not reach|may vanish"),
+        (Double(0.95), Double(0.3), "vanish after"),
+        (Double(0.3), Double(9.0), "a second hit|too early"),
+        (Double(0.3, 0.4), Double(0.7, 0.4), "vanish|no certain hit|early"),
+    ],
+)
+def test_where_sigma_is_not_defined(x, v, why):
+    """Each condition refuses something."""
+    with pytest.raises(Rejected, match=why):
+        SIGMA.image(x, v)
+
+
+class Linear:
+    """(x, y) -> (3x, y/4), which covers squares; or another linear map."""
+
+    def __init__(self, *entries):
+        self.entries = tuple(map(Double, entries or (3.0, 0.0, 0.0, 0.25)))
+
+    def image(self, x, y):
+        """Enclose it."""
+        a, b, c, d = self.entries
+        return Image(a * x + b * y, c * x + d * y, ((a, b), (c, d)))
+
+
+def square(x=0, y=0, a=1, b=1):
+    """Return a parallelogram with axes along the coordinates."""
+    return Parallelogram([Fraction(n) for n in (x, y, a, 0, 0, b)])
+
+
+@pytest.mark.parametrize(
+    ("g", "target", "why"),
+    [
+        (Linear(), square(5), "the same side"),
+        (Linear(), square(y=2), "more than"),
+        (Linear(0.5, 0.0, 0.0, 0.25), square(), "more than"),
+        (Linear(3.0, 0.0, 0.0, 2.0), square(), "more than"),
+        (Linear(0.0, 3.0, 0.3, 0.0), square(), "both sides|more than"),
+    ],
+)
+def test_what_is_no_covering(g, target, why):
+    """The image passes by, does not reach across, or is too thick."""
+    with pytest.raises(Rejected, match=why):
+        covers(g, square(), [target])
+
+
+def test_what_is_a_covering():
+    """One long set covers several, also mirrored ones."""
+    assert covers(Linear(), square(), [square(), square(Fraction(3, 2)), square(-1)]) > 3
+    assert covers(Linear(-3.0, 0.0, 0.0, -0.25), square(), [square()]) > 1
+
+
+def arcs(k, copies=1):
+    """Return the dyadic arcs of length 2^-k, a little enlarged, and what they cover by 2x mod 1.
+
+    Arcs as sets of integers modulo 2^k that are neighbours: which overlap.
+    """
+    n = 2**k
+    names = [(i, c) for i in range(n) for c in range(copies)]
+    number = {name: m for m, name in enumerate(names)}
+    edges = [[number[(2 * i + s) % n, c] for s in (0, 1) for c in range(copies)] for i, _ in names]
+    overlapping = [
+        {number[(i + s) % n, c] for s in (-1, 0, 1) for c in range(copies)} - {m}
+        for m, (i, _) in enumerate(names)
+    ]
+    return edges, overlapping
+
+
+def test_doubling_without_diamonds():
+    """The lemma is sharp: 2^k arcs overlap with their neighbours, and rho = 2."""
+    edges, overlapping = arcs(4)
+    assert confirm_no_diamond(edges, overlapping) > 0
+    confirm_growth(edges, [1] * 16, Fraction(2))
+    with pytest.raises(Rejected):
+        confirm_growth(edges, [1] * 16, Fraction(2) + Fraction(1, 10**9))
+
+
+def test_doubling_with_a_diamond():
+    """Each arc twice: rho = 4, and it proves nothing; three copies of one arc around 0 neither."""
+    edges, overlapping = arcs(4, 2)
+    confirm_growth(edges, [1] * 32, Fraction(4))
+    three = [[0, 1, 2]] * 3, [{1, 2}, {0, 2}, {0, 1}]
+    for wrong in ((edges, overlapping), three):
+        with pytest.raises(Rejected, match="diamond"):
+            confirm_no_diamond(*wrong)
+
+
+def test_overlaps_are_exact():
+    """What touches is not disjoint; what is 10^-30 apart is; a turned square fits in a corner."""
+    tiny = Fraction(1, 10**30)
+
+    def found(*numbers):
+        return overlaps([[Fraction(n) for n in (0, 0, 1, 0, 0, 1)], [Fraction(n) for n in numbers]])
+
+    assert found(2, 0, 1, 0, 0, 1) == [{1}, {0}]
+    assert found(2 + tiny, 0, 1, 0, 0, 1) == [set(), set()]
+    assert found(0, -2 - tiny, 1, 0, 0, 1) == [set(), set()]
+    near = Fraction(19, 10)
+    assert found(near, near, near - 1, -(near - 1), Fraction(1, 100), Fraction(1, 100)) == [
+        set(),
+        set(),
+    ]
+    assert found(0, 0, Fraction(1, 9), 0, 0, Fraction(1, 9)) == [{1}, {0}]
+
+
+@pytest.mark.parametrize(
+    ("edges", "why"),
+    [
+        ([[0], [0]], "covered by none"),
+        ([[0, 1], []], "covers none"),
+        ([[0, 0]], "twice"),
+        ([[0, 1]], "leads nowhere"),
+    ],
+)
+def test_what_is_no_graph(edges, why):
+    """Each vertex lies on a path without end, in both directions; edges are counted once."""
+    with pytest.raises(Rejected, match=why):
+        confirm_paths(edges)
+
+
+@pytest.mark.parametrize(
+    ("vector", "growth", "why"),
+    [
+        ([1], 1, "one entry"),
+        ([1, -1], 1, "negative"),
+        ([0, 0], 1, "zero"),
+        ([1, 2], Fraction(3, 2), "grow"),
+    ],
+)
+def test_what_does_not_grow(vector, growth, why):
+    """A vector of zeros proves nothing, nor does a negative one."""
+    with pytest.raises(Rejected, match=why):
+        confirm_growth([[0, 1], [0]], vector, Fraction(growth))
+
+
+def test_entropy_and_growth():
+    """2 log(growth) to nine digits, and no more; nothing negative."""
+    confirm_entropy(Fraction("0.693147180"), Fraction("1.41421356238"), 2)
+    for wrong in ("0.693147182", "-0.1", "2"):
+        with pytest.raises(Rejected):
+            confirm_entropy(Fraction(wrong), Fraction("1.41421356237"), 2)
+
+
+def test_a_covering_invented():
+    """From a set to one that it does not cover."""
+    for i, targets in enumerate(EDGES):
+        for j in range(len(SETS)):
+            if str(j) not in targets:
+                lie = changed(CERTIFICATE, "hints", "coverings", i, [*targets, str(j)])
+                rejected(lie, "side|boxes|diamond|defined|vanish|hit")
+                return
+
+
+def test_a_covering_reversed():
+    """The first one between different sets, once both ways."""
+    i, j = next((i, int(j)) for i, to in enumerate(EDGES) for j in to if int(j) != i)
+    assert str(i) not in EDGES[j]
+    rejected(changed(CERTIFICATE, "hints", "coverings", j, [*EDGES[j], str(i)]), "side|boxes|diam")
+
+
+@pytest.mark.parametrize("k", range(6))
+def test_a_set_moved(k):
+    """By three half-axes, along each of them; or with another axis."""
+    numbers = [Fraction(n) for n in SETS[0]]
+    by = 3 * max(map(abs, numbers[2:])) if k < 2 else 4 * numbers[k]
+    lie = changed(CERTIFICATE, "hints", "sets", 0, k, str(numbers[k] + by))
+    rejected(lie, ".")
+
+
+def test_a_set_doubled():
+    """With its coverings, which all hold: the matrix grows faster, and there is a diamond."""
+    n = str(len(SETS))
+    lie = changed(CERTIFICATE, "hints", "sets", [*SETS, SETS[0]])
+    lie["hints"]["coverings"] = [[*to, n] if "0" in to else list(to) for to in (*EDGES, EDGES[0])]
+    lie["hints"]["vector"].append(lie["hints"]["vector"][0])
+    lie["claims"]["together"] = n
+    rejected(lie, "diamond")
+
+
+@pytest.mark.parametrize("name", ["growth", "entropy"])
+def test_a_unit_more(name):
+    """Both claims are as large as their last digits allow."""
+    value = CERTIFICATE["claims"][name]
+    unit = Fraction(1, 10 ** len(value.partition(".")[2]))
+    rejected(changed(CERTIFICATE, "claims", name, str(Fraction(value) + unit)), "grow")
+
+
+def test_fewer_sets_overlap():
+    """What is claimed of overlaps is looked at."""
+    if CERTIFICATE["claims"]["together"] != "1":
+        rejected(changed(CERTIFICATE, "claims", "together", "1"), "more sets overlap")
+
+
+@pytest.mark.parametrize(("name", "value"), [("e", "9/10"), ("mu", "1/10"), ("e", "1")])
+def test_losses(name, value):
+    """The certificate has no place for them."""
+    rejected(changed(CERTIFICATE, "parameters", name, value), "unknown fields")
+
+
+@pytest.mark.parametrize("f", ["0.41", "0.39", "0"])
+def test_other_friction(f):
+    """These sets are for one system."""
+    rejected(changed(CERTIFICATE, "parameters", "f", f), ".")
+
+
+def test_what_is_not_of_the_form():
+    """Vectors with fractions, lists that do not fit, numbers that are too large."""
+    rejected(changed(CERTIFICATE, "hints", "vector", 0, "1/2"), "integers")
+    rejected(changed(CERTIFICATE, "hints", "sets", SETS[:-1]), "one list")
+    rejected(changed(CERTIFICATE, "hints", "sets", 0, 0, "1" + "0" * 31), "larger")
+    rejected(changed(CERTIFICATE, "hints", "sets", 0, [*SETS[0][:4], *SETS[0][2:4]]), "parallel")
+
+
+def test_certain_ends_of_sets():
+    """No two vertices of the certificate are the same set."""
+    assert all(one != other for one, other in pairwise(sorted(SETS)))

@@ -1,0 +1,49 @@
+"""What other packagers read says the same as `pyproject.toml`; the article cites what it lists."""
+
+import re
+import tomllib
+from pathlib import Path
+
+import cap
+
+ROOT = Path(__file__).parent.parent
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def test_the_conda_recipe():
+    """The same name, version, Python, libraries with their bounds, and scripts."""
+    text = (ROOT / "packaging/conda/recipe.yaml").read_text(encoding="utf-8")
+    assert f"\n  name: {PROJECT['name']}\n  version: {cap.__version__}\n" in text
+    run = re.findall(r"^    - (\S+) (\S+)$", text.partition("  run:\n")[2], re.MULTILINE)
+    names = {"matplotlib-base": "matplotlib"}
+    stated = {names.get(name, name) + bounds for name, bounds in run}
+    assert stated == {*PROJECT["dependencies"], f"python{PROJECT['requires-python']}"}
+    scripts = dict(re.findall(r"^      - (\S+) = (\S+)$", text, re.MULTILINE))
+    assert scripts == PROJECT["scripts"]
+
+
+def test_urls_are_in_one_place():
+    """Placeholders, until somebody publishes it."""
+    others = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md"), ROOT / "CITATION.cff"]
+    assert all(url.startswith("https://example.org/") for url in PROJECT["urls"].values())
+    assert [path for path in others if "example.org" in path.read_text(encoding="utf-8")] == []
+
+
+def test_versions_of_python():
+    """CI runs those that the classifiers name."""
+    named = [c.rpartition(" ")[2] for c in PROJECT["classifiers"] if ":: 3." in c]
+    text = (ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8")
+    (matrix,) = re.findall(r"^        python: \[(.*)\]$", text, re.MULTILINE)
+    assert re.findall(r'"(.*?)"', matrix) == named
+    assert PROJECT["requires-python"] == f">={named[0]}"
+
+
+def test_the_article():
+    """It cites what its bibliography lists, and nothing else; and what the field has."""
+    text = (ROOT / "paper/paper.md").read_text(encoding="utf-8")
+    listed = re.findall(
+        r"^@\w+\{(\w+),", (ROOT / "paper/paper.bib").read_text(encoding="utf-8"), re.MULTILINE
+    )
+    assert set(re.findall(r"@(\w+)", text.partition("# Summary")[2])) == set(listed)
+    for heading in ("Summary", "Statement of need", "State of the field", "References"):
+        assert f"\n# {heading}\n" in text
