@@ -20,6 +20,7 @@ Six = tuple[float, float, float, float, float, float]
 
 HALF_PERIOD, HENON, STANDARD = range(3)
 STEPS, CLOSE = 60, 1e-12
+FAR = 2.0  # where orbits of the Hénon map are given up
 
 
 class Planar(NamedTuple):
@@ -55,7 +56,8 @@ def image(kind: int, y: Floats, x: float, v: float) -> tuple[bool, Six]:
     if kind == HALF_PERIOD:
         return _half_period(y[0], y[1], x, v)
     if kind == HENON:
-        return True, (1 - y[0] * x * x + v, y[1] * x, -2 * y[0] * x, 1.0, y[1], 0.0)
+        near = abs(x) < FAR and abs(v) < FAR
+        return near, (1 - y[0] * x * x + v, y[1] * x, -2 * y[0] * x, 1.0, y[1], 0.0)
     if kind == STANDARD:
         return _standard(y[0], x, v)
     return _nowhere()
