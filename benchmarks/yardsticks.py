@@ -1,16 +1,17 @@
 """Entropy of planar maps given by formulas, for which others have published bounds.
 
-    python benchmarks/yardsticks.py henon 4 5
-    python benchmarks/yardsticks.py standard 2 3
+    python benchmarks/yardsticks.py henon 2 4 8 1
+    python benchmarks/yardsticks.py standard 2 3 5 5
 
-The numbers are the symbols before and after by which sets are told apart.  The sets are found in
+The numbers are the symbols before and after by which sets are told apart, and the columns and rows
+of the cells that are symbols.  The sets are found in
 floats; coverings, the absence of diamonds and the growth are proved by the checker's functions, one
 after the other, as of a certificate of ``horseshoe``.  The last line has processor time.
 """
 
+import math
 import sys
 import time
-from collections.abc import Callable
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -24,37 +25,40 @@ from cap.checker.kernel.rounding import in_doubles
 from cap.floats.coverings import planar
 from cap.floats.coverings.family import family
 from cap.floats.coverings.leaves import Leaves, Regions
-from cap.floats.coverings.regions import regions
 from cap.floats.coverings.saddles import Saddle, saddles
 from cap.proofs.coverings import Proved, entropy, proved
 from cap.runner import Runner
 
-CELLS = 1000
+FINE = 60  # entries of the table of a cell, in each direction
 
 
 class Yardstick(NamedTuple):
-    """A map, for proofs and in floats, which of its saddles, and how its points are told apart."""
+    """A map, for proofs and in floats; points are told apart by the cells of a grid."""
 
     map: Planar
     floats: planar.Planar
-    number: int
-    regions: Callable[[planar.Planar, Saddle], Regions]
+    window: tuple[float, float, float, float]
+    cells: tuple[int, int]
+
+    def saddle(self) -> Saddle:
+        """Return the saddle farthest to the right: of the Hénon map that in the attractor."""
+        return max(saddles(self.floats), key=lambda saddle: float(saddle.point[0]))
+
+    def regions(self, saddle: Saddle) -> Regions:
+        """Return the cells, and the stable direction of the saddle."""
+        columns, rows = (np.arange(count * FINE) // FINE for count in self.cells)
+        table = columns[:, None] * self.cells[1] + rows[None, :]
+        return Regions(table.astype(np.int64), np.array(self.window), saddle.stable)
 
 
-def near_the_folds(g: planar.Planar, _saddle: Saddle) -> Regions:
-    """Return the two sides of a line that passes near the folds of the Hénon attractor."""
-    x0, x1, y0, y1 = window = np.array(g.window)
-    steps = (np.arange(CELLS) + 0.5) / CELLS
-    x, y = np.meshgrid(x0 + (x1 - x0) * steps, y0 + (y1 - y0) * steps, indexing="ij")
-    return Regions((x > -0.1 + 0.3 * y).astype(np.int64), window, np.array([0.0, 1.0]))
-
-
-def yardstick(name: str) -> Yardstick:
+def yardstick(name: str, cells: tuple[int, int]) -> Yardstick:
     """Return a map by its name."""
     if name == "henon":
         a, b = Fraction(7, 5), Fraction(3, 10)
-        return Yardstick(Henon(a, b), planar.henon(float(a), float(b)), 0, near_the_folds)
-    return Yardstick(Standard(Fraction(2)), planar.standard(2.0), 0, regions)
+        window = -1.3, 1.3, -0.4, 0.4
+        return Yardstick(Henon(a, b), planar.henon(float(a), float(b)), window, cells)
+    whole = -math.pi, math.pi, -math.pi, math.pi
+    return Yardstick(Standard(Fraction(2)), planar.standard(2.0), whole, cells)
 
 
 @in_doubles()
@@ -72,10 +76,10 @@ def confirm(g: Planar, found: Proved) -> Fraction:
 
 def main(words: list[str]) -> None:
     """Prove a bound of the entropy, and say what it took."""
-    name, before, after = words[0], int(words[1]), int(words[2])
-    known, begin = yardstick(name), time.process_time()
-    saddle = saddles(known.floats)[known.number]
-    leaves = Leaves(known.floats, saddle, known.regions(known.floats, saddle), before, after)
+    name, (before, after, *cells) = words[0], map(int, words[1:5])
+    known, begin = yardstick(name, (cells[0], cells[1])), time.process_time()
+    saddle = known.saddle()
+    leaves = Leaves(known.floats, saddle, known.regions(saddle), before, after)
     found = proved(known.map, family(known.floats, saddle, leaves), Runner(), disjoint=False)
     proving = time.process_time() - begin
     bound = confirm(known.map, found)
