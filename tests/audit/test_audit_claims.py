@@ -11,7 +11,7 @@ from cap.audit import ledger, recorded, subject
 from cap.audit.decide import decided
 
 TOGETHER = (("persistence", "basin"), ("birkhoff", "kam"), ("gallery", "diagnostics"))
-SOON = {"gallery", "inclusion", "lifting", "symplectic"}
+SOON = {"inclusion", "lifting", "symplectic"}
 NAMES = [module.rpartition(".")[2] for module in subject.paper().GROUPS]
 GROUPS = [
     *TOGETHER,

@@ -13,6 +13,8 @@ from cap.certificate.writer import dumps
 from cap.checker.kernel.certificate import read as parsed
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.conserved import product_of_two
+from cap.checker.system.model import Guard, Mode, Model
+from cap.checker.system.polynomial import ONE, variable
 from cap.checker.theorems.contacts import Contacts
 from cap.checker.verdict import check, words
 from cap.orbits import conserved
@@ -62,6 +64,16 @@ def test_prover_and_checker_agree():
         value = None if expected is None else Fraction(expected)
         assert product_of_two(model(given), contacts(given)) == value
         assert conserved.product_of_two(CASES[name]()[0]) == value
+
+
+def test_a_reset_that_stretches():
+    """In a spring, (x, v) -> 2 (x, v): areas by 4; with a divisor it is not found."""
+    x, v = variable("x"), variable("v")
+    reset = {"x": x * 2, "v": v * 2}
+    for divisor, expected in ((ONE, 4), (ONE * 2, None)):
+        guard = Guard(x + v, reset, ("fly",), divisor)
+        system = Model(("x", "v"), Fraction(1), {"fly": Mode({"x": v, "v": -x}, {"hit": guard})})
+        assert product_of_two(system, [("fly", "hit", "fly")]) == expected
 
 
 def test_elliptic():

@@ -200,6 +200,20 @@ def test_the_centre_moved():
     rejected(given, "the centre is not in the box")
 
 
+@pytest.mark.parametrize("side", [1, -1])
+def test_the_zero_is_kept(side):
+    """From a centre that is wrong by 1e-4, in a box that reaches but to one side of it."""
+    theorem = proved("spring")
+    truth = [c for place in theorem.hints["centre"] for c in place]
+    off, far, near = Fraction(1, 10**4), Fraction(2, 10**4), Fraction(1, 10**7)
+    centre = [c + side * off for c in truth]
+    sides = [(c - far, c + near) if side > 0 else (c - near, c + far) for c in centre]
+    K = krawczyk(theorem.equations, sides, centre, theorem.hints["preconditioner"])
+    for z, c in zip(K, truth, strict=True):
+        assert z.lower <= c <= z.upper
+        assert z.upper - z.lower < Fraction(1, 10**6)
+
+
 def test_a_centre_outside_of_its_region():
     """The operator itself refuses it, for S has its centre inside."""
     theorem = proved("spring")

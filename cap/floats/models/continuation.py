@@ -1,7 +1,8 @@
 """A periodic orbit of a model followed over a parameter, by pseudo-arclength, and its bifurcations.
 
 Labels: ``fold``; ``flip``, a multiplier -1; ``branch point``, where branches cross;
-``Neimark-Sacker``, a pair on the unit circle; ``events change``, a graze or a stick; ``end``.
+``Neimark-Sacker``, a pair on the unit circle; ``events change``, a graze or a stick;
+``an event at t = 0``, where the branch is not followed through; ``end``.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import ROUGHLY, closing, settled
+from cap.floats.models.closing import closing_near, settled
 from cap.floats.models.family import Family, Station
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
@@ -24,6 +25,7 @@ from cap.runner import Runner
 
 FIRST, LEAST, MOST = 0.01, 1e-6, 0.03  # lengths of steps, in units of the ranges
 LOCATED, HALVINGS = 1e-9, 40  # length within which a bifurcation is located
+EDGE = 1e-3  # of the time, from its ends to an event that is there where a branch ends
 
 
 @dataclass(frozen=True)
@@ -94,7 +96,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     if not low <= value <= high or low == high:
         raise BadInput(f"{parameter} = {value:g} is not in the range from {low:g} to {high:g}")
     start = settled(subject, 400) if state is None else given_start(subject, state, mode, None)
-    closed = closing(subject, start, ROUGHLY)
+    closed = closing_near(subject, start)
     if closed is None or closed.rests:
         raise BadInput("no orbit without captures closes near that state: see `search`")
     size = np.maximum(np.ptp(subject.box, axis=1) / 2, np.abs(closed.start.state).max() / 10)
@@ -119,7 +121,7 @@ def _followed(
 ) -> tuple[list[Station], list[ModelSpecial]]:
     """Return the orbits on one side, and the special ones."""
     at = Station(first.y, side * first.tangent, first.multipliers, side * first.crossing,
-                 first.words, first.slopes)  # fmt: skip
+                 first.words, first.slopes, first.nearest)  # fmt: skip
     way: list[Station] = []
     special: list[ModelSpecial] = []
     step = FIRST
@@ -133,14 +135,29 @@ def _followed(
                 step /= 2
                 continue
             if following is None:
-                special.append(_special(family, "end", at))
+                label = "an event at t = 0" if at.nearest < EDGE else "end"
+                special.append(_special(family, label, at))
                 break
             if not limits[0] <= following.y[-1] <= limits[1]:
+                last = _at_limit(family, at, following, limits)
+                special += _changes(family, at, last) if last else []
+                way += [last] if last else []
                 break
             special += _changes(family, at, following)
             way.append(following)
             at, step = following, min(1.3 * step, MOST)
+        else:
+            special.append(_special(family, f"followed no further: {points} points", at))
     return way, special
+
+
+def _at_limit(
+    family: Family, one: Station, other: Station, limits: tuple[float, float]
+) -> Station | None:
+    """Return the orbit near the limit that lies between two neighbours."""
+    rise = other.y[-1] - one.y[-1]
+    part = (limits[int(rise > 0)] - one.y[-1]) / rise
+    return _between(family, one, other, float(part) * (1 - LOCATED))
 
 
 TESTS: dict[str, Callable[[Station], float]] = {

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats.models.closing import Start, logged, product
+from cap.floats.models.engine import Ends
 from cap.floats.models.legs import Legs
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import Subject
@@ -24,7 +25,10 @@ KEPT = 8  # models at values of the parameter
 
 @dataclass(frozen=True)
 class Station:
-    """An orbit on the branch: y = (q, p) in units, its tangent, multipliers, events, dF/dy."""
+    """An orbit on the branch: y = (q, p) in units, its tangent, multipliers, events, dF/dy.
+
+    ``nearest``: of an event to the ends of the time, as a part of it.
+    """
 
     y: Floats
     tangent: Floats
@@ -32,6 +36,7 @@ class Station:
     crossing: float
     words: tuple[int, ...]
     slopes: Floats
+    nearest: float
 
     @property
     def flip(self) -> float:
@@ -70,8 +75,8 @@ class Family:
         fine = not ends.flags[0] and ends.modes[0] == self.mode
         return ends.states[0] if fine else np.full(len(q), np.nan)
 
-    def slopes(self, y: Floats) -> tuple[Floats, Floats, tuple[int, ...]]:
-        """Return dF/dy (n, n + 1) in units, the derivative by the state, and the events."""
+    def slopes(self, y: Floats) -> tuple[Floats, Floats, Ends]:
+        """Return dF/dy (n, n + 1) in units, the derivative by the state, and the orbit's end."""
         *_, value = y * self.unit
         q, subject = (y * self.unit)[:-1], self.at(value)
         start = Start(q, self.mode)
@@ -80,7 +85,7 @@ class Family:
         D, d = product(legs.derivatives()), STEP * self.unit[-1]
         by = (self.returned(q, value + d) - self.returned(q, value - d)) / (2 * d)
         J = np.column_stack([(D - np.eye(len(q))) * self.unit[:-1], by * self.unit[-1]])
-        return J, D, tuple(ends.log[:, 2].astype(int).tolist())
+        return J, D, ends
 
     def corrected(self, y: Floats, tangent: Floats, near: Station) -> Station | None:
         """Return the orbit near y in the plane across the tangent; None if there is none.
@@ -107,7 +112,7 @@ class Family:
 
     def station(self, y: Floats, before: Floats) -> Station:
         """Return what is told of an orbit; its tangent points as the one before."""
-        J, D, words = self.slopes(y)
+        J, D, ends = self.slopes(y)
         if not np.isfinite(J).all():
             raise BadInput("the orbit is lost nearby")
         tangent = np.linalg.svd(J)[2][-1]
@@ -115,4 +120,7 @@ class Family:
         values = np.linalg.eigvals(D).astype(np.complex128)
         order = np.argsort(-np.abs(values), kind="stable")
         crossing = float(np.linalg.det(np.vstack([J, tangent])))
-        return Station(y, tangent, values[order], crossing, words, J)
+        words = tuple(ends.log[:, 2].astype(int).tolist())
+        part = ends.log[:, 1] / (self.count * self.at(float((y * self.unit)[-1])).period)
+        nearest = float(np.minimum(part, 1 - part).min()) if len(part) else 1.0
+        return Station(y, tangent, values[order], crossing, words, J, nearest)

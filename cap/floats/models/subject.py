@@ -140,12 +140,16 @@ class Subject:
 
 @dataclass(frozen=True, kw_only=True)
 class OfModel(Data):
-    """What was found of a model, its file: the ``values``, the ``state``, the period T."""
+    """What was found of a model, its file: the ``values``, the ``state``, the period T.
+
+    ``autonomous``: the clock occurs nowhere, so T says nothing.
+    """
 
     model: str
     values: dict[str, Fraction]
     state: tuple[str, ...]
     period: float
+    autonomous: bool
     varies: str = ""
 
     def given(self) -> dict[str, str]:
@@ -166,6 +170,7 @@ def about(subject: Subject, varies: str = "") -> dict[str, Any]:
         "values": dict(loaded.values),
         "state": subject.system.state,
         "period": subject.period,
+        "autonomous": subject.system.autonomous,
         "varies": varies,
     }
 
