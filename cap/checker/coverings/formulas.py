@@ -1,6 +1,6 @@
 """Planar maps given by formulas: yardsticks, for which others have published bounds.
 
-*The Hénon map* (x, y) -> (1 - a x^2 + y, b x).
+*The Henon map* (x, y) -> (1 - a x^2 + y, b x).
 
 *The standard map* (x, y) -> (x + y', y'), y' = y + K sin x, x and y modulo 2 pi, on the square |x|,
 |y| < pi: where x + y' or y' is a multiple of 2 pi plus pi the square is cut, and the map is not
@@ -21,7 +21,7 @@ _ZERO, _ONE = Double(0.0), Double(1.0)
 
 
 class Henon:
-    """The Hénon map."""
+    """The Henon map."""
 
     def __init__(self, a: Fraction, b: Fraction) -> None:
         need(b != 0, "the map is not injective")
