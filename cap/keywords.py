@@ -43,3 +43,6 @@ class Options(System, total=False):
     degree: int | str | None
     speed: Exact | None
     undecided: Exact | None
+    points: int | str | None
+    rotation: str | None
+    largest: bool | None

@@ -12,14 +12,19 @@ import cap
 # pdoc has no names for the constructor of a record whose annotations are strings, also inherited
 OF_RECORDS = r"Error parsing type annotation (ForwardRef\(.*\)|[^()]+) for cap\.[\w.]+\.__init__"
 
+# nor where a typed dictionary has a key from
+OF_KEYWORDS = r"Cannot determine where cap\.keywords\.\w+\.\w+ is taken from"
+
 
 def main(folder: Path) -> None:
     """Write a page for each module of `cap`, and the index, to a folder."""
     warnings.simplefilter("error")
     warnings.filterwarnings("ignore", OF_RECORDS)
+    warnings.filterwarnings("ignore", OF_KEYWORDS)
     for name in cap.__all__:  # what is loaded late is documented as well
         setattr(cap, name, getattr(cap, name))
-    rooms = [module.name for module in pkgutil.iter_modules(cap.__path__, "cap.")]
+    modules = [module.name for module in pkgutil.iter_modules(cap.__path__, "cap.")]
+    rooms = [name for name in modules if name.removeprefix("cap.") not in cap.__all__]
     pdoc.render.configure(
         docformat="markdown", show_source=False, footer_text=f"cap {cap.__version__}"
     )

@@ -31,6 +31,7 @@ from cap.checker.theorems import load
 from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
 from cap.orbits.along import Along
+from cap.orbits.conserved import product_of_two
 from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.leg import Kinds
@@ -198,8 +199,11 @@ def claims(orbit: PeriodicOrbit, digits: int) -> dict[str, Any]:
 def unstable(orbit: PeriodicOrbit) -> dict[str, str]:
     """Return how many multipliers lie outside a circle, the first of `RADII` for which it is clear.
 
-    Where nothing is lost, multipliers may lie on the unit circle.
+    Where nothing is lost, multipliers may lie on the unit circle: two do, if they are not real and
+    their product is 1.
     """
+    if abs(orbit.trace) < 2 and product_of_two(orbit.itinerary) == 1 and not orbit.autonomous:
+        return {"kind": "elliptic"}
     for radius in RADII:
         count = orbit.unstable(radius)
         if count is not None:

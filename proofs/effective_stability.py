@@ -63,8 +63,8 @@ OPTIONS = (PERIODS, DEGREE)
 MANY = Fraction(10**9)  # periods, if not asked for
 CENTRE = 12  # digits of the centre
 EXPANDED = Fraction(8, 5)  # times this degree is the order of Φ, to bound what H leaves
-SPARED = 2  # times as many periods are planned; many more if the checker cannot follow: where
-LITTLE = Fraction(3, 10)  # of the box is left
+SPARED = 2  # times as many periods are planned; more, if the checker cannot follow, where
+HALF = Fraction(1, 2)  # of the box is not left
 GUARD = 20  # digits of H, beyond those that N needs
 
 
@@ -97,7 +97,7 @@ def conclusion(orbit: Located) -> Callable[[Around], Content]:
     proved = dict[Plan, Proved]()
 
     def conclude(around: Around) -> Content:
-        spared = SPARED if around.part > LITTLE else SPARED**10
+        spared = SPARED * max(Fraction(1), HALF / around.part) ** 3
         plan = approximate_integral.plan(growths, periods * spared, largest(linear, around))
         if plan not in proved:
             E = approximate_integral.ellipse(linear, centre(orbit), plan.radius)

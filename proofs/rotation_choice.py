@@ -16,7 +16,7 @@ _FORM = re.compile(r"\[0;((?:\d{1,3},)*)(?:\((\d{1,3}(?:,\d{1,3})*)\)|(\d{1,3}),
 LONGEST = 40
 POINTS = 60
 USUAL = Fraction(3, 4), Fraction(22, 25)  # of the largest radius: where the usual curve is
-OUTWARDS = ((95, 99), (99, 100))  # the same, in hundredths, for the largest
+OUTWARDS = ((93, 97), (96, 100))  # the same, in hundredths, for the largest
 
 
 def rotation(words: Sequence[str], name: str) -> Quadratic:

@@ -1,6 +1,7 @@
 """Installed, it is one package: what the wheel holds; and it works where nothing can be kept."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -115,6 +116,7 @@ def unlinked(tmp_path_factory):
     return tree
 
 
+@pytest.mark.slow
 def test_a_checkout_without_links(unlinked):
     """It proves, knows stored certificates, and decides claims by them and by written proofs."""
     for words, told in (
@@ -148,6 +150,7 @@ def test_an_editable_installation(unlinked, tmp_path):
         assert archive.read(path).decode().strip() == str(unlinked)
 
 
+@pytest.mark.slow
 def test_the_source_archive(tmp_path):
     """It has every file of the repository."""
     listed = subprocess.run(
@@ -172,6 +175,18 @@ def test_the_source_archive(tmp_path):
     (unpacked,) = (tmp_path / "unpacked").iterdir()
     missing = set(listed.stdout.splitlines()) - files(unpacked, "*", ".*")
     assert missing <= {"cap/proofs", "cap/certificates", ".gitignore"}
+
+
+def test_links_on_a_registry(site):
+    """The description has no link that would only hold inside the tree, and the others hold."""
+    (info,) = site.glob("*.dist-info/METADATA")
+    text = info.read_text(encoding="utf-8")
+    links = re.findall(r"\]\(([^)]*)\)", text)
+    source = re.search(r"^Project-URL: Source, (.*)$", text, re.MULTILINE)[1] + "/blob/main/"
+    own = [link.removeprefix(source).partition("#")[0] for link in links if source in link]
+    assert len(own) > 10
+    assert all((ROOT / path).exists() for path in own)
+    assert all(link.startswith(("https://", "http://", "#")) for link in links)
 
 
 def test_the_scripts(site):

@@ -43,11 +43,12 @@ class Claim:
     says: str
     stated: str
     decide: Decide
+    by: str = ""  # the module of the function, if it does not say it itself
 
     @property
     def module(self) -> str:
         """The module of the function that decides it."""
-        return self.decide.__module__
+        return self.by or self.decide.__module__
 
 
 _DECLARED: dict[str, list[Claim]] = {}

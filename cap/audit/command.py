@@ -3,10 +3,10 @@
 import argparse
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, recorded, revision, tables
+from cap.audit import errata, labels, ledger, recorded, revision, subject, tables
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
@@ -44,6 +44,12 @@ def parser() -> argparse.ArgumentParser:
         epilog="Examples: python -m cap.audit --summary; python -m cap.audit --only "
         "saltation.wall-entry; python -m cap.audit --verdict refuted --section 4; python -m "
         "cap.audit --recorded --format html > audit.html; python -m cap.audit --patch paper.tex",
+    )
+    p.add_argument(
+        "--of",
+        metavar="NAME",
+        default=subject.FIRST,
+        help=f"the paper that is audited: {' or '.join(subject.names())} (default: the first)",
     )
     p.add_argument(
         "--only",
@@ -94,6 +100,7 @@ def main(words: Sequence[str]) -> int:
     """Run the command line; bad input and interrupts become a line and an exit status."""
     options = parser().parse_args(words)
     try:
+        subject.choose(options.of)
         if options.paper is not None:
             return _paper(options)
         if options.coverage:
@@ -118,12 +125,19 @@ def _text(options: argparse.Namespace) -> str | None:
         return errata.patch(options.patch)
     if options.bibtex:
         return bibtex()
-    known = {name: recorded.recorded()[name] for name in ledger.claims()}
     if options.summary:
-        return summary(report(known))
+        return summary(report(_known(ledger.claims())))
     if options.erratum:
-        return erratum(report(known))
+        return erratum(report(_known(ledger.claims())))
     return None
+
+
+def _known(names: Iterable[str]) -> dict[str, Verdict]:
+    """Return recorded verdicts."""
+    found = recorded.recorded()
+    if missing := [name for name in names if name not in found]:
+        raise BadInput(f"not recorded yet: {', '.join(missing[:3])}; see --record")
+    return {name: found[name] for name in names}
 
 
 def _paper(options: argparse.Namespace) -> int:
@@ -131,9 +145,9 @@ def _paper(options: argparse.Namespace) -> int:
     lines = compared(options.paper)
     if options.record:
         new = labels.fitted(options.paper)
-        with replacing(labels.STORED) as file:
+        with replacing(subject.file("labels.json")) as file:
             file.write(labels.dumps(new).encode())
-        print(f"{labels.STORED}: written ({len(lines)} differences)")
+        print(f"{subject.file('labels.json')}: written ({len(lines)} differences)")
         return 0
     seen = revision.told(Manuscript.read(options.paper))
     print("\n".join([*(lines or ["the stored places are those of this file"]), *seen]))
@@ -151,11 +165,10 @@ def _audit(options: argparse.Namespace) -> int:
     wanted = _outcome(options.verdict)
     if options.record:
         tables.record(_progress, _tables(options), fresh=options.fresh)
-        ledger.claims.cache_clear()
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
     if options.recorded:
-        verdicts = {each.id: recorded.recorded()[each.id] for each in claims}
+        verdicts = _known([each.id for each in claims])
     else:
         verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
     _progress("")
@@ -192,7 +205,9 @@ def _record(verdicts: dict[str, Verdict]) -> int:
     changed = recorded.changes(verdicts, whole=False)
     recorded.write(verdicts)
     accepted.record()
-    print("\n".join([*changed, f"{recorded.PATH}: {len(verdicts)} verdicts written"]))
+    print(
+        "\n".join([*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written"])
+    )
     return 0
 
 

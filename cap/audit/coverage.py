@@ -3,9 +3,8 @@
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from cap.audit import labels, ledger
+from cap.audit import labels, ledger, subject
 from cap.audit.labels import Place
-from cap.audit.reasons import REASONS
 
 
 @dataclass(frozen=True)
@@ -22,10 +21,16 @@ class Coverage:
         taken = sum(bool(ids) for ids in self.claims.values())
         total = sum(len(ids) for ids in self.claims.values())
         summary = (
-            f"{len(paper.places)} places: {taken} with {total} claims, {len(REASONS)} with a "
+            f"{len(paper.places)} places: {taken} with {total} claims, {len(_reasons())} with a "
             "reason for none"
         )
         return [*shown, "", summary, *(f"WRONG: {each}" for each in self.wrong)]
+
+
+def _reasons() -> dict[str, str]:
+    """Return why no claim is taken from some places."""
+    found: dict[str, str] = subject.paper().REASONS
+    return found
 
 
 def coverage() -> Coverage:
@@ -38,7 +43,7 @@ def coverage() -> Coverage:
         else:
             wrong.append(f"claim {claim.id} is taken from {claim.where!r}, which is no place")
     wrong += [
-        f"a reason is given for {each!r}, which is no place" for each in REASONS.keys() - found
+        f"a reason is given for {each!r}, which is no place" for each in _reasons().keys() - found
     ]
     for place in labels.stored().places:
         wrong += _wrong(place, found[place.label])
@@ -46,16 +51,16 @@ def coverage() -> Coverage:
 
 
 def _wrong(place: Place, ids: list[str]) -> list[str]:
-    if ids and place.label in REASONS:
+    if ids and place.label in _reasons():
         return [f"{place.label} has claims, and a reason for having none"]
-    if not ids and place.label not in REASONS:
+    if not ids and place.label not in _reasons():
         return [f"{place.label} is forgotten: it has neither claims nor a reason for none"]
     return []
 
 
 def _line(place: Place, ids: list[str]) -> str:
     name = f"{place.kind} {place.number}".strip()
-    words = ", ".join(ids) if ids else f"none: {REASONS.get(place.label, 'FORGOTTEN')}"
+    words = ", ".join(ids) if ids else f"none: {_reasons().get(place.label, 'FORGOTTEN')}"
     return f"{place.label:<28} {name:<20} {words}"
 
 

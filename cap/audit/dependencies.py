@@ -8,6 +8,8 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
+from cap.audit import subject
+
 ROOT = Path(__file__).resolve().parents[2]
 OURS = ("cap",)
 WHOLE = ("cap.checker", "cap.proofs")  # packages whose modules may be loaded by name
@@ -18,7 +20,8 @@ LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
 def digest(module: str) -> str:
     """Return a digest of the module, of all our modules it imports, and of the libraries.
 
-    With each module counts the JSON file beside it that has its name, which it reads.
+    With each module counts the JSON file that has its name, which it reads: beside it, or, for the
+    audit's, in the folder of the paper; and claims that are data, beside what decides them.
     """
     total = hashlib.sha256(_versions().encode())
     for name in sorted(closure(module)):
@@ -29,7 +32,10 @@ def digest(module: str) -> str:
 @cache
 def _content(module: str) -> bytes:
     """Return a digest of the source of a module and of the data beside it."""
-    files = _file(module), _file(module).with_suffix(".json")
+    files = [_file(module), _file(module).with_suffix(".json")]
+    if module.startswith("cap.audit."):
+        files.append(subject.file(f"{module.rpartition('.')[2]}.json"))
+        files.append(_file(module).with_name("claims.toml"))
     parts = [file.read_bytes() if file.is_file() else b"" for file in files]
     return b"".join(hashlib.sha256(part).digest() for part in parts)
 

@@ -1,19 +1,18 @@
 """The erratum: ``errata.toml``, what stands in the TeX file and what should stand there.
 
 Every formula and number that a claim corrects or refutes has a change.  A theorem that falls is
-not repaired by them: what may be cited instead of it is in `cap.audit.theorems`.
+not repaired by them: what may be cited instead of it is in the STATEMENTS of the paper.
 """
 
 import difflib
 import tomllib
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
+from cap.audit import subject
 from cap.audit.manuscript import Manuscript
+from cap.audit.subject import cached
 from cap.errors import BadInput
-
-STORED = Path(__file__).with_name("errata.toml")
 
 
 @dataclass(frozen=True)
@@ -26,10 +25,10 @@ class Change:
     times: int = 1
 
 
-@cache
+@cached
 def changes() -> tuple[Change, ...]:
     """Return all changes, in the order of the paper."""
-    found = tomllib.loads(STORED.read_text(encoding="utf-8"))["change"]
+    found = tomllib.loads(subject.file("errata.toml").read_text(encoding="utf-8"))["change"]
     return tuple(Change(**each | {"claims": tuple(each["claims"])}) for each in found)
 
 

@@ -7,12 +7,11 @@ import tomllib
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import cache
-from pathlib import Path
 
+from cap.audit import subject
+from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Verdict
 
-STORED = Path(__file__).with_name("findings.toml")
 MOST = 10  # of the findings, the first: those that matter most
 
 
@@ -52,10 +51,10 @@ class Finding:
         return "(The verdict has changed; its consequence has to be written anew.)"
 
 
-@cache
+@cached
 def findings() -> tuple[Finding, ...]:
     """Return all findings, those that matter most first."""
-    entries = tomllib.loads(STORED.read_text(encoding="utf-8"))["finding"]
+    entries = tomllib.loads(subject.file("findings.toml").read_text(encoding="utf-8"))["finding"]
     return tuple(
         Finding(
             title=each["title"],

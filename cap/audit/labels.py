@@ -10,14 +10,13 @@ import json
 import re
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field, replace
-from functools import cache
 from pathlib import Path
 
-from cap.audit import errata, quotes
+from cap.audit import errata, quotes, subject
 from cap.audit.manuscript import Manuscript
+from cap.audit.subject import cached
 from cap.errors import BadInput
 
-STORED = Path(__file__).with_name("labels.json")
 _STATEMENTS = (
     *("theorem", "lemma", "proposition", "corollary", "definition", "remark", "conjecture"),
 )
@@ -112,7 +111,7 @@ def read(path: Path) -> Paper:
 
 def bound() -> str:
     """Return a digest of the quotations and the erratum as they are stored."""
-    stored = (quotes.STORED, errata.STORED)
+    stored = (subject.file(name) for name in ("quotes.toml", "errata.toml"))
     return hashlib.sha256(b"".join(path.read_bytes() for path in stored)).hexdigest()
 
 
@@ -225,9 +224,9 @@ def dumps(paper: Paper) -> str:
     return f'{{\n {head},\n "places": [\n  {places}\n ],\n "lines": {{\n  {lines}\n }}\n}}\n'
 
 
-@cache
+@cached
 def stored() -> Paper:
     """Return the places as they are stored."""
-    found = json.loads(STORED.read_text(encoding="utf-8"))
+    found = json.loads(subject.file("labels.json").read_text(encoding="utf-8"))
     places = tuple(Place(**each) for each in found.pop("places"))
     return Paper(places=places, **found)

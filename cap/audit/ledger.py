@@ -1,39 +1,26 @@
 """All claims, in the order of the paper."""
 
-from functools import cache
 from importlib import import_module
 
-from cap.audit import labels, tables
+from cap.audit import labels, subject
 from cap.audit.claim import Claim, declared_in
+from cap.audit.subject import cached
 from cap.errors import BadInput
 from cap.words import meant
 
-MODULES = (
-    *("introduction", "inclusion", "stops", "wellposed", "strobe"),
-    *("cover", "lifting", "symplectic", "saltation"),
-    *("ansatz", "roots", "fold", "linearization"),
-    *("smoothness", "birkhoff", "kam"),
-    *("slow", "melnikov", "homoclinic"),
-    *("decomposition", "impulse"),
-    *("persistence", "basin"),
-    *("particles", "tori"),
-    *("integrator", "diagnostics", "existence", "enclosure", "conclusion"),
-    *("gallery", "mirror", "wording"),
-)
 
-
-@cache
+@cached
 def claims() -> dict[str, Claim]:
     """Return all claims by their ids: place after place, and there in their modules' order.
 
-    The rows of the figures' tables come after the other claims of their places.
+    Claims that are made of data come after the other claims of their places.
     """
     found: list[Claim] = []
-    for name in MODULES:
-        module = f"cap.audit.claims.{name}"
+    own = subject.paper()
+    for module in own.GROUPS:
         import_module(module)
         found += declared_in(module)
-    found += tables.claims()
+    found += own.more()
     order = {place.label: k for k, place in enumerate(labels.stored().places)}
     found.sort(key=lambda each: order.get(each.where, len(order)))
     return {each.id: each for each in found}

@@ -5,18 +5,16 @@ another version of the paper says that the claim has to be looked at again.
 """
 
 import tomllib
-from functools import cache
-from pathlib import Path
 
+from cap.audit import subject
 from cap.audit.manuscript import Manuscript
+from cap.audit.subject import cached
 
-STORED = Path(__file__).with_name("quotes.toml")
 
-
-@cache
+@cached
 def stored() -> dict[str, str]:
     """Return the pieces by the ids of the claims."""
-    return tomllib.loads(STORED.read_text(encoding="utf-8"))
+    return tomllib.loads(subject.file("quotes.toml").read_text(encoding="utf-8"))
 
 
 def quote(name: str) -> str:

@@ -6,30 +6,28 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import asdict
 from datetime import UTC, datetime
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 from cap import __version__
-from cap.audit import ledger, quotes
+from cap.audit import ledger, quotes, subject
 from cap.audit.cache import verdict
+from cap.audit.subject import cached
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.files import replacing
 
-PATH = Path(__file__).with_name("recorded.json")
 
-
-@cache
+@cached
 def _file() -> dict[str, Any]:
     """Return what is in the file."""
-    if not PATH.is_file():
+    path = subject.file("recorded.json")
+    if not path.is_file():
         return {"date": "", "program": "", "verdicts": {}}
-    found: dict[str, Any] = json.loads(PATH.read_text(encoding="utf-8"))
+    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     return found
 
 
-@cache
+@cached
 def recorded() -> dict[str, Verdict]:
     """Return the recorded verdicts by the ids of the claims; one that is none is not recorded."""
     found = {}
@@ -44,12 +42,6 @@ def made() -> tuple[str, str]:
     return _file()["date"], _file()["program"]
 
 
-def forget() -> None:
-    """Read the file again when it is asked for."""
-    _file.cache_clear()
-    recorded.cache_clear()
-
-
 def write(verdicts: dict[str, Verdict]) -> None:
     """Record verdicts; those on other claims stay, those on what is no claim any more go."""
     old, claims = _file()["verdicts"], ledger.claims()
@@ -57,9 +49,9 @@ def write(verdicts: dict[str, Verdict]) -> None:
     entries = {name: (old | new)[name] for name in claims if name in old | new}
     day, program = datetime.now(UTC).date().isoformat(), f"cap {__version__}"
     everything = {"date": day, "program": program, "verdicts": entries}
-    with replacing(PATH) as file:
+    with replacing(subject.file("recorded.json")) as file:
         file.write(f"{json.dumps(everything, ensure_ascii=False, indent=1)}\n".encode())
-    forget()
+    subject.forget()
 
 
 def _short(decided: Verdict) -> dict[str, str]:

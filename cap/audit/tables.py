@@ -9,12 +9,12 @@ import json
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
-from functools import cache
-from pathlib import Path
 
 from cap.audit import cache as kept
+from cap.audit import subject
 from cap.audit.claim import Claim, Kind
-from cap.audit.elsewhere import DECIDED_BY
+from cap.audit.papers.mixed_dynamics.elsewhere import DECIDED_BY
+from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Strength, Verdict, uncheckable
 from cap.errors import NotProved
 from cap.files import replacing
@@ -23,7 +23,6 @@ from cap.paper.comparison import Kind as Compared
 from cap.paper.registry import LABELS, figure, module
 
 LONGEST = 60  # end of an id
-STORED = Path(__file__).with_name("tables.json")
 _KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
 
 
@@ -39,12 +38,13 @@ class Row(Claim):
         return module(self.table)
 
 
-@cache
+@cached
 def listed() -> dict[str, list[list[str]]]:
     """Return what, the paper's value, the place and the kind of each row, by tables."""
-    if not STORED.is_file():
+    path = subject.file("tables.json")
+    if not path.is_file():
         return {}
-    found: dict[str, list[list[str]]] = json.loads(STORED.read_text(encoding="utf-8"))
+    found: dict[str, list[list[str]]] = json.loads(path.read_text(encoding="utf-8"))
     return found
 
 
@@ -161,9 +161,9 @@ def record(progress: Callable[[str], None], labels: Iterable[str], *, fresh: boo
         _FOUND[label] = found
         new[label] = _listing(label, found)
     lines = [f'"{label}": {_lines(entries)}' for label, entries in new.items()]
-    with replacing(STORED) as file:
+    with replacing(subject.file("tables.json")) as file:
         file.write(("{\n" + ",\n".join(lines) + "\n}\n").encode())
-    listed.cache_clear()
+    subject.forget()
 
 
 def _lines(entries: list[list[str]]) -> str:

@@ -190,8 +190,9 @@ def _found(asked: Asked, progress: Progress) -> tuple[list[Closed], list[str]]:
     if not met.orbits:
         also = "".join(f"; {line}" for line in _others(met))
         raise BadInput(
-            f"no orbit that closes after {asked.periods} periods of the clock was found, none "
-            f"isolated and with a contact (a state near one can be given with --orbit){also}"
+            f"no isolated orbit with a contact was found that closes after {asked.periods} "
+            f"period{'s' if asked.periods > 1 else ''} of the clock "
+            f"(a state near one can be given with --orbit){also}"
         )
     count = len(met.orbits)
     chosen = met.orbits if asked.every else met.orbits[:1]
@@ -208,6 +209,13 @@ def _others(met: Met) -> Iterable[str]:
     """Give what else was met, in words."""
     for n, count in sorted(met.periods.items()):
         yield f"{count} that attract close after {n} periods (--period {n})"
+    if met.neutral:
+        k = len(met.neutral)
+        yield (
+            f"{k} with a multiplier that is 1 up to rounding, as {met.neutral[0].shown()}: "
+            + ("a family of orbits, it seems; " if k > 2 else "")
+            + "an orbit that is not isolated is not proved by its contacts"
+        )
     if met.captured:
         yield (
             f"{met.captured} of {met.settled} states end where infinitely many contacts accumulate "

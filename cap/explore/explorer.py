@@ -26,6 +26,12 @@ from cap.system.files import assigned, load
 from cap.words import printable, quoted, say
 
 MOST_PIXELS = 300_000_000
+OF_OSCILLATOR = """\
+Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes -e v
+at the walls: pictures and numbers in floats, from which nothing is proved."""
+OF_MODEL = """\
+Explore a system of your own, a model of ten lines (docs/own-system.md): pictures and
+numbers in floats, from which nothing is proved, and the commands that prove."""
 FIRST = ("--paper", "--out", "--help", "--version")  # options before a command
 
 
@@ -33,6 +39,8 @@ def read(words: Sequence[str]) -> argparse.Namespace:
     """Return the options given: of the oscillator, or of a model."""
     protected_words = [protected(word) for word in words]
     of_model = any(word.partition("=")[0] == "--model" for word in words)
+    if not of_model and words and words[0] in MODEL_COMMANDS and words[0] not in COMMANDS:
+        raise BadInput(f"{words[0]} is about a model: --model FILE (of the oscillator: inventory)")
     return parser(of_model=of_model).parse_args(protected_words)
 
 
@@ -42,8 +50,7 @@ def parser(*, of_model: bool = False) -> Parser:
     p = Parser(
         prog=program("cap.explore"),
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Explore x'' = F cos(omega t) - f sgn(x') - mu x', l < x < r, where v becomes "
-        "-e v\nat the walls: pictures and numbers in floats, from which nothing is proved.",
+        description=OF_MODEL if of_model else OF_OSCILLATOR,
         epilog="Examples:\n"
         + "\n".join(f"  {c.line(name)}" for name, c in known.items())
         + "\n\nOf a system of your own, a model of ten lines (docs/own-system.md):\n"

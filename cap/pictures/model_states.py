@@ -16,6 +16,7 @@ from cap.floats.models.continuation import ModelBranch
 from cap.floats.models.diagram import ModelDiagram
 from cap.floats.models.portrait import ModelPortrait
 from cap.floats.models.spectrum import Floats
+from cap.floats.models.subject import OfModel
 from cap.floats.models.walls import Wall
 from cap.pictures.models import MARKERS, heading
 from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, RED
@@ -33,7 +34,7 @@ def portrait(findings: ModelPortrait, figure: FigureBase) -> None:
         for n, path in enumerate(findings.states):
             colour = "#AAAAAA" if findings.rested[n] else CYCLE[n % len(CYCLE)]
             _dots(axes, path[:, [i, k]], colour, 1.0)
-        _labels(axes, plane, findings.event)
+        _labels(axes, plane, _when(findings, findings.event))
     handles = [Patch(fc="#AAAAAA", label="contacts accumulate")] if findings.rested.any() else []
     if handles and not findings.rested.all():
         figure.legend(handles=handles, loc="outside lower center", handlelength=0.9)
@@ -47,7 +48,7 @@ def attractors(findings: ModelAttractors, figure: FigureBase) -> None:
     for axes, plane in zip(planes, findings.planes, strict=True):
         _walls(axes, plane, findings.walls)
         _drawn(axes, findings, plane, findings.found)
-        _labels(axes, plane, "")
+        _labels(axes, plane, _when(findings))
     _legend(figure, findings.found)
     heading(figure, findings, f"Where {len(findings.label)} seeds end")
 
@@ -68,7 +69,7 @@ def diagram(findings: ModelDiagram, figure: FigureBase) -> None:
     for chosen, colour in ((rested, "#AAAAAA"), (~rested, BLUE)):
         points = np.stack([value[chosen], findings.states[..., 0][chosen]], axis=1)
         _dots(top, points, colour, 0.5)
-    top.set_ylabel(f"{findings.state[0]}{STROBE}")
+    top.set_ylabel(findings.state[0] + _when(findings))
     x = np.broadcast_to(findings.value[:, None], findings.exponent.shape)
     with np.errstate(invalid="ignore"):
         shown = np.where(np.isfinite(findings.exponent), findings.exponent, np.nan)
@@ -100,7 +101,7 @@ def basin(findings: ModelBasin, figure: FigureBase) -> None:
         _drawn(axes, findings, findings.plane, findings.found, size=6)
     axes.set_xlim(extent[:2])
     axes.set_ylim(extent[2:])
-    _labels(axes, findings.plane, "")
+    _labels(axes, findings.plane, _when(findings))
     _legend(figure, findings.found)
     others = "".join(f", {z} = {q:.4g}" for z, q in findings.fixed.items())
     heading(figure, findings, f"Where the states at $t = 0$ end{others}")
@@ -153,10 +154,15 @@ def _walls(axes: Axes, plane: tuple[str, str], walls: tuple[Wall, ...]) -> None:
             draw(float(wall.place[0]), color=GREY, ls="--", lw=0.8)
 
 
-def _labels(axes: Axes, plane: tuple[str, str], event: str) -> None:
+def _when(findings: OfModel, event: str = "") -> str:
+    """Return when the states are looked at: once a period of the clock, if there is one."""
+    return f" just after {event}" if event else "" if findings.autonomous else STROBE
+
+
+def _labels(axes: Axes, plane: tuple[str, str], when: str) -> None:
     """Label the axes of a plane of states."""
     axes.set_xlabel(plane[0])
-    axes.set_ylabel(plane[1] + (f" just after {event}" if event else STROBE))
+    axes.set_ylabel(plane[1] + when)
 
 
 def _dots(axes: Axes, points: Floats, colour: str, size: float) -> None:

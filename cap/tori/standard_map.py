@@ -51,6 +51,7 @@ HALF_I = ComplexBall(0, Ball((1, -1)))
 NEWTON, FEW = 12, 4  # steps, at most: for the last K, before
 LEAST = 64  # degree
 REACH = Ball(1) / 8
+WIDE = Ball(1) / 2**20  # a state that is followed no further
 GRID = 4  # points for each mode, where the frame is computed
 
 
@@ -113,6 +114,23 @@ def spanning_curve(
     frame = levelled(mapped, curve, normal(curve), turn)
     found = invariant_curve(measured(mapped, curve, frame, turn, REACH))
     return Spanning(curve, found)
+
+
+def reached(K: Fraction, x: Fraction, v: Fraction, count: int) -> Ball:
+    """Return a lower bound of the largest v of the first states of an orbit, at most ``count``.
+
+    So each invariant spanning curve above the state (x, v) has points with a larger v: as the orbit
+    stays below it.  The orbit is followed in balls, as far as the working precision suffices.
+    """
+    k, a, b = (interval.ball(q) for q in (K, x, v))
+    highest = interval.lower(b)
+    for _ in range(count):
+        b = b + k * a.sin()
+        a = a + b
+        if not b.rad() < WIDE:
+            break
+        highest = interval.lower(b) if interval.lower(b) > highest else highest
+    return highest
 
 
 def level(circle: Circle, omega: Ball) -> Curve:

@@ -1,7 +1,10 @@
 """Fixtures of the tests of the audit: a cache of their own, and a claim to decide."""
 
+from pathlib import Path
+
 import pytest
 
+from cap.audit import subject
 from cap.audit.claim import Claim, Kind
 from cap.audit.verdict import confirmed
 
@@ -14,6 +17,23 @@ def own_cache(tmp_path, monkeypatch):
 
 
 @pytest.fixture
+def elsewhere(tmp_path, monkeypatch):
+    """Return a function after which the paper's file of some name is in a folder of the test."""
+    known = dict[str, Path]()
+    usual = subject.file
+
+    def move(name):
+        known[name] = tmp_path / name
+        subject.forget()
+        return known[name]
+
+    monkeypatch.setattr(subject, "file", lambda name: known.get(name) or usual(name))
+    yield move
+    known.clear()
+    subject.forget()
+
+
+@pytest.fixture
 def example():
     """Return a claim that counts how often it is decided."""
     calls = []
@@ -22,5 +42,5 @@ def example():
         calls.append(1)
         return confirmed("yes", f"decided {len(calls)} times")
 
-    decide.__module__ = "cap.audit.claims.strobe"
+    decide.__module__ = "cap.audit.papers.mixed_dynamics.claims.strobe"
     return Claim("strobe.example", "def:Phi", Kind.THEOREM, "An example.", "", decide), calls

@@ -84,16 +84,16 @@ def test_the_folder(monkeypatch, tmp_path):
 
 def test_dependencies_are_followed():
     """Modules that are imported inside of functions, and by imported modules; not the libraries."""
-    found = dependencies.closure("cap.audit.claims.gallery")
+    found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.gallery")
     assert {"cap.audit.means.stored", "cap.sets.interval", "cap.errors"} <= found
     assert "cap.floats.engine.swarm" in found
     assert "sympy" not in found
-    assert "cap.audit.claims.tori" not in found
+    assert "cap.audit.papers.mixed_dynamics.claims.tori" not in found
 
 
 def test_modules_that_are_loaded_by_name_count():
     """With the checker all of its theorems, with a proof all others."""
-    found = dependencies.closure("cap.audit.claims.kam")
+    found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.kam")
     assert {"cap.checker.theorems.capture", "cap.proofs.elliptic", "cap.proofs.theorems"} <= found
 
 

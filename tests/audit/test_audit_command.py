@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from cap.audit import command, labels, ledger, recorded
+from cap.audit import command, labels, ledger, recorded, subject
 from cap.audit.verdict import Outcome
 
 pytest_plugins = ["audit_fixtures"]
@@ -40,7 +40,7 @@ def test_one_claim(run):
 
 def test_data(run):
     """The paper, the program, and a list of objects with the keys that were asked for."""
-    status, out, _ = run("--section", "def:Phi", "--format", "json")
+    status, out, _ = run("--section", "def:Phi", "--format", "json", "--recorded")
     everything = json.loads(out)
     objects = everything["claims"]
     assert status == 0
@@ -55,7 +55,7 @@ def test_data(run):
 
 def test_one_verdict(run):
     """Only claims with it are shown; the others are decided all the same."""
-    status, out, _ = run("--section", "2", "--verdict", "vacuous", "--format", "json")
+    status, out, _ = run("--only", "inclusion", "--verdict", "vacuous", "--format", "json")
     assert status == 0
     found = json.loads(out)["claims"]
     assert [each["id"] for each in found] == ["inclusion.sticking-to-a-wall"]
@@ -97,6 +97,10 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
         (("--patch", "none.tex"), "cannot read none.tex"),
         (("--paper", "none.tex"), "cannot read none.tex"),
         (("--format", "word"), "invalid choice"),
+        (
+            ("--of", "church_fortins"),
+            "no paper 'church_fortins' is audited: did you mean ",
+        ),
         (("else",), "unrecognized arguments"),
     ],
 )
@@ -118,28 +122,26 @@ def test_coverage(run):
 
 def test_coverage_fails(run, monkeypatch):
     """Status 1 if a place is forgotten."""
-    monkeypatch.setattr("cap.audit.coverage.REASONS", {})
+    monkeypatch.setattr("cap.audit.coverage._reasons", dict)
     status, out, _ = run("--coverage")
     assert status == 1
     assert "WRONG: eq:model is forgotten" in out
 
 
-def test_the_paper(run, tmp_path, monkeypatch):
+def test_the_paper(run, tmp_path, monkeypatch, elsewhere):
     """Another file has other places: status 1; with --record they are stored."""
     path = tmp_path / "paper.tex"
     path.write_text(r"\section{One}\label{sec:intro}")
     assert run("--paper", str(path))[0] == 1
-    monkeypatch.setattr(labels, "STORED", tmp_path / "labels.json")
+    usual = subject.file("labels.json").read_text()
+    elsewhere("labels.json").write_text(usual)
     status, _, err = run("--paper", str(path), "--record")
     assert (status, err.startswith("error: not once in ")) == (2, True)
     monkeypatch.setattr("cap.audit.quotes.stored", dict)
     monkeypatch.setattr("cap.audit.errata.changes", tuple)
     assert run("--paper", str(path), "--record")[0] == 0
     labels.stored.cache_clear()
-    try:
-        status, out, _ = run("--paper", str(path))
-    finally:
-        labels.stored.cache_clear()
+    status, out, _ = run("--paper", str(path))
     assert status == 0
     assert out.startswith("the stored places are those of this file\n")
 

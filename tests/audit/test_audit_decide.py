@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from cap.audit import ledger, quotes, recorded
+from cap.audit import ledger, quotes, recorded, subject
 from cap.audit.decide import all_decided, decided
 from cap.audit.means import accepted
 from cap.audit.means.need import need
@@ -154,26 +154,22 @@ def test_a_changed_quotation_is_noticed(monkeypatch):
     assert "are not those recorded" in line
 
 
-def test_recording(tmp_path, monkeypatch):
+def test_recording(elsewhere):
     """What is written is read back, other entries stay; what is no verdict is not recorded."""
     first, second = FEW[:2]
     one, two = still_open("found", "evidence"), refuted("x", "y", certificate="z")
-    monkeypatch.setattr(recorded, "PATH", tmp_path / "recorded.json")
-    recorded.forget()
-    try:
-        assert recorded.recorded() == {}
-        recorded.write({first: one})
-        recorded.write({second: two})
-        assert recorded.recorded() == {first: one, second: two}
-        day, program = recorded.made()
-        assert len(day) == len("2026-01-01")
-        assert program.startswith("cap ")
-        text = recorded.PATH.read_text().replace("refuted", "disputed")
-        recorded.PATH.write_text(text)
-        recorded.forget()
-        assert recorded.recorded().keys() == {first}
-    finally:
-        recorded.forget()
+    elsewhere("recorded.json")
+    assert recorded.recorded() == {}
+    recorded.write({first: one})
+    recorded.write({second: two})
+    assert recorded.recorded() == {first: one, second: two}
+    day, program = recorded.made()
+    assert len(day) == len("2026-01-01")
+    assert program.startswith("cap ")
+    path = subject.file("recorded.json")
+    path.write_text(path.read_text().replace("refuted", "disputed"))
+    subject.forget()
+    assert recorded.recorded().keys() == {first}
 
 
 def test_a_process_that_is_killed(own_cache, monkeypatch):

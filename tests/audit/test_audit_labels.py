@@ -6,6 +6,7 @@ from cap.audit import labels
 from cap.audit.coverage import compared
 from cap.errors import BadInput
 
+pytest_plugins = ["audit_fixtures"]
 TEX = r"""
 \begin{document}
 \begin{abstract} words \end{abstract}
@@ -66,19 +67,15 @@ def test_places(paper):
     assert labels.read(paper).place("thm:b").title == "Volume of Ω_NS"
 
 
-def test_what_is_stored_can_be_read(paper, tmp_path, monkeypatch):
+def test_what_is_stored_can_be_read(paper, elsewhere):
     """Writing and reading gives the same places."""
-    monkeypatch.setattr(labels, "STORED", tmp_path / "labels.json")
+    stored = elsewhere("labels.json")
     read = labels.read(paper)
-    labels.STORED.write_text(labels.dumps(read))
-    labels.stored.cache_clear()
-    try:
-        assert labels.stored() == read
-        assert compared(paper) == []
-        paper.write_text(TEX.replace("lem:e", "lem:other").replace(r"\section{Two}", ""))
-        lines = compared(paper)
-    finally:
-        labels.stored.cache_clear()
+    stored.write_text(labels.dumps(read))
+    assert labels.stored() == read
+    assert compared(paper) == []
+    paper.write_text(TEX.replace("lem:e", "lem:other").replace(r"\section{Two}", ""))
+    lines = compared(paper)
     assert "gone: lem:e" in lines
     assert "new: lem:other" in lines
     assert "moved or changed: eq:f" in lines

@@ -2,7 +2,7 @@
 
 import pytest
 
-from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded, theorems
+from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded, subject
 from cap.audit.claim import Kind, claim, declared_in
 from cap.audit.verdict import Outcome, confirmed
 from cap.errors import BadInput
@@ -51,8 +51,8 @@ def test_no_place_is_forgotten():
 )
 def test_coverage_complains(monkeypatch, reasons, complaint):
     """A forgotten place, a needless reason, a reason for nothing."""
-    given = coverage.REASONS | reasons if reasons else {}
-    monkeypatch.setattr(coverage, "REASONS", given)
+    given = coverage._reasons() | reasons if reasons else {}
+    monkeypatch.setattr(coverage, "_reasons", lambda: given)
     assert any(complaint in each for each in coverage.coverage().wrong)
 
 
@@ -99,9 +99,9 @@ def test_each_wrong_formula_and_number_has_a_change():
 def test_summaries_name_claims():
     """The table of statements; every theorem of the paper is in it."""
     ids = ledger.claims().keys()
-    assert {name for each in theorems.STATEMENTS for name in each.decided_by} <= ids
+    assert {name for each in subject.paper().STATEMENTS for name in each.decided_by} <= ids
     kinds = ("theorem", "lemma", "proposition", "corollary", "conjecture")
-    assert [each.label for each in theorems.STATEMENTS] == [
+    assert [each.label for each in subject.paper().STATEMENTS] == [
         place.label for place in labels.stored().places if place.kind in kinds
     ]
 

@@ -5,10 +5,10 @@ import math
 import pytest
 import sympy as sp
 
-from cap.audit.claims.saltation import hit
 from cap.audit.means import block
 from cap.audit.means.block import Block
 from cap.audit.means.linear import Event, derivative
+from cap.audit.papers.mixed_dynamics.claims.saltation import hit
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.sets import interval

@@ -17,7 +17,7 @@ from cap.audit.report.markdown import escaped, markdown
 from cap.audit.report.page import page
 from cap.audit.report.text import WIDTH, plain
 from cap.audit.report.view import report
-from cap.audit.theorems import Statement
+from cap.audit.statements import Statement
 from cap.audit.verdict import Outcome, confirmed, corrected, refuted, vacuous
 
 ROOT = Path(__file__).resolve().parents[2]

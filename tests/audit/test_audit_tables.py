@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from cap.audit import coverage, ledger, tables
+from cap.audit import coverage, ledger, subject, tables
 from cap.audit.decide import all_decided, decided
-from cap.audit.elsewhere import DECIDED_BY
 from cap.audit.means.printed import printed, stated
+from cap.audit.papers.mixed_dynamics.elsewhere import DECIDED_BY
 from cap.audit.report.view import report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
@@ -26,7 +26,7 @@ ROWS = (
 
 
 @pytest.fixture
-def table(own_cache, tmp_path, monkeypatch):
+def table(own_cache, elsewhere, monkeypatch):
     """Make a figure of some rows the only one; return how often it is computed."""
     calls = []
 
@@ -34,16 +34,14 @@ def table(own_cache, tmp_path, monkeypatch):
         calls.append(label)
         return ROWS
 
-    monkeypatch.setattr(tables, "STORED", tmp_path / "tables.json")
+    elsewhere("tables.json")
     monkeypatch.setattr(tables, "LABELS", (LABEL,))
     monkeypatch.setattr(tables, "computed", computed)
     monkeypatch.setattr(tables, "_FOUND", {})
-    tables.listed.cache_clear()
     tables.record(lambda _words: None, [LABEL], fresh=True)
     calls.clear()
     tables._FOUND.clear()
-    yield calls
-    tables.listed.cache_clear()
+    return calls
 
 
 def verdicts(fresh=False):
@@ -81,10 +79,11 @@ def test_a_table_is_computed_once(table):
 
 def test_rows_that_are_not_listed_decide_nothing(table):
     """A row more, or another number of the paper: it has to be looked at, and recorded."""
-    listed = json.loads(tables.STORED.read_text())
+    path = subject.file("tables.json")
+    listed = json.loads(path.read_text())
     listed[LABEL][0][1] = "1.6"
-    tables.STORED.write_text(json.dumps(listed))
-    tables.listed.cache_clear()
+    path.write_text(json.dumps(listed))
+    subject.forget()
     for each in verdicts().values():
         assert each.outcome is Outcome.UNDECIDED
         assert "other rows than tables.json" in each.evidence

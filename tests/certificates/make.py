@@ -180,6 +180,19 @@ def mixed(true):
         put("reject", name, true, tuple(change))
 
 
+def held(ellipse, ellipsoid):
+    """Write lies about how long motions stay near an elliptic orbit."""
+    flat = [row if n else ["1", "0"] for n, row in enumerate(ellipse["hints"]["integral"])]
+    late = [["0.7", "0.8"], *ellipsoid["hints"]["windows"][1:]]
+    for name, certificate, *change in (
+        ("effective_stability_for_longer", ellipse, "claims", "periods", "1000000000000"),
+        ("effective_stability_of_another_integral", ellipse, "hints", "integral", flat),
+        ("particles_stability_of_more_states", ellipsoid, "claims", "part", "1"),
+        ("particles_stability_with_a_late_window", ellipsoid, "hints", "windows", late),
+    ):
+        put("reject", name, certificate, tuple(change))
+
+
 def malformed(saddle):
     """Write what is no certificate."""
     good = json.dumps(saddle, indent=1)
@@ -219,4 +232,5 @@ if __name__ == "__main__":
     released(load("window-1.json"), load("entropies-1.json"), load("cascade-1.json"))
     attracting(load("particles_sink.json"))
     mixed(mixed_small.certificate())
+    held(load("effective_stability.json"), load("particles_stability.json"))
     malformed(load("saddle-2.json"))

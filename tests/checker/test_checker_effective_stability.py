@@ -123,9 +123,10 @@ def test_every_claim_is_compared(small):
 
 @pytest.mark.slow
 def test_malformed(small):
-    """A field or an item more, less, or of another type."""
+    """A field or an item more, less, or of another type; but a shorter integral is one, too."""
+    last = "hints", "integral", len(small["hints"]["integral"]) - 1
     for path, bad in malformed(small):
-        if path[-1:] != ("provenance",):
+        if path[-1:] != ("provenance",) and path != last:
             assert not accepted(bad), path
 
 

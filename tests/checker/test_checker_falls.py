@@ -15,7 +15,7 @@ from cap.checker.system.evaluation import Values
 from cap.checker.system.legs import Leg, solved
 from cap.checker.system.model import Guard, Mode, Model
 from cap.checker.system.polynomial import ONE, Polynomial, variable
-from cap.checker.system.quiet import Watched, ends_positive, falls, zeros_after
+from cap.checker.system.quiet import Watched, ends_positive, falls, stays_positive, zeros_after
 from cap.checker.verdict import check
 
 BITS = 80
@@ -60,6 +60,44 @@ def test_the_end():
         ends_positive(flights, watched(Fraction(3, 2) - X), thin(1), (0, 0))
     with pytest.raises(Rejected, match="a guard falls from zero"):
         ends_positive(flights, watched(2 - X), thin(1), (1, 0))
+
+
+def thrown(force, v):
+    """Return flights from x = 0 with a velocity, x'' = force."""
+    field = {"x": V, "v": force}
+    model = Model(("x", "v"), Fraction(1), {"fly": Mode(field, {})})
+    return model, Leg(model, "fly", thin(0), {"x": thin(0), "v": thin(v)})
+
+
+@pytest.mark.parametrize(
+    ("force", "v", "end", "shown"),
+    [
+        (-ONE, 1, "19/10", True),  # t - t^2/2
+        (-ONE, 1, 3, False),
+        (-C, "1/10", "31/5", False),  # t/10 + cos t - 1 dips, and is positive at the end
+        (-C - 1, "3/2", "8/5", True),  # by concavity alone
+        (-C - 1, "3/2", "9/5", False),
+    ],
+)
+def test_what_leaves_zero(force, v, end, shown):
+    """On one piece, from x = 0 on; and the same backward in time."""
+    model, flights = thrown(force, v)
+    watched_ = Watched.of(model, "fly", X)
+    if shown:
+        stays_positive(flights, watched_, thin(end), [], (1, 0))
+    else:
+        with pytest.raises(Rejected, match="again just after the start"):
+            stays_positive(flights, watched_, thin(end), [], (1, 0))
+    end = Fraction(end)
+    arrived = flights.state(thin(end))
+    back = {"x": arrived["x"], "v": arrived["v"]}
+    start = thin(-end)  # the force is even in time: x(-t) is a flight, too
+    mirrored = Leg(model, "fly", start, {"x": back["x"], "v": -back["v"]})
+    if shown:
+        stays_positive(mirrored, watched_, thin(0), [], (0, 1))
+    else:
+        with pytest.raises(Rejected, match="already before the end"):
+            stays_positive(mirrored, watched_, thin(0), [], (0, 1))
 
 
 def test_no_circle():

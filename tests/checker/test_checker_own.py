@@ -200,6 +200,20 @@ def test_the_centre_moved():
     rejected(given, "the centre is not in the box")
 
 
+@pytest.mark.parametrize("side", [1, -1])
+def test_the_zero_is_kept(side):
+    """From a centre that is wrong by 1e-4, in a box that reaches but to one side of it."""
+    theorem = proved("spring")
+    truth = [c for place in theorem.hints["centre"] for c in place]
+    off, far, near = Fraction(1, 10**4), Fraction(2, 10**4), Fraction(1, 10**7)
+    centre = [c + side * off for c in truth]
+    sides = [(c - far, c + near) if side > 0 else (c - near, c + far) for c in centre]
+    K = krawczyk(theorem.equations, sides, centre, theorem.hints["preconditioner"])
+    for z, c in zip(K, truth, strict=True):
+        assert z.lower <= c <= z.upper
+        assert z.upper - z.lower < Fraction(1, 10**6)
+
+
 def test_a_centre_outside_of_its_region():
     """The operator itself refuses it, for S has its centre inside."""
     theorem = proved("spring")
@@ -440,15 +454,23 @@ def test_another_stability(count):
     rejected(given, "claims.unstable is not certain")
 
 
-@pytest.mark.parametrize("radius", ["", "1.0000000001", "0.9", "2.1", "3"])
+def circled():
+    """Return the certificate of `elliptic` with its multipliers counted outside a circle."""
+    given = certificate("elliptic")
+    assert given["claims"].pop("kind") == "elliptic"
+    given["claims"] |= {"unstable": "0", "radius": "1.000001"}
+    return given
+
+
+@pytest.mark.parametrize("radius", ["", "1.000000000001", "0.9", "2.1", "3"])
 def test_multipliers_on_the_circle(radius):
     """Those of an area-preserving orbit lie on the unit circle: another circle is needed."""
-    given = certificate("elliptic")
-    assert given["claims"]["unstable"] == "0"
-    assert given["claims"].pop("radius") == "1.000001"
+    given = circled()
+    check(dumps(given).encode(), lambda _: None)
+    del given["claims"]["radius"]
     if radius:
         given["claims"]["radius"] = radius
-    if radius != "1.0000000001":
+    if radius != "1.000000000001":
         rejected(given, "claims.unstable is not certain|claims.radius is not between 1 and 2")
     given["claims"].pop("unstable")
     given["claims"]["radius"] = "1.1"

@@ -6,8 +6,10 @@ import pytest
 
 from cap.checker.verdict import check
 from cap.command.prover import main
+from cap.errors import NotProved
 from cap.floats.models.engine import Engine
 from cap.floats.models.periodic import search
+from cap.proofs import contacts
 from cap.system.files import read
 
 MODEL = "examples/impact_oscillator.py"
@@ -56,6 +58,22 @@ def test_orbits_are_listed_once_and_by_their_least_period():
     assert met.periods[1] == met.settled - met.captured
 
 
+@pytest.mark.slow
+def test_a_continuum_is_recognised(tmp_path, capsys):
+    """Den Hartog's oscillator at the frequency 1/2: orbits that are not isolated are refused."""
+    model = "examples/den_hartog.py"
+    words = ("--set", "omega=1/2,f=1/10", "--out", tmp_path)
+    assert prove(*words, model=model) == 2
+    said = capsys.readouterr().err
+    assert "with a multiplier that is 1 up to rounding" in said
+    assert "a family of orbits, it seems" in said
+    met = search(read(model, {"omega": "1/2", "f": "1/10"}), 1, lambda *_: None)
+    assert not met.orbits
+    for orbit in met.neutral[:3]:
+        with pytest.raises(NotProved):
+            contacts.prove(orbit.itinerary, orbit.guess)
+
+
 @pytest.mark.parametrize(
     ("words", "why"),
     [
@@ -82,5 +100,7 @@ def test_what_is_not_for_own_systems(capsys):
     """Other theorems say why they do not apply; a billiard's guard is beyond the float engine."""
     assert main(["elliptic", "--model", MODEL]) == 2
     assert "of a system of one's own `periodic` is proved" in capsys.readouterr().err
+    assert main(["contacts"]) == 2
+    assert "python -m cap.prove periodic --model FILE" in capsys.readouterr().err
     assert prove(model="nowhere.py") == 2
     assert "cannot read nowhere.py" in capsys.readouterr().err

@@ -31,7 +31,12 @@ def test_all_examples_are_listed():
     for path in (ROOT / "examples").glob("*.py"):
         assert f"(../examples/{path.name})" in text
         page = ROOT / f"docs/examples/{path.stem}.md"
-        assert f"(../../examples/{path.name})" in page.read_text(encoding="utf-8")
+        words = page.read_text(encoding="utf-8")
+        assert f"(../../examples/{path.name})" in words
+        (picture,) = re.findall(r"^!\[.*\]\((\S+)\)$", words, re.MULTILINE)
+        assert f"--model examples/{path.name}" in words
+        assert f"--out {picture}" in words
+        assert 20_000 < (page.parent / picture).stat().st_size < 150_000
 
 
 def test_the_examples(monkeypatch):

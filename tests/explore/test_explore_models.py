@@ -11,11 +11,12 @@ from cap.command import prover
 from cap.explore import explorer
 from cap.explore.arrays import load
 from cap.floats.models import engine
-from cap.floats.models.closing import Start, logged, product
+from cap.floats.models.closing import Start, closing, logged, product
 from cap.floats.models.engine import Engine
 from cap.floats.models.legs import Legs
 from cap.floats.models.samples import exponents
 from cap.floats.models.subject import Subject
+from cap.floats.models.walls import walls
 from cap.system.files import load as read_model
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -67,6 +68,15 @@ def test_an_orbit(capsys, tmp_path):
         (("orbit", *PAIR, "--plane", "z", "w"), "no variable w: the state is z, v"),
         (("orbit", *PAIR, "--F", "3"), "unrecognized arguments: --F 3"),
         (("sali", *PAIR), "invalid choice: 'sali'"),
+        (("search",), "search is about a model: --model FILE"),
+        (("continuation", *PAIR), "say what varies, between which values"),
+        (("continuation", *PAIR, "--parameter", "s", "--range", "1", "2"), "s = 0.5 is not in"),
+        (("attractor", *PAIR, "--parameter", "s"), "--parameter NAME needs --range A B"),
+        (
+            ("attractor", *PAIR, "--parameter", "S", "--range", "1", "2"),
+            "no parameter S: the model",
+        ),
+        (("basin", *PAIR, "--box", "0", "1"), "--box takes 4 numbers, z from, z to, v from, v to"),
     ],
 )
 def test_refusals(capsys, words, message):
@@ -168,3 +178,55 @@ def test_it_is_kept():
     again = Engine(system)
     again.follow([[0.0, 0.7]])
     assert again._follow._compiled.stats.cache_hits.total() == 1
+
+
+@pytest.mark.slow
+def test_a_branch(capsys, tmp_path):
+    """It flips where a multiplier is -1, and is seen to attract on one side alone."""
+    file = tmp_path / "branch.npz"
+    words = ("--set", "s=6/25", "--parameter", "s", "--range", "0.23", "0.26", "--points", "25")
+    out = ("--out", str(file), "--out", str(tmp_path / "branch.png"))
+    status, text, _ = run(capsys, "continuation", *PAIR, *words, *out)
+    assert status == 0
+    at = float(re.search(r"s = (0\.23\d+) +flip", text).group(1))
+    found = load(file)
+    stable = found["value"][found["stable"]]
+    assert stable.min() > at - 1e-9
+    assert found["value"][~found["stable"]].max() < at + 1e-9
+    pair = Subject(read_model(PAIR[1], {"s": f"{at:.10f}"}))
+    state = (
+        found["special"]["state"] if "state" in found["special"] else found["special"][0]["state"]
+    )
+    orbit = closing(pair, Start(np.array(state), 0), 1e-2)
+    assert orbit.multipliers.real.min() == pytest.approx(-1, abs=1e-5)
+
+
+@pytest.mark.slow
+def test_a_clock(capsys):
+    """Without friction at rest its swing is known in closed form."""
+    clock = "--model", str(EXAMPLES / "clock.py"), "--set", "f=0,k=1/3,d=1/10"
+    status, text, _ = run(capsys, "orbit", *clock)
+    assert status == 0
+    period = 2 * np.pi / np.sqrt(1 - 0.01)
+    q = np.exp(-0.1 * period)
+    assert f"it closes after t = {period:.9f}" in text
+    assert f"multipliers {q:.6g}: it attracts" in text
+    assert f"v = {1 / 3 / (1 - q):.9f}" in text
+
+
+@pytest.mark.slow
+def test_saltation_in_four_dimensions():
+    """Of a billiard, whose reset is a rational function, by differences; the wall is solid."""
+    billiard = Subject(read_model(EXAMPLES / "billiard.py"))
+    start = Start(np.array([0.794026, 2.28887, -4.23983, -1.711676]), 0)
+    orbit = closing(billiard, start, 1e-2)
+    assert np.prod(orbit.multipliers).real == pytest.approx(0.75**4)
+    step = 1e-6 * np.eye(4)
+    near = np.concatenate([orbit.start.state + step, orbit.start.state - step])
+    ends = billiard.engine.follow(near).states
+    differences = ((ends[:4] - ends[4:]) / 2e-6).T
+    values = np.linalg.eigvals(differences)
+    assert np.sort(values.real) == pytest.approx(np.sort(orbit.multipliers.real), abs=1e-4)
+    (wall,) = walls(billiard.system, np.zeros(1), start.states)
+    assert (wall.variable, wall.solid, wall.side) == ("y", True, 1)
+    assert wall.place[0] == pytest.approx(1.8 * 0.794026**2)

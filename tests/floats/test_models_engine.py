@@ -14,7 +14,8 @@ from cap.floats.engine import swarm
 from cap.floats.masses.particles import Particles, Unresolved
 from cap.floats.masses.particles import follow as follow_masses
 from cap.floats.models.engine import OUTSIDE, Engine
-from cap.floats.models.source import MANY, split
+from cap.floats.models.identities import split
+from cap.floats.models.source import MANY
 from cap.floats.models.spectrum import exponential, matrix
 from cap.parameters import PAPER
 from cap.system.friction import friction, oscillator

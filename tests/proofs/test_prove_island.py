@@ -2,6 +2,7 @@
 
 import json
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from support import proving
@@ -15,22 +16,37 @@ from cap.sets import interval
 from cap.tori.rotation import Quadratic
 from cap.tori.states import Motion, covering
 
+STORED = Path(__file__).parents[2] / "certificates/island.json"
 
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("--f", "11/20", "--rotation", "[0;2,1,...]"),
-        ("--F", "3", "--omega", "2", "--f", "6/5", "--l", "-1/4", "--r", "5/4"),
-    ],
-)
-def test_it_is_proved(capsys, tmp_path, words):
-    """The usual curve; where the orbit is its own image; in other units."""
+
+def claims_of(capsys, tmp_path, *words):
+    """Prove the theorem from the command line, and return its claims."""
     path = tmp_path / "island.json"
     status, out, err = proving(capsys, "island", "--digits", "12", "--out", str(path), *words)
-    assert (status, err) == (0, ""), out + err
-    low, high = map(Fraction, json.loads(path.read_text())["claims"]["area"])
+    assert status == 0, out + err
+    return json.loads(path.read_text())["claims"]
+
+
+@pytest.mark.slow
+def test_where_the_orbit_is_its_own_image(capsys, tmp_path):
+    """Half a period suffices, and there is one disk."""
+    claims = claims_of(capsys, tmp_path, "--f", "11/20")
+    assert (claims["map"], claims["disks"]) == ("sigma", "1")
+    low, high = map(Fraction, claims["area"])
     assert 0 < low < high < low * Fraction(1000001, 1000000)
+
+
+@pytest.mark.slow
+def test_other_units(capsys, tmp_path):
+    """The same motions in other units: areas are in units F²/ω³; the stored curve's is known."""
+    system = ("--F", "3", "--omega", "2", "--f", "6/5", "--l", "-1/4", "--r", "5/4")
+    claims = claims_of(capsys, tmp_path, *system)
+    stored = json.loads(STORED.read_text())["claims"]
+    assert claims["rotation_number"] == stored["rotation_number"]
+    (a, b), (c, d) = (map(Fraction, each["area"]) for each in (claims, stored))
+    assert a <= d * 9 / 8
+    assert c * 9 / 8 <= b
+    assert (claims["map"], claims["disks"]) == ("Phi", "2")
 
 
 @pytest.mark.parametrize(

@@ -108,6 +108,18 @@ def test_curves_that_are_not_nearly_invariant():
         invariant_curve(measured(mapped, shifted, frame, turn, standard_map.REACH))
 
 
+def test_how_far_orbits_get(proved):
+    """Not past a curve that is proved; for K = 3/2 past 2π, so nothing spans in between."""
+    lower, upper = proved.speeds()
+    start = Fraction(1, 1000), Fraction(0)
+    with interval.workprec(2000):
+        low = standard_map.reached(HALF, *start, 2000)
+        assert Ball("0.9") < low < 2 * interval.pi() - lower < upper
+        assert standard_map.reached(Fraction(3, 2), *start, 3000) > 2 * interval.pi()
+    short = standard_map.reached(Fraction(3, 2), *start, 3000)  # the precision is used up
+    assert short < 2 * interval.pi()
+
+
 def test_beyond_the_last_curve():
     """For K = 1.2 there is no spanning curve, and none is proved."""
     with pytest.raises(NotProved):

@@ -39,9 +39,9 @@ _CLUSTER = re.compile("(.)([\u0300-\u036f]*)", re.DOTALL)
 def latex(report: Report) -> str:
     """Return a document."""
     lines = [
-        r"\documentclass[11pt]{article}",
+        r"\documentclass[10pt]{article}",
         r"\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\usepackage{textcomp}",
-        r"\usepackage[a4paper,margin=25mm]{geometry}\usepackage{amssymb,graphicx,longtable}",
+        r"\usepackage[a4paper,margin=18mm]{geometry}\usepackage{amssymb,graphicx,longtable,multicol}",
         r"\usepackage[hidelinks]{hyperref}\sloppy\setlength{\parindent}{0pt}",
         r"\setlength{\parskip}{4pt plus 2pt}",
         rf"\title{{{written(title())}}}\date{{}}\begin{{document}}\maketitle",
@@ -52,12 +52,13 @@ def latex(report: Report) -> str:
         for paragraph in INTRODUCTION:
             lines += [written(paragraph), ""]
         lines += [*_counts(report), *_findings(report), *_statements(report)]
+    lines.append(r"\begin{multicols}{2}\raggedright\footnotesize")
     for number, name, entries in report.sections():
         heading = name if number == "0" else f"{number}. {name}"
         lines.append(rf"\section*{{{written(heading)}}}")
         for entry in entries:
             lines += _entry(entry)
-    return "\n".join([*lines, r"\end{document}", ""])
+    return "\n".join([*lines, r"\end{multicols}", r"\end{document}", ""])
 
 
 def written(text: str) -> str:

@@ -7,7 +7,7 @@ from cap.audit.errata import changes
 from cap.audit.findings import Severity
 from cap.audit.report.text import wrapped
 from cap.audit.report.view import Report, identity, title
-from cap.audit.theorems import CHANGED, FALLS, NOTHING, STANDS, UNCLEAR, UNKNOWN
+from cap.audit.statements import CHANGED, FALLS, NOTHING, STANDS, UNCLEAR, UNKNOWN
 from cap.audit.verdict import Outcome
 
 _KEYS = {

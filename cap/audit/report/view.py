@@ -4,11 +4,11 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from cap.audit import labels, ledger, quotes, recorded
+from cap.audit import labels, ledger, quotes, recorded, subject
 from cap.audit.claim import Claim
 from cap.audit.findings import MOST, Finding, members
+from cap.audit.statements import Statement
 from cap.audit.tables import Row
-from cap.audit.theorems import STATEMENTS, Statement
 from cap.audit.verdict import Outcome, Verdict
 
 INTRODUCTION = (
@@ -181,7 +181,7 @@ class Report:
 
     def statements(self) -> list[tuple[Statement, str]]:
         """Return the statements of the paper with what became of them."""
-        return [(each, each.status(self.verdicts)) for each in STATEMENTS]
+        return [(each, each.status(self.verdicts)) for each in subject.paper().STATEMENTS]
 
 
 def report(verdicts: dict[str, Verdict]) -> Report:

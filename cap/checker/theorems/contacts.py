@@ -26,8 +26,9 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Integer, Many, Maybe, Quantity, Whole, region
+from cap.checker.kernel.shapes import Field, Integer, Many, Maybe, Quantity, Whole, Word, region
 from cap.checker.kernel.theorem import BITS, Theorem
+from cap.checker.system.conserved import product_of_two
 from cap.checker.system.contacts import (
     Contact,
     Ends,
@@ -79,6 +80,8 @@ class Contacts(Theorem):
         Field("unstable", Maybe(Whole(0, STATES)), "", "",
               "how many multipliers lie outside the circle of this radius; none lies on it"),
         Field("radius", Maybe(number), "", "r", "of this circle around 0, if it is not 1"),
+        Field("kind", Maybe(Word(("elliptic",))), "", "",
+              "two multipliers on the unit circle, not real: their product is 1 by an identity"),
     )
     CITES = (
         cite("Krawczyk", NEUMAIER,
@@ -144,6 +147,13 @@ class Contacts(Theorem):
         need(given or "radius" not in self.claims, "claims.radius is one of nothing")
         need(1 <= radius <= 2, "claims.radius is not between 1 and 2")
         scaled = [x.scaled(1 / radius ** (k + 1)) for k, x in enumerate(multipliers)]
+        if "kind" in self.claims:
+            one = product_of_two(self.p, self.orbit.contacts) == 1
+            need(
+                one and not self.p.autonomous, "the product of the multipliers is not found to be 1"
+            )
+            two = multipliers[0].magnitude().is_before(multipliers[0].integer(2))
+            need(two, "the sum of the multipliers may be 2 or more in size")
         certain = not given or outside(scaled) == self.claims["unstable"]
         need(certain, "claims.unstable is not certain to be the number of these multipliers")
 
@@ -224,6 +234,8 @@ class Contacts(Theorem):
     def stability(self) -> str:
         """Return what is claimed of the multipliers in words."""
         count, n = self.claims.get("unstable"), len(self.p.state)
+        if "kind" in self.claims:
+            return ", their product is 1 exactly and they lie on the unit circle; it is elliptic"
         if count is None:
             return ""
         if "radius" in self.claims:

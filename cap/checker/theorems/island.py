@@ -56,6 +56,7 @@ MAX_DEGREE = 4096
 MAX_WORK = 4096 * 100  # degree times places
 ROUGH = 96  # bits, for boxes
 COARSE = 20  # decimal places
+LARGEST = 10**6  # of coefficients
 POLYNOMIAL = re.compile("-?[0-9]{1,400} -?[0-9]{1,400}(,-?[0-9]{1,400} -?[0-9]{1,400})*")
 QUOTIENTS = Many(Whole(1, 999), 1, 40)
 MATRIX, PAIR = [[number] * 2] * 2, [number] * 2
@@ -114,6 +115,7 @@ class Island(BetweenWalls):
         super().__init__(certificate, step)
         hints = self.hints
         self.circle = Circle(hints["degree"], hints["rho"], hints["places"])
+        self.done = 0  # parts of the proof
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -142,6 +144,8 @@ class Island(BetweenWalls):
     def function(self, words: str, unit: int = 1) -> Function:
         """Return a trigonometric polynomial; its numbers are in so many units of the circle."""
         parts = [(re * unit, im * unit) for re, im in coefficients(words)]
+        largest = max(abs(part) for pair in parts for part in pair)
+        need(largest <= LARGEST * self.circle.unit, f"a coefficient is larger than {LARGEST}")
         return Function(self.circle, parts, 0)
 
     def pair(self, words: dict[str, str], unit: int = 1) -> Vector:
@@ -226,7 +230,10 @@ class Island(BetweenWalls):
         alpha = rotation.value(**quotients, bits=circle.bits)
         ahead = Shift(circle, alpha, pi(circle.bits))
         self.confirm_reach(K, r)
-        hits = [Hit.of(*hit) for hit in given]
+        hits = list[Hit]()
+        for hit in given:
+            self.told_part()
+            hits.append(Hit.of(*hit))
         exactly = self.passages(hits, K)
         near_by = self.passages(hits, (K[0].with_error(r), K[1].with_error(r)))
         self.step("the map is defined for all functions near K")
@@ -256,9 +263,15 @@ class Island(BetweenWalls):
         """Return the half periods of functions."""
         motion, found = Motion(*self.laws, self.circle.bits), list[Passage]()
         for hit in hits:
+            self.told_part()
             found.append(motion.passage(hit, *K))
             K = found[-1][:2]
         return found
+
+    def told_part(self) -> None:
+        """Tell how far the proof is: most of it is their sines, and as many half periods, twice."""
+        self.tell("functions on the circle are multiplied", self.done / (3 * self.half_periods))
+        self.done += 1
 
     def in_axes(self, K: Vector, at: list[Interval]) -> Vector:
         """Return M^-1 (K - at)."""

@@ -22,7 +22,7 @@ LATE = 128  # periods in which an orbit is looked at: twice the longest period o
 SAME = 1e-3  # states of one cycle, as a part of the ranges of all
 CHAOTIC, CERTAIN = 2e-4, 3  # least exponent of chaos, per time, and in standard errors
 ORBITS, PERIODS = 8, 400  # from which exponents are taken, and for how long
-NONE = -1  # the label of an orbit that is lost
+NONE, RESTS = -1, -1  # the label of an orbit that is lost; in place of a period
 MOST = 5_000_000  # states times periods that are kept
 
 
@@ -114,7 +114,8 @@ def ends_of(
         raise BadInput(f"all orbits are lost within {transient} periods")
     starts, modes = settled.states[well], settled.modes[well]
     late = samples(subject, starts, modes, LATE)
-    own, marks = _labelled(late.states)
+    rests = (late.counts.sum(axis=1) == 0) & ~engine.free[late.modes]
+    own, marks = _labelled(late.states, rests)
     order = sorted(range(len(marks)), key=lambda k: (-(own == k).sum(), k))
     place = np.array([order.index(k) for k in range(len(marks))] + [NONE])
     label[well] = place[own]
@@ -130,21 +131,22 @@ def ends_of(
     return label, tuple(found)
 
 
-def _labelled(states: Floats) -> tuple[NDArray[np.int64], list[int]]:
-    """Return a label for each orbit (N, K, n), and the period of each label, 0: none, -1: rest.
+def _labelled(states: Floats, rests: NDArray[np.bool_]) -> tuple[NDArray[np.int64], list[int]]:
+    """Return a label for each orbit (N, K, n), and the period of each label, 0: none, `RESTS`.
 
-    Orbits that come back are on one cycle if they share a state; all others are told together.
+    Orbits that come back are on one cycle if they share a state.  Those that rest are told
+    together, and so are those that do not come back.
     """
     size = np.nanmax(np.abs(states), axis=(0, 1)) + 1e-9
     label, periods, known = np.full(len(states), NONE), list[int](), list[Floats]()
     for i, path in enumerate(states / size):
         if np.isnan(path[-1]).any():
             continue
-        period = _least(path)
-        state = path[-period:] if period else path[-1:]
+        period = RESTS if rests[i] else _least(path)
+        state = path[-period:] if period > 0 else path[-1:]
         at = next(
             (k for k, (p, c) in enumerate(zip(periods, known, strict=True))
-             if p == period and (not p or _shares(c, state))), len(periods))  # fmt: skip
+             if p == period and (p <= 0 or _shares(c, state))), len(periods))  # fmt: skip
         if at == len(periods):
             periods.append(period)
             known.append(state)
@@ -183,7 +185,7 @@ def _attractor(
     )
     events = f"{events} per {'2 pi' if autonomous else 'T'}" if events else "no events"
     n, closed = states.shape[2], None
-    if not counts.any() and not subject.engine.free[starts[1]].any():
+    if period == RESTS:
         return ModelAttractor("rests", share, events, states[0, -1:], np.empty(0), np.empty(0), ())
     if period:
         closed = closing(subject, first_start(subject, *starts))

@@ -19,6 +19,7 @@ from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import Subject
 
 LONGEST = 64  # of the periods, or of the events of one kind, after which an orbit may close
+FEW = 4  # of them, after which a state may be rough
 CLOSE, ROUGHLY = 1e-5, 1e-2  # of what comes back, and of what is given, as a part of its size
 EXACT, FAR, STEPS = 1e-11, 3e-2, 20  # of Newton's iteration
 LINES = 2000  # of a log, for each orbit and period; more are asked for where they do not do
@@ -102,6 +103,11 @@ def closing(
         if not np.abs(state - start.state).max() < FAR * (1 + np.abs(start.state).max()):
             return None
     return None
+
+
+def closing_near(subject: Subject, start: Start) -> Closed | None:
+    """Return the closed orbit that is meant by a state: after few returns a rough one will do."""
+    return closing(subject, start, ROUGHLY, FEW) or closing(subject, start)
 
 
 def _sorted(subject: Subject, values: NDArray[Any]) -> NDArray[np.complex128]:

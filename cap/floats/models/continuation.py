@@ -1,9 +1,8 @@
 """A periodic orbit of a model followed over a parameter, by pseudo-arclength, and its bifurcations.
 
-The unknowns are the state q at t = 0 and the parameter p, with F(q, p) = 0 for the state after the
-periods less q.  Derivatives by q are products of saltation matrices, those by p are differences.
 Labels: ``fold``; ``flip``, a multiplier -1; ``branch point``, where branches cross;
-``Neimark-Sacker``, a pair on the unit circle; ``events change``, a graze or a stick; ``end``.
+``Neimark-Sacker``, a pair on the unit circle; ``events change``, a graze or a stick;
+``an event at t = 0``, where the branch is not followed through; ``end``.
 """
 
 from __future__ import annotations
@@ -17,38 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import ROUGHLY, Start, closing, logged, product, settled
-from cap.floats.models.legs import Legs
+from cap.floats.models.closing import closing_near, settled
+from cap.floats.models.family import Family, Station
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
 from cap.floats.models.trajectory import given_start
 from cap.runner import Runner
 
 FIRST, LEAST, MOST = 0.01, 1e-6, 0.03  # lengths of steps, in units of the ranges
-NEAR, ROUNDS, STEP = 1e-10, 12, 1e-6  # of Newton's iteration; of differences by the parameter
 LOCATED, HALVINGS = 1e-9, 40  # length within which a bifurcation is located
-
-
-@dataclass(frozen=True)
-class Station:
-    """An orbit on the branch: y = (q, p) in units, its tangent, multipliers and events."""
-
-    y: Floats
-    tangent: Floats
-    multipliers: NDArray[np.complex128]
-    crossing: float
-    words: tuple[int, ...]
-
-    @property
-    def flip(self) -> float:
-        """The product of 1 + multiplier."""
-        return float(np.prod(1 + self.multipliers).real)
-
-    @property
-    def circle(self) -> float:
-        """1 less the modulus of a complex pair, of the one nearest to 1; 1 if there is none."""
-        pairs = 1 - np.abs(self.multipliers[self.multipliers.imag > 0])
-        return float(pairs[np.argmin(np.abs(pairs))]) if len(pairs) else 1.0
+EDGE = 1e-3  # of the time, from its ends to an event that is there where a branch ends
 
 
 @dataclass(frozen=True)
@@ -90,76 +67,11 @@ class ModelBranch(OfModel):
             f"{self.parameter} = {self.value.min():.8g} .. {self.value.max():.8g}"
         )
         rows = [
-            f"  {self.parameter} = {each.value:<14.10g} {each.label:<16} "
+            f"  {self.parameter} = {each.value:<12.8g} {each.label:<16} "
             + ", ".join(f"{z} = {q:.8g}" for z, q in zip(self.state, each.state, strict=True))
             for each in self.special
         ]
         return [head, *rows]
-
-
-@dataclass(frozen=True)
-class Family:
-    """Orbits of a period of ``count`` T over a parameter; ``unit`` (n + 1,) of y."""
-
-    subject: Subject
-    parameter: str
-    count: int
-    mode: int
-    unit: Floats
-
-    def at(self, value: float) -> Subject:
-        """Return the model with a value of the parameter."""
-        return self.subject.at(self.parameter, Fraction(value))
-
-    def returned(self, q: Floats, value: float) -> Floats:
-        """Return the state after the periods; nan if the orbit is lost, or ends in another mode."""
-        ends = self.at(value).engine.follow(q[None], np.array([self.mode]), periods=self.count)
-        fine = not ends.flags[0] and ends.modes[0] == self.mode
-        return ends.states[0] if fine else np.full(len(q), np.nan)
-
-    def slopes(self, y: Floats) -> tuple[Floats, Floats, tuple[int, ...]]:
-        """Return dF/dy (n, n + 1) in units, the derivative by the state, and the events."""
-        *_, value = y * self.unit
-        q, subject = (y * self.unit)[:-1], self.at(value)
-        start = Start(q, self.mode)
-        ends = logged(subject.engine, start.states, start.modes, self.count)
-        legs = Legs.of(subject.engine, start.states, start.modes, ends, self.count * subject.period)
-        D, d = product(legs.derivatives()), STEP * self.unit[-1]
-        by = (self.returned(q, value + d) - self.returned(q, value - d)) / (2 * d)
-        J = np.column_stack([(D - np.eye(len(q))) * self.unit[:-1], by * self.unit[-1]])
-        return J, D, tuple(ends.log[:, 2].astype(int).tolist())
-
-    def corrected(self, y: Floats, tangent: Floats) -> Station | None:
-        """Return the orbit near y in the plane across the tangent; None if there is none."""
-        try:
-            J, *_ = self.slopes(y)
-            guess, last = y, np.inf
-            for _ in range(ROUNDS):
-                q, value = (guess * self.unit)[:-1], float((guess * self.unit)[-1])
-                gap = self.returned(q, value) - q
-                right = np.append(-gap, -tangent @ (guess - y))
-                step = np.linalg.solve(np.vstack([J, tangent]), right)
-                size = float(np.abs(step).max())
-                if not size < 2 * last:
-                    return None
-                guess, last = guess + step, size
-                if size < NEAR:
-                    return self.station(guess, tangent)
-        except (BadInput, np.linalg.LinAlgError):
-            return None
-        return None
-
-    def station(self, y: Floats, before: Floats) -> Station:
-        """Return what is told of an orbit; its tangent points as the one before."""
-        J, D, words = self.slopes(y)
-        if not np.isfinite(J).all():
-            raise BadInput("the orbit is lost nearby")
-        tangent = np.linalg.svd(J)[2][-1]
-        tangent = tangent if tangent @ before > 0 else -tangent
-        values = np.linalg.eigvals(D).astype(np.complex128)
-        order = np.argsort(-np.abs(values), kind="stable")
-        crossing = float(np.linalg.det(np.vstack([J, tangent])))
-        return Station(y, tangent, values[order], crossing, words)
 
 
 def continuation(  # noqa: PLR0913 (the options of the command)
@@ -184,7 +96,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     if not low <= value <= high or low == high:
         raise BadInput(f"{parameter} = {value:g} is not in the range from {low:g} to {high:g}")
     start = settled(subject, 400) if state is None else given_start(subject, state, mode, None)
-    closed = closing(subject, start, ROUGHLY)
+    closed = closing_near(subject, start)
     if closed is None or closed.rests:
         raise BadInput("no orbit without captures closes near that state: see `search`")
     size = np.maximum(np.ptp(subject.box, axis=1) / 2, np.abs(closed.start.state).max() / 10)
@@ -209,28 +121,43 @@ def _followed(
 ) -> tuple[list[Station], list[ModelSpecial]]:
     """Return the orbits on one side, and the special ones."""
     at = Station(first.y, side * first.tangent, first.multipliers, side * first.crossing,
-                 first.words)  # fmt: skip
+                 first.words, first.slopes, first.nearest)  # fmt: skip
     way: list[Station] = []
     special: list[ModelSpecial] = []
     step = FIRST
     with runner.keeping():
         while len(way) < points:
             runner.tell("continuation", len(way) / points)
-            following = family.corrected(at.y + step * at.tangent, at.tangent)
+            following = family.corrected(at.y + step * at.tangent, at.tangent, at)
             if following is not None and following.tangent @ at.tangent < 0.7 and step > LEAST:
                 following = None
             if following is None and step > LEAST:
                 step /= 2
                 continue
             if following is None:
-                special.append(_special(family, "end", at))
+                label = "an event at t = 0" if at.nearest < EDGE else "end"
+                special.append(_special(family, label, at))
                 break
             if not limits[0] <= following.y[-1] <= limits[1]:
+                last = _at_limit(family, at, following, limits)
+                special += _changes(family, at, last) if last else []
+                way += [last] if last else []
                 break
             special += _changes(family, at, following)
             way.append(following)
             at, step = following, min(1.3 * step, MOST)
+        else:
+            special.append(_special(family, f"followed no further: {points} points", at))
     return way, special
+
+
+def _at_limit(
+    family: Family, one: Station, other: Station, limits: tuple[float, float]
+) -> Station | None:
+    """Return the orbit near the limit that lies between two neighbours."""
+    rise = other.y[-1] - one.y[-1]
+    part = (limits[int(rise > 0)] - one.y[-1]) / rise
+    return _between(family, one, other, float(part) * (1 - LOCATED))
 
 
 TESTS: dict[str, Callable[[Station], float]] = {
@@ -257,7 +184,7 @@ def _changes(family: Family, one: Station, other: Station) -> list[ModelSpecial]
 def _between(family: Family, one: Station, other: Station, part: float) -> Station | None:
     """Return the orbit near a point of the chord."""
     chord = other.y - one.y
-    return family.corrected(one.y + part * chord, chord / np.linalg.norm(chord))
+    return family.corrected(one.y + part * chord, chord / np.linalg.norm(chord), one)
 
 
 def _located(

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats.models.engine import Ends, Engine
-from cap.floats.models.source import resting
+from cap.floats.models.identities import resting
 from cap.floats.models.spectrum import Exponential, Floats, evaluated, number
 from cap.system.polynomial import COS, ONE, SIN, Polynomial, Quotient
 

@@ -49,6 +49,11 @@ class Closed(NamedTuple):
         """Whether all multipliers are inside the unit circle."""
         return bool(np.abs(self.multipliers).max() < 1 - SAME)
 
+    @property
+    def neutral(self) -> bool:
+        """Whether a multiplier is 1 up to rounding: a fold, or one of a family of orbits."""
+        return bool(np.abs(self.multipliers - 1).min() < SAME)
+
     def shown(self) -> str:
         """Return it in a line."""
         first = self.itinerary.contacts[0]
@@ -70,13 +75,14 @@ class Met:
 
     Of so many states that were ``settled``, some were ``captured``, which means that infinitely
     many contacts accumulated in a period; the others that close by themselves do so after
-    ``periods``, here those that were not asked for.
+    ``periods``, here those that were not asked for.  Orbits that are ``neutral`` are apart.
     """
 
     orbits: list[Closed] = field(default_factory=list)
     periods: Counter[int] = field(default_factory=Counter)
     settled: int = 0
     captured: int = 0
+    neutral: list[Closed] = field(default_factory=list)
 
 
 def search(system: System, periods: int, tell: Tell) -> Met:
@@ -198,8 +204,9 @@ def _add(met: Met, orbit: Closed) -> None:
     """Note an orbit, unless it is known, or has a smaller period."""
     n = orbit.itinerary.periods
     shorter = any(_repeats(orbit, k) for k in range(2, n + 1) if n % k == 0)
-    if not shorter and not any(_same(orbit, known) for known in met.orbits):
-        met.orbits.append(orbit)
+    listed = met.neutral if orbit.neutral else met.orbits
+    if not shorter and not any(_same(orbit, known) for known in listed):
+        listed.append(orbit)
 
 
 def _table(orbit: Closed) -> Floats:

@@ -56,6 +56,7 @@ def samples(subject: Subject, states: Floats, modes: NDArray[np.int64], count: i
     for o in range(len(states)):
         part = own[own[:, 0] == o][:count, 4:]
         found[o, : len(part)] = part
+        found[o, len(part) :] = ends.states[o]  # no event follows
     return Samples(found, ends.states, ends.modes, ends.counts, ends.flags)
 
 

@@ -53,7 +53,8 @@ class Subject:
     def words(self, *, but: tuple[str, ...] = ()) -> str:
         """Return the options that name the model on a command line."""
         settings = self.loaded.settings(but=but)
-        return f"--model {self.loaded.path}" + (f" --set {settings}" if settings else "")
+        file = shlex.quote(self.loaded.path)
+        return f"--model {file}" + (f" --set {settings}" if settings else "")
 
     def positions(self) -> tuple[str, ...]:
         """Return the variables that have a velocity; all if none has."""
@@ -139,12 +140,16 @@ class Subject:
 
 @dataclass(frozen=True, kw_only=True)
 class OfModel(Data):
-    """What was found of a model, its file: the ``values``, the ``state``, the period T."""
+    """What was found of a model, its file: the ``values``, the ``state``, the period T.
+
+    ``autonomous``: the clock occurs nowhere, so T says nothing.
+    """
 
     model: str
     values: dict[str, Fraction]
     state: tuple[str, ...]
     period: float
+    autonomous: bool
     varies: str = ""
 
     def given(self) -> dict[str, str]:
@@ -165,6 +170,7 @@ def about(subject: Subject, varies: str = "") -> dict[str, Any]:
         "values": dict(loaded.values),
         "state": subject.system.state,
         "period": subject.period,
+        "autonomous": subject.system.autonomous,
         "varies": varies,
     }
 
@@ -172,7 +178,8 @@ def about(subject: Subject, varies: str = "") -> dict[str, Any]:
 def command(subject: Subject, periods: int, state: Floats, mode: str) -> str:
     """Return the command that proves the orbit near that of a state at t = 0."""
     period = f" --period {periods}" if periods > 1 else ""
-    numbers = " ".join(f"{q:.15g}" for q in state)
+    size = 1e-15 * float(np.abs(state).max())
+    numbers = " ".join(f"{q:.15g}" if abs(q) > size else "0" for q in state)
     return (
         f"python -m cap.prove periodic {subject.words()}{period} --orbit {numbers} "
         f"--mode {shlex.quote(mode)}"

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import ROUGHLY, Closed, Start, closing, logged, settled
+from cap.floats.models.closing import Closed, Start, closing_near, logged, settled
 from cap.floats.models.engine import OUTSIDE, Ends
 from cap.floats.models.legs import NONE, Legs
 from cap.floats.models.source import MANY, NO_MODE, SIMULTANEOUS
@@ -40,7 +40,6 @@ class ModelOrbit(OfModel):
     of two positions.  ``closes`` in words.
     """
 
-    autonomous: bool
     t: Floats
     states: Floats
     words: NDArray[np.str_]
@@ -105,7 +104,7 @@ def orbit(  # noqa: PLR0913 (the options of the command)
     """Return the orbit of a state, or one on which others end; it is closed if it nearly is."""
     start = given_start(subject, state, mode, transient)
     names = subject.named(plane) if plane else subject.plane()
-    closed = None if exactly else closing(subject, start, ROUGHLY)
+    closed = None if exactly else closing_near(subject, start)
     start = closed.start if closed else start
     end = _shown(subject, closed, periods)
     whole = math.ceil(end / subject.period - 1e-9)
@@ -176,7 +175,6 @@ def _found(
         strobe += list(path[0])
     return ModelOrbit(
         **about(subject),
-        autonomous=subject.system.autonomous,
         t=t,
         states=states,
         words=names[legs.word[events]],

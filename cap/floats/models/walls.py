@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cap.floats.models.source import restitution
+from cap.floats.models.identities import restitution
 from cap.floats.models.spectrum import Floats, evaluated, number
 from cap.system.model import Bounce, System
 from cap.system.polynomial import COS, SIN, Polynomial, variable

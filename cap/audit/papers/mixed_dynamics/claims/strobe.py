@@ -5,9 +5,10 @@ from itertools import product
 from cap.audit import labels
 from cap.audit.claim import Kind, claim
 from cap.audit.means.algebra import identity, symbols
+from cap.audit.means.balls import pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.stored import stored
+from cap.audit.means.stored import at_the_paper, stored
 from cap.audit.verdict import Verdict, confirmed, imprecise, still_open
 
 STATES = range(4)
@@ -98,11 +99,16 @@ def never_stopping_orbits_exist() -> Verdict:
     need(all(each.lower > 0 for each in distances), "a resonance is possible")
     twist = claims["twist"]
     need(twist.lower > 0 or twist.upper < 0, "the twist may vanish")
+    disk = stored("island.json")
+    need(at_the_paper(disk), "the invariant disk is at other parameters")
+    area = disk.claims["area"]
+    need(area.lower > 0, "the disk may have no area")
     return confirmed(
-        "P* is in it, and so is a neighbourhood of P*: the inside of an invariant curve (Moser)",
-        "Stored certificate: a T-periodic orbit whose velocity never vanishes, elliptic, without "
-        "resonance of order at most four, with a twist.",
-        certificate="elliptic.json",
+        "P* is in it, and so is the inside of an explicit invariant curve around P*, an open disk "
+        f"with an area in {pair(area, 8)}, and its mirror image",
+        "Stored certificates: of the curve and its inside; of P*, whose velocity never vanishes, "
+        "elliptic, without resonance of order at most four, with a twist.",
+        certificate="island.json",
     )
 
 

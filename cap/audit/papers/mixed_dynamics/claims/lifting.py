@@ -3,10 +3,10 @@
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.cover import wave
 from cap.audit.means.algebra import formula, identity, symbols
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
+from cap.audit.papers.mixed_dynamics.claims.cover import wave
 from cap.audit.verdict import Verdict, confirmed, corrected
 
 

@@ -3,13 +3,13 @@
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.saltation import hit
 from cap.audit.means.algebra import identity, same, symbols
 from cap.audit.means.balls import between, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.orbits import until
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.claims.saltation import hit
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted, vacuous
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER

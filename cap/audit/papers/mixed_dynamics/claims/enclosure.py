@@ -6,11 +6,11 @@ The printed intervals are taken from the rows of `cap.paper.orbit`, as `printed`
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.existence import BITS, CENTRE, RADIUS, orbits
 from cap.audit.means.balls import below, between
 from cap.audit.means.need import need
 from cap.audit.means.printed import printed
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.claims.existence import BITS, CENTRE, RADIUS, orbits
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER

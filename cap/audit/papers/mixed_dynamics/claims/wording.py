@@ -4,12 +4,12 @@ from fractions import Fraction
 
 from cap.audit import labels
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.saltation import hit
 from cap.audit.means.algebra import differs, identity, same, symbols
 from cap.audit.means.balls import between, pair, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.claims.saltation import hit
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
 from cap.sets import interval
 

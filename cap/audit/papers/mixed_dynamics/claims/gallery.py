@@ -5,7 +5,6 @@ from fractions import Fraction
 
 from cap.audit import labels
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.linearization import below_the_bound
 from cap.audit.means.algebra import formula, symbols
 from cap.audit.means.balls import pair
 from cap.audit.means.bouncing import FORCINGS, STARTS, growth, near_the_walls
@@ -13,6 +12,7 @@ from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.printed import stated
 from cap.audit.means.stored import Stored, stored
+from cap.audit.papers.mixed_dynamics.claims.linearization import below_the_bound
 from cap.audit.verdict import (
     Outcome,
     Strength,

@@ -161,7 +161,8 @@ def kam_at_the_point() -> Verdict:
     need(twist.lower > 0, "the twist may vanish")
     return corrected(
         f"the condition can be dropped: τ₁ in {pair(twist, 8)}. Invariant curves of density one "
-        "surround P*; the rate O(δ^(5/2)) for the complement is open (kam.measure-estimate)",
+        "surround P*, one of them explicit (strobe.never-stopping-orbits-exist); the rate "
+        "O(δ^(5/2)) for the complement is open (kam.measure-estimate)",
         "The stored certificate, and Moser's twist theorem, which it cites with its hypotheses.",
         certificate="elliptic.json",
     )

@@ -3,13 +3,13 @@
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.saltation import hit
 from cap.audit.means.algebra import differs, formula, identity, reals, same, symbols
 from cap.audit.means.balls import above, between, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.orbits import at
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.claims.saltation import hit
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
 from cap.flow.propagation import at_time_zero, propagate
 from cap.sets import interval

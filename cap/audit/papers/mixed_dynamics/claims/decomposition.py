@@ -3,12 +3,12 @@
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.saltation import LATER
 from cap.audit.means import block
 from cap.audit.means.balls import pair
 from cap.audit.means.need import need
 from cap.audit.means.orbits import States, hits_only
 from cap.audit.means.stored import at_the_paper, stored
+from cap.audit.papers.mixed_dynamics.claims.saltation import LATER
 from cap.audit.verdict import (
     Verdict,
     confirmed,
@@ -90,7 +90,7 @@ def curves_in_the_set() -> Verdict:
     need(claims["twist"].lower > 0 and claims["least_speed"].lower > 0, "a hypothesis fails")
     return confirmed(
         "true, with the closed curves and all that is inside; at the paper's parameters for P* and "
-        "its mirror image",
+        "its mirror image, where one curve is explicit (strobe.never-stopping-orbits-exist)",
         "Orbits between an invariant curve and P* stay there, so they never stop: Moser, with the "
         "stored certificate.",
         certificate="elliptic.json",

@@ -3,13 +3,13 @@
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.wellposed import velocity_jump
 from cap.audit.means import block
 from cap.audit.means.algebra import same, symbols
 from cap.audit.means.balls import between, pair, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.claims.wellposed import velocity_jump
 from cap.audit.verdict import Verdict, confirmed, corrected, imprecise, refuted
 from cap.one_one.closed_form import symmetric
 from cap.proofs.census import census

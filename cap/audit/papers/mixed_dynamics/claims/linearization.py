@@ -4,12 +4,12 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.saltation import hit
 from cap.audit.means.algebra import enclosure, formula, identity, same, symbols
 from cap.audit.means.balls import between, number, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.linear import Event, derivative
 from cap.audit.means.need import need
+from cap.audit.papers.mixed_dynamics.claims.saltation import hit
 from cap.audit.verdict import Verdict, confirmed, corrected, refuted, vacuous
 from cap.one_one.closed_form import symmetric
 from cap.proofs.census import Member, census

@@ -3,11 +3,11 @@
 from fractions import Fraction
 
 from cap.audit.claim import Kind, claim
-from cap.audit.claims.particles import EMPTY, collision, drift_is_negative
 from cap.audit.means.algebra import identity, same, symbols
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.claims.particles import EMPTY, collision, drift_is_negative
 from cap.audit.verdict import (
     Verdict,
     confirmed,

@@ -1,0 +1,54 @@
+"""The statements of a paper: what became of each, and what may be cited in its place.
+
+The status follows from the verdicts on the claims that decide it; the words in the last column
+were written for these verdicts, and `cap.audit.recorded` holds them.
+"""
+
+from dataclasses import dataclass
+
+from cap.audit import labels
+from cap.audit.verdict import Outcome, Verdict
+
+STANDS, CHANGED, FALLS = "stands", "stands when changed", "falls"
+NOTHING, UNKNOWN, UNCLEAR = "vacuous", "open", "not checkable as stated"
+_STATUS = {
+    Outcome.CONFIRMED: STANDS,
+    Outcome.IMPRECISE: CHANGED,
+    Outcome.CORRECTED: CHANGED,
+    Outcome.OPEN: UNKNOWN,
+    Outcome.UNCHECKABLE: UNCLEAR,
+    Outcome.VACUOUS: NOTHING,
+    Outcome.REFUTED: FALLS,
+    Outcome.UNDECIDED: "undecided",
+}
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement of the paper, and what may be cited instead of it.
+
+    The first of the claims ``decided_by`` is its core; the others are what it says besides.
+    """
+
+    label: str
+    decided_by: tuple[str, ...]
+    instead: str
+
+    @property
+    def name(self) -> str:
+        """Its kind, number and title."""
+        place = labels.stored().place(self.label)
+        title = f" ({place.title})" if place.title else ""
+        return f"{place.kind.capitalize()} {place.number}{title}"
+
+    def status(self, verdicts: dict[str, Verdict]) -> str:
+        """Return what became of it: the first claim decides; what stands may need a change."""
+        first, *others = (verdicts[name].outcome for name in self.decided_by)
+        if first is Outcome.CONFIRMED and any(each is not Outcome.CONFIRMED for each in others):
+            return CHANGED
+        return _STATUS[first]
+
+
+def statement(label: str, *decided_by: str, instead: str) -> Statement:
+    """Return a statement."""
+    return Statement(label, decided_by, instead)

@@ -1,0 +1,64 @@
+"""The paper that is audited: a folder of `cap.audit.papers`, chosen by its name.
+
+Its files: ``labels.json``, the places; ``quotes.toml``, what claims are taken from;
+``findings.toml`` and ``errata.toml``; ``recorded.json``, the verdicts; and the module ``paper``,
+with GROUPS (modules that declare claims), ``more()`` (claims that are made of data), STATEMENTS
+and REASONS.  Nothing outside of the folder knows what the paper says.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import Any, TypeVar
+
+from cap.errors import BadInput
+from cap.words import meant
+
+T = TypeVar("T")
+FOLDER = Path(__file__).with_name("papers")
+FIRST = "mixed_dynamics"
+_chosen = [FIRST]
+_kept: list[Any] = []
+
+
+def cached(function: Callable[[], T]) -> Callable[[], T]:
+    """Return a function of the paper whose value is kept, until another paper is chosen."""
+    kept = cache(function)
+    _kept.append(kept)
+    return kept
+
+
+def forget() -> None:
+    """Read everything again when it is asked for."""
+    for each in _kept:
+        each.cache_clear()
+
+
+def names() -> list[str]:
+    """Return the names of the papers."""
+    return sorted(path.parent.name for path in FOLDER.glob("*/paper.py"))
+
+
+def choose(name: str) -> None:
+    """Audit the paper of this name from now on; `BadInput` if there is none."""
+    if name not in names():
+        raise BadInput(f"no paper {name!r} is audited{meant(name, names())}")
+    if name != _chosen[0]:
+        _chosen[0] = name
+        forget()
+
+
+def chosen() -> str:
+    """Return the name of the paper."""
+    return _chosen[0]
+
+
+def file(name: str) -> Path:
+    """Return the path of one of its files."""
+    return FOLDER / _chosen[0] / name
+
+
+def paper() -> Any:
+    """Return its module."""
+    return import_module(f"cap.audit.papers.{_chosen[0]}.paper")

@@ -1,0 +1,83 @@
+"""Other papers: claims that are data, and what the general part does with them."""
+
+import pytest
+
+from cap.audit import coverage, findings, given, ledger, quotes, recorded, subject
+from cap.audit.decide import decided
+from cap.audit.papers.church_fortin import deciding
+from cap.audit.report.latex import latex
+from cap.audit.report.markdown import markdown
+from cap.audit.report.page import page
+from cap.audit.report.summary import bibtex, summary
+from cap.audit.report.view import report
+from cap.audit.verdict import Outcome
+from cap.errors import BadInput
+
+pytest_plugins = ["audit_fixtures"]
+FEW = ("labels.a2-0-e0-89-e1-0", "labels.a1-8-e0-75-e1-5", "row.a2-0-e0-8-e1-0-1")
+
+
+@pytest.fixture
+def tables(own_cache):
+    """Choose Church and Fortin's tables."""
+    subject.choose("church_fortin")
+    yield
+    subject.choose(subject.FIRST)
+
+
+def test_papers_are_chosen():
+    """By their names; another name is refused."""
+    assert {"church_fortin", subject.FIRST} <= set(subject.names())
+    with pytest.raises(BadInput, match="no paper 'church' is audited"):
+        subject.choose("church")
+    assert subject.chosen() == subject.FIRST
+
+
+def test_the_ledger_of_the_tables(tables):
+    """Each claim has a row as its quotation, a place, a verdict; what is wrong is in a finding."""
+    claims = ledger.claims()
+    assert quotes.stored().keys() == claims.keys() == recorded.recorded().keys()
+    assert coverage.coverage().wrong == ()
+    shared = findings.members(recorded.recorded())
+    wrong = {n for n, each in recorded.recorded().items() if each.outcome is not Outcome.CONFIRMED}
+    assert wrong == {name for names in shared.values() for name in names}
+    for name, each in claims.items():
+        text = (deciding.DATA / f"{each.where}.csv").read_text()
+        assert text.count(f"\n{quotes.quote(name)}\n") == 1
+
+
+@pytest.mark.parametrize("name", FEW)
+def test_claims_that_are_data_are_decided(tables, name):
+    """As recorded: a wrong label, a right one, a row that crosses the table."""
+    claim = ledger.claims()[name]
+    assert claim.module == deciding.__name__
+    assert recorded.changes({name: decided(claim, fresh=True)}, whole=False) == []
+
+
+def test_reports_of_the_tables(tables):
+    """In every format, with their title."""
+    whole = report(recorded.recorded())
+    texts = [summary(whole), markdown(whole), page(whole), latex(whole), bibtex()]
+    assert all("vibrating gravitational billiards" in each for each in texts)
+    assert "Five rows are no orbits" in summary(whole)
+
+
+def test_a_claim_of_a_kind_that_is_not_there(tmp_path):
+    """A function that nobody wrote decides nothing."""
+    path = tmp_path / "claims.toml"
+    path.write_text(
+        '[[claim]]\nid = "a.b"\nwhere = "c"\nkind = "number"\nsays = "D."\nstated = "1"\n'
+        'decide = "nothing"\n'
+    )
+    with pytest.raises(AttributeError, match="nothing"):
+        given.claims(path, deciding)
+
+
+def test_the_general_part_knows_no_paper():
+    """But for tables of figures, and means of one paper, nothing names one."""
+    root = subject.FOLDER.parent
+    known = {"tables.py", "subject.py", "__init__.py"}
+    for path in [*root.glob("*.py"), *root.glob("report/*.py")]:
+        text = path.read_text(encoding="utf-8")
+        assert path.name in known or "mixed_dynamics" not in text, path
+        assert "church" not in text.lower(), path
