@@ -24,7 +24,7 @@ from cap.paper.closed_form import (
     symmetric_state,
     turn,
 )
-from cap.paper.comparison import Comparison, claim, number, proved
+from cap.paper.comparison import Comparison, claim, number, proved, roughly
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
@@ -176,9 +176,10 @@ def _rows(data: Branches) -> list[Comparison]:
         claim("Newton's method converges in the sweep", "< 20 iterations",
               f"{max(step.steps for step in data.sweep)} at most",
               max(step.steps for step in data.sweep) < 20, "damping, or a later start"),
-        claim("the orbit tracked up to f = 0.466", "is on the elliptic branch",
+        roughly(claim("the orbit tracked up to f = 0.466", "is on the elliptic branch",
               f"on the symmetric one at {', '.join(beyond)}" if beyond else "is on that branch",
-              not beyond, "the pair has merged with the symmetric orbit before"),
+              not beyond, "the pair has merged with the symmetric orbit before; whether the last "
+              "of the paper's 25 values is so large is not said")),
         number("exponent of rotation number over distance from the end", "0.5", _exponent(),
                "", note="as at a pitchfork, where trace - 2 is linear in f; a fold has 1/4"),
         number("f_sc", "0.34790", sc, note="the formula; what ends near there is the pair, at "
