@@ -128,7 +128,7 @@ def _hit(phi: float, a: float, x: float, v: float, end: float) -> float:
         else:
             low = t
         then = t - gap / (v + s - phi * t)
-        if not low < then < high:
+        if not low <= then <= high:
             then = (low + high) / 2
         if abs(then - t) < CLOSE:
             return then
