@@ -166,12 +166,16 @@ def radius(at: Centre, rotation: float) -> float:
 
 def last_radius(at: Centre) -> float:
     """Return the largest radius found from which orbits go on, to a thousandth."""
+
+    def goes_on(r: float) -> bool:
+        return math.isfinite(at.turns(r, LONG))
+
     inner, outer = 0.0, FIRST
-    while math.isfinite(at.turns(outer)):
+    while goes_on(outer):
         inner, outer = outer, 1.3 * outer
     while outer - inner > 1e-3 * outer:
         middle = (inner + outer) / 2
-        inner, outer = (middle, outer) if math.isfinite(at.turns(middle)) else (inner, middle)
+        inner, outer = (middle, outer) if goes_on(middle) else (inner, middle)
     return inner
 
 
