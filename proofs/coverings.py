@@ -108,9 +108,10 @@ def lemma_2_no_diamond(sets: Sets, edges: list[Edge], *, disjoint: bool) -> tupl
             out = _one_of_two(part, edges, overlapping)
             kept = [(i, j) for i, j in edges if i not in out and j not in out]
         else:
-            cut = {
-                min(diamond, key=partial(_flow, part)) for diamond in diamonds(edges, overlapping)
-            }
+            cut = set[Edge]()
+            for diamond in diamonds(edges, overlapping):
+                if not cut.intersection(diamond):
+                    cut.add(min(diamond, key=partial(_flow, part)))
             kept = [edge for edge in edges if edge not in cut]
         if len(kept) == len(edges):
             return part, edges
@@ -142,7 +143,7 @@ def diamonds(edges: Sequence[Edge], overlapping: Sequence[set[int]]) -> Iterator
         i, j = here
         for b in out.get(i, ()):
             for c in out.get(j, ()):
-                if b == c and i != j:
+                if b == c and i < j:
                     yield list(_back(before, here, b))
                 elif c in overlapping[b] and (b, c) not in before:
                     before[b, c] = here

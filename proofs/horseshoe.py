@@ -37,7 +37,7 @@ GROUP = "states"
 SEARCH = candidates.every_motion
 CHECKING = 0.3
 
-USUAL = 3
+USUAL = 5
 EFFORT = Option(
     "effort",
     count(1, 9),

@@ -98,7 +98,7 @@ class Theorem:
 
 
 OWN = ("contacts",)
-"""Theorems about a system of one's own: proved from Python, as the commands take no system yet."""
+"""Theorems about a system of one's own: `cap.command.own`, reached by ``periodic --model``."""
 
 THEOREMS = {name: Theorem(name) for name in NAMES if name not in OWN}
 

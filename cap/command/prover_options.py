@@ -18,7 +18,7 @@ from cap.parameters import PAPER, Parameters, exact
 from cap.proofs.fixed_point import Setting
 from cap.proofs.options import JOBS, JOURNAL
 from cap.proofs.symbolic import NAMES as SYMBOLIC
-from cap.proofs.theorems import THEOREMS, Theorem, takers
+from cap.proofs.theorems import OWN, THEOREMS, Theorem, takers
 from cap.runner import Runner, Tell
 from cap.words import meant, quoted
 
@@ -109,6 +109,8 @@ def _unknown(theorem: str | None) -> str:
     """Return what is said of a theorem that there is not."""
     if theorem is None:
         return f"say what to prove: one of {', '.join(NAMES)}"
+    if theorem in OWN:
+        return f"{theorem} is about a system of your own: python -m cap.prove periodic --model FILE"
     guess = meant(theorem, NAMES)
     return f"there is no theorem {quoted(theorem)}{guess or ': one of ' + ', '.join(NAMES)}"
 

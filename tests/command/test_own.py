@@ -100,5 +100,7 @@ def test_what_is_not_for_own_systems(capsys):
     """Other theorems say why they do not apply; a billiard's guard is beyond the float engine."""
     assert main(["elliptic", "--model", MODEL]) == 2
     assert "of a system of one's own `periodic` is proved" in capsys.readouterr().err
+    assert main(["contacts"]) == 2
+    assert "python -m cap.prove periodic --model FILE" in capsys.readouterr().err
     assert prove(model="nowhere.py") == 2
     assert "cannot read nowhere.py" in capsys.readouterr().err

@@ -13,8 +13,7 @@ from cap.maps.graphs import Flags, Part, fastest
 
 ROUNDS = 200
 MOST = 4.0  # times what is seen of a piece: its parallelogram reaches no farther
-CUT = 0.12  # of the coverings that fail: so many are given up at once
-SEVERE = 1.0
+CUT = 0.25  # of the coverings that fail: so many are given up at once
 
 
 class Family(NamedTuple):
@@ -38,29 +37,33 @@ def family(
     frames = np.array([[*p.z, *p.T, *_stable(g, saddle, p.z, leaves.n + 2)] for p in pieces])
     seen = np.array([[p.low, p.high] for p in pieces])
     sizes = Sizes(g, frames, seen, MOST)
-    scores = sizes.fitted(source, target)
+    sizes.limit(source, target)
     for k in range(ROUNDS):
+        lost, scores = sizes.fitted(source, target)
         part = fastest(source, target, len(frames))
         kept = part.inside(source, target)
-        failing = kept & (scores > 0)
+        failing = kept & ((lost > 0) | (scores > 0))
         tell(f"round {k + 1}: {kept.sum()} coverings, {failing.sum()} of them fail")
         if not failing.any():
             break
-        kept &= ~_given_up(part, scores, failing, source, target)
+        kept &= ~_given_up(part, lost * kept, scores * failing, source, target)
         source, target = source[kept], target[kept]
-        scores = sizes.fitted(source, target)
     return _renumbered(sizes, source[kept], target[kept], part.growth)
 
 
-def _given_up(part: Part, scores: Floats, failing: Flags, source: Places, target: Places) -> Flags:
-    """Return which coverings are given up: those that fail most, for the least flow."""
-    severe = failing & (scores > SEVERE)
-    these = severe if severe.any() else failing
-    flow = part.flow(source, target) + 0.1 / len(source)
-    worth = np.where(these, np.minimum(scores, 5.0) / flow, 0.0)
-    number = max(1, int(CUT * these.sum()))
+def _given_up(part: Part, lost: Places, scores: Floats, source: Places, target: Places) -> Flags:
+    """Return which coverings are given up: the first ones that were lost, which the others follow.
+
+    If none is lost, those that fail most, for the least flow.
+    """
+    if lost.any():
+        worth = np.where(lost > 0, 1.0 / np.maximum(lost, 1), 0.0)
+        number = np.count_nonzero(lost)
+    else:
+        worth = np.minimum(scores, 5.0) / (part.flow(source, target) + 0.1 / len(source))
+        number = np.count_nonzero(scores > 0)
     given_up = np.zeros(len(source), dtype=bool)
-    given_up[np.argsort(-worth)[:number]] = True
+    given_up[np.argsort(-worth)[: max(1, int(CUT * number))]] = True
     return given_up
 
 

@@ -143,9 +143,14 @@ class Leaves:
         symbol = self._symbol(saddle)
         start = (symbol,) * m, (symbol,) * n
         self._waiting = [start]
-        self.pieces[start] = Piece(saddle.point, saddle.unstable, -reach, reach)
+        self.pieces[start] = self._own(Piece(saddle.point, saddle.unstable, -reach, reach), start)
         while self._waiting and len(self.pieces) < MOST:
             self._pass_on(self._waiting.pop(0))
+
+    def _own(self, piece: Piece, key: Key) -> Piece:
+        """Return the part of a piece that has the word of the key."""
+        ends = [end for part in self._groups(piece, key[1]).values() for end in part]
+        return piece._replace(low=min(ends), high=max(ends)) if ends else piece
 
     def _symbol(self, saddle: Saddle) -> int:
         """Return the symbol of the saddle."""

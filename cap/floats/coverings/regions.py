@@ -11,7 +11,7 @@ from cap.floats.coverings.planar import Floats, Planar
 from cap.floats.coverings.saddles import Saddle
 
 CELLS = 300  # of the table, in each direction
-NUMBERS = (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20)  # of clusters that are tried
+NUMBERS = (2, 6, 12, 18, 24)  # of clusters that are tried
 FIRST, TRIED = (
     (5, 7),
     (4, 5),
@@ -23,9 +23,8 @@ def regions(g: Planar, saddle: Saddle) -> Regions:
     """Return regions whose words tell points apart: the fewest that leave no word torn."""
     window = np.array(g.window, dtype=np.float64)
     one = np.zeros((CELLS, CELLS), dtype=np.int64)
-    rough = Leaves(g, saddle, Regions(one, window, saddle.unstable), *FIRST)
-    direction = _direction(np.array([piece.T for piece in rough.pieces.values()]))
-    sample = Leaves(g, saddle, Regions(one, window, direction), *FIRST)
+    sample = Leaves(g, saddle, Regions(one, window, saddle.unstable), *FIRST)
+    direction = _direction(np.array([piece.T for piece in sample.pieces.values()]))
     points = np.array([piece.z for piece in sample.pieces.values()])
     best = sample.torn + 1, Regions(one, window, direction)
     window, nearest = _nearest(points, g.size)

@@ -17,7 +17,8 @@ from cap.floats.coverings.planar import Floats, Planar, image, kept
 
 Places = NDArray[np.int64]
 MARGIN = 0.02
-SWEEPS = 12
+SWEEPS = 30
+FARTHEST = 50.0  # times what is seen of a piece
 FAIL = 1e3  # the score of a covering that cannot hold
 
 
@@ -88,16 +89,21 @@ def _swept(
     source: Any,
     target: Any,
     lost: Any,
+    now: Any,
 ) -> Any:
-    """Make one sweep; a covering that asks for too much is ``lost``, and asks for nothing more."""
+    """Make one sweep.
+
+    A covering that asks for too much is ``lost`` from ``now`` on: it asks for nothing more.
+    """
     u, w = np.empty(U.shape), np.empty(U.shape)
     u[:, 0], u[:, 1], w[:, 0], w[:, 1] = np.inf, -np.inf, np.inf, -np.inf
     for k in range(len(source)):
-        if lost[k]:
+        if lost[k] > 0:
             continue
         i, j = source[k], target[k]
         known, a, b, c, d = _asked(kind, y, frames, U, W, i, j, most[i])
-        lost[k] = not known
+        if not known:
+            lost[k] = now
         if known:
             u[i, 0], u[i, 1] = min(u[i, 0], a), max(u[i, 1], b)
             w[j, 0], w[j, 1] = min(w[j, 0], c), max(w[j, 1], d)
@@ -148,17 +154,29 @@ class Sizes:
     def __init__(self, g: Planar, frames: Floats, seen: Floats, most: float) -> None:
         self.g, self.frames, self.first, self.U = g, frames, seen, seen.copy()
         self.W = np.tile([-1e-4, 1e-4], (len(frames), 1)) * g.size
-        self.most = most * np.abs(seen).max(axis=1)
+        self.times, self.most = most, most * np.abs(seen).max(axis=1)
 
-    def fitted(self, source: Places, target: Places, sweeps: int = SWEEPS) -> Floats:
-        """Fit the sizes to coverings; return how much each fails."""
-        lost = np.zeros(len(source), dtype=np.bool_)
+    def limit(self, source: Places, target: Places) -> None:
+        """Let parallelograms reach so many times farther than their targets, as seen, ask for."""
+        lost = np.zeros(len(source), dtype=np.int64)
+        U, W, far = self.first.copy(), self.W.copy(), np.abs(self.first).max(axis=1)
+        common: Any = self.g.kind, self.g.constants, self.frames, U, W, self.first
+        _SWEEP(*common, FARTHEST * far, source, target, lost, 1)
+        self.most = self.times * np.maximum(far, np.abs(U).max(axis=1))
+
+    def fitted(self, source: Places, target: Places) -> tuple[Places, Floats]:
+        """Fit the sizes to coverings, from the beginning.
+
+        Return for each covering in which sweep it was lost, 0 if in none, and by how much it fails.
+        """
+        lost = np.zeros(len(source), dtype=np.int64)
+        self.U[:] = self.first
         common: Any = self.g.kind, self.g.constants, self.frames, self.U, self.W
-        for _ in range(sweeps):
-            _SWEEP(*common, self.first, self.most, source, target, lost)
+        for now in range(1, SWEEPS + 1):
+            _SWEEP(*common, self.first, self.most, source, target, lost, now)
         scores = np.zeros(len(source))
         _SCORES(*common, source, target, scores)
-        return np.where(lost, np.maximum(scores, 3.0), scores)
+        return lost, scores
 
     def parallelograms(self, chosen: Places) -> Floats:
         """Return (N, 6) centres and axes."""
