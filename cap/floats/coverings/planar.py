@@ -18,8 +18,9 @@ from cap.floats.engine.compiled import announced
 Floats = NDArray[np.float64]
 Six = tuple[float, float, float, float, float, float]
 
-HALF_PERIOD = 0
+HALF_PERIOD, HENON, STANDARD = range(3)
 STEPS, CLOSE = 60, 1e-12
+FAR = 2.0  # where orbits of the Hénon map are given up
 
 
 class Planar(NamedTuple):
@@ -39,17 +40,43 @@ def half_period(phi: float, a: float) -> Planar:
     return Planar(HALF_PERIOD, np.array([phi, a]), (-a, a, 0.0, 2.5 + 2 * a), a)
 
 
+def henon(a: float, b: float) -> Planar:
+    """Return the Hénon map (x, y) -> (1 - a x² + y, b x)."""
+    return Planar(HENON, np.array([a, b]), (-2.0, 2.0, -1.0, 1.0), 1.0)
+
+
+def standard(K: float) -> Planar:
+    """Return the standard map (x, y) -> (x + y', y'), y' = y + K sin x, cut at x, y' = ±π."""
+    return Planar(STANDARD, np.array([K, 0.0]), (-np.pi, np.pi, -np.pi, np.pi), np.pi)
+
+
 @register_jitable
 def image(kind: int, y: Floats, x: float, v: float) -> tuple[bool, Six]:
     """Return whether the map is defined, its value, and its derivative row by row."""
     if kind == HALF_PERIOD:
         return _half_period(y[0], y[1], x, v)
+    if kind == HENON:
+        near = abs(x) < FAR and abs(v) < FAR
+        return near, (1 - y[0] * x * x + v, y[1] * x, -2 * y[0] * x, 1.0, y[1], 0.0)
+    if kind == STANDARD:
+        return _standard(y[0], x, v)
     return _nowhere()
 
 
 @register_jitable
 def _nowhere() -> tuple[bool, Six]:
     return False, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@register_jitable
+def _standard(K: float, x: float, y: float) -> tuple[bool, Six]:
+    if not (abs(x) < math.pi and abs(y) < math.pi):
+        return _nowhere()
+    v, k = y + K * math.sin(x), K * math.cos(x)
+    v -= 2 * math.pi * math.floor(v / (2 * math.pi) + 0.5)
+    u = x + v
+    u -= 2 * math.pi * math.floor(u / (2 * math.pi) + 0.5)
+    return True, (u, v, 1 + k, 1.0, k, 1.0)
 
 
 @register_jitable
