@@ -96,7 +96,7 @@ class Horseshoe(BetweenWalls):
         confirm_paths(edges)
         self.step(f"each of {len(sets)} sets covers some, and is covered by some")
         together = confirm_overlaps(sets, edges)
-        need(together == self.claims["together"], f"together is not {together}, what the overlaps give")
+        need(together == self.claims["together"], f"together is not {together}")
         self.step(self.apart())
         count = sum(map(len, edges))
         work = Work(self.jobs, self.tell, {_CHECKED: float(count)})
