@@ -46,3 +46,5 @@ class Options(System, total=False):
     points: int | str | None
     rotation: str | None
     largest: bool | None
+    effort: int | str | None
+    sets: str | None

@@ -2,8 +2,9 @@
 
 Its files: ``labels.json``, the places; ``quotes.toml``, what claims are taken from;
 ``findings.toml`` and ``errata.toml``; ``recorded.json``, the verdicts; and the module ``paper``,
-with GROUPS (modules that declare claims), ``more()`` (claims that are made of data), STATEMENTS
-and REASONS.  Nothing outside of the folder knows what the paper says.
+with FIGURES (whether `cap.paper` makes its figures), GROUPS (modules that declare claims),
+``more()`` (claims that are made of data), STATEMENTS and REASONS.  Nothing outside of the folder
+knows what the paper says, but the means and tables of the first one.
 """
 
 from collections.abc import Callable

@@ -2,7 +2,7 @@
 
 import pytest
 
-from cap.audit import coverage, findings, given, ledger, quotes, recorded, subject
+from cap.audit import command, coverage, findings, given, ledger, quotes, recorded, subject
 from cap.audit.decide import decided
 from cap.audit.papers.church_fortin import deciding
 from cap.audit.report.latex import latex
@@ -52,6 +52,14 @@ def test_claims_that_are_data_are_decided(tables, name):
     claim = ledger.claims()[name]
     assert claim.module == deciding.__name__
     assert recorded.changes({name: decided(claim, fresh=True)}, whole=False) == []
+
+
+def test_recording_lists_no_figures(tables, elsewhere, capsys):
+    """Rows of figures belong to the paper that has them."""
+    stored = elsewhere("recorded.json")
+    assert command.main(["--of", "church_fortin", "--only", FEW[1], "--record"]) == 0
+    assert FEW[1] in stored.read_text()
+    assert not subject.file("tables.json").exists()
 
 
 def test_reports_of_the_tables(tables):

@@ -12,7 +12,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.island import Island, coefficients
 from cap.checker.tori import rotation
 from cap.checker.tori.half_period import Motion, States, cells
-from cap.checker.tori.invariant_curve import Sizes, near
+from cap.checker.tori.invariant_curve import Near, Sizes, near
 from cap.checker.verdict import words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
@@ -228,6 +228,12 @@ def test_states_stop_or_not():
         return motion.after(cell)
 
     assert isinstance(after("0.1", "0.54", "0.001"), States)
+    for state, why in (
+        (("0.6", "0.3", "0.001"), "velocity may vanish"),
+        (("-0.9", "1", "0.001"), "hit the left wall"),
+    ):
+        with pytest.raises(Rejected, match=why):
+            after(*state)
     for state in (
         ("0.1", "0.2", "0.001"),
         ("0.1", "0.54", "0.4"),
@@ -238,6 +244,34 @@ def test_states_stop_or_not():
     ):
         with pytest.raises(Rejected):
             after(*state)
+
+
+def test_a_guess_of_the_hit_is_not_trusted(monkeypatch):
+    """Where the wall is not reached between the ends of the guess, the states are refused."""
+    motion = Motion(Fraction(2, 5), Fraction(1), 96)
+    square = [[Fraction(1), Fraction(0)], [Fraction(0), Fraction(1)]]
+    (cell,) = cells((Fraction(1, 10), Fraction(27, 50)), square, Fraction(1, 1000), 1, 96)
+    t, width = motion.guess(cell)
+    for other in ((t + 3 * width, width), (t - 3 * width, width), (t, width / 100)):
+        monkeypatch.setattr(Motion, "guess", lambda *_, other=other: other)
+        with pytest.raises(Rejected, match="elsewhere"):
+            motion.after(cell)
+
+
+def test_a_curve_that_does_not_wind_around_the_point():
+    """P* is taken elsewhere, or the curve known too roughly; disks may meet."""
+    island = Island(read(encode(GOOD)), lambda _: None)
+    island.half_periods = 2
+    K = island.polynomials()[0]
+    place = [island.number_at(Fraction(q)) for q in HINTS["middle"]]
+    island.around(K, Near(Fraction(0), Fraction(0)), (place[0], place[1]))
+    far = place[0] + island.number_at(Fraction(1, 20))
+    for close, centre in ((Fraction(0), (far, place[1])), (Fraction(1, 50), (place[0], place[1]))):
+        with pytest.raises(Rejected, match="wind around"):
+            island.around(K, Near(close, Fraction(0)), centre)
+    low, high = (Interval.enclosing(q, q + 2, 96) for q in (0, 1))
+    with pytest.raises(Rejected, match="may meet"):
+        island.disks(low, high)
 
 
 def test_the_sentence():

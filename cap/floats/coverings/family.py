@@ -45,10 +45,10 @@ def family(
         failing = kept & ((lost > 0) | (scores > 0))
         tell(f"round {k + 1}: {kept.sum()} coverings, {failing.sum()} of them fail")
         if not failing.any():
-            break
+            return _renumbered(sizes, source[kept], target[kept], part.growth)
         kept &= ~_given_up(part, lost * kept, scores * failing, source, target)
         source, target = source[kept], target[kept]
-    return _renumbered(sizes, source[kept], target[kept], part.growth)
+    return _renumbered(sizes, source[:0], target[:0], 0.0)
 
 
 def _given_up(part: Part, lost: Places, scores: Floats, source: Places, target: Places) -> Flags:

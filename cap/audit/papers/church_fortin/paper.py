@@ -7,6 +7,7 @@ from cap.audit.claim import Claim
 from cap.audit.papers.church_fortin import deciding
 from cap.audit.statements import Statement
 
+FIGURES = False
 GROUPS: tuple[str, ...] = ()
 STATEMENTS: tuple[Statement, ...] = ()
 REASONS = {"tables": "heading; its claims are taken from the tables"}

@@ -7,7 +7,9 @@ from cap.audit.claim import Claim
 from cap.audit.papers.mixed_dynamics.reasons import REASONS
 from cap.audit.papers.mixed_dynamics.statements import STATEMENTS
 
-__all__ = ["GROUPS", "REASONS", "STATEMENTS", "more"]
+__all__ = ["FIGURES", "GROUPS", "REASONS", "STATEMENTS", "more"]
+
+FIGURES = True  # that `cap.paper` computes: rows of their tables are claims
 
 _NAMES = (
     *("introduction", "inclusion", "stops", "wellposed", "strobe"),
