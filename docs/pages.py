@@ -103,6 +103,9 @@ def main(out: Path) -> int:
         for entry in config.nav:
             if "Theorems" in entry:
                 entry["Theorems"] += [f"docs/theorems/{name}" for name in theorems]
+        named = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
+        rest = [f"docs/{p.name}" for p in sorted((stage / "docs").glob("*.md"))]
+        config.nav.append({"More": [page for page in rest if page not in named]})
         try:
             build(config)
         except Abort as error:

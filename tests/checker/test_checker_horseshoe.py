@@ -181,6 +181,15 @@ def test_overlaps_are_exact():
     assert found(0, 0, Fraction(1, 9), 0, 0, Fraction(1, 9)) == [{1}, {0}]
 
 
+def test_too_many_overlaps(monkeypatch):
+    """They are counted while they are found: many copies of one set need no more memory."""
+    monkeypatch.setattr("cap.checker.coverings.graph.MOST_PAIRS", 5)
+    sets = [[Fraction(n) for n in (0, 0, 1, 0, 0, 1)]] * 4
+    with pytest.raises(Rejected, match="too many"):
+        overlaps(sets)
+    assert overlaps(sets[:3]) == [{1, 2}, {0, 2}, {0, 1}]
+
+
 @pytest.mark.parametrize(
     ("edges", "why"),
     [
@@ -263,10 +272,11 @@ def test_a_unit_more(name):
     rejected(changed(CERTIFICATE, "claims", name, str(Fraction(value) + unit)), "grow")
 
 
-def test_fewer_sets_overlap():
-    """What is claimed of overlaps is looked at."""
-    if CERTIFICATE["claims"]["together"] != "1":
-        rejected(changed(CERTIFICATE, "claims", "together", "1"), "more sets overlap")
+@pytest.mark.parametrize("by", [-1, 1, 2])
+def test_other_overlaps(by):
+    """With more than there are the sentence would say that some overlap, where all are disjoint."""
+    together = str(int(CERTIFICATE["claims"]["together"]) + by)
+    rejected(changed(CERTIFICATE, "claims", "together", together), "together")
 
 
 @pytest.mark.parametrize(("name", "value"), [("e", "9/10"), ("mu", "1/10"), ("e", "1")])
@@ -286,6 +296,8 @@ def test_what_is_not_of_the_form():
     rejected(changed(CERTIFICATE, "hints", "vector", 0, "1/2"), "integers")
     rejected(changed(CERTIFICATE, "hints", "sets", SETS[:-1]), "one list")
     rejected(changed(CERTIFICATE, "hints", "sets", 0, 0, "1" + "0" * 31), "larger")
+    for long in ("1/3", "0." + "1" * 41):
+        rejected(changed(CERTIFICATE, "hints", "sets", 0, 0, long), "no decimal")
     rejected(
         changed(CERTIFICATE, "hints", "sets", 0, [*SETS[0][:4], *SETS[0][2:4]]), "parallel|overlap"
     )

@@ -49,10 +49,9 @@ def test_links_to_folders(pages, tmp_path):
     assert "[a.ipynb](a.ipynb)" in (tmp_path / "books/index.md").read_text()
 
 
-def test_every_page_is_in_the_navigation(pages):
-    """But for what other pages lead to."""
+def test_the_navigation_names_pages_that_there_are():
+    """Those that it does not name come under "More"."""
     text = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
     named = set(re.findall(r"(docs/[\w-]+\.md)", text))
-    there = {path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md")}
-    assert named <= there
-    assert there - named <= {"docs/invariant-curve-proof.md"}
+    assert len(named) > 10
+    assert named <= {path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/*.md")}

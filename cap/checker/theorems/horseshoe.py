@@ -54,7 +54,7 @@ VECTOR = Field(
 )  # fmt: skip
 GROWTH = Field("growth", number, "", "", "a lower bound of the spectral radius of A")
 TOGETHER = Field("together", Whole(1, MOST_SETS), "", "",
-                 "so many sets at most overlap pairwise; 1: they are disjoint")  # fmt: skip
+                 "1 if the sets are disjoint; else 1 + the most that overlap with one")  # fmt: skip
 
 
 class Horseshoe(BetweenWalls):
@@ -84,6 +84,8 @@ class Horseshoe(BetweenWalls):
         """Bound what becomes a double, and the work."""
         small = all(abs(n) <= MAX_SIZE for numbers in hints["sets"] for n in numbers)
         need(small, "a number of a set is larger than 10^30")
+        short = all(_PLACES % n.denominator == 0 for numbers in hints["sets"] for n in numbers)
+        need(short, "a number of a set is no decimal of at most 40 places")
         need(len(hints["coverings"]) == len(hints["sets"]), "not one list for each set")
         need(all(v.denominator == 1 for v in hints["vector"]), "the vector is not of integers")
 
@@ -94,7 +96,7 @@ class Horseshoe(BetweenWalls):
         confirm_paths(edges)
         self.step(f"each of {len(sets)} sets covers some, and is covered by some")
         together = confirm_overlaps(sets, edges)
-        need(together <= self.claims["together"], "more sets overlap than is claimed")
+        need(together == self.claims["together"], f"together is not {together}")
         self.step(self.apart())
         count = sum(map(len, edges))
         work = Work(self.jobs, self.tell, {_CHECKED: float(count)})
@@ -139,6 +141,7 @@ def confirm_coverings(g: Any, sets: list[list[Fraction]], edges: list[list[int]]
 
 
 _CHECKED = "coverings are checked"
+_PLACES = 10**40  # overlaps are computed over a common denominator
 _HORSESHOE = (
     "sigma, the flow over half a period from t = 0 followed by the symmetry (x, v) -> (l + r - x, "
     "-v), whose square is the time-T map Phi, T = 2 pi/omega, has a compact invariant set Lambda "

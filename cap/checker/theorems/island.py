@@ -390,8 +390,8 @@ _CURVE = (
     "(nT + T/2, nT + T){two}"
 )
 _TWO = (
-    "; its image by (x, v, t) -> (l + r - x, -v, t + T/2) is another disk, disjoint from it, of "
-    "the same area, with the same property"
+    "; the images of these motions by (x, v, t) -> (l + r - x, -v, t + T/2) start at t = 0 in "
+    "another disk, disjoint from it, of the same area, with the same property"
 )
 
 THEOREM = Island
