@@ -43,9 +43,7 @@ from cap.release.trap import critical_points
 from cap.sets import interval
 from cap.subdivision import UNDECIDED, Cell, cells_between, subdivide
 
-SUMMARY = (
-    "the entropy for all f of a range (attractor --from --to), in pieces; where cycles attract"
-)
+SUMMARY = "the entropy for all f of a range (attractor --from --to), in pieces; attracting cycles"
 GROUP = "releases"
 SEARCH = candidates.range_of_f
 OPTIONS = (*RANGE_OF_F, JOBS, JOURNAL)

@@ -22,6 +22,9 @@ SENSIBLE = {
     "undecided": "1/2",
     "masses": "1,9/10",
     "proportional": None,
+    "largest": None,
+    "rotation": "[0;3,(1)]",
+    "sets": "any",
 }
 
 
