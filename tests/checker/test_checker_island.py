@@ -277,5 +277,11 @@ def test_a_curve_that_does_not_wind_around_the_point():
 def test_the_sentence():
     """It says what is claimed."""
     said = words(read(encode(GOOD)))
-    for part in ("[0;3,2,17,(1)]", CLAIMS["area"][0], "never vanishes", "disjoint"):
+    for part in (
+        "[0;3,2,17,(1)]",
+        CLAIMS["area"][0],
+        "never vanishes",
+        "disjoint",
+        "start at t = 0 in another",
+    ):
         assert part in said
