@@ -299,7 +299,7 @@ def test_what_is_not_of_the_form():
     for long in ("1/3", "0." + "1" * 41):
         rejected(changed(CERTIFICATE, "hints", "sets", 0, 0, long), "no decimal")
     rejected(
-        changed(CERTIFICATE, "hints", "sets", 0, [*SETS[0][:4], *SETS[0][2:4]]), "parallel|overlap"
+        changed(CERTIFICATE, "hints", "sets", 0, [*SETS[0][:4], *SETS[0][2:4]]), "parallel|together"
     )
 
 

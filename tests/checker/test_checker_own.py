@@ -16,7 +16,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.contacts import Equations, krawczyk, return_map
 from cap.checker.theorems.contacts import Contacts
-from cap.checker.verdict import check
+from cap.checker.verdict import check, words
 
 TINY = Fraction(1, 10**9)
 
@@ -441,6 +441,24 @@ def test_deep_nesting():
     text = dumps(given).replace('"27/10"', "[" * 1000 + "]" * 1000)
     with pytest.raises(Rejected, match="the JSON is nested too deeply"):
         check(text.encode(), lambda _: None)
+
+
+def test_a_choice_of_modes():
+    """A ball that may also rest at a contact need not stay near the orbit; else it attracts."""
+    given = certificate("ball")
+    assert words(check(dumps(given).encode(), lambda _: None)).endswith("; it attracts")
+    modes = given["parameters"]["modes"]
+    modes["fly"]["guards"]["table"]["to"].append("rest")
+    rejected(given, "another mode may be open")
+    leave = modes["rest"]["guards"]["leave"]
+    leave["value"] = [["1", "sin"], ["-1"]]
+    check(dumps(given).encode(), lambda _: None)
+    leave["value"] = [["1", "y"], ["-6/5", "sin"], ["0.000000000000000001", "cos"]]
+    rejected(given, "another mode may be open")
+    leave["value"] = modes["fly"]["guards"]["table"]["value"]
+    rejected(given, "another mode may be open")
+    given["claims"].pop("unstable")
+    check(dumps(given).encode(), lambda _: None)
 
 
 @pytest.mark.parametrize("count", ["0", "2"])

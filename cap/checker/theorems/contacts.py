@@ -13,6 +13,8 @@ between contacts nothing else is assumed than the equations of its mode.
    the zero of F is a periodic orbit.
 3. *Claims.*  Times and states of the contacts, the elementary symmetric functions of the
    multipliers, and from these how many multipliers lie outside the unit circle (``stability``).
+   An orbit without any attracts: near it motions have the same contacts, as all other modes that a
+   guard names are ``closed``.
 """
 
 from __future__ import annotations
@@ -134,6 +136,8 @@ class Contacts(Theorem):
         multipliers = symmetric(self.derivative(steps), self.equations.n)
         self.confirm(symmetric=multipliers)
         self.count(multipliers)
+        if self.claims.get("unstable") == 0 and "radius" not in self.claims:
+            self.no_choice(zero, steps)
         self.step("times, states and multipliers are those claimed")
 
     def derivative(self, steps: list[Step]) -> Matrix:
@@ -245,6 +249,29 @@ class Contacts(Theorem):
         kind = kind_of_two(sums[0], sums[1], count) if named else ""
         attracts = "; it attracts" if not count else ""
         return f", {count} of the {n} outside the unit circle and none on it{kind}{attracts}"
+
+    def no_choice(self, zero: list[Interval], steps: list[Step]) -> None:
+        """Prove that motions near the orbit go on in the same modes."""
+        starts = [self.equations.start(zero, k) for k in range(len(steps))]
+        closed = all(map(self.closed, steps, starts, range(len(steps))))
+        need(closed, "another mode may be open after a contact: the orbit may not attract")
+
+    def closed(self, step: Step, start: Interval, k: int) -> bool:
+        """Return whether after a contact no other mode is open to motions near the orbit.
+
+        In each, a guard is negative, or vanishes after this contact and falls.
+        """
+        contact, event = self.orbit.contacts[k], self.orbit.guard(k)
+        after = dict(zip(self.p.state, step.after, strict=True))
+        for mode in (m for m in event.to if m != contact.to):
+            flights = Leg(self.p, mode, start, after)
+            named = self.p.modes[mode].guards.values()
+            guards = [Watched.of(self.p, mode, guard.value) for guard in named]
+            zero = [zeros_after(h, event) > 0 for h in guards]
+            signs = [h.rate if z else h.h for h, z in zip(guards, zero, strict=True)]
+            if not any((-flights.over(g, start)).is_positive() for g in signs):
+                return False
+        return True
 
 
 THEOREM = Contacts
