@@ -42,7 +42,7 @@ EFFORT = Option(
     "effort",
     count(1, 9),
     f"length of the words by which sets are told apart, 1 to 9 (default {USUAL}); longer ones give "
-    "more sets, more entropy, and take longer",
+    "more sets, often more entropy, and take longer",
     "N",
     default=USUAL,
 )
