@@ -53,6 +53,7 @@ def test_they_exist_from_the_onset_on():
     assert sympy.simplify(launch - sympy.pi) == 0  # it flies for 2 pi, and arrives with -pi
 
 
+@pytest.mark.slow
 def test_the_flip():
     """1 + trace + determinant is 0 at A^2 = (pi (1 - e)/(1 + e))^2 + (2 (1 + e^2)/(1 + e)^2)^2."""
     trace, det = multipliers()

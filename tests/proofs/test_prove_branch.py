@@ -32,6 +32,7 @@ def _cells_once():
         yield
 
 
+@pytest.mark.slow
 def test_the_branch_of_the_paper():
     """Where it begins and ends, where the twist vanishes."""
     claims = claims_of(branch)
