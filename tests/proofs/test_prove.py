@@ -44,6 +44,7 @@ COMMANDS = dict(
 # to prove them takes the better part of a minute, or minutes; their provers have tests of their own
 LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persistence"}
 LONG |= {"island", "island-2"}  # and what they find depends, below the last digit, on numpy
+LONG |= {"horseshoe-1"}  # a minute; horseshoe-2 is made in the same way
 
 # seconds each, and with tests of their own, too, or one more of a theorem
 SLOW = {"attractor", "branch", "branch-2", "inventory", "particles_limits", "particles_sink",
