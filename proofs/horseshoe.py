@@ -18,7 +18,7 @@ suffice: `cap.checker.coverings.covering`, `.graph`, `.half_period`.
 
 The sets are found in floats, and nothing rests on that: pieces of the unstable manifold of a
 saddle, told apart by words of symbols before and after, are made into parallelograms, whose sizes
-are fitted until each covers those that follow it.  ``--effort`` is the length of the words.
+grow until they cover those that follow them.  ``--effort`` is the length of the words.
 """
 
 from fractions import Fraction
@@ -37,7 +37,7 @@ GROUP = "states"
 SEARCH = candidates.every_motion
 CHECKING = 0.3
 
-USUAL = 5
+USUAL = 8
 EFFORT = Option(
     "effort",
     count(1, 9),

@@ -27,7 +27,7 @@ from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
-FILE = Path(__file__).parents[2] / "certificates/horseshoe-1.json"
+FILE = Path(__file__).parents[2] / "certificates/horseshoe-2.json"
 CERTIFICATE = json.loads(FILE.read_text())
 SETS, EDGES = CERTIFICATE["hints"]["sets"], CERTIFICATE["hints"]["coverings"]
 SIGMA = HalfPeriod(Fraction(2, 5), Fraction(1))

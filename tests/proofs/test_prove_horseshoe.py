@@ -9,8 +9,9 @@ import pytest
 from cap.checker.coverings.half_period import HalfPeriod
 from cap.errors import BadInput, NotProved
 from cap.floats.coverings.family import Family
-from cap.floats.coverings.planar import half_period, images
+from cap.floats.coverings.planar import half_period, images, standard
 from cap.floats.coverings.saddles import saddles
+from cap.floats.coverings.sizes import Sizes
 from cap.maps.fixed_point import Start
 from cap.maps.graphs import components, fastest
 from cap.parameters import PAPER
@@ -65,6 +66,20 @@ def test_a_hit_time_that_is_met_exactly():
     z = np.stack([np.linspace(0.34, 0.35, 2001), np.full(2001, 0.77)], axis=1)
     bends = np.diff(images(half_period(0.4, 1.0), z)[:, 0], 2)
     assert np.abs(bends).max() < 1e-8
+
+
+def test_sizes_grow_only_for_coverings_that_hold():
+    """One that asks for too much is given up, and leaves no trace; one that holds is kept."""
+    axes = np.array([1, 3**0.5 - 1, 1, -1 - 3**0.5])  # of the saddle 0 of the standard map, K = 2
+    frames = np.array([[x, 0.0, *axes] for x in (0.0, 3.0)])
+    sizes = Sizes(standard(2.0), frames, np.array([[-0.1, 0.1], [-0.1, 0.1]]), 4.0)
+    source, target = arrays([(0, 0), (0, 1)])
+    before = sizes.U.copy(), sizes.W.copy()
+    assert list(sizes.grown(source, target, np.array([1]))) == [False, False]
+    assert all(map(np.array_equal, before, (sizes.U, sizes.W)))
+    assert list(sizes.grown(source, target, np.array([1, 0]))) == [True, False]
+    scores = sizes.scores(source, target)
+    assert scores[0] < 0 < scores[1]
 
 
 def arrays(edges):

@@ -1,4 +1,4 @@
-"""A family of parallelograms that cover each other: pieces of leaves, sized, and pruned."""
+"""A family of parallelograms that cover each other: pieces of leaves, sized by those that hold."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -8,12 +8,10 @@ import numpy as np
 from cap.floats.coverings.leaves import Leaves
 from cap.floats.coverings.planar import Floats, Planar, images
 from cap.floats.coverings.saddles import Saddle
-from cap.floats.coverings.sizes import Places, Sizes
-from cap.maps.graphs import Flags, Part, fastest
+from cap.floats.coverings.sizes import Sizes
+from cap.maps.graphs import Places, fastest
 
-ROUNDS = 200
 MOST = 4.0  # times what is seen of a piece: its parallelogram reaches no farther
-CUT = 0.25  # of the coverings that fail: so many are given up at once
 
 
 class Family(NamedTuple):
@@ -38,33 +36,19 @@ def family(
     seen = np.array([[p.low, p.high] for p in pieces])
     sizes = Sizes(g, frames, seen, MOST)
     sizes.limit(source, target)
-    for k in range(ROUNDS):
-        lost, scores = sizes.fitted(source, target)
-        part = fastest(source, target, len(frames))
-        kept = part.inside(source, target)
-        failing = kept & ((lost > 0) | (scores > 0))
-        tell(f"round {k + 1}: {kept.sum()} coverings, {failing.sum()} of them fail")
-        if not failing.any():
-            return _renumbered(sizes, source[kept], target[kept], part.growth)
-        kept &= ~_given_up(part, lost * kept, scores * failing, source, target)
+    inside = fastest(source, target, len(frames)).inside(source, target)
+    source, target = source[inside], target[inside]
+    flow = fastest(source, target, len(frames)).flow(source, target)
+    tell(f"{len(source)} coverings are tried")
+    kept = sizes.grown(source, target, np.argsort(-flow, kind="stable"))
+    while kept.any():
         source, target = source[kept], target[kept]
+        part = fastest(source, target, len(frames))
+        kept = part.inside(source, target) & (sizes.scores(source, target) <= 0)
+        tell(f"{np.count_nonzero(kept)} coverings of {len(kept)} seem to hold")
+        if kept.all():
+            return _renumbered(sizes, source, target, part.growth)
     return _renumbered(sizes, source[:0], target[:0], 0.0)
-
-
-def _given_up(part: Part, lost: Places, scores: Floats, source: Places, target: Places) -> Flags:
-    """Return which coverings are given up: the first ones that were lost, which the others follow.
-
-    If none is lost, those that fail most, for the least flow.
-    """
-    if lost.any():
-        worth = np.where(lost > 0, 1.0 / np.maximum(lost, 1), 0.0)
-        number = np.count_nonzero(lost)
-    else:
-        worth = np.minimum(scores, 5.0) / (part.flow(source, target) + 0.1 / len(source))
-        number = np.count_nonzero(scores > 0)
-    given_up = np.zeros(len(source), dtype=bool)
-    given_up[np.argsort(-worth)[: max(1, int(CUT * number))]] = True
-    return given_up
 
 
 def _stable(g: Planar, saddle: Saddle, z: Floats, steps: int) -> Floats:

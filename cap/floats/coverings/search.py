@@ -16,5 +16,5 @@ def families(g: Planar, effort: int, tell: Callable[[str], None]) -> Iterator[Fa
     for saddle in saddles(g):
         tell("words on the unstable manifold of a saddle")
         found = regions(g, saddle)
-        leaves = Leaves(g, saddle, found, effort, effort + 1)
+        leaves = Leaves(g, saddle, found, effort, effort)
         yield family(g, saddle, leaves, tell)
