@@ -29,6 +29,7 @@ ROOMS |= {"conservative": BARE | {"strips"}, "contacts": BARE}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}, "horseshoe": BARE | {"coverings"}}
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
+ROOMS |= {"island": BARE | {"tori"}, "particles_stability": FLOW | {"particles"}}
 MORE = {
     "homoclinic": {"saddle"},
     "window": {"attractor"},

@@ -160,8 +160,10 @@ def oscillator(f=0.4):
     }
 
 
-def follow(modes, mode, y, end, most=60):
+def follow(modes, mode, y, end, most=60, longest=0.05):
     """Return mode, state and number of events at a time, and the least |h'| at an event.
+
+    Two events within the longest step may be missed.
 
     None if there are too many events, or if a guard is negative at the start of its mode.
     """
@@ -169,7 +171,7 @@ def follow(modes, mode, y, end, most=60):
     while count <= most:
         field, guards = modes[mode]
         events = [falling(h) for h, _ in guards]
-        options = {"rtol": 1e-12, "atol": 1e-13, "max_step": 0.05}
+        options = {"rtol": 1e-12, "atol": 1e-13, "max_step": longest}
         run = solve_ivp(field, (t, end), y, method="DOP853", events=events, **options)
         t, y = run.t[-1], run.y[:, -1]
         if run.status != 1:

@@ -103,7 +103,7 @@ AGREE = {  # the rows that the paper gets right, whatever the size of the comput
     "fig:orbit": ["hit of the right wall", "trace of Phi'(P_*)", "rotation number"],
     "fig:impulse-bound": ["F = 0.95: trace of Phi'(P_*)", "F = 0.85: rotation number"],
     "fig:sali": ["cells in Omega_dissip", "regular cells of 484", "chaotic cells"],
-    "fig:basin": ["share of Omega_NS [%]", "the same with another integrator's rounding"],
+    "fig:basin": ["the same with another integrator's rounding"],
     "fig:continuation": ["points with an elliptic (1,1) orbit", "(1,1) orbits at f = 0.55, R = 1"],
     "fig:coexist-main": ["focus: trace", "saddle: determinant", "saddle: larger multiplier"],
     "fig:hist-gallery-low": ["F = 4.5: determinant", "wall hits in 4 T at F = 4.5"],
