@@ -48,7 +48,7 @@ LONG |= {"horseshoe-1", "island", "island-2"}  # and what they find depends on r
 # seconds each, and with tests of their own, too, or one more of a theorem
 SLOW = {"attractor", "branch", "branch-2", "inventory", "particles_limits", "particles_sink",
         "window-1", "elliptic-2", "particles-2", *(f"periodic-{n}" for n in (*range(1, 11), 12)),
-        "effective_stability", "saddle-2", "symmetric-2"}  # fmt: skip
+        "effective_stability", "horseshoe-2", "saddle-2", "symmetric-2"}  # fmt: skip
 REPRODUCED = [
     pytest.param(name, marks=[pytest.mark.slow] * (name.removesuffix(".json") in SLOW))
     for name in sorted(set(COMMANDS) - {f"{name}.json" for name in LONG})
