@@ -57,12 +57,8 @@ def test_a_command(module, words, monkeypatch):
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.read(given)
-        known = (
-            (*MODEL_COMMANDS, page.NAME)
-            if "--model" in given
-            else (*COMMANDS, page.NAME, picture.NAME)
-        )
-        assert options.paper or options.command in known
+        known = MODEL_COMMANDS if "--model" in given else (*COMMANDS, picture.NAME)
+        assert options.paper or options.command in (*known, page.NAME)
     elif module == "cap.audit":
         audit.parser().parse_args(given)
     elif module == "cap.verify":

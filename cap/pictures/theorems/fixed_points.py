@@ -39,7 +39,8 @@ def elliptic(theorem: Theorem, figure: Figure) -> None:
     rings(axes["plane"], system(theorem), claims)
     angle, turn = middle(claims["rotation_angle"]), number(claims["rotation_number"])
     pair = [complex(math.cos(angle), s * math.sin(angle)) for s in (1, -1)]
-    told = rf"$e^{{\pm i\Theta}}$, $|\Theta|/2\pi$ = {turn}, twist $\tau_1$ = {number(claims['twist'])}"
+    twist = number(claims["twist"])
+    told = rf"$e^{{\pm i\Theta}}$, $|\Theta|/2\pi$ = {turn}, twist $\tau_1$ = {twist}"
     multipliers(axes["multipliers"], pair, told)
     heading(figure, theorem, "An elliptic periodic orbit")
 
@@ -69,7 +70,7 @@ def _orbit(theorem: Theorem, figure: Figure, words: Any, periods: int) -> dict[s
         [["time", "time"], ["plane", "multipliers"]], height_ratios=[1, 1.25]
     )
     state = middle(claims["x"]), middle(claims["v"])
-    times = claims.get("event_times", claims.get("hit_times"))
+    times = claims["event_times" if "event_times" in claims else "hit_times"]
     in_time(axes["time"], p, state, list(zip(words[0], times, strict=True)), periods)
     sides = claims["box"]["x"], claims["box"]["v"]
     box(axes["plane"], sides, ONE)
@@ -84,7 +85,7 @@ def _orbit(theorem: Theorem, figure: Figure, words: Any, periods: int) -> dict[s
 
 
 def rings(axes: Axes, p: Parameters, claims: dict[str, Any]) -> None:
-    """Draw orbits in floats that start on a line from the fixed point to the rim of what is shown."""
+    """Draw orbits in floats that start between the fixed point and the rim of what is shown."""
     x, v = middle(claims["x"]), middle(claims["v"])
     reach = axes.get_xlim()[1] - x
     starts = [(x + reach * (k + 1) / RINGS, v) for k in range(RINGS)]
@@ -102,14 +103,12 @@ def dots(axes: Axes, states: Floats, colour: str) -> None:
     axes.plot(states[:, 0], states[:, 1], ".", ms=1.0, mew=0, color=colour, zorder=1)
 
 
-def ellipse(
-    axes: Axes, claims: dict[str, Any], matrix: Any, words: str, colour: str = GREEN
-) -> None:
+def ellipse(axes: Axes, claims: dict[str, Any], matrix: Any, words: str) -> None:
     """Draw the ellipse |W (z - P*)| <= 1."""
     W = np.array([[float(q) for q in row] for row in matrix])
     shape = np.linalg.solve(W, np.stack([CIRCLE.real, CIRCLE.imag]))
     x, v = middle(claims["x"]), middle(claims["v"])
-    axes.fill(x + shape[0], v + shape[1], fc="none", ec=colour, lw=1.0, label=words)
+    axes.fill(x + shape[0], v + shape[1], fc="none", ec=GREEN, lw=1.0, label=words)
 
 
 def _multipliers(axes: Axes, claimed: Any) -> None:

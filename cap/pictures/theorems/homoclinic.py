@@ -1,6 +1,6 @@
 """The homoclinic orbits of a certificate, on the curves of the saddle as floats have them.
 
-The points drawn are proved: each lies in a box that is smaller than a pixel.  The curves are floats.
+The points drawn are proved, each in a box that is smaller than a pixel; the curves are floats.
 """
 
 from typing import Any

@@ -9,6 +9,7 @@ most `LOST` of its area; it may be that more of a white one has a fate.  Of blac
 
 from collections.abc import Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -67,7 +68,8 @@ class Proof(Mixed):
 
     def prove(self) -> None:
         """Prove it; the picture takes the rest of the time."""
-        tell, cost = self.tell, self.phases()
+        tell: Any = self.tell  # of a number, or of no part
+        cost = self.phases()
         self.drawn = {words: part for words, part in cost.items() if words != PLACES}
         part = sum(cost.values()) / (sum(cost.values()) + sum(self.drawn.values()))
         self.tell = within(tell, 0, part)

@@ -81,19 +81,17 @@ def walls(axes: Axes, p: Parameters, *, over_time: bool = True) -> None:
         line(float(wall), color=GREY, ls="--", lw=0.7)
 
 
-def in_time(  # noqa: PLR0913 (what an orbit is, and how it looks)
+def in_time(
     axes: Axes,
     p: Parameters,
     state: tuple[float, float],
     events: Sequence[tuple[str, Enclosure]],
     periods: float,
-    colour: str = BLACK,
-    label: str | None = "orbit (floats)",
 ) -> None:
     """Draw the orbit of a state as a curve in floats, and the proved times of its events on it."""
     found = trajectory(p, orbit=state, exactly=True, periods=periods)
     t = found.t / found.period
-    axes.plot(t, found.x, color=colour, lw=0.9, label=label)
+    axes.plot(t, found.x, color=BLACK, lw=0.9, label="orbit (floats)")
     walls(axes, p)
     named = set[str]()
     for word, time in events:
