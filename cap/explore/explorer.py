@@ -16,6 +16,7 @@ from cap.command.console import Parser, program, protected
 from cap.command.entry import INTERRUPTED
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
+from cap.explore import certificate
 from cap.explore.commands import COMMANDS, Command
 from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
 from cap.explore.play import command as page
@@ -55,9 +56,9 @@ def parser(*, of_model: bool = False) -> Parser:
         + "\n".join(f"  {c.line(name)}" for name, c in known.items())
         + "\n\nOf a system of your own, a model of ten lines (docs/own-system.md):\n"
         + "\n".join(f"  {c.line(name)}" for name, c in MODEL_COMMANDS.items())
-        + "\n\nThe basins that a certificate proves, which is verified first, have a command of "
-        "their own:\n  python -m cap.explore.mixed certificates/mixed.json --out mixed.png\n\n"
-        "A page to play with, in the browser:\n  python -m cap.explore play",
+        + f"\n\nWhat a certificate proves, which is verified first:\n  {certificate.EXAMPLE}\n\n"
+        "A page to play with, in the browser, also of your own system:\n"
+        "  python -m cap.explore play [--model FILE.py]",
     )
     p.add_argument(
         "--paper",
@@ -78,8 +79,9 @@ def parser(*, of_model: bool = False) -> Parser:
     for name, command in known.items():
         each = commands.add_parser(name, **_described(name, command))
         _add(each, command, _model if of_model else _parameters)
+    page.add(commands, _model if of_model else _parameters)
     if not of_model:
-        page.add(commands, _parameters)
+        certificate.add(commands)
     return p
 
 
@@ -159,6 +161,8 @@ def main(words: Sequence[str]) -> int:
             return _paper(options.paper, options.first_out, progress)
         if options.command is None:
             raise BadInput(f"say what to explore: one of {', '.join(COMMANDS)} (--help says more)")
+        if options.command == certificate.NAME:
+            return certificate.run(options, progress)
         if options.command == page.NAME:
             return page.run(options, _about(options))
         of_model = getattr(options, "model", None) is not None

@@ -43,7 +43,7 @@ def write(findings: Data, path: Path, draw: Callable[[], "Figure"]) -> None:
             elif suffix == "csv":
                 _table(findings, file)
             else:
-                _image(draw(), suffix, file)
+                save(draw(), suffix, file)
     except OSError as error:
         raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
 
@@ -63,7 +63,15 @@ def _table(findings: Data, file: IO[bytes]) -> None:
     text.detach()
 
 
-def _image(figure: "Figure", suffix: str, file: IO[bytes]) -> None:
+def image(path: Path) -> str:
+    """Return what picture is to be written to ``path``; `BadInput` if it cannot be."""
+    suffix = kind(path)
+    if suffix not in IMAGES:
+        raise BadInput(f"no picture: {quoted(path)}")
+    return suffix
+
+
+def save(figure: "Figure", suffix: str, file: IO[bytes]) -> None:
     """Write a figure, the same bytes every time."""
     import matplotlib as mpl  # noqa: PLC0415 (only who draws waits for it)
 

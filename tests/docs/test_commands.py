@@ -12,14 +12,14 @@ from cap.command import archive, own, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
-from cap.explore import explorer, homoclinic, mixed
+from cap.explore import certificate as picture
+from cap.explore import explorer
 from cap.explore.commands import COMMANDS
 from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
 from cap.explore.play import command as page
 from cap.proofs.symbolic import NAMES
 from cap.proofs.theorems import THEOREMS
 
-PICTURES = {"cap.explore.mixed": mixed, "cap.explore.homoclinic": homoclinic}
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PAGES = [page for page in PAGES if page.name not in ("tutorial.md", "audit.md")]
@@ -57,10 +57,8 @@ def test_a_command(module, words, monkeypatch):
             assert kind in (None, options.theorem, over_f)
     elif module == "cap.explore" and "--help" not in given:
         options = explorer.read(given)
-        known = MODEL_COMMANDS if "--model" in given else (*COMMANDS, page.NAME)
-        assert options.paper or options.command in known
-    elif module in PICTURES:
-        assert PICTURES[module].parser().parse_args(given).file.is_file()
+        known = MODEL_COMMANDS if "--model" in given else (*COMMANDS, picture.NAME)
+        assert options.paper or options.command in (*known, page.NAME)
     elif module == "cap.audit":
         audit.parser().parse_args(given)
     elif module == "cap.verify":
@@ -74,7 +72,6 @@ def test_a_command(module, words, monkeypatch):
 def test_there_are_commands():
     """They are found: of each kind some."""
     known = {"cap.prove", "cap.verify", "cap.explore", "cap.audit", "cap.command.archive"}
-    known |= {*PICTURES}
     assert {module for module, _ in ALL} == known
     assert len(ALL) > 25
 

@@ -239,9 +239,13 @@ def _moved(
 
 def return_map(steps: Sequence[Step], n: int) -> Matrix:
     """Return the derivative of a round by (t, q) at the first contact."""
+    return reduce(lambda total, part: product(part, total), leg_maps(steps, n))
+
+
+def leg_maps(steps: Sequence[Step], n: int) -> list[Matrix]:
+    """Return the derivative of (t, q) at each contact by that at the one before."""
     ends = [*steps[1:], steps[0]]
-    parts = [_leg(step, end.guard, n) for step, end in zip(steps, ends, strict=True)]
-    return reduce(lambda total, part: product(part, total), parts)
+    return [_leg(step, end.guard, n) for step, end in zip(steps, ends, strict=True)]
 
 
 def _leg(step: Step, guard: Jet, n: int) -> Matrix:

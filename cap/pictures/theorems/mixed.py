@@ -1,6 +1,6 @@
 """The basins as they are proved, region by region, beside what floats say.
 
-The certificate is verified before (`cap.explore.mixed`).  Each coloured region is what a region of
+Each coloured region is what a region of
 first stops is backwards at t = 0, by the arithmetic of the checker; its boundary is drawn to within
 a pixel.  Of all regions all states stop.  Those of sticks, and the parts of those of turns that are
 followed forwards, have the colour of a fate if the checker shows it for all of the region but at
@@ -9,6 +9,7 @@ most `LOST` of its area; it may be that more of a white one has a fate.  Of blac
 
 from collections.abc import Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -27,12 +28,14 @@ from cap.checker.folded.motion import Direction
 from cap.checker.folded.regions import Leaf
 from cap.checker.folded.stops import Start, Strobe, at_hit, flown, sticks, turns
 from cap.checker.kernel.polynomials import MONOMIALS, Model, ends
+from cap.checker.kernel.processes import Work
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems.mixed import BACK, SIDES, TURNS, Map, Mixed
+from cap.checker.theorems.mixed import BACK, PLACES, SIDES, TURNS, Map, Mixed
 from cap.floats.engine import swarm
 from cap.floats.engine.events import HIT
-from cap.parameters import Parameters
-from cap.pictures.style import BLACK, BLUE, ORANGE, blank, parameters, stroboscopic, style
+from cap.pictures.style import BLACK, BLUE, ORANGE, stroboscopic
+from cap.pictures.theorems.parts import heading, system
+from cap.runner import within
 
 PIXELS = 256, 768  # of what floats say
 SIDE = 9  # points on a side of a region
@@ -53,38 +56,56 @@ Points = NDArray[np.float64]
 Outline = tuple[int, Points]
 
 
-def draw(theorem: Mixed, places: Places, work: Map) -> Figure:
-    """Return the picture of a theorem that is proved, on the left; floats are on the right."""
-    outlines = proved(theorem, places, work)
-    with style():
-        figure = blank((7.4, 9))
-        left, right = figure.subplots(1, 2, sharex=True, sharey=True)
-        box = theorem.claims["box"]
-        ends = [float(q) for side in (box["x"], box["v"]) for q in side[:2]]
-        left.set_facecolor(COLOURS[OPEN])
-        left.add_collection(
-            PolyCollection(
-                [points for _, points in outlines],
-                facecolors=[COLOURS[fate] for fate, _ in outlines],
-                edgecolors="none",
-                antialiaseds=False,
-                rasterized=True,
-            )
+class Proof(Mixed):
+    """The proof of the checker, as it is; what it finds of places is kept for the picture."""
+
+    known: Places
+
+    def places(self, work: Map) -> Places:
+        """Return what is known of all distances to the wall ahead."""
+        self.known = super().places(work)
+        return self.known
+
+    def prove(self) -> None:
+        """Prove it; the picture takes the rest of the time."""
+        tell: Any = self.tell  # of a number, or of no part
+        cost = self.phases()
+        self.drawn = {words: part for words, part in cost.items() if words != PLACES}
+        part = sum(cost.values()) / (sum(cost.values()) + sum(self.drawn.values()))
+        self.tell = within(tell, 0, part)
+        super().prove()
+        self.tell = within(tell, part, 1, "picture: ")
+
+
+def draw(theorem: Proof, figure: Figure) -> None:
+    """Draw what is proved on the left; floats are on the right."""
+    outlines = proved(theorem, theorem.known, Work(theorem.jobs, theorem.tell, theorem.drawn))
+    left, right = figure.subplots(1, 2, sharex=True, sharey=True)
+    box = theorem.claims["box"]
+    ends = [float(q) for side in (box["x"], box["v"]) for q in side[:2]]
+    left.set_facecolor(COLOURS[OPEN])
+    left.add_collection(
+        PolyCollection(
+            [points for _, points in outlines],
+            facecolors=[COLOURS[fate] for fate, _ in outlines],
+            edgecolors="none",
+            antialiaseds=False,
+            rasterized=True,
         )
-        panel(right, in_floats(theorem, PIXELS[::-1]), ends)
-        left.set_title("proved: the certificate is VERIFIED")
-        right.set_title(f"floats, {PERIODS} periods: nothing is proved")
-        for axes in (left, right):
-            stroboscopic(axes)
-        figure.legend(
-            handles=[
-                Patch(fc=c, ec=BLACK, lw=0.4, label=n) for c, n in zip(COLOURS, NAMES, strict=True)
-            ],
-            loc="outside lower center",
-            ncols=2,
-        )
-        figure.suptitle(f"{verdict(theorem)}\n{parameters(system(theorem))}", fontsize=10)
-    return figure
+    )
+    panel(right, in_floats(theorem, PIXELS[::-1]), ends)
+    left.set_title("proved")
+    right.set_title(f"floats, {PERIODS} periods: nothing is proved")
+    for axes in (left, right):
+        stroboscopic(axes)
+    figure.legend(
+        handles=[
+            Patch(fc=c, ec=BLACK, lw=0.4, label=n) for c, n in zip(COLOURS, NAMES, strict=True)
+        ],
+        loc="outside lower center",
+        ncols=2,
+    )
+    heading(figure, theorem, verdict(theorem))
 
 
 def verdict(theorem: Mixed) -> str:
@@ -93,12 +114,6 @@ def verdict(theorem: Mixed) -> str:
     words = {"attractor": "attracted", "segment": "to the segment", "stops": "stops"}
     parts = [f"{word} {shares[name].text[0]}" for name, word in words.items()]
     return "Basins; proved, of the area shown, at least: " + ", ".join(parts)
-
-
-def system(theorem: Mixed) -> Parameters:
-    """Return the parameters."""
-    p = theorem.p
-    return Parameters(p.F, p.omega, p.f, p.l, p.r)
 
 
 def proved(theorem: Mixed, places: Places, work: Map) -> list[Outline]:

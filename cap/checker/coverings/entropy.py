@@ -1,0 +1,130 @@
+"""What theorems on coverings share: sets and coverings in a certificate, a bound of the entropy.
+
+Let g be a planar map (`planar`).  *Claimed:* there is a compact set Lambda with g(Lambda) = Lambda,
+on which the topological entropy of a map is at least ``entropy``: of g, or of g^2 if ``ITERATES``
+is 2.  For each n, g^n has at least tr(A^n)/mu fixed points in Lambda, A the matrix of the
+coverings, mu = ``together``.  If mu = 1, the sets are disjoint.
+
+*Proof.*  The coverings hold (`covering`); g is continuous on the sets.  By `graph`, the entropy of
+g on Lambda is at least log rho(A) >= log ``growth``; that of g^2 is twice as large."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from fractions import Fraction
+from functools import partial
+from typing import Any, ClassVar
+
+from cap.checker.coverings.covering import Parallelogram, covers
+from cap.checker.coverings.graph import (
+    confirm_entropy,
+    confirm_growth,
+    confirm_no_diamond,
+    confirm_paths,
+    overlaps,
+)
+from cap.checker.coverings.planar import Planar
+from cap.checker.kernel.citation import cite
+from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.processes import Work
+from cap.checker.kernel.reading import MAX_SIZE, number
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rounding import in_doubles
+from cap.checker.kernel.shapes import Field, Many, Table, Whole
+from cap.checker.kernel.theorem import Theorem
+
+MOST_SETS, MOST_TARGETS = 6000, 12
+SETS = Field(
+    "sets", Many([number] * 6, 1, MOST_SETS), "", "",
+    "parallelograms c + p a + q b, |p|, |q| <= 1, each as the coordinates of c, a, b",
+)  # fmt: skip
+COVERINGS = Field(
+    "coverings", Many(Many(Whole(0, MOST_SETS), 1, MOST_TARGETS), 1, MOST_SETS), "", "",
+    "for each set the numbers, from 0, of sets that it covers",
+)  # fmt: skip
+VECTOR = Field(
+    "vector", Many(number, 1, MOST_SETS), "", "",
+    "integers v >= 0 with A v >= growth v, A the matrix of the coverings",
+)  # fmt: skip
+GROWTH = Field("growth", number, "", "", "a lower bound of the spectral radius of A")
+ENTROPY = Field("entropy", number, "", "", "a lower bound of the entropy")
+TOGETHER = Field("together", Whole(1, MOST_SETS), "", "",
+                 "1 if the sets are disjoint; else 1 + the most that overlap with one")  # fmt: skip
+
+
+class Coverings(Theorem):
+    """Entropy of a planar map, by coverings."""
+
+    HINTS = (SETS, COVERINGS, VECTOR)
+    CLAIMS: ClassVar[Table] = (GROWTH, ENTROPY, TOGETHER)
+    CITES = (
+        cite(
+            "Poincare-Miranda",
+            "Miranda, Un'osservazione su un teorema di Brouwer, Boll. Un. Mat. Ital. 3, 1940",
+            ("faces", "of 2n continuous functions on a product of 2n intervals the k-th has "
+             "opposite signs on the two faces of the k-th interval", "growth"),
+        ),
+    )  # fmt: skip
+    ITERATES: ClassVar[int] = 1
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+        """Bound what becomes a double, and the work."""
+        small = all(abs(n) <= MAX_SIZE for numbers in hints["sets"] for n in numbers)
+        need(small, "a number of a set is larger than 10^30")
+        short = all(_PLACES % n.denominator == 0 for numbers in hints["sets"] for n in numbers)
+        need(short, "a number of a set is no decimal of at most 40 places")
+        need(len(hints["coverings"]) == len(hints["sets"]), "not one list for each set")
+        need(all(v.denominator == 1 for v in hints["vector"]), "the vector is not of integers")
+
+    @abstractmethod
+    def map(self) -> Planar:
+        """Return g."""
+
+    @in_doubles()
+    def prove(self) -> None:
+        """Prove the theorem."""
+        sets, edges = self.hints["sets"], self.hints["coverings"]
+        confirm_paths(edges)
+        self.step(f"each of {len(sets)} sets covers some, and is covered by some")
+        together = confirm_overlaps(sets, edges)
+        need(together == self.claims["together"], f"together is not {together}")
+        self.step(self.apart())
+        count = sum(map(len, edges))
+        work = Work(self.jobs, self.tell, {_CHECKED: float(count)})
+        weight = lambda i: float(len(edges[i]))  # noqa: E731
+        covered = partial(confirm_coverings, self.map(), sets, edges)
+        boxes = work(covered, range(len(sets)), _CHECKED, weight)
+        self.step(f"{count} coverings hold ({sum(boxes)} boxes)")
+        confirm_growth(edges, [int(v) for v in self.hints["vector"]], self.claims["growth"])
+        confirm_entropy(self.claims["entropy"], self.claims["growth"], self.ITERATES)
+        self.step("the matrix of the coverings grows as claimed, and the entropy follows")
+
+    def apart(self) -> str:
+        """Return what is known of overlaps."""
+        if self.claims["together"] == 1:
+            return "the sets are pairwise disjoint"
+        return "sets overlap, but two paths with the same ends are in disjoint sets at some time"
+
+    def bounded(self, sentence: str, **more: object) -> str:
+        """Return a sentence with the bounds claimed, and how many sets and coverings there are."""
+        edges = sum(map(len, self.hints["coverings"]))
+        claimed = {name: decimal(self.claims[name]) for name in ("growth", "entropy")}
+        sets = len(self.hints["sets"])
+        return self.told(sentence, sets=sets, edges=edges, **claimed, **more)
+
+
+def confirm_overlaps(sets: list[list[Fraction]], edges: list[list[int]]) -> int:
+    """Check that there is no diamond; return a bound of how many sets overlap pairwise."""
+    overlapping = overlaps(sets)
+    confirm_no_diamond(edges, overlapping)
+    return 1 + max(map(len, overlapping))
+
+
+def confirm_coverings(g: Planar, sets: list[list[Fraction]], edges: list[list[int]], i: int) -> int:
+    """Check all coverings by a set; return the number of boxes."""
+    return covers(g, Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
+
+
+_CHECKED = "coverings are checked"
+_PLACES = 10**40  # overlaps are computed over a common denominator

@@ -1,0 +1,69 @@
+"""Pictures of theorems that are proved: what a reader sees of a certificate.
+
+Each theorem has a function that draws it, in a module of this room.  It is given the proof of the
+checker, which has succeeded, and an empty figure.  Where a picture needs what a proof finds on its
+way, the module has that proof, too: the checker's own, which keeps it.  What a picture calls proved
+is what the certificate claims; curves in floats lead the eye, and say that they are floats.
+"""
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any, NamedTuple
+
+from matplotlib.figure import Figure
+
+from cap.checker import theorems
+from cap.checker.kernel.theorem import Theorem
+from cap.errors import BadInput
+from cap.pictures.style import blank, style
+
+
+class Drawing(NamedTuple):
+    """A function ``module:function`` of this room, and the size of its figure in inches.
+
+    ``proof``: a class of that module, which proves in place of the checker's.
+    """
+
+    draw: str
+    size: tuple[float, float] = (7.6, 5.6)
+    proof: str = ""
+
+
+DRAWINGS = {
+    "elliptic": Drawing("fixed_points:elliptic"),
+    "homoclinic": Drawing("homoclinic:draw", (6.4, 5.8), "Proof"),
+    "mixed": Drawing("mixed:draw", (7.4, 9), "Proof"),
+    "periodic": Drawing("fixed_points:periodic"),
+    "saddle": Drawing("fixed_points:saddle"),
+}
+
+
+def proof(name: str) -> type[Theorem]:
+    """Return what proves a theorem so that it can be drawn."""
+    if name not in DRAWINGS:
+        raise BadInput(f"there is no picture of the theorem {name}")
+    drawing = DRAWINGS[name]
+    if not drawing.proof:
+        return theorems.load(name)
+    found: type[Theorem] = getattr(_module(drawing), drawing.proof)
+    return found
+
+
+def function(name: str) -> Callable[[Any, Figure], None]:
+    """Return what draws a theorem of this name that is proved."""
+    drawing = DRAWINGS[name]
+    found: Callable[[Any, Figure], None] = getattr(_module(drawing), drawing.draw.split(":")[1])
+    return found
+
+
+def drawn(theorem: Theorem) -> Figure:
+    """Return the picture of a theorem that is proved."""
+    name = theorem.certificate.theorem
+    with style():
+        figure = blank(DRAWINGS[name].size)
+        function(name)(theorem, figure)
+    return figure
+
+
+def _module(drawing: Drawing) -> Any:
+    return import_module(f"{__name__}.{drawing.draw.split(':')[0]}")

@@ -1,0 +1,128 @@
+"""Pictures of certificates: drawn if the checker proves the theorem, else not."""
+
+import json
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+import pytest
+from checker.altered import changed
+from checker.test_certificates import REASONS
+from matplotlib.colors import to_rgb
+
+from cap.checker.theorems import NAMES
+from cap.explore import explorer
+from cap.explore.certificate import opened
+from cap.pictures import theorems
+from cap.pictures.theorems import homoclinic, mixed
+
+pytestmark = pytest.mark.usefixtures("orbits_computed_once", "releases_computed_once")
+
+ROOT = Path(__file__).parents[2]
+STORED = ROOT / "certificates"
+REJECTED = sorted((Path(__file__).parents[1] / "certificates/reject").glob("mixed_*.json"))
+SOON = ("box_past_the_wall", "no_sink", "other_interval")
+
+
+def case(path):
+    """Return a case; where all areas are counted, a slow one."""
+    marks = () if path.stem.removeprefix("mixed_") in SOON else pytest.mark.slow
+    return pytest.param(path, id=path.stem, marks=marks)
+
+
+def refused(path, out, capsys):
+    """Return the verdict on a certificate that is not drawn."""
+    assert explorer.main(["certificate", str(path), "--out", str(out)]) == 1
+    said, err = capsys.readouterr()
+    assert said.startswith("REJECTED: ")
+    assert said.count("\n") == 1
+    assert err == ""
+    return said
+
+
+def test_every_theorem_has_a_picture():
+    """Each has a function that draws it, and, where that is named, a proof."""
+    assert set(theorems.DRAWINGS) <= set(NAMES)
+    for name in theorems.DRAWINGS:
+        assert callable(theorems.function(name))
+        assert theorems.proof(name).prove
+
+
+@pytest.mark.parametrize("name", ["saddle"])
+def test_a_picture(name, tmp_path, monkeypatch, capsys):
+    """A stored certificate is drawn, by its name."""
+    monkeypatch.chdir(tmp_path)
+    assert explorer.main(["certificate", name]) == 0
+    assert capsys.readouterr().out.startswith(f'VERIFIED: "{name}"')
+    assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_what_is_rejected_is_not_drawn(tmp_path, monkeypatch, capsys):
+    """The verdict has the reason of the checker; there is no file, and the status is 1."""
+    monkeypatch.setattr(theorems, "drawn", None)
+    lie = changed(
+        json.loads((STORED / "homoclinic.json").read_text()),
+        "claims",
+        "points",
+        0,
+        "angle",
+        ["25", "25"],
+    )
+    file, out = tmp_path / "lie.json", tmp_path / "homoclinic.png"
+    file.write_text(json.dumps(lie))
+    assert "points[0].angle does not contain" in refused(file, out, capsys)
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("path", [case(path) for path in REJECTED])
+def test_basins_that_are_rejected_are_not_drawn(path, tmp_path, monkeypatch, capsys):
+    """Likewise, whatever is wrong with them."""
+    monkeypatch.setattr(theorems, "drawn", None)
+    assert REASONS[path.stem] in refused(path, tmp_path / "mixed.png", capsys)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_rejections_are_tried():
+    """There are certificates to try it with."""
+    assert len(REJECTED) > 10
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        ([str(STORED / "saddle.json"), "--out", "picture.csv"], "no picture"),
+        ([str(ROOT / "CITATION.cff")], "is no certificate"),
+        (["nowhere.json"], "CANNOT READ"),
+        (["saddle", "--jobs", "0"], "jobs"),
+    ],
+)
+def test_bad_input(words, why, capsys):
+    """One line, and status 2."""
+    assert explorer.main(["certificate", *words]) == 2
+    assert why in capsys.readouterr().err
+
+
+def test_homoclinic_orbits_are_those_of_the_checker():
+    """The points drawn begin and end at the saddle, and pass through those claimed."""
+    theorem = homoclinic.Proof(opened("homoclinic"), lambda _step: None)
+    theorem.prove()
+    saddle = [float(theorem.claims[z].lower) for z in ("x", "v")]
+    for orbit, claim in zip(theorem.orbits, theorem.claims["points"], strict=True):
+        points = homoclinic.states(orbit)
+        assert np.allclose(points[[0, -1]], saddle, atol=1e-6)
+        q = [float(claim[z].lower) for z in ("x", "v")]
+        assert np.hypot(*(points - q).T).min() < 1e-12
+
+
+def test_colours_of_basins_are_told_apart():
+    """In grey, too: their contrast, as defined by the WCAG, is at least 2."""
+
+    def luminance(colour):
+        parts = [
+            c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour)
+        ]
+        return sum(w * c for w, c in zip((0.2126, 0.7152, 0.0722), parts, strict=True))
+
+    for pair in combinations(mixed.COLOURS, 2):
+        dark, light = sorted(map(luminance, pair))
+        assert (light + 0.05) / (dark + 0.05) > 2
