@@ -8,17 +8,20 @@ succeed, then
  (ii)  nothing else happens on it: between its contacts all guards of its mode are positive, and
        each guard that comes to zero falls through it;
  (iii) the times, the states, and the elementary symmetric functions of its multipliers lie in
-       explicit intervals; so many of these lie outside the unit circle, and none on it.
+       explicit intervals; so many of these lie outside the unit circle, and none on it;
+ (iv)  if none does: motions that come to the first contact in an explicit ellipsoid around the
+       orbit have these contacts for ever, and each round brings them nearer by a factor below 1.
 
-Proof.  `cap.orbits.periodic` proves all of it.  The certificate has the system, the box, the
+Proof.  `cap.orbits.periodic` proves all but (iv), which `cap.orbits.ellipsoid` proves.  The certificate has the system, the box, the
 Krawczyk hints, and for each leg and guard the cuts of Lemma B (`cap.orbits.pieces`), unless it
 falls by Lemma M: so the checker searches nothing.
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from fractions import Fraction
 from functools import reduce
-from itertools import pairwise
+from itertools import islice, pairwise
 from operator import mul
 from typing import Any, NamedTuple
 
@@ -30,8 +33,11 @@ from cap.checker.system.given import DEGREE, OF_GUARDS, TERMS
 from cap.checker.theorems import load
 from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
+from cap.maps.zero import Box
 from cap.orbits.along import Along
+from cap.orbits.choice import without_choice
 from cap.orbits.conserved import product_of_two
+from cap.orbits.ellipsoid import Ellipsoid, attracted
 from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.leg import Kinds
@@ -45,6 +51,7 @@ from cap.system.exponential import number
 from cap.system.model import System
 from cap.system.polynomial import ONE, Polynomial, variable
 
+SIZES = 4  # of ellipsoids that are tried, if the checker rejects them
 ATTEMPTS = 4  # after each that leaves a leg open, all pieces of legs are cut in halves
 EXTRA = 20  # digits of the centre beyond those that are claimed
 
@@ -79,17 +86,47 @@ def prove(
     with interval.workprec(bits):
         prover = Prover(Equations(itinerary, kinds))
         orbit = prover.prove(guess, digits + EXTRA, Fraction(1, 10 ** (digits + 2)))
+        found = claims(orbit, digits)
         certificate = {
             "format": writer.FORMAT,
             "theorem": "contacts",
             "parameters": parameters,
             "digits": str(digits),
-            "claims": claims(orbit, digits),
+            "claims": found,
             "hints": hints(orbit, bits),
             "cites": list(load("contacts").CITES),
             "provenance": writer.provenance(bits),
         }
-        return _checked(certificate, legs(prover, orbit))
+        if found.get("unstable") == "0" and "radius" not in found:
+            without_choice(prover, orbit.box)
+            attracting = _attracting(certificate, prover, orbit)
+            if attracting:
+                return attracting
+        return _checked(certificate, legs(prover, orbit, orbit.box))
+
+
+def _attracting(
+    certificate: dict[str, Any], prover: Prover, orbit: PeriodicOrbit
+) -> dict[str, Any] | None:
+    """Return the certificate with an ellipsoid of motions that are attracted, if one is found."""
+    sizes = attracted(prover, orbit, lambda box: legs(prover, orbit, box))
+    with suppress(NotProved):
+        for ellipsoid, cuts in islice(sizes, SIZES):
+            with suppress(NotProved):
+                return _checked(_with_basin(certificate, ellipsoid), cuts)
+    return None
+
+
+def _with_basin(certificate: dict[str, Any], found: Ellipsoid) -> dict[str, Any]:
+    """Return a certificate with an ellipsoid."""
+    shown = [[_decimal(q) for q in row] for row in found.matrix]
+    basin = {"matrix": shown, "contraction": _decimal(found.contraction)}
+    reach = [[_decimal(q) for q in row] for row in found.reach]
+    return {
+        **certificate,
+        "claims": {**certificate["claims"], "basin": basin},
+        "hints": {**certificate["hints"], "reach": reach},
+    }
 
 
 def _checked(certificate: dict[str, Any], cuts: list[dict[str, Times]]) -> dict[str, Any]:
@@ -234,11 +271,14 @@ def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     }
 
 
-def legs(prover: Prover, orbit: PeriodicOrbit) -> list[dict[str, Times]]:
-    """Return for each leg, and guard that falls by no lemma, its ends and the cuts of Lemma B."""
+def legs(prover: Prover, orbit: PeriodicOrbit, box: Box) -> list[dict[str, Times]]:
+    """Return for each leg, and guard that falls by no lemma, its ends and the cuts of Lemma B.
+
+    They are those of the motions whose contacts lie in a box around the orbit's.
+    """
     itinerary, kinds, found = orbit.itinerary, prover.equations.kinds, []
     reasons = {(reason.leg, reason.guard): reason for reason in orbit.reasons}
-    for leg in prover.legs(orbit.box):
+    for leg in prover.legs(box):
         mode, following = itinerary.contacts[leg.number].to, itinerary.following(leg.number).guard
         cuts, span = {}, _span(kinds.motion(mode))
         begin, end = (Fraction(float(at.time)) for at in (leg.start, leg.end))

@@ -122,10 +122,13 @@ def derivative(blocks: Sequence[Block]) -> Matrix:
 
     Raises `NotProved` unless L h < 0 is certain where each guard comes to zero.
     """
-    count = len(blocks)
-    following = [(k + 1) % count for k in range(count)]
-    steps = [_step(block, blocks[j].guard, j) for block, j in zip(blocks, following, strict=True)]
-    return reduce(lambda total, step: step * total, steps)
+    return reduce(lambda total, step: step * total, steps(blocks))
+
+
+def steps(blocks: Sequence[Block]) -> list[Matrix]:
+    """Return the derivatives of (t, q)_(k+1) by (t, q)_k, enclosed; raise as `derivative`."""
+    following = [(k + 1) % len(blocks) for k in range(len(blocks))]
+    return [_step(block, blocks[j].guard, j) for block, j in zip(blocks, following, strict=True)]
 
 
 def _step(block: Block, guard: Sequence[Ball], number: int) -> Matrix:

@@ -69,6 +69,13 @@ class Itinerary:
             facts = self._moved(contact, after)
         return found
 
+    def zeros_in(self, k: int, mode: str, name: str) -> int:
+        """Return how many of h, L h, .. of a guard of any mode vanish after the k-th contact.
+
+        They do so whatever the state before is.
+        """
+        return self._order(self.contacts[k]._replace(to=mode), name, {})
+
     def _reset(self, contact: Contact, facts: Facts) -> Facts:
         """Return the variables that are numbers after a contact."""
         found = {}

@@ -15,6 +15,9 @@ between contacts nothing else is assumed than the equations of its mode.
    multipliers, and from these how many multipliers lie outside the unit circle (``stability``).
    An orbit without any attracts: near it motions have the same contacts, as all other modes that a
    guard names are ``closed``.
+4. *Basin.*  Motions that come to the first contact in an ellipsoid around the orbit have its
+   contacts, and come nearer in each round (``ellipsoid``): 2 holds for all whose contacts are in
+   boxes around the orbit.
 """
 
 from __future__ import annotations
@@ -30,22 +33,30 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Integer, Many, Maybe, Quantity, Whole, Word, region
 from cap.checker.kernel.theorem import BITS, Theorem
+from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two
 from cap.checker.system.contacts import (
-    Contact,
     Ends,
     Equations,
     Matrix,
     Round,
-    Step,
     krawczyk,
+    leg_maps,
     return_map,
     symmetric,
 )
 from cap.checker.system.given import GUARDS, STATES, SYSTEM, model, told
 from cap.checker.system.legs import Leg
 from cap.checker.system.model import Model
-from cap.checker.system.quiet import Watched, ends_positive, falls, stays_positive, zeros_after
+from cap.checker.system.passage import Contact, Step
+from cap.checker.system.quiet import (
+    Watched,
+    ends_positive,
+    falls,
+    stays_positive,
+    vanishing,
+    watched,
+)
 from cap.checker.system.stability import kind_of_two, outside
 
 CONTACTS, CUTS, PERIODS = 64, 1000, 1000
@@ -66,6 +77,8 @@ class Contacts(Theorem):
               "near F'(m)^-1, in units 2^-48"),
         Field("cuts", Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), "", "",
               "for the leg after each contact, by guard of its mode, the cuts of Lemma B"),
+        Field("reach", Maybe(Many(Many(number, 2, STATES + 1), 1, CONTACTS)), "", "r",
+              "how far from those of the orbit time and state at each contact may be in the basin"),
     )
     CLAIMS = (
         Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
@@ -84,6 +97,12 @@ class Contacts(Theorem):
         Field("radius", Maybe(number), "", "r", "of this circle around 0, if it is not 1"),
         Field("kind", Maybe(Word(("elliptic",))), "", "",
               "two multipliers on the unit circle, not real: their product is 1 by an identity"),
+        Field("basin",
+              Maybe({"matrix": Many(Many(number, 1, STATES + 1), 1, STATES + 1),
+                     "contraction": number}), "", "",
+              "W, by rows, and kappa < 1: with z = (t, q) before the first contact (without a "
+              "clock: q) and z* that of the orbit, |W (z - z*)| becomes less than kappa times "
+              "that in a round, if it was at most 1"),
     )
     CITES = (
         cite("Krawczyk", NEUMAIER,
@@ -105,10 +124,11 @@ class Contacts(Theorem):
         need(hints["bits"] <= MOST_BITS, f"more than {MOST_BITS} bits")
         count, size = len(claims["contacts"]), len(hints["preconditioner"])
         for where, table in (("hints", hints), ("claims", claims)):
-            for key in ("centre", "cuts", "box", "times", "states"):
+            for key in ("centre", "cuts", "reach", "box", "times", "states"):
                 listed = key not in table or len(table[key]) == count
                 need(listed, f"{where}.{key} is not a list of {count}")
-        unknowns = [len(row) for row in (*hints["centre"], *claims["box"])]
+        need(("reach" in hints) == ("basin" in claims), "hints.reach is not that of a basin")
+        unknowns = [len(row) for row in (*hints["centre"], *hints.get("reach", ()), *claims["box"])]
         square = all(len(row) == size for row in hints["preconditioner"])
         need(square and len({*unknowns}) == 1, "the unknowns are not as many everywhere")
         rows = count * unknowns[0]
@@ -129,7 +149,8 @@ class Contacts(Theorem):
         need(same, f"there are not {self.equations.size} unknowns")
         zero = self.zero()
         steps = self.equations.steps(zero)
-        self.nothing_else(zero, steps)
+        box, near = self.basin(zero) if "basin" in self.claims else (zero, steps)
+        self.nothing_else(box, near)
         step = self.equations.n + 1
         each = [zero[k : k + step] for k in range(0, len(zero), step)]
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
@@ -137,8 +158,24 @@ class Contacts(Theorem):
         self.confirm(symmetric=multipliers)
         self.count(multipliers)
         if self.claims.get("unstable") == 0 and "radius" not in self.claims:
-            self.no_choice(zero, steps)
+            self.no_choice(box, near)
         self.step("times, states and multipliers are those claimed")
+
+    def basin(self, zero: list[Interval]) -> tuple[list[Interval], list[Step]]:
+        """Prove that the basin is contracted; return boxes of its contacts, with their steps."""
+        W, kappa = self.claims["basin"]["matrix"], self.claims["basin"]["contraction"]
+        alone, n = self.equations.autonomous, self.equations.n
+        ellipsoid.confirm(W, kappa, self.hints["reach"], n if alone else n + 1)
+        attracts = self.claims.get("unstable") == 0 and "radius" not in self.claims
+        need(attracts, "claims.basin is not that of an orbit that attracts")
+        reach = [r for place in self.hints["reach"] for r in place]
+        sides = [Interval.enclosing(-r, r, x.bits) for x, r in zip(zero, reach, strict=True)]
+        box = [x + side for x, side in zip(zero, sides, strict=True)]
+        steps = self.equations.steps(box)
+        parts = leg_maps(steps, n)
+        ellipsoid.contracts(parts, W, kappa, self.hints["reach"], autonomous=alone)
+        self.step("the basin is contracted, its contacts lie in boxes around those of the orbit")
+        return box, steps
 
     def derivative(self, steps: list[Step]) -> Matrix:
         """Return that of the return map, with the multipliers as eigenvalues, and a 0."""
@@ -172,16 +209,9 @@ class Contacts(Theorem):
 
     def nothing_else(self, zero: list[Interval], steps: list[Step]) -> None:
         """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
-        watched = dict[str, dict[str, Watched]]()
-        for mode in {contact.to for contact in self.orbit.contacts}:
-            named = self.p.modes[mode].guards.items()
-            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in named}
-        zeros = dict[Contact, dict[str, int]]()
         for k, contact in enumerate(self.orbit.contacts):
-            guards = watched[contact.to]
-            if contact not in zeros:
-                zeros[contact] = {g: zeros_after(h, self.orbit.guard(k)) for g, h in guards.items()}
-            self.leg(zero, steps[k], k, guards, zeros[contact])
+            zeros = vanishing(self.p, contact.mode, contact.guard, contact.to)
+            self.leg(zero, steps[k], k, watched(self.p, contact.to), zeros)
         self.step("on each leg all guards of its mode are positive between the contacts")
 
     def leg(
@@ -189,8 +219,8 @@ class Contacts(Theorem):
         zero: list[Interval],
         step: Step,
         k: int,
-        guards: dict[str, Watched],
-        zeros: dict[str, int],
+        guards: Mapping[str, Watched],
+        zeros: Mapping[str, int],
     ) -> None:
         """Prove that nothing else happens between a contact and the next one.
 
@@ -201,13 +231,13 @@ class Contacts(Theorem):
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
         after = dict(zip(self.p.state, step.after, strict=True))
-        flights = Leg(self.p, mode, start, after, self.equations.flights[mode])
+        flights = Leg(self.p, mode, start, after)
         for key, h in guards.items():
             ends = zeros[key], int(key == self.orbit.following(k).guard)
             if key in cuts:
                 stays_positive(flights, h, end, cuts[key], ends)
             else:
-                others = [guards[other] for other in cuts]
+                others = tuple(guards[other] for other in cuts)
                 need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")
                 ends_positive(flights, h, end, ends)
 
@@ -248,7 +278,23 @@ class Contacts(Theorem):
         named = n == 2 and not self.p.autonomous
         kind = kind_of_two(sums[0], sums[1], count) if named else ""
         attracts = "; it attracts" if not count else ""
+        if "basin" in self.claims:
+            attracts += self.attracted()
         return f", {count} of the {n} outside the unit circle and none on it{kind}{attracts}"
+
+    def attracted(self) -> str:
+        """Return the basin in words."""
+        first, basin = self.claims["contacts"][0], self.claims["basin"]
+        names = (*self.p.state,) if self.p.autonomous else ("t", *self.p.state)
+        rows = ", ".join(f"({', '.join(map(str, row))})" for row in basin["matrix"])
+        later = "" if self.p.autonomous else ", t less the periods that have passed,"
+        return (
+            f": with z = ({', '.join(names)}) just before the first contact and z* that of the "
+            f"orbit, all motions that come to '{first['guard']}' of '{first['mode']}' with "
+            f"|W (z - z*)| at most 1, W = ({rows}), have its contacts, and no others, from then "
+            f"on; in each round{later} |W (z - z*)| becomes at most {basin['contraction']} times "
+            f"what it was"
+        )
 
     def no_choice(self, zero: list[Interval], steps: list[Step]) -> None:
         """Prove that motions near the orbit go on in the same modes."""
@@ -261,14 +307,13 @@ class Contacts(Theorem):
 
         In each, a guard is negative, or vanishes after this contact and falls.
         """
-        contact, event = self.orbit.contacts[k], self.orbit.guard(k)
+        contact = self.orbit.contacts[k]
         after = dict(zip(self.p.state, step.after, strict=True))
-        for mode in (m for m in event.to if m != contact.to):
+        for mode in (m for m in self.orbit.guard(k).to if m != contact.to):
             flights = Leg(self.p, mode, start, after)
-            named = self.p.modes[mode].guards.values()
-            guards = [Watched.of(self.p, mode, guard.value) for guard in named]
-            zero = [zeros_after(h, event) > 0 for h in guards]
-            signs = [h.rate if z else h.h for h, z in zip(guards, zero, strict=True)]
+            guards = watched(self.p, mode)
+            zeros = vanishing(self.p, contact.mode, contact.guard, mode)
+            signs = [h.rate if zeros[g] else h.h for g, h in guards.items()]
             if not any((-flights.over(g, start)).is_positive() for g in signs):
                 return False
         return True
