@@ -43,7 +43,7 @@ from cap.checker.system.legs import dot
 from cap.checker.system.model import Guard, Model
 from cap.checker.system.passage import Clock, Contact, Jet, Step, passage
 
-SHIFT, AGAIN = 48, 2
+SHIFT, AGAIN = 48, 3
 Ends = tuple[Fraction, Fraction]
 Matrix = list[list[Interval]]
 
@@ -170,7 +170,7 @@ def krawczyk(
     centre: Sequence[Fraction],
     preconditioner: Sequence[Sequence[int]],
 ) -> list[Interval]:
-    """Return K(K(K(region))) if K(region) lies in the interior of the region.
+    """Return K(K(K(K(region)))) if K(region) lies in the interior of the region.
 
     C is the preconditioner in units 2^-`SHIFT`.  The centre lies in the region.  F' is in all steps
     that over the region, which contains the zero as K(region) does.

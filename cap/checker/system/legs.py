@@ -228,6 +228,7 @@ class Leg:
         z = [state[name] for name in model.state]
         self.begin = self.flights.begin(z, self.flights.clock(start), lambda x: x)
         self._clocks = dict[tuple[int, int], tuple[Interval, Interval]]()
+        self._seen = dict[tuple[Polynomial, int, int], Interval]()
 
     def state(self, t: Interval) -> dict[str, Interval]:
         """Return the state at all times of an interval, for all of the flights."""
@@ -235,8 +236,12 @@ class Leg:
 
     def over(self, g: Polynomial, t: Interval) -> Interval:
         """Return a polynomial in the state at all times of an interval, for all of the flights."""
-        along = self.flights.along(g)
-        if (t.lo, t.hi) not in self._clocks:
-            self._clocks[t.lo, t.hi] = self.flights.clock(t)
-        motion = self.flights.motion(t - self.start, along.rows)
-        return along.program.run([*self.begin, *self._clocks[t.lo, t.hi], *motion])[0]
+        place = g, t.lo, t.hi
+        if place not in self._seen:
+            along = self.flights.along(g)
+            if place[1:] not in self._clocks:
+                self._clocks[t.lo, t.hi] = self.flights.clock(t)
+            motion = self.flights.motion(t - self.start, along.rows)
+            inputs = [*self.begin, *self._clocks[t.lo, t.hi], *motion]
+            (self._seen[place],) = along.program.run(inputs)
+        return self._seen[place]
