@@ -163,10 +163,10 @@ def as_parameters(system: System) -> dict[str, Any]:
         **({"times_pi": "1"} if pi else {}),
         "modes": {
             key: {
-                "field": {z: _polynomial(q, f"{z}' of {key}") for z, q in mode.field.items()},
+                "field": {z: terms(q, f"{z}' of {key}") for z, q in mode.field.items()},
                 "guards": {
                     g: {
-                        "value": _polynomial(guard.value, f"the guard {g} of {key}", OF_GUARDS),
+                        "value": terms(guard.value, f"the guard {g} of {key}", OF_GUARDS),
                         **_reset(system, key, g),
                         "to": list(guard.to),
                     }
@@ -193,12 +193,12 @@ def _reset(system: System, mode: str, guard: str) -> dict[str, Any]:
     divisors = list(dict.fromkeys(q.denominator for q in new.values()))
     divisor = reduce(mul, divisors, ONE)
     over = {d: reduce(mul, (other for other in divisors if other != d), ONE) for d in divisors}
-    reset = {z: _polynomial(q.numerator * over[q.denominator], where) for z, q in new.items()}
-    divided = {} if divisor == ONE else {"divisor": _polynomial(divisor, f"the divisor of {where}")}
+    reset = {z: terms(q.numerator * over[q.denominator], where) for z, q in new.items()}
+    divided = {} if divisor == ONE else {"divisor": terms(divisor, f"the divisor of {where}")}
     return {"reset": reset, **divided}
 
 
-def _polynomial(q: Polynomial, where: str, degree: int = DEGREE) -> list[list[str]]:
+def terms(q: Polynomial, where: str, degree: int = DEGREE) -> list[list[str]]:
     """Return the terms, each a number and the names of its factors."""
     if any(power < 0 for monomial in q.terms for _, power in monomial):
         raise BadInput(f"{where} is divided by pi: a certificate cannot hold it yet")
