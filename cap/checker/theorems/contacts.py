@@ -36,12 +36,10 @@ from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two
 from cap.checker.system.contacts import (
-    Contact,
     Ends,
     Equations,
     Matrix,
     Round,
-    Step,
     krawczyk,
     leg_maps,
     return_map,
@@ -50,7 +48,15 @@ from cap.checker.system.contacts import (
 from cap.checker.system.given import GUARDS, STATES, SYSTEM, model, told
 from cap.checker.system.legs import Leg
 from cap.checker.system.model import Model
-from cap.checker.system.quiet import Watched, ends_positive, falls, stays_positive, zeros_after
+from cap.checker.system.passage import Contact, Step
+from cap.checker.system.quiet import (
+    Watched,
+    ends_positive,
+    falls,
+    stays_positive,
+    vanishing,
+    watched,
+)
 from cap.checker.system.stability import kind_of_two, outside
 
 CONTACTS, CUTS, PERIODS = 64, 1000, 1000
@@ -203,16 +209,9 @@ class Contacts(Theorem):
 
     def nothing_else(self, zero: list[Interval], steps: list[Step]) -> None:
         """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
-        watched = dict[str, dict[str, Watched]]()
-        for mode in {contact.to for contact in self.orbit.contacts}:
-            named = self.p.modes[mode].guards.items()
-            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in named}
-        zeros = dict[Contact, dict[str, int]]()
         for k, contact in enumerate(self.orbit.contacts):
-            guards = watched[contact.to]
-            if contact not in zeros:
-                zeros[contact] = {g: zeros_after(h, self.orbit.guard(k)) for g, h in guards.items()}
-            self.leg(zero, steps[k], k, guards, zeros[contact])
+            zeros = vanishing(self.p, contact.mode, contact.guard, contact.to)
+            self.leg(zero, steps[k], k, watched(self.p, contact.to), zeros)
         self.step("on each leg all guards of its mode are positive between the contacts")
 
     def leg(
@@ -220,8 +219,8 @@ class Contacts(Theorem):
         zero: list[Interval],
         step: Step,
         k: int,
-        guards: dict[str, Watched],
-        zeros: dict[str, int],
+        guards: Mapping[str, Watched],
+        zeros: Mapping[str, int],
     ) -> None:
         """Prove that nothing else happens between a contact and the next one.
 
@@ -232,13 +231,13 @@ class Contacts(Theorem):
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
         after = dict(zip(self.p.state, step.after, strict=True))
-        flights = Leg(self.p, mode, start, after, self.equations.flights[mode])
+        flights = Leg(self.p, mode, start, after)
         for key, h in guards.items():
             ends = zeros[key], int(key == self.orbit.following(k).guard)
             if key in cuts:
                 stays_positive(flights, h, end, cuts[key], ends)
             else:
-                others = [guards[other] for other in cuts]
+                others = tuple(guards[other] for other in cuts)
                 need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")
                 ends_positive(flights, h, end, ends)
 
@@ -308,14 +307,13 @@ class Contacts(Theorem):
 
         In each, a guard is negative, or vanishes after this contact and falls.
         """
-        contact, event = self.orbit.contacts[k], self.orbit.guard(k)
+        contact = self.orbit.contacts[k]
         after = dict(zip(self.p.state, step.after, strict=True))
-        for mode in (m for m in event.to if m != contact.to):
+        for mode in (m for m in self.orbit.guard(k).to if m != contact.to):
             flights = Leg(self.p, mode, start, after)
-            named = self.p.modes[mode].guards.values()
-            guards = [Watched.of(self.p, mode, guard.value) for guard in named]
-            zero = [zeros_after(h, event) > 0 for h in guards]
-            signs = [h.rate if z else h.h for h, z in zip(guards, zero, strict=True)]
+            guards = watched(self.p, mode)
+            zeros = vanishing(self.p, contact.mode, contact.guard, mode)
+            signs = [h.rate if zeros[g] else h.h for g, h in guards.items()]
             if not any((-flights.over(g, start)).is_positive() for g in signs):
                 return False
         return True
