@@ -6,7 +6,7 @@ not repaired by them: what may be cited instead of it is in ``statements.toml``.
 
 import difflib
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from cap.audit import subject
@@ -17,12 +17,17 @@ from cap.errors import BadInput
 
 @dataclass(frozen=True)
 class Change:
-    """What is in the text so many times, what takes its place, and the claims that say why."""
+    """What is in the text so many times, what takes its place, and the claims that say why.
+
+    ``formula``: a piece ``tex`` of what is new, and what it ``is`` in the names of the steps of the
+    first claim; more names may be declared beside them.  The claim is decided only if they agree.
+    """
 
     claims: tuple[str, ...]
     old: str
     new: str
     times: int = 1
+    formula: dict[str, str] = field(default_factory=dict, hash=False)
 
 
 @cached

@@ -27,7 +27,7 @@ from functools import partial
 from importlib import import_module
 from pathlib import Path
 
-from cap.audit import steps
+from cap.audit import errata, steps
 from cap.audit.claim import Claim, Kind
 from cap.audit.filled import filled
 from cap.audit.steps import Given
@@ -51,7 +51,8 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
         decide = partial(_decided, entry, partial(function, **entry.get("with", {})))
     else:
         decide = partial(_derived, entry, common)
-    content = json.dumps([entry, common], sort_keys=True)
+    formulas = [each.formula for each in errata.of(entry["id"])]
+    content = json.dumps([entry, common, formulas], sort_keys=True)
     return Claim(
         id=entry["id"],
         where=entry["where"],
@@ -70,15 +71,24 @@ def _decided(
 ) -> Verdict:
     """Return what a function decides; its words are put where ``found`` and ``evidence`` ask."""
     done = function()
+    _as_in_the_erratum(entry, steps.Steps())
     return done if isinstance(done, Verdict) else _verdict(entry, done or {})
 
 
 def _derived(entry: Given, common: Given) -> Verdict:
     """Return the verdict that follows when all steps hold, or from the rule that it names."""
     done = steps.made(common, entry)
+    _as_in_the_erratum(entry, done)
     rule = steps.RULES.get(entry["verdict"])
     verdict = rule(done, entry["stated"]) if rule else entry["verdict"]
     return _verdict({**entry, "verdict": verdict}, done.names)
+
+
+def _as_in_the_erratum(entry: Given, done: steps.Steps) -> None:
+    """Compare the formulas of the changes that a claim asks for with what was derived."""
+    for each in errata.of(entry["id"]):
+        if each.formula and each.claims[0] == entry["id"]:
+            done.agrees(each.formula, each.new)
 
 
 def _verdict(entry: Given, words: Mapping[str, object]) -> Verdict:

@@ -20,6 +20,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from cap.audit import tex
 from cap.audit.means import algebra, balls, linear
 from cap.audit.means.lazy import parser
 from cap.audit.means.lazy import sympy as sp
@@ -97,6 +98,16 @@ class Steps:
         if value.free_symbols <= self.balls.keys():
             return bool(self.enclosed(value) > 0)
         return bool(sp.factor(sp.simplify(value)).is_positive)
+
+    def agrees(self, formula: Given, text: str) -> None:
+        """Raise `NotProved` unless a formula of a text is what it should be."""
+        self.make(formula)
+        need(formula["tex"] in text, "the formula is not in the text of the erratum")
+        printed, derived = tex.expression(formula["tex"], self.names), self._read(formula["is"])
+        need(
+            printed == derived or algebra.same(printed, derived),
+            f"the erratum has another formula: {printed} for {derived}",
+        )
 
     def enclosed(self, value: Any) -> Ball:
         """Return an enclosure of a number."""
