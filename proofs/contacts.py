@@ -12,12 +12,12 @@ succeed, then
  (iv)  if none does: motions that come to the first contact in an explicit ellipsoid around the
        orbit have these contacts for ever, and each round brings them nearer by a factor below 1.
 
-Proof.  `cap.orbits.periodic` proves all but (iv), which `cap.orbits.ellipsoid` proves.  The certificate has the system, the box, the
-Krawczyk hints, and for each leg and guard the cuts of Lemma B (`cap.orbits.pieces`), unless it
-falls by Lemma M: so the checker searches nothing.
+Proof.  `cap.orbits.periodic` proves all but (iv), which `cap.orbits.ellipsoid` proves.  The
+certificate has the system, the box, the Krawczyk hints, and for each leg and guard the cuts of
+Lemma B (`cap.orbits.pieces`), unless it falls by Lemma M: so the checker searches nothing.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import reduce
@@ -42,12 +42,14 @@ from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.leg import Kinds
 from cap.orbits.motion import Motion
-from cap.orbits.periodic import PeriodicOrbit, Prover
+from cap.orbits.periodic import PeriodicOrbit, Prover, in_order
 from cap.orbits.pieces import PLACES, cuts_of
+from cap.orbits.quiet import reason
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.interval import exact_decimal as _decimal
 from cap.system.exponential import number
+from cap.system.lemmas import Falls
 from cap.system.model import System
 from cap.system.polynomial import ONE, Polynomial, variable
 
@@ -102,18 +104,18 @@ def prove(
             attracting = _attracting(certificate, prover, orbit)
             if attracting:
                 return attracting
-        return _checked(certificate, legs(prover, orbit, orbit.box))
+        return checked(certificate, legs(prover, orbit.box))
 
 
 def _attracting(
     certificate: dict[str, Any], prover: Prover, orbit: PeriodicOrbit
 ) -> dict[str, Any] | None:
     """Return the certificate with an ellipsoid of motions that are attracted, if one is found."""
-    sizes = attracted(prover, orbit, lambda box: legs(prover, orbit, box))
+    sizes = attracted(prover, orbit, lambda box: legs(prover, box))
     with suppress(NotProved):
         for ellipsoid, cuts in islice(sizes, SIZES):
             with suppress(NotProved):
-                return _checked(_with_basin(certificate, ellipsoid), cuts)
+                return checked(_with_basin(certificate, ellipsoid), cuts)
     return None
 
 
@@ -129,11 +131,17 @@ def _with_basin(certificate: dict[str, Any], found: Ellipsoid) -> dict[str, Any]
     }
 
 
-def _checked(certificate: dict[str, Any], cuts: list[dict[str, Times]]) -> dict[str, Any]:
-    """Return the certificate with cuts, so fine that the checker accepts it."""
+Cuts = list[dict[str, Times]]
+
+
+def checked(
+    certificate: dict[str, Any], cuts: Cuts, shape: Callable[[list[Any]], Any] = list
+) -> dict[str, Any]:
+    """Return the certificate with cuts, of this shape, so fine that the checker accepts it."""
     for _ in range(ATTEMPTS):
-        shown = [{g: [*map(_decimal, at[1:-1])] for g, at in leg.items()} for leg in cuts]
-        certificate["hints"]["cuts"] = shown
+        certificate["hints"]["cuts"] = shape(
+            [{g: [_decimal(t) for t in at[1:-1]] for g, at in leg.items()} for leg in cuts]
+        )
         try:
             check(writer.dumps(certificate).encode(), lambda _step: None)
         except TooCoarse as reason:
@@ -271,22 +279,24 @@ def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     }
 
 
-def legs(prover: Prover, orbit: PeriodicOrbit, box: Box) -> list[dict[str, Times]]:
+def legs(prover: Prover, box: Box) -> Cuts:
     """Return for each leg, and guard that falls by no lemma, its ends and the cuts of Lemma B.
 
-    They are those of the motions whose contacts lie in a box around the orbit's.
+    They are those of the motions whose contacts lie in a box.  Raises `NotProved` unless nothing
+    else happens on them.
     """
-    itinerary, kinds, found = orbit.itinerary, prover.equations.kinds, []
-    reasons = {(reason.leg, reason.guard): reason for reason in orbit.reasons}
+    itinerary, kinds, found = prover.itinerary, prover.equations.kinds, Cuts()
     for leg in prover.legs(box):
+        in_order(leg)
         mode, following = itinerary.contacts[leg.number].to, itinerary.following(leg.number).guard
         cuts, span = {}, _span(kinds.motion(mode))
         begin, end = (Fraction(float(at.time)) for at in (leg.start, leg.end))
-        for name in itinerary.system.modes[mode].guards:
-            if reasons[leg.number, name].lemma == "M":
-                continue
+        for name, lemma in kinds.lemmas(mode).items():
             zeros = itinerary.vanishing[leg.number][name]
             along = Along(leg, name, kinds.watch(mode, name), zeros, name == following)
+            if isinstance(lemma, Falls):
+                reason(along, lemma, None)
+                continue
             at = [Fraction(f"{cut:.{PLACES}f}") for cut in cuts_of(along, span)]
             cuts[name] = [begin, *at, end]
         found.append(cuts)

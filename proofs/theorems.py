@@ -97,8 +97,8 @@ class Theorem:
         return proof
 
 
-OWN = ("contacts",)
-"""Theorems about a system of one's own: `cap.command.own`, reached by ``periodic --model``."""
+OWN = ("contacts", "contacts_branch")
+"""Theorems about a system of one's own: `cap.command.own`, reached by ``--model``."""
 
 THEOREMS = {name: Theorem(name) for name in NAMES if name not in OWN}
 

@@ -140,7 +140,7 @@ class Leg:
         state: Mapping[str, Interval],
         known: Flights | None = None,
     ) -> None:
-        self.model, self.mode, self.start = model, mode, start
+        self.model, self.mode, self.start, self.given = model, mode, start, state
         self.flights = known or Flights(model, mode, start.bits)
         cos, sin = self.flights.clock(start)
         if self.flights.response is None:
@@ -160,6 +160,11 @@ class Leg:
         """Return a polynomial in the state at all times of an interval, for all of the flights."""
         values = self._values(t, g.variables)
         return Values({**values, PI: self.flights.pi}, t.integer(1)).of(g)
+
+    def begun(self, g: Polynomial) -> Interval:
+        """Return a polynomial in the state, for each of the flights where it begins."""
+        known = dict(zip(CLOCK, self.flights.clock(self.start), strict=True))
+        return Values({**known, **self.given, PI: self.flights.pi}, self.start.integer(1)).of(g)
 
     def _values(self, t: Interval, names: Collection[str]) -> dict[str, Interval]:
         """Return the clock, and some variables of the state; others may be there, too."""

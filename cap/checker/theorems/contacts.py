@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, cite
@@ -31,7 +32,17 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Integer, Many, Maybe, Quantity, Whole, Word, region
+from cap.checker.kernel.shapes import (
+    Field,
+    Integer,
+    Many,
+    Maybe,
+    Quantity,
+    Table,
+    Whole,
+    Word,
+    region,
+)
 from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two
@@ -63,7 +74,7 @@ class Contacts(Theorem):
 
     PARAMETERS: ClassVar[dict[str, Any]] = SYSTEM
     # fmt: off
-    HINTS = (
+    HINTS: ClassVar[Table] = (
         BITS,
         Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
               "time and state near those of each contact, in the box"),
@@ -74,7 +85,7 @@ class Contacts(Theorem):
         Field("reach", Maybe(Many(Many(number, 2, STATES + 1), 1, CONTACTS)), "", "r",
               "how far from those of the orbit time and state at each contact may be in the basin"),
     )
-    CLAIMS = (
+    CLAIMS: ClassVar[Table] = (
         Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
               "the guards that come to zero in one round, in order, and the modes that follow"),
         Field("periods", Whole(1, PERIODS), "", "p", "the periods of the clock in one round"),
@@ -144,7 +155,7 @@ class Contacts(Theorem):
         zero = self.zero()
         steps = self.equations.steps(zero)
         box, near = self.basin(zero) if "basin" in self.claims else (zero, steps)
-        self.nothing_else(box, near)
+        self.nothing_else(box, near, self.hints["cuts"])
         step = self.equations.n + 1
         each = [zero[k : k + step] for k in range(0, len(zero), step)]
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
@@ -201,33 +212,39 @@ class Contacts(Theorem):
         self.step("K(box) lies in the interior of the box: exactly one zero of F, in K(box)")
         return zero
 
-    def nothing_else(self, zero: list[Interval], steps: list[Step]) -> None:
-        """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
-        watched = dict[str, dict[str, Watched]]()
-        for mode in {contact.to for contact in self.orbit.contacts}:
-            named = self.p.modes[mode].guards.items()
-            watched[mode] = {key: Watched.of(self.p, mode, guard.value) for key, guard in named}
-        zeros = dict[Contact, dict[str, int]]()
-        for k, contact in enumerate(self.orbit.contacts):
-            guards = watched[contact.to]
-            if contact not in zeros:
-                zeros[contact] = {g: zeros_after(h, self.orbit.guard(k)) for g, h in guards.items()}
-            self.leg(zero, steps[k], k, guards, zeros[contact])
+    def nothing_else(
+        self, zero: list[Interval], steps: list[Step], cuts: list[dict[str, list[Fraction]]]
+    ) -> None:
+        """Prove that the zeros are orbits: no guard vanishes but at the contacts."""
+        for k in range(len(self.orbit.contacts)):
+            self.leg(zero, steps[k], k, cuts[k])
         self.step("on each leg all guards of its mode are positive between the contacts")
 
-    def leg(
-        self,
-        zero: list[Interval],
-        step: Step,
-        k: int,
-        guards: dict[str, Watched],
-        zeros: dict[str, int],
-    ) -> None:
-        """Prove that nothing else happens between a contact and the next one.
+    @cached_property
+    def watched(self) -> dict[str, dict[str, Watched]]:
+        """The guards of the modes between the contacts, with their derivatives in time."""
+        modes = {contact.to: self.p.modes[contact.to] for contact in self.orbit.contacts}
+        return {
+            mode: {g: Watched.of(self.p, mode, guard.value) for g, guard in of.guards.items()}
+            for mode, of in modes.items()
+        }
 
-        So many of h, L h of each guard are ``zeros`` at the start.
-        """
-        mode, cuts = self.orbit.contacts[k].to, self.hints["cuts"][k]
+    @cached_property
+    def zeros(self) -> dict[Contact, dict[str, int]]:
+        """How many of h, L h of each guard vanish after a contact."""
+        found = dict[Contact, dict[str, int]]()
+        for k, contact in enumerate(self.orbit.contacts):
+            if contact not in found:
+                guards = self.watched[contact.to].items()
+                found[contact] = {g: zeros_after(h, self.orbit.guard(k)) for g, h in guards}
+        return found
+
+    def leg(
+        self, zero: list[Interval], step: Step, k: int, cuts: dict[str, list[Fraction]]
+    ) -> None:
+        """Prove that nothing else happens between a contact and the next one."""
+        contact = self.orbit.contacts[k]
+        mode, guards, zeros = contact.to, self.watched[contact.to], self.zeros[contact]
         start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
@@ -316,7 +333,7 @@ class Contacts(Theorem):
             guards = [Watched.of(self.p, mode, guard.value) for guard in named]
             zero = [zeros_after(h, event) > 0 for h in guards]
             signs = [h.rate if z else h.h for h, z in zip(guards, zero, strict=True)]
-            if not any((-flights.over(g, start)).is_positive() for g in signs):
+            if not any((-flights.begun(g)).is_positive() for g in signs):
                 return False
         return True
 
