@@ -15,8 +15,6 @@ import numpy as np
 import pytest
 
 import cap
-from cap.boxes.release import passages
-from cap.boxes.results import RELEASED
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.maps.fixed_point import ends
@@ -26,8 +24,6 @@ from cap.flow.strobe import oscillator
 from cap.parameters import PAPER
 from cap.release.cell import cell
 from cap.release.passage import foreseen, image
-from cap.release.sweep import swept
-from cap.runner import Runner
 from cap.sets import interval
 
 STORED = Path(__file__).parents[1] / "certificates/attractor.json"
@@ -80,18 +76,3 @@ def test_prove(benchmark, digits):
     """The whole theorem: search, proof, and the independent check."""
     run = partial(cap.prove_theorem, "attractor", digits=digits)
     assert benchmark.pedantic(run, rounds=1).theorem == "attractor"
-
-
-@pytest.mark.parametrize("periods", [2, 4])
-def test_table(benchmark, periods):
-    """The branches on all of [l, r], by doubles alone: 2400 and 6500 cells are decided."""
-    rows = benchmark(swept, PAPER, periods, Fraction(1, 10**6), Runner(whole=True))
-    assert len(rows) > 2000
-
-
-def test_cells(benchmark):
-    """Twenty thousand cells of places, each followed for at most four periods."""
-    ends = np.linspace(-1, 1, 20_001)
-    cells = np.column_stack([ends[:-1], ends[1:]])
-    found = benchmark(passages, PAPER, cells, 4)
-    assert (found.verdict == RELEASED).mean() > 0.9

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         verify_certificate,
     )
     from cap.system.model import Bounce, Guard, Mode, System
+    from cap.system.planar import Map
     from cap.system.polynomial import variables
 
 __version__ = "0.2.0.dev0"
@@ -34,6 +35,7 @@ __all__ = [
     "Bounce",
     "Enclosure",
     "Guard",
+    "Map",
     "Mode",
     "NotProved",
     "System",
@@ -48,6 +50,7 @@ if not os.path.isdir(os.path.join(__path__[0], "proofs")):  # noqa: PTH112, PTH1
 _MODULES = ("figures",)
 _ELSEWHERE = {
     **dict.fromkeys(("Bounce", "Guard", "Mode", "System"), "cap.system.model"),
+    "Map": "cap.system.planar",
     "variables": "cap.system.polynomial",
 }
 

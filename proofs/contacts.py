@@ -34,25 +34,22 @@ from cap.checker.theorems import load
 from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
 from cap.maps.zero import Box
-from cap.orbits.along import Along
 from cap.orbits.choice import without_choice
 from cap.orbits.conserved import product_of_two
 from cap.orbits.ellipsoid import Ellipsoid, attracted
 from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.leg import Kinds
-from cap.orbits.motion import Motion
-from cap.orbits.periodic import PeriodicOrbit, Prover, in_order
-from cap.orbits.pieces import PLACES, cuts_of
-from cap.orbits.quiet import reason
+from cap.orbits.periodic import PeriodicOrbit, Prover
+from cap.orbits.pieces import PLACES
+from cap.orbits.quiet import Reason
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.interval import exact_decimal as _decimal
-from cap.system.exponential import number
-from cap.system.lemmas import Falls
 from cap.system.model import System
 from cap.system.polynomial import ONE, Polynomial, variable
 
+SCALE = 2.0**SHIFT  # exact
 SIZES = 4  # of ellipsoids that are tried, if the checker rejects them
 ATTEMPTS = 4  # after each that leaves a leg open, all pieces of legs are cut in halves
 EXTRA = 20  # digits of the centre beyond those that are claimed
@@ -60,6 +57,7 @@ EXTRA = 20  # digits of the centre beyond those that are claimed
 RADII = (Fraction(1), *(1 + Fraction(1, 10**k) for k in (6, 3, 2, 1)))
 
 Times = list[Fraction]
+Cuts = list[dict[str, Times]]
 
 
 class Prepared(NamedTuple):
@@ -86,7 +84,7 @@ def prove(
     kinds, parameters = shared or Prepared.of(itinerary.system)
     bits = 96 + 8 * digits
     with interval.workprec(bits):
-        prover = Prover(Equations(itinerary, kinds))
+        prover = Prover(Equations(itinerary, kinds), pieces=True)
         orbit = prover.prove(guess, digits + EXTRA, Fraction(1, 10 ** (digits + 2)))
         found = claims(orbit, digits)
         certificate = {
@@ -104,14 +102,14 @@ def prove(
             attracting = _attracting(certificate, prover, orbit)
             if attracting:
                 return attracting
-        return checked(certificate, legs(prover, orbit.box))
+        return checked(certificate, legs(prover, orbit.box, orbit.reasons))
 
 
 def _attracting(
     certificate: dict[str, Any], prover: Prover, orbit: PeriodicOrbit
 ) -> dict[str, Any] | None:
     """Return the certificate with an ellipsoid of motions that are attracted, if one is found."""
-    sizes = attracted(prover, orbit, lambda box: legs(prover, box))
+    sizes = attracted(prover, orbit, lambda box: legs(prover, box, prover.reasons(box)))
     with suppress(NotProved):
         for ellipsoid, cuts in islice(sizes, SIZES):
             with suppress(NotProved):
@@ -131,17 +129,13 @@ def _with_basin(certificate: dict[str, Any], found: Ellipsoid) -> dict[str, Any]
     }
 
 
-Cuts = list[dict[str, Times]]
-
-
 def checked(
     certificate: dict[str, Any], cuts: Cuts, shape: Callable[[list[Any]], Any] = list
 ) -> dict[str, Any]:
     """Return the certificate with cuts, of this shape, so fine that the checker accepts it."""
     for _ in range(ATTEMPTS):
-        certificate["hints"]["cuts"] = shape(
-            [{g: [_decimal(t) for t in at[1:-1]] for g, at in leg.items()} for leg in cuts]
-        )
+        shown = [{g: [*map(_decimal, at[1:-1])] for g, at in leg.items()} for leg in cuts]
+        certificate["hints"]["cuts"] = shape(shown)
         try:
             check(writer.dumps(certificate).encode(), lambda _step: None)
         except TooCoarse as reason:
@@ -172,10 +166,10 @@ def as_parameters(system: System) -> dict[str, Any]:
         **({"times_pi": "1"} if pi else {}),
         "modes": {
             key: {
-                "field": {z: _polynomial(q, f"{z}' of {key}") for z, q in mode.field.items()},
+                "field": {z: terms(q, f"{z}' of {key}") for z, q in mode.field.items()},
                 "guards": {
                     g: {
-                        "value": _polynomial(guard.value, f"the guard {g} of {key}", OF_GUARDS),
+                        "value": terms(guard.value, f"the guard {g} of {key}", OF_GUARDS),
                         **_reset(system, key, g),
                         "to": list(guard.to),
                     }
@@ -202,12 +196,12 @@ def _reset(system: System, mode: str, guard: str) -> dict[str, Any]:
     divisors = list(dict.fromkeys(q.denominator for q in new.values()))
     divisor = reduce(mul, divisors, ONE)
     over = {d: reduce(mul, (other for other in divisors if other != d), ONE) for d in divisors}
-    reset = {z: _polynomial(q.numerator * over[q.denominator], where) for z, q in new.items()}
-    divided = {} if divisor == ONE else {"divisor": _polynomial(divisor, f"the divisor of {where}")}
+    reset = {z: terms(q.numerator * over[q.denominator], where) for z, q in new.items()}
+    divided = {} if divisor == ONE else {"divisor": terms(divisor, f"the divisor of {where}")}
     return {"reset": reset, **divided}
 
 
-def _polynomial(q: Polynomial, where: str, degree: int = DEGREE) -> list[list[str]]:
+def terms(q: Polynomial, where: str, degree: int = DEGREE) -> list[list[str]]:
     """Return the terms, each a number and the names of its factors."""
     if any(power < 0 for monomial in q.terms for _, power in monomial):
         raise BadInput(f"{where} is divided by pi: a certificate cannot hold it yet")
@@ -274,37 +268,24 @@ def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     return {
         "bits": str(bits),
         "centre": [[_decimal(c) for c in place] for place in _places(orbit, orbit.hint.centre)],
-        "preconditioner": [[str(round(c * 2**SHIFT)) for c in row] for row in orbit.hint.matrix],
+        "preconditioner": [[str(round(c * SCALE)) for c in row] for row in orbit.hint.matrix],
         "cuts": [],
     }
 
 
-def legs(prover: Prover, box: Box) -> Cuts:
+def legs(prover: Prover, box: Box, reasons: Sequence[Reason]) -> Cuts:
     """Return for each leg, and guard that falls by no lemma, its ends and the cuts of Lemma B.
 
-    They are those of the motions whose contacts lie in a box.  Raises `NotProved` unless nothing
-    else happens on them.
+    They are those of the motions whose contacts lie in a box.
     """
-    itinerary, kinds, found = prover.itinerary, prover.equations.kinds, Cuts()
+    found = Cuts()
     for leg in prover.legs(box):
-        in_order(leg)
-        mode, following = itinerary.contacts[leg.number].to, itinerary.following(leg.number).guard
-        cuts, span = {}, _span(kinds.motion(mode))
         begin, end = (Fraction(float(at.time)) for at in (leg.start, leg.end))
-        for name, lemma in kinds.lemmas(mode).items():
-            zeros = itinerary.vanishing[leg.number][name]
-            along = Along(leg, name, kinds.watch(mode, name), zeros, name == following)
-            if isinstance(lemma, Falls):
-                reason(along, lemma, None)
-                continue
-            at = [Fraction(f"{cut:.{PLACES}f}") for cut in cuts_of(along, span)]
-            cuts[name] = [begin, *at, end]
-        found.append(cuts)
+        cut = [r for r in reasons if r.leg == leg.number and r.lemma == "B"]
+        found.append({r.guard: [begin, *map(_decimal_of, r.cuts), end] for r in cut})
     return found
 
 
-def _span(motion: Motion) -> float:
-    """Return how long a piece may be: less than 1/|N|, the largest column sum, if N matters."""
-    columns = zip(*motion.generator, strict=True)
-    norm = max((sum(abs(float(number(q))) for q in column) for column in columns), default=0.0)
-    return 0.9 / norm if norm else float("inf")
+def _decimal_of(cut: float) -> Fraction:
+    """Return the decimal that a double stands for."""
+    return Fraction(round(cut * 10**PLACES), 10**PLACES)

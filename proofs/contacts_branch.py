@@ -28,13 +28,11 @@ from cap.orbits.curve import Curve
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.periodic import Prover
 from cap.proofs import contacts
-from cap.proofs.contacts import Times
+from cap.proofs.contacts import Cuts as Legs
 from cap.sets import interval
 from cap.sets.interval import exact_decimal as _decimal
 
 BITS, DIGITS = 96, 20
-
-Legs = list[dict[str, Times]]
 
 
 def prove(
@@ -51,10 +49,11 @@ def prove(
     parameters = contacts.as_parameters(itinerary.system)
     with interval.workprec(BITS):
         curve = Curve(itinerary)
-        prover = Prover(curve.equations)
+        prover = Prover(curve.equations, pieces=True)
 
         def quiet(box: Sequence[Any]) -> Legs:
-            return contacts.legs(prover, tuple(curve.expanded(box)))
+            around = tuple(curve.expanded(box))
+            return contacts.legs(prover, around, prover.reasons(around))
 
         found = Follower(Cells(curve), ends, quiet, tell).branch(guess)
         certificate = {

@@ -6,17 +6,20 @@ integer vector.  The lemmas: `cap.checker.coverings.covering` and `cap.checker.c
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from cap.certificate import writer
 from cap.checker.coverings.covering import Parallelogram, covers
 from cap.checker.coverings.graph import overlaps
 from cap.checker.coverings.planar import Planar
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems import load
+from cap.checker.verdict import check
 from cap.errors import NotProved
 from cap.floats.candidates import Family
 from cap.maps.graphs import Part, Places, fastest
@@ -52,6 +55,46 @@ class Proved(NamedTuple):
             "entropy": interval.decimal(entropy(self.growth, iterates), PLACES),
             "together": str(self.together),
         }
+
+
+def first_that_grows(
+    g: Planar, found: Iterable[Family], runner: Runner, *, disjoint: bool
+) -> Proved:
+    """Return what is proved of the first family whose graph grows; `NotProved` if none does."""
+    reason = "no saddle of the map is found in floats"
+    for each in found:
+        if each.growth <= 1:
+            reason = "no sets that cover each other in two loops are found: more --effort may help"
+            continue
+        try:
+            return proved(g, each, runner, disjoint=disjoint)
+        except NotProved as failure:
+            reason = str(failure)
+    raise NotProved("search", reason)
+
+
+def checked(
+    theorem: str, parameters: dict[str, Any], content: tuple[Any, Any], runner: Runner
+) -> dict[str, Any]:
+    """Return a certificate, of claims and hints, that the checker accepts; or `NotProved`."""
+    claims, hints = content
+    certificate = {
+        "format": writer.FORMAT,
+        "theorem": theorem,
+        "parameters": parameters,
+        "digits": "6",
+        "claims": claims,
+        "hints": hints,
+        "cites": list(load(theorem).CITES),
+        "provenance": writer.provenance(64),
+    }
+    runner.tell("the checker checks it", None)
+    try:
+        check(writer.dumps(certificate).encode(), lambda _step: None, runner.jobs, runner.tell)
+    except Rejected as reason:
+        why = f"the independent checker rejects the certificate: {reason}"
+        raise NotProved("checker", why) from None
+    return certificate
 
 
 def proved(g: Planar, found: Family, runner: Runner, *, disjoint: bool) -> Proved:

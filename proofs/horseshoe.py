@@ -24,10 +24,10 @@ grow until they cover those that follow them.  ``--effort`` is the length of the
 from fractions import Fraction
 
 from cap.checker.coverings.half_period import HalfPeriod
-from cap.errors import BadInput, NotProved
+from cap.errors import BadInput
 from cap.floats import candidates
 from cap.option import Option, choice, count
-from cap.proofs.coverings import Proved, proved
+from cap.proofs.coverings import Proved, first_that_grows
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.options import JOBS
 from cap.runner import Runner
@@ -69,17 +69,9 @@ def prove(setting: Setting) -> Proof:
 
 def _best(setting: Setting, phi: Fraction, a: Fraction) -> Proved:
     """Return what is proved at the first saddle whose family grows."""
-    g, reason = HalfPeriod(phi, a), "no saddle of sigma is found in floats"
     runner: Runner = setting.runner
     tell = lambda words: runner.tell(words, None)  # noqa: E731
-    for found in candidates.families(
-        candidates.half_period(float(phi), float(a)), setting.of(EFFORT), tell
-    ):
-        if found.growth <= 1:
-            reason = "no sets that cover each other in two loops are found: more --effort may help"
-            continue
-        try:
-            return proved(g, found, runner, disjoint=setting.of(SETS) == "disjoint")
-        except NotProved as failure:
-            reason = str(failure)
-    raise NotProved("search", reason)
+    sigma = candidates.half_period(float(phi), float(a))
+    found = candidates.families(sigma, setting.of(EFFORT), tell)
+    disjoint = setting.of(SETS) == "disjoint"
+    return first_that_grows(HalfPeriod(phi, a), found, runner, disjoint=disjoint)

@@ -152,10 +152,15 @@ def _prepared(text: str) -> tuple[System, Prepared]:
     return system, Prepared.of(system)
 
 
+@cache
+def _itinerary(text: str, contacts: tuple[Contact, ...], periods: int) -> Itinerary:
+    return Itinerary(_prepared(text)[0], contacts, periods)
+
+
 def verdict(row: Row, digits: int = 10) -> Verdict:
     """Prove the orbit of a row, and let the independent checker verify it."""
-    system, shared = _prepared(row.system)
-    itinerary = Itinerary(system, row.contacts, row.periods)
+    _, shared = _prepared(row.system)
+    itinerary = _itinerary(row.system, row.contacts, row.periods)
     try:
         proved = prove(itinerary, row.guess, digits, shared)
     except NotProved as failure:

@@ -11,7 +11,6 @@ ROOT = Path(__file__).parents[1]
 RIGOROUS = (
     *("cap.sets", "cap.system", "cap.flow", "cap.maps", "cap.orbits", "cap.one_one", "cap.areas"),
     *(
-        "cap.boxes",
         "cap.particles",
         "cap.release",
         "cap.tori",

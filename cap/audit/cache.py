@@ -1,10 +1,10 @@
 """Verdicts kept from one run to the next, by the content of what decided them.
 
-An entry is one file, named by a digest of the claim's id and `cap.audit.dependencies.digest`; it
-also names the stored certificates that were asked for, with their digests, and holds only while
-these are the same.  Of a table of `cap.audit.tables` the rows are kept.  The folder is
-``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where it cannot be read or written there
-is no cache.
+An entry is one file, named by a digest of the claim, its data, and of what decides it, as in
+`cap.audit.dependencies`; it also names the stored certificates that were asked for, with their
+digests, and holds only while these are the same.  Of a table of `cap.audit.tables` the rows are
+kept.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where it cannot be
+read or written there is no cache.
 """
 
 import hashlib
@@ -31,7 +31,7 @@ def folder() -> Path:
 
 def known(claim: Claim) -> Verdict | None:
     """Return the verdict that is kept, if what decides the claim is as it was then."""
-    entry = read(claim.id, claim.module)
+    entry = read(f"{claim.id} {claim.content}", claim.module)
     try:
         asked: dict[str, str] = entry["certificates"]
         if all(stored.digest(name) == value for name, value in asked.items()):
@@ -45,7 +45,7 @@ def keep(claim: Claim, decided: Verdict, certificates: dict[str, str]) -> None:
     """Keep a verdict, if the folder can be written; what is undecided is not kept."""
     if decided.outcome is not Outcome.UNDECIDED:
         entry = {"verdict": asdict(decided), "certificates": certificates}
-        write(claim.id, claim.module, entry)
+        write(f"{claim.id} {claim.content}", claim.module, entry)
 
 
 def read(name: str, module: str) -> Any:

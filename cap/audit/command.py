@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, recorded, revision, subject, tables
+from cap.audit import errata, labels, ledger, quotes, recorded, revision, subject, tables
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
@@ -144,7 +144,7 @@ def _paper(options: argparse.Namespace) -> int:
     """Compare the paper with another version of its TeX file, or store the places of this one."""
     lines = compared(options.paper)
     if options.record:
-        new = labels.fitted(options.paper)
+        new = quotes.fitted(options.paper)
         with replacing(subject.file("labels.json")) as file:
             file.write(labels.dumps(new).encode())
         print(f"{subject.file('labels.json')}: written ({len(lines)} differences)")

@@ -21,7 +21,7 @@ def digest(module: str) -> str:
     """Return a digest of the module, of all our modules it imports, and of the libraries.
 
     With each module counts the JSON file that has its name, which it reads: beside it, or, for the
-    audit's, in the folder of the paper; and claims that are data, beside what decides them.
+    audit's, in the folder of the paper.
     """
     total = hashlib.sha256(_versions().encode())
     for name in sorted(closure(module)):
@@ -35,7 +35,6 @@ def _content(module: str) -> bytes:
     files = [_file(module), _file(module).with_suffix(".json")]
     if module.startswith("cap.audit."):
         files.append(subject.file(f"{module.rpartition('.')[2]}.json"))
-        files.append(_file(module).with_name("claims.toml"))
     parts = [file.read_bytes() if file.is_file() else b"" for file in files]
     return b"".join(hashlib.sha256(part).digest() for part in parts)
 

@@ -1,41 +1,88 @@
-"""Claims that are data: ``claims.toml`` of a paper, decided by functions of a few kinds.
+"""Claims are data: files ``claims/GROUP.toml`` of a paper.
 
 [[claim]]
-id = "labels.a2.0-e0.89-E1.0"
-where = "a2.0-e0.89-E1.0"
-kind = "number"
-says = "The rows of this table are orbits at e = 0.89."
-stated = "e = 0.89"
-decide = "label"                  # a function of the paper's module `deciding`
-with = { row = 1, e = "0.8" }     # what it is given
+id = "saltation.turning-factor"
+where = "eq:saltation-turn"        # a label of the paper
+kind = "formula"                   # see `cap.audit.claim.Kind`
+says = "At a turning point velocities are multiplied by this factor."
+stated = "(F cos ωt - f)/(F cos ωt + f)"
+quote = '''a piece of the TeX file'''
+verdict = "confirmed"              # if all steps hold; or a rule: "formula", "number"
+found = "what is true, with {words}"
+evidence = "how that was found"
+proof = "FILE.md#section"          # of a written proof, if it rests on one
+certificate = "NAME.json"          # stored, if it rests on one
+
+What is decided by algebra, or by what certificates claim, has ``steps``: see `cap.audit.steps`.
+What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, with what it is
+given, ``with``.  It raises `NotProved`, or returns a verdict, or the words that ``found`` and
+``evidence`` ask for.  What has neither is decided by reading.
 """
 
+import hashlib
+import json
 import tomllib
 from collections.abc import Callable, Mapping
 from functools import partial
+from importlib import import_module
 from pathlib import Path
-from types import ModuleType
-from typing import Any
 
+from cap.audit import steps
 from cap.audit.claim import Claim, Kind
-from cap.audit.verdict import Verdict
+from cap.audit.filled import filled
+from cap.audit.steps import Given
+from cap.audit.verdict import UNDECIDABLE, Outcome, Strength, Verdict
+
+WORDS = "found", "evidence", "proof", "certificate"
 
 
-def claims(path: Path, deciding: ModuleType) -> tuple[Claim, ...]:
-    """Return the claims of a file; functions of a module decide them."""
-    entries = tomllib.loads(path.read_text(encoding="utf-8"))["claim"]
-    return tuple(_claim(each, deciding) for each in entries)
+def claims(path: Path, module: str) -> tuple[Claim, ...]:
+    """Return the claims of a file; functions of a module decide them, if it exists."""
+    data = tomllib.loads(path.read_text(encoding="utf-8"))
+    common = data.get("common", {})
+    own = path.with_suffix(".py").is_file()
+    return tuple(_claim(each, common, module if own else steps.__name__) for each in data["claim"])
 
 
-def _claim(given: Mapping[str, Any], deciding: ModuleType) -> Claim:
-    function: Callable[..., Verdict] = getattr(deciding, given["decide"])
-    decide = partial(function, given["where"], **given.get("with", {}))
+def _claim(entry: Given, common: Given, module: str) -> Claim:
+    decide: Callable[[], Verdict]
+    if "decide" in entry:
+        function = getattr(import_module(module), entry["decide"])
+        decide = partial(_decided, entry, partial(function, **entry.get("with", {})))
+    else:
+        decide = partial(_derived, entry, common)
+    content = json.dumps([entry, common], sort_keys=True)
     return Claim(
-        id=given["id"],
-        where=given["where"],
-        kind=Kind(given["kind"]),
-        says=given["says"],
-        stated=given["stated"],
+        id=entry["id"],
+        where=entry["where"],
+        kind=Kind(entry["kind"]),
+        says=entry["says"],
+        stated=entry["stated"],
         decide=decide,
-        by=deciding.__name__,
+        quote=entry["quote"],
+        module=module,
+        content=hashlib.sha256(content.encode()).hexdigest(),
     )
+
+
+def _decided(
+    entry: Given, function: Callable[[], Verdict | Mapping[str, object] | None]
+) -> Verdict:
+    """Return what a function decides; its words are put where ``found`` and ``evidence`` ask."""
+    done = function()
+    return done if isinstance(done, Verdict) else _verdict(entry, done or {})
+
+
+def _derived(entry: Given, common: Given) -> Verdict:
+    """Return the verdict that follows when all steps hold, or from the rule that it names."""
+    done = steps.made(common, entry)
+    rule = steps.RULES.get(entry["verdict"])
+    verdict = rule(done, entry["stated"]) if rule else entry["verdict"]
+    return _verdict({**entry, "verdict": verdict}, done.names)
+
+
+def _verdict(entry: Given, words: Mapping[str, object]) -> Verdict:
+    outcome = Outcome(entry["verdict"])
+    strength = Strength.NONE if outcome in UNDECIDABLE else Strength.PROVED
+    texts = {name: filled(entry.get(name, ""), words) for name in WORDS}
+    return Verdict(outcome=outcome, strength=Strength(entry.get("strength", strength)), **texts)

@@ -9,13 +9,12 @@ import hashlib
 import json
 import re
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
-from cap.audit import errata, quotes, subject
+from cap.audit import subject
 from cap.audit.manuscript import Manuscript
 from cap.audit.subject import cached
-from cap.errors import BadInput
 
 _STATEMENTS = (
     *("theorem", "lemma", "proposition", "corollary", "definition", "remark", "conjecture"),
@@ -105,24 +104,7 @@ def read(path: Path) -> Paper:
         len({key for keys in _CITED.findall(text) for key in keys.split(",")}),
         len(_REFERENCES.findall(text)),
         len(_PICTURES.findall(text)),
-        lines=quotes.lines(manuscript),
     )
-
-
-def bound() -> str:
-    """Return a digest of the quotations and the erratum as they are stored."""
-    stored = (subject.file(name) for name in ("quotes.toml", "errata.toml"))
-    return hashlib.sha256(b"".join(path.read_bytes() for path in stored)).hexdigest()
-
-
-def fitted(path: Path) -> Paper:
-    """Return the places of a TeX file that every quotation and every change fits, or `BadInput`."""
-    paper = read(path)
-    missing = quotes.stored().keys() - paper.lines
-    if missing:
-        raise BadInput(f"not once in {path}: what is quoted by {', '.join(sorted(missing))}")
-    errata.corrected(Manuscript.read(path))
-    return replace(paper, bound=bound())
 
 
 def _places(text: str) -> Iterator[Place]:

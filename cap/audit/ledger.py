@@ -1,9 +1,7 @@
 """All claims, in the order of the paper."""
 
-from importlib import import_module
-
-from cap.audit import labels, subject
-from cap.audit.claim import Claim, declared_in
+from cap.audit import given, labels, subject
+from cap.audit.claim import Claim
 from cap.audit.subject import cached
 from cap.errors import BadInput
 from cap.words import meant
@@ -11,15 +9,12 @@ from cap.words import meant
 
 @cached
 def claims() -> dict[str, Claim]:
-    """Return all claims by their ids: place after place, and there in their modules' order.
+    """Return all claims by their ids: place after place, and there in the order of the groups.
 
-    Claims that are made of data come after the other claims of their places.
+    The rows of tables come after the other claims of their places.
     """
-    found: list[Claim] = []
     own = subject.paper()
-    for module in own.GROUPS:
-        import_module(module)
-        found += declared_in(module)
+    found = [each for group in own.GROUPS for each in given.claims(*subject.group(group))]
     found += own.more()
     order = {place.label: k for k, place in enumerate(labels.stored().places)}
     found.sort(key=lambda each: order.get(each.where, len(order)))

@@ -1,9 +1,9 @@
 """The paper that is audited: a folder of `cap.audit.papers`, chosen by its name.
 
-Its files: ``labels.json``, the places; ``quotes.toml``, what claims are taken from;
-``findings.toml`` and ``errata.toml``; ``recorded.json``, the verdicts; and the module ``paper``,
-with FIGURES (whether `cap.paper` makes its figures), GROUPS (modules that declare claims),
-``more()`` (claims that are made of data), STATEMENTS and REASONS.  Nothing outside of the folder
+Its files: ``labels.json``, the places; ``claims/``, the claims, and the functions that decide those
+that need some; ``findings.toml`` and ``errata.toml``; ``recorded.json``, the verdicts; and the
+module ``paper``, with FIGURES (whether `cap.paper` makes its figures), GROUPS (of claims, in their
+order), ``more()`` (other claims), STATEMENTS and REASONS.  Nothing outside of the folder
 knows what the paper says, but the means and tables of the first one.
 """
 
@@ -58,6 +58,11 @@ def chosen() -> str:
 def file(name: str) -> Path:
     """Return the path of one of its files."""
     return FOLDER / _chosen[0] / name
+
+
+def group(name: str) -> tuple[Path, str]:
+    """Return the data of a group of claims, and the module with the functions they name."""
+    return file(f"claims/{name}.toml"), f"{__package__}.papers.{_chosen[0]}.claims.{name}"
 
 
 def paper() -> Any:

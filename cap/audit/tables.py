@@ -7,6 +7,7 @@ those of the list decides nothing.
 
 import json
 import re
+import tomllib
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
 
@@ -32,11 +33,6 @@ class Row(Claim):
 
     table: str = ""
 
-    @property
-    def module(self) -> str:
-        """The module that computes the table."""
-        return module(self.table)
-
 
 @cached
 def listed() -> dict[str, list[list[str]]]:
@@ -46,6 +42,12 @@ def listed() -> dict[str, list[list[str]]]:
         return {}
     found: dict[str, list[list[str]]] = json.loads(path.read_text(encoding="utf-8"))
     return found
+
+
+@cached
+def _quotes() -> dict[str, str]:
+    """Return what the rows are taken from, by their ids."""
+    return tomllib.loads(subject.file("quotes.toml").read_text(encoding="utf-8"))
 
 
 def claims() -> tuple[Row, ...]:
@@ -62,7 +64,8 @@ def _claim(label: str, what: str, paper: str, where: str, kind: str) -> Row:
     name = f"{group(label)}.{_slug(what)}"
     says = f"{what[0].upper()}{what[1:]}."
     decide = _decided_by(label, what)
-    return Row(name, where, Kind(kind), says, paper, decide, table=label)
+    quote = _quotes().get(name, "")
+    return Row(name, where, Kind(kind), says, paper, decide, quote, module(label), table=label)
 
 
 def group(label: str) -> str:

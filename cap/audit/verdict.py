@@ -17,6 +17,9 @@ class Outcome(StrEnum):
     UNDECIDED = "undecided"  # a step that decides it failed here: never recorded
 
 
+UNDECIDABLE = Outcome.OPEN, Outcome.UNCHECKABLE
+
+
 class Strength(StrEnum):
     """How strong the evidence is."""
 

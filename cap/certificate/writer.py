@@ -8,6 +8,7 @@ import platform
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from json.encoder import encode_basestring_ascii
 from pathlib import Path
 from typing import Any
 
@@ -53,13 +54,15 @@ class Rounding:
 
         They are at most 10^-digits max(|lower|, |upper|, unit) apart, or `TooFewDigits` is raised.
         """
-        size = max(*map(abs, interval.ends(x)), unit)
-        lower, upper = interval.outward(x, self.digits + 2 - interval.decade(size))
-        a, b = Fraction(lower), Fraction(upper)
-        if b - a > max(abs(a), abs(b), unit) / 10**self.digits:
-            sets = {"enclosure": f"[{lower}, {upper}]"}
+        lower, upper, bits = interval.binary_ends(x)
+        size = Fraction(max(abs(lower), abs(upper)), 1 << bits)
+        places = self.digits + 2 - interval.decade(max(size, unit))
+        a, b = interval.multiples(x, places)
+        pair = [interval.fixed(a, places), interval.fixed(b, places)]
+        if (b - a) * 10**self.digits > max(abs(a), abs(b), unit * Fraction(10) ** places):
+            sets = {"enclosure": f"[{pair[0]}, {pair[1]}]"}
             raise TooFewDigits("rounding", f"fewer than {self.digits} digits are certain", sets)
-        return [lower, upper]
+        return pair
 
     def loosely(self, x: Ball, unit: Fraction = Fraction(1)) -> Pair:
         """Return ``pair`` of ``x`` with what rounding may add: a looser arithmetic agrees."""
@@ -103,7 +106,20 @@ def provenance(bits: int) -> dict[str, str]:
 
 def dumps(certificate: Mapping[str, Any]) -> str:
     """Return the text of a certificate, the same for equal certificates."""
-    return json.dumps(certificate, indent=1) + "\n"
+    return _text(certificate, "\n") + "\n"
+
+
+def _text(value: object, line: str) -> str:
+    """Return what ``json.dumps(value, indent=1)`` returns, sooner."""
+    if isinstance(value, str):
+        return encode_basestring_ascii(value)
+    if not isinstance(value, dict | list | tuple) or not value:
+        return json.dumps(value)
+    deeper = line + " "
+    if isinstance(value, dict):
+        parts = [f"{encode_basestring_ascii(k)}: {_text(v, deeper)}" for k, v in value.items()]
+        return f"{{{deeper}{f',{deeper}'.join(parts)}{line}}}"
+    return f"[{deeper}{f',{deeper}'.join([_text(v, deeper) for v in value])}{line}]"
 
 
 def stored(path: Path) -> Certificate | None:

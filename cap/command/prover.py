@@ -23,7 +23,10 @@ from cap.words import quoted, say
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
-    if any(word.split("=")[0] == "--model" for word in words):
+    named = {word.split("=")[0] for word in words}
+    if "--map" in named:
+        return import_module("cap.command.own_horseshoe").main(words)  # type: ignore[no-any-return]
+    if "--model" in named:
         return import_module("cap.command.own").main(words)  # type: ignore[no-any-return]
     options = read(words)
     if options.list:

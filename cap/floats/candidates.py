@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from cap.errors import BadInput
 from cap.floats.coverings import planar
-from cap.floats.coverings.search import Family, families
+from cap.floats.coverings.search import Family, families, families_by_cells
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.search import periodic, tori
 from cap.floats.search.cycles import Cycle, near
@@ -43,7 +43,9 @@ __all__ = [
     "every_motion",
     "excursions",
     "families",
+    "families_by_cells",
     "fates",
+    "formulas",
     "half_period",
     "lighter",
     "non_sticking",
@@ -56,7 +58,7 @@ __all__ = [
     "turning",
 ]
 
-half_period = planar.half_period
+half_period, formulas = planar.half_period, planar.formulas
 TYPES = ("sink focus", "sink node", "superstable", "elliptic", "saddle", "flip saddle")
 SMALLEST = Fraction(1, 64)  # of the first step, when an orbit is continued
 PATIENCE = 10  # periods after which an orbit that has not been captured is given up

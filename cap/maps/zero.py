@@ -8,11 +8,13 @@ If K(Z) lies in the interior of Z, then G has exactly one zero in Z, and it lies
 `cap.maps.krawczyk` has the same for fixed points in the plane, written out: there it is fast.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from operator import mul
+from typing import Any
 
 import numpy as np
 
@@ -24,18 +26,24 @@ Box = tuple[Ball, ...]
 Rows = Sequence[Sequence[Ball]]
 
 _identity = lru_cache(interval.identity)
+RESIDUAL = 64  # bits of 1 - C G'
+AGAIN = 3
+
+
+def _ball(q: Fraction | float) -> Ball:
+    return Ball(q) if isinstance(q, float) else interval.ball(q)
 
 
 @dataclass(frozen=True)
 class Hint:
-    """The point m and the rows of the matrix C, exact; neither needs trust."""
+    """The point m and the rows of the matrix C, of fractions or doubles; neither needs trust."""
 
     centre: tuple[Fraction, ...]
-    matrix: tuple[tuple[Fraction, ...], ...]
+    matrix: tuple[tuple[Any, ...], ...]
 
     @cached_property
-    def _exact(self) -> list[list[Exact]]:
-        return [[interval.exact(q) for q in row] for row in (self.centre, *self.matrix)]
+    def _exact(self) -> list[Exact]:
+        return [interval.exact(q) for q in self.centre]
 
     @cached_property
     def _enclosed(self) -> dict[int, Matrix]:
@@ -44,20 +52,19 @@ class Hint:
     @property
     def point(self) -> Box:
         """m, enclosed."""
-        return tuple(map(interval.ball, self._exact[0]))
+        return tuple(map(interval.ball, self._exact))
 
     @property
     def rows(self) -> Matrix:
         """C, enclosed."""
         bits = interval.working_bits()
         if bits not in self._enclosed:
-            rows = [list(map(interval.ball, row)) for row in self._exact[1:]]
-            self._enclosed[bits] = interval.matrix(rows)
+            self._enclosed[bits] = interval.matrix([[*map(_ball, row)] for row in self.matrix])
         return self._enclosed[bits]
 
     def box(self, reach: Sequence[Fraction]) -> Box:
         """Return a box that contains the points within ``reach`` of m."""
-        return tuple(map(interval.around, self._exact[0], reach))
+        return tuple(map(interval.around, self._exact, reach))
 
 
 def operator(hint: Hint, value: Sequence[Ball], slope: Matrix, box: Box) -> Box:
@@ -69,6 +76,27 @@ def operator(hint: Hint, value: Sequence[Ball], slope: Matrix, box: Box) -> Box:
     offset = interval.column([z - c for z, c in zip(box, m, strict=True)])
     moved = (_identity(len(m)) - C * slope) * offset - C * interval.column(value)
     return tuple(c + q for c, q in zip(m, moved.entries(), strict=True))
+
+
+def residual(hint: Hint, slope: Matrix) -> Matrix:
+    """Return an enclosure of 1 - C G', which is small, in few bits."""
+    with interval.workprec(RESIDUAL):
+        return _identity(len(hint.centre)) - hint.rows * slope
+
+
+def contracted(hint: Hint, value: Sequence[Ball], E: Matrix, box: Box) -> Box:
+    """Prove that exactly one zero of G lies in the ``box``, which contains m; return K(K(K(box))).
+
+    ``E`` encloses 1 - C G' on the box, ``value`` encloses G(m); else as `contract`.
+    """
+    m = hint.point
+    newton = (hint.rows * interval.column(value)).entries()
+    K = box
+    for _ in range(AGAIN):
+        far = (E * interval.column([z - c for z, c in zip(K, m, strict=True)])).entries()
+        K = tuple(c - v + q for c, v, q in zip(m, newton, far, strict=True))
+        _inside(K, hint, box)
+    return K
 
 
 def contract(hint: Hint, value: Sequence[Ball], slope: Matrix, box: Box) -> Box:
@@ -176,24 +204,24 @@ def inverse_of(rows: Rows) -> list[list[Fraction]]:
 
 def refined(
     problem: Problem,
-    guess: Sequence[Fraction],
-    matrix: Sequence[Sequence[Fraction]],
+    guess: Sequence[Fraction | float],
+    matrix: Sequence[Sequence[Fraction | float]],
     places: Sequence[int],
 ) -> Hint:
     """Return a point of ``places`` decimals near a zero, by Newton's iteration with one matrix.
 
     Nothing is proved here.
     """
-    hint = Hint(tuple(guess), tuple(map(tuple, matrix)))
-    last: Fraction | None = None
+    rows = tuple(map(tuple, matrix))
+    C = Hint((), rows).rows
+    point, last = [*map(_ball, guess)], math.inf
     while True:
-        value = interval.column(problem.value(hint.point))
-        steps = [interval.midpoint(q) for q in (hint.rows * value).entries()]
-        moved = zip(hint.centre, steps, places, strict=True)
-        hint = Hint(tuple(round(c - s, p) for c, s, p in moved), hint.matrix)
-        size = max(abs(s) * 10**p for s, p in zip(steps, places, strict=True))
+        steps = (C * interval.column(problem.value(point))).entries()
+        point = [interval.point(c - s) for c, s in zip(point, steps, strict=True)]
+        size = max(abs(float(s)) * 10.0**p for s, p in zip(steps, places, strict=True))
         if size < 1:
-            return hint
-        if last and 2 * size > last:
+            decimals = (round(interval.rational(c), p) for c, p in zip(point, places, strict=True))
+            return Hint(tuple(decimals), rows)
+        if not 2 * size <= last:
             raise NotProved("Newton", "the iteration does not converge near the guess")
         last = size

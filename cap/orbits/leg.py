@@ -10,6 +10,7 @@ from functools import cached_property
 
 from cap.orbits.itinerary import Contact
 from cap.orbits.motion import Clock, Motion, named, scalars
+from cap.system.exponential import number
 from cap.system.lemmas import Lemma, lemmas
 from cap.system.model import System
 from cap.system.polynomial import Polynomial
@@ -28,6 +29,7 @@ class Kinds:
         self._motions = dict[str, Motion]()
         self._watches = dict[tuple[str, str], Watch]()
         self._lemmas = dict[str, dict[str, Lemma]]()
+        self._longest = dict[str, float]()
 
     @cached_property
     def autonomous(self) -> bool:
@@ -51,6 +53,15 @@ class Kinds:
         if mode not in self._lemmas:
             self._lemmas[mode] = lemmas(self.system, mode)
         return self._lemmas[mode]
+
+    def longest(self, mode: str) -> float:
+        """Return how long a piece of a flight may be: less than 1/|N|, the largest column sum."""
+        if mode not in self._longest:
+            columns = zip(*self.motion(mode).generator, strict=True)
+            sums = (sum(abs(float(number(q))) for q in column) for column in columns)
+            norm = max(sums, default=0.0)
+            self._longest[mode] = 0.9 / norm if norm else float("inf")
+        return self._longest[mode]
 
     def motion(self, mode: str) -> Motion:
         """Return the flights of a mode."""

@@ -33,6 +33,7 @@ from cap.sets import interval
 from cap.sets.interval import Ball, Matrix
 
 STEPS = 40  # of Newton's iteration in doubles
+UNITS = 2.0**40
 
 
 @dataclass(frozen=True)
@@ -113,10 +114,13 @@ def _inside(p: Sequence[Ball]) -> int | None:
 
 
 class Prover:
-    """Proves orbits with one itinerary; what depends on that alone, or the precision, is kept."""
+    """Proves orbits with one itinerary; what depends on that alone, or the precision, is kept.
 
-    def __init__(self, equations: Equations) -> None:
-        self.equations, self.itinerary = equations, equations.itinerary
+    With ``pieces`` Lemma B stands for C, and its pieces are such as the checker takes.
+    """
+
+    def __init__(self, equations: Equations, *, pieces: bool = False) -> None:
+        self.equations, self.itinerary, self._pieces = equations, equations.itinerary, pieces
         self._balls = dict[int, Balls]()
         self._minima = dict[tuple[int, str, str], list[Minimum] | None]()
 
@@ -153,7 +157,8 @@ class Prover:
         with interval.guarded():  # K cannot be narrower than F(m)
             value = equations.value(hint.point, self.balls)
         blocks = equations.blocks(box, self.balls)
-        return zero.contract(hint, value, interval.matrix(equations.rows(blocks)), box), blocks
+        E = zero.residual(hint, interval.matrix(equations.rows(blocks)))
+        return zero.contracted(hint, value, E, box), blocks
 
     def reasons(self, box: Box) -> list[Reason]:
         """Prove that nothing else happens on the orbits whose contacts lie in a box."""
@@ -166,7 +171,10 @@ class Prover:
                 watch = self.equations.kinds.watch(mode, name)
                 zeros = vanishing[leg.number][name]
                 along = Along(leg, name, watch, zeros, name == following)
-                found.append(reason(along, lemma, self._minima_of(mode, name)))
+                if self._pieces:
+                    found.append(reason(along, lemma, None, self.equations.kinds.longest(mode)))
+                else:
+                    found.append(reason(along, lemma, self._minima_of(mode, name)))
         return found
 
     def legs(self, box: Box) -> list[Leg]:
@@ -201,12 +209,10 @@ class Prover:
 
         Raises `NotProved` with the step that failed and the sets at which it did.
         """
-        near = [Fraction(q) for q in self.newton(guess)]
-        point = [interval.ball(q) for q in near]
-        matrix = zero.inverse_of(self.problem.slope(point))
-        hint = zero.refined(self.problem, near, matrix, [digits] * len(near))
+        near = self.newton(guess)
+        hint = zero.refined(self.problem, near, self._inverse(near), [digits] * len(near))
         reach = (far or Fraction(100, 10**digits),) * len(near)
-        box = self.problem.tightened(hint, self._zero(hint, reach)[0])
+        box = self._zero(hint, reach)[0]
         reasons, autonomous = self.reasons(box), self.equations.autonomous
         D = derivative(self.equations.blocks(box, self.balls))
         return PeriodicOrbit(self.itinerary, hint, reach, box, reasons, D, autonomous)
@@ -228,12 +234,21 @@ class Prover:
 
     def _step(self, z: Any, of: Floats) -> Any:
         """Return F'(z)^-1 F(z)."""
-        at, equations = [float(q) for q in z], self.equations
+        at, equations = z.tolist(), self.equations
         try:
-            rows = np.array(equations.rows(equations.blocks(at, of)), float)
-            return np.linalg.solve(rows, np.array(equations.value(at, of), float))
+            rows = equations.rows(equations.blocks(at, of))
+            return np.linalg.solve(np.array(rows), np.array(equations.value(at, of)))
         except (ArithmeticError, ValueError, np.linalg.LinAlgError):
             raise NotProved("Newton", "F' is singular in doubles", {"z": at}) from None
+
+    def _inverse(self, z: list[float]) -> list[list[float]]:
+        """Return F'(z)^-1 in doubles, in units so large that most machines agree on them."""
+        equations, of = self.equations, Floats(self.itinerary.system)
+        inverse = np.linalg.inv(np.array(equations.rows(equations.blocks(z, of))))
+        if not np.isfinite(inverse).all():
+            raise NotProved("preconditioner", "it is beyond floats: the zero may be double")
+        rows: list[list[float]] = (np.round(inverse * UNITS) / UNITS).tolist()
+        return rows
 
 
 def prove(itinerary: Itinerary, guess: Sequence[float], digits: int = 10) -> PeriodicOrbit:

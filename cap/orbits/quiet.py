@@ -32,8 +32,13 @@ class Reason(NamedTuple):
     cuts: tuple[float, ...] = ()
 
 
-def reason(along: Along, lemma: Lemma, minima: Sequence[Minimum] | None) -> Reason:
-    """Prove that a guard is positive between the ends of a leg.
+def reason(
+    along: Along,
+    lemma: Lemma,
+    minima: Sequence[Minimum] | None,
+    longest: float = float("inf"),
+) -> Reason:
+    """Prove that a guard is positive between the ends of a leg; no piece is longer than this.
 
     Raises `NotProved` with the leg, the guard, a time, and the guard then.
     """
@@ -44,7 +49,7 @@ def reason(along: Along, lemma: Lemma, minima: Sequence[Minimum] | None) -> Reas
         _end(along)
         return Reason(number, name, "M")
     if minima is None:
-        return Reason(number, name, "B", tuple(cuts_of(along)))
+        return Reason(number, name, "B", tuple(cuts_of(along, longest)))
     if not along.vanishing:
         along.positive(along.at(along.leg.start), along.leg.start.time)
     _end(along)

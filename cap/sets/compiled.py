@@ -19,15 +19,15 @@ from numba.extending import overload, register_jitable
 from numpy.typing import NDArray
 
 from cap.errors import NotProved
-from cap.sets import circular, decay, doubles
+from cap.sets import circular, doubles
 from cap.sets.doubles import Interval
 from cap.sets.kept import kept
-from cap.sets.lowering import DOUBLE, INTERVAL, rows
+from cap.sets.lowering import DOUBLE, INTERVAL
 
 F = TypeVar("F", bound=Callable[..., Any])
 IEEE: Any = {"error_model": "numpy", "_nrt": False}  # no exceptions, and no arrays of its own
 
-__all__ = ["PROBE", "compiled", "kernel", "require_ieee", "rounds_to_nearest", "rows", "sources"]
+__all__ = ["PROBE", "compiled", "kernel", "require_ieee", "rounds_to_nearest", "sources"]
 
 
 def kernel(function: F) -> F:
@@ -36,12 +36,8 @@ def kernel(function: F) -> F:
     return function
 
 
-for _function in (*doubles.BRANCHING, *circular.BRANCHING, *decay.BRANCHING):
+for _function in (*doubles.BRANCHING, *circular.BRANCHING):
     kernel(cast(Any, _function))
-
-overload(decay.relaxed, jit_options=IEEE, strict=False)(
-    lambda *operands: decay.relax if operands[1] is INTERVAL else decay.relax_double
-)
 
 
 def _quotient(*operands: Any) -> Any:
@@ -77,9 +73,9 @@ def sources() -> str:
 
 
 def files() -> list[Path]:
-    """Return the sources of all that may be compiled: the arithmetic, boxes and areas."""
+    """Return the sources of all that may be compiled: the arithmetic, and areas."""
     here = Path(__file__).parent
-    folders = here, here.parent / "boxes", here.parent / "areas", here.parent / "checker" / "folded"
+    folders = here, here.parent / "areas", here.parent / "checker" / "folded"
     return sorted(file for folder in folders for file in folder.rglob("*.py"))
 
 

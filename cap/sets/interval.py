@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager
 from fractions import Fraction
-from math import floor, log10
+from math import floor, log2, log10
 
 import flint
 from flint import acb, acb_poly, arb, arb_mat, ctx, fmpq
@@ -181,20 +181,42 @@ def least(x: arb, y: arb) -> arb:
 
 def outward(x: arb, places: int) -> tuple[str, str]:
     """Return the nearest multiples (lower, upper) of 10^-places that enclose ``x``, as decimals."""
-    lower, upper = ends(x)
-    unit = Fraction(10) ** -places
-    shown = max(places, 0)
-    return decimal(lower // unit * unit, shown), decimal(-(-upper // unit) * unit, shown)
+    lower, upper = multiples(x, places)
+    return fixed(lower, places), fixed(upper, places)
+
+
+def multiples(x: arb, places: int) -> tuple[int, int]:
+    """Return the nearest integers (lower, upper) whose multiples of 10^-places enclose ``x``."""
+    lower, upper, bits = binary_ends(x)
+    up, down = 10 ** max(places, 0), 10 ** max(-places, 0) << bits
+    return lower * up // down, -(-upper * up // down)
+
+
+def binary_ends(x: arb) -> tuple[int, int, int]:
+    """Return a, b and n with the ends a/2^n and b/2^n of a finite ball; see `rational`."""
+    if not x.is_finite():
+        raise NotProved("evaluation", "an enclosure is not finite", {"value": x})
+    parts = [(int(m), int(e)) for m, e in (x.mid().man_exp(), x.rad().man_exp())]
+    if any(abs(e) > LARGEST for _, e in parts):
+        raise NotProved("evaluation", "a number is too large or too small to write", {"value": x})
+    bits = max(0, *(-e for _, e in parts))
+    mid, rad = (m << e + bits for m, e in parts)
+    return mid - rad, mid + rad, bits
+
+
+def fixed(n: int, places: int) -> str:
+    """Return n 10^-places as a decimal string."""
+    n, places = (n, places) if places >= 0 else (n * 10**-places, 0)
+    digits, sign = str(abs(n)).zfill(places + 1), "-" if n < 0 else ""
+    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
 
 
 def decimal(value: Fraction, places: int) -> str:
     """Return ``value``, a multiple of 10^-places, as an exact decimal string."""
-    scaled = value * 10**places
-    if scaled.denominator != 1:
+    n, rest = divmod(value.numerator * 10**places, value.denominator)
+    if rest:
         raise ValueError(f"{value} has more than {places} decimal places")
-    digits = str(abs(scaled.numerator)).zfill(places + 1)
-    sign = "-" if scaled < 0 else ""
-    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits)
+    return fixed(n, places)
 
 
 def decade(value: Fraction) -> int:
@@ -214,11 +236,8 @@ def stated(text: str) -> Fraction:
 
 def exact_decimal(value: Fraction) -> str:
     """Return ``value`` exactly; the caller guarantees that it is a finite decimal."""
-    rest, fives = value.denominator, 0
-    twos = (rest & -rest).bit_length() - 1
-    rest >>= twos
-    while rest % 5 == 0:
-        rest, fives = rest // 5, fives + 1
+    twos = (value.denominator & -value.denominator).bit_length() - 1
+    fives = int((value.denominator >> twos).bit_length() / log2(5))
     return decimal(value, max(twos, fives))
 
 

@@ -1,8 +1,8 @@
-"""What numba is told of intervals and records: how they lie in memory, what is done with them.
+"""What numba is told of intervals: how they lie in memory, what is done with them.
 
-An interval is two doubles, a record the address of its memory.  The arithmetic has one text,
-`cap.sets.doubles`: a function without branches is executed once on values that append an
-instruction for each operation on them, and that is the code.  No instruction has a fast-math flag.
+An interval is two doubles.  The arithmetic has one text, `cap.sets.doubles`: a function without
+branches is executed once on values that append an instruction for each operation on them, and that
+is the code.  No instruction has a fast-math flag.
 """
 
 import operator
@@ -10,15 +10,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-import numpy as np
 from numba import types
 from numba.core import cgutils
-from numba.core.imputils import (
-    lower_constant,
-    lower_getattr_generic,
-    lower_setattr_generic,
-)
-from numba.core.typing.templates import AttributeTemplate, infer_getattr
+from numba.core.imputils import lower_constant
 from numba.extending import (
     NativeValue,
     box,
@@ -30,11 +24,9 @@ from numba.extending import (
     typeof_impl,
     unbox,
 )
-from numpy.typing import NDArray
 
 from cap.sets import doubles
 from cap.sets.doubles import Interval
-from cap.sets.records import R, Record, assign, row_of
 
 
 class IntervalType(types.Type):
@@ -42,14 +34,6 @@ class IntervalType(types.Type):
 
     def __init__(self) -> None:
         super().__init__(name="Interval")
-
-
-class RecordType(types.Type):
-    """The type of the records of a class."""
-
-    def __init__(self, record: type[Record]) -> None:
-        self.record = record
-        super().__init__(name=f"{record.__module__}.{record.__qualname__}")
 
 
 INTERVAL = IntervalType()
@@ -64,7 +48,6 @@ class _Model(models.StructModel):
 
 for _field in ("mid", "rad"):
     make_attribute_wrapper(IntervalType, _field, _field)
-register_model(RecordType)(models.OpaqueModel)
 
 
 class _Noted:
@@ -181,11 +164,6 @@ def _type_of_interval(_value: Interval, _context: Any) -> Any:
     return INTERVAL
 
 
-@typeof_impl.register(Record)
-def _type_of_record(value: Record, _context: Any) -> Any:
-    return RecordType(type(value))
-
-
 @lower_constant(IntervalType)
 def _constant(context: Any, builder: Any, _kind: Any, value: Interval) -> Any:
     return _struct(context, builder, value)
@@ -213,99 +191,3 @@ def _given(_kind: Any, value: Any, c: Any) -> Any:
     for used in (*numbers, made):
         c.pyapi.decref(used)
     return result
-
-
-@unbox(RecordType)
-def _address_taken(_kind: Any, value: Any, c: Any) -> Any:
-    """Take the address of a record from Python, which keeps its memory."""
-    attribute = c.pyapi.object_getattr_string(value, "address")
-    address = c.unbox(types.uintp, attribute).value
-    c.pyapi.decref(attribute)
-    failed = cgutils.is_not_null(c.builder, c.pyapi.err_occurred())
-    return NativeValue(c.builder.inttoptr(address, cgutils.voidptr_t), is_error=failed)
-
-
-def _kind_of(field: Any) -> Any:
-    if issubclass(field, Record):
-        return RecordType(field)
-    return {Interval: INTERVAL, float: DOUBLE, int: types.int64}[field]
-
-
-@infer_getattr
-class _Fields(AttributeTemplate):
-    key = RecordType
-
-    def generic_resolve(self, record: Any, name: str) -> Any:
-        field = record.record.FIELDS.get(name)
-        return None if field is None else _kind_of(field.kind)
-
-
-def _place(context: Any, builder: Any, memory: Any, place: int, kind: Any) -> Any:
-    """Return the address of a number in a record."""
-    number = context.get_value_type(types.int64 if kind is int else DOUBLE)
-    at = cgutils.pointer_add(builder, memory, 8 * place)
-    return builder.bitcast(at, number.as_pointer())
-
-
-@lower_getattr_generic(RecordType)
-def _read(context: Any, builder: Any, record: Any, memory: Any, name: str) -> Any:
-    kind, place = record.record.FIELDS[name]
-    if issubclass(kind, Record):
-        return cgutils.pointer_add(builder, memory, 8 * place)
-    if kind is not Interval:
-        return builder.load(_place(context, builder, memory, place, kind))
-    ends = _ends(context, builder, None)
-    ends.mid = builder.load(_place(context, builder, memory, place, kind))
-    ends.rad = builder.load(_place(context, builder, memory, place + 1, kind))
-    return ends._getvalue()
-
-
-@lower_setattr_generic(RecordType)
-def _write(context: Any, builder: Any, signature: Any, values: Any, name: str) -> Any:
-    (memory, value), record = values, signature.args[0]
-    kind, place = record.record.FIELDS[name]
-    if kind is not Interval:
-        builder.store(value, _place(context, builder, memory, place, kind))
-        return
-    ends = _ends(context, builder, value)
-    builder.store(ends.mid, _place(context, builder, memory, place, kind))
-    builder.store(ends.rad, _place(context, builder, memory, place + 1, kind))
-
-
-@type_callable(assign)
-def _assignable(_context: Any) -> Any:
-    def typed(target: Any, source: Any) -> Any:
-        same = isinstance(target, RecordType) and target == source
-        return types.void if same else None
-
-    return typed
-
-
-@lower_builtin(assign, RecordType, RecordType)
-def _assigned(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-    size = context.get_constant(types.intp, 8 * signature.args[0].record.SIZE)
-    cgutils.raw_memcpy(builder, values[0], values[1], size, 1)
-    return context.get_dummy_value()
-
-
-def rows(kind: type[R]) -> Callable[[NDArray[np.float64], int], R]:
-    """Return `row_of` a kind of records, for Python and compiled code."""
-    function = row_of(kind)
-
-    @type_callable(function)
-    def _typed(_context: Any) -> Any:
-        def typed(table: Any, k: Any) -> Any:
-            fits = isinstance(table, types.Array) and isinstance(k, types.Integer)
-            return RecordType(kind) if fits else None
-
-        return typed
-
-    @lower_builtin(function, types.Array, types.Integer)
-    def _pointed(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-        array = context.make_array(signature.args[0])(context, builder, values[0])
-        stride = builder.extract_value(array.strides, 0)
-        k = context.cast(builder, values[1], signature.args[1], types.intp)
-        start = builder.bitcast(array.data, cgutils.voidptr_t)
-        return cgutils.pointer_add(builder, start, builder.mul(stride, k))
-
-    return function

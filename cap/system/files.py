@@ -22,6 +22,7 @@ from cap.errors import BadInput
 from cap.parameters import exact
 from cap.system import form
 from cap.system.model import System
+from cap.system.planar import Map
 
 MOST = 200  # characters of a message that is not ours
 Model = Callable[..., object]
@@ -41,6 +42,14 @@ class Loaded:
     def settings(self, *, but: tuple[str, ...] = ()) -> str:
         """Return the values as ``A=6/5,e=1/2``."""
         return ",".join(f"{name}={q}" for name, q in self.values.items() if name not in but)
+
+
+def planar(path: str | Path, values: Values | None = None) -> Map:
+    """Return the planar map that the function of a file FILE.py returns.  Raises `BadInput`."""
+    file, name = _named(str(path))
+    if file.suffix == ".json":
+        raise BadInput(f"a map is FILE.py or FILE.py:FUNCTION: {path}")
+    return _returned(_text(file), file, name, values or {}, Map)[0]
 
 
 def read(path: str | Path, values: Values | None = None) -> System:
@@ -121,7 +130,18 @@ def _numbers(values: Values, known: Mapping[str, object]) -> dict[str, Fraction]
 
 
 def _made(text: str, file: Path, name: str, values: Values) -> Read:
-    """Return what the function of a file returns, and its arguments."""
+    """Return the system that the function of a file returns, and its arguments."""
+    system, numbers = _returned(text, file, name, values, System)
+    if system.parameters:
+        names = ", ".join(system.parameters)
+        raise BadInput(f"{file}: make {names} an argument of the function, not of the System")
+    return system, numbers
+
+
+def _returned(
+    text: str, file: Path, name: str, values: Values, kind: type[Result]
+) -> tuple[Result, dict[str, Fraction]]:
+    """Return what the function of a file returns, of this kind, and its arguments."""
     module = ModuleType(file.stem)
     module.__file__ = str(file)
     _run(lambda: exec(compile(text, str(file), "exec"), module.__dict__), file)  # noqa: S102
@@ -130,14 +150,11 @@ def _made(text: str, file: Path, name: str, values: Values) -> Read:
         numbers = _arguments(model, values)
     except BadInput as error:
         raise BadInput(f"{file}: {model.__name__}: {error}") from None
-    system = _run(lambda: model(**numbers), file)
-    if not isinstance(system, System):
-        kind = type(system).__name__
-        raise BadInput(f"{file}: {model.__name__} returns no cap.System, but {kind}")
-    if system.parameters:
-        names = ", ".join(system.parameters)
-        raise BadInput(f"{file}: make {names} an argument of the function, not of the System")
-    return system, numbers
+    made = _run(lambda: model(**numbers), file)
+    if not isinstance(made, kind):
+        returned = type(made).__name__
+        raise BadInput(f"{file}: {model.__name__} returns no cap.{kind.__name__}, but {returned}")
+    return made, numbers
 
 
 def _function(module: ModuleType, file: Path, name: str) -> FunctionType:

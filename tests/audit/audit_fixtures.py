@@ -42,5 +42,6 @@ def example():
         calls.append(1)
         return confirmed("yes", f"decided {len(calls)} times")
 
-    decide.__module__ = "cap.audit.papers.mixed_dynamics.claims.strobe"
-    return Claim("strobe.example", "def:Phi", Kind.THEOREM, "An example.", "", decide), calls
+    module = "cap.audit.papers.mixed_dynamics.claims.strobe"
+    one = Claim("strobe.example", "def:Phi", Kind.THEOREM, "An example.", "", decide, "", module)
+    return one, calls

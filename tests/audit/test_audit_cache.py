@@ -1,5 +1,7 @@
 """The cache: verdicts are kept by the content of what decided them."""
 
+from dataclasses import replace
+
 import pytest
 
 from cap.audit import cache, dependencies
@@ -25,6 +27,14 @@ def test_another_source_decides_anew(example, monkeypatch):
     decided(one)
     monkeypatch.setattr(cache, "digest", lambda _module: "another source")
     decided(one)
+    assert len(calls) == 2
+
+
+def test_other_data_decide_anew(example):
+    """What the claim is given, and what it says, is part of it too."""
+    one, calls = example
+    decided(one)
+    decided(replace(one, content="other data"))
     assert len(calls) == 2
 
 
@@ -67,9 +77,7 @@ def test_what_is_undecided_is_not_kept(example, own_cache):
     def fail():
         raise ZeroDivisionError("no reason")
 
-    fail.__module__ = one.module
-    broken = type(one)(one.id, one.where, one.kind, one.says, one.stated, fail)
-    verdict = decided(broken)
+    verdict = decided(replace(one, decide=fail))
     assert (verdict.outcome, verdict.strength) == (Outcome.UNDECIDED, Strength.NONE)
     assert "ZeroDivisionError: no reason" in verdict.evidence
     assert not own_cache.exists()

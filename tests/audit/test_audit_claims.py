@@ -12,10 +12,9 @@ from cap.audit.decide import decided
 
 TOGETHER = (("persistence", "basin"), ("birkhoff", "kam"), ("gallery", "diagnostics"))
 SOON = {"inclusion", "lifting", "symplectic"}
-NAMES = [module.rpartition(".")[2] for module in subject.paper().GROUPS]
 GROUPS = [
     *TOGETHER,
-    *((name,) for name in NAMES if not any(name in group for group in TOGETHER)),
+    *((name,) for name in subject.paper().GROUPS if not any(name in group for group in TOGETHER)),
 ]
 MODULES = [
     pytest.param(group, marks=[] if SOON & set(group) else [pytest.mark.slow], id=" ".join(group))

@@ -19,8 +19,7 @@ FEW = ("stops.tangency-times", "roots.value-of-f-sc", "cover.triangular-wave")
 
 def with_function(one, decide):
     """Return the claim, decided by another function."""
-    decide.__module__ = one.module
-    return type(one)(one.id, one.where, one.kind, one.says, one.stated, decide)
+    return replace(one, decide=decide)
 
 
 def test_a_step_that_fails_decides_nothing(example):

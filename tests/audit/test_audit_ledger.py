@@ -1,10 +1,12 @@
 """The ledger: all claims are well formed, and no place of the paper is forgotten."""
 
+from dataclasses import replace
+
 import pytest
 
 from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded, subject
-from cap.audit.claim import Kind, claim, declared_in
-from cap.audit.verdict import Outcome, confirmed
+from cap.audit.claim import Kind
+from cap.audit.verdict import Outcome
 from cap.errors import BadInput
 
 pytest_plugins = ["audit_fixtures"]
@@ -59,7 +61,7 @@ def test_coverage_complains(monkeypatch, reasons, complaint):
 def test_coverage_complains_of_claims_without_a_place(monkeypatch, example):
     """A claim that is taken from nowhere."""
     one = example[0]
-    lost = type(one)(one.id, "eq:lost", one.kind, one.says, one.stated, one.decide)
+    lost = replace(one, where="eq:lost")
     monkeypatch.setattr(ledger, "claims", lambda: {lost.id: lost})
     assert any("'eq:lost', which is no place" in each for each in coverage.coverage().wrong)
 
@@ -81,7 +83,7 @@ def test_findings_share_out_what_is_not_confirmed():
 def test_quotations_and_changes_name_claims():
     """Each claim has a quotation; both were found to fit the paper as they are stored now."""
     assert quotes.stored().keys() == ledger.claims().keys() == labels.stored().lines.keys()
-    assert labels.stored().bound == labels.bound()
+    assert labels.stored().bound == quotes.bound()
     assert {name for each in errata.changes() for name in each.claims} <= ledger.claims().keys()
 
 
@@ -111,19 +113,6 @@ def test_findings_were_written_for_the_recorded_verdicts():
     known = recorded.recorded()
     all_ = findings.findings()
     assert [known[each.claim].outcome for each in all_] == [each.expected for each in all_]
-
-
-def test_a_claim_is_declared_by_its_function():
-    """Its id is made of module and name, its words are the docstring; a second one replaces it."""
-    for words in ("First.", "Second\n    line."):
-
-        def some_name():
-            return confirmed("", "")
-
-        some_name.__doc__, some_name.__module__ = words, "a.test_module"
-        claim("eq:model", Kind.NUMBER, stated="1")(some_name)
-    (only,) = declared_in("a.test_module")
-    assert (only.id, only.says, only.where) == ("test-module.some-name", "Second line.", "eq:model")
 
 
 def test_claims_are_chosen():

@@ -7,8 +7,7 @@ import sympy as sp
 
 from cap.audit.means import block
 from cap.audit.means.block import Block
-from cap.audit.means.linear import Event, derivative
-from cap.audit.papers.mixed_dynamics.claims.saltation import hit
+from cap.audit.means.linear import Event, derivative, hit
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.sets import interval
@@ -39,7 +38,8 @@ def through_a_hit(x, v, accelerations, restitution):
 def test_hits(side, restitution):
     """Both walls, elastic and not."""
     e = sp.Symbol("e")
-    M, u, c, f = hit(side, e)
+    M = hit(side, e)
+    u, f, c = (*sp.symbols("u f", positive=True), sp.Symbol("c", real=True))
     values = {u: 1.3, c: 0.45, f: 0.4, e: restitution}
     numbers = [[float(entry.subs(values)) for entry in M[row, :]] for row in (0, 1)]
     accelerations = 0.45 - 0.4 * side, 0.45 + 0.4 * side

@@ -6,7 +6,7 @@ import pytest
 from support import holds
 
 from cap.audit.means import stored
-from cap.audit.means.balls import above, below, between, inner, number, pair, roots
+from cap.audit.means.balls import above, below, between, compared, inner, pair, roots
 from cap.audit.means.orbits import States, at, before_a_stop, hits_only, until
 from cap.audit.means.paper_equation import Equation
 from cap.audit.means.quadrature import over_the_line
@@ -24,12 +24,11 @@ THIRDS = Enclosure(Fraction(1, 3), Fraction(2, 3), ("1/3", "2/3"))
 def test_numbers_of_the_paper():
     """Rounded, less than a unit of the last digit away, or not; a wide ball decides nothing."""
     with interval.workprec(60):
-        assert number("3.14", interval.pi(), "").outcome is Outcome.CONFIRMED
-        assert number("3.15", interval.pi(), "").outcome is Outcome.IMPRECISE
-        assert number("3.16", interval.pi(), "").outcome is Outcome.CORRECTED
-        assert number("3", interval.pi(), "").found == "[3.141, 3.142]"
+        assert compared("3.14", interval.pi()) is Outcome.CONFIRMED
+        assert compared("3.15", interval.pi()) is Outcome.IMPRECISE
+        assert compared("3.16", interval.pi()) is Outcome.CORRECTED
         with pytest.raises(NotProved, match="undecided"):
-            number("3.16", interval.around(Fraction(315, 100), Fraction(1, 10)), "")
+            compared("3.16", interval.around(Fraction(315, 100), Fraction(1, 10)))
 
 
 def test_roundings():

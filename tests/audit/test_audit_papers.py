@@ -4,7 +4,7 @@ import pytest
 
 from cap.audit import command, coverage, findings, given, ledger, quotes, recorded, subject
 from cap.audit.decide import decided
-from cap.audit.papers.church_fortin import deciding
+from cap.audit.papers.church_fortin.claims import tables as deciding
 from cap.audit.report.latex import latex
 from cap.audit.report.markdown import markdown
 from cap.audit.report.page import page
@@ -75,10 +75,11 @@ def test_a_claim_of_a_kind_that_is_not_there(tmp_path):
     path = tmp_path / "claims.toml"
     path.write_text(
         '[[claim]]\nid = "a.b"\nwhere = "c"\nkind = "number"\nsays = "D."\nstated = "1"\n'
-        'decide = "nothing"\n'
+        'quote = "E"\ndecide = "nothing"\n'
     )
+    path.with_suffix(".py").touch()
     with pytest.raises(AttributeError, match="nothing"):
-        given.claims(path, deciding)
+        given.claims(path, deciding.__name__)
 
 
 def test_the_general_part_knows_no_paper():

@@ -169,7 +169,7 @@ def test_the_error_bounds_of_the_series_before_the_guard_bits_are_cut(p):
             value, error = _sine_series(r, p)
             assert abs(value - mp.sin(r * unit) / unit) <= error <= 2 * p
             a = rng.choice((r, -r, r * (1 << 20) + 5, -r * 77))
-            for result, f in zip(_cos_sin_at(a, half_pi), (mp.cos, mp.sin), strict=True):
+            for result, f in zip(_cos_sin_at(a, p), (mp.cos, mp.sin), strict=True):
                 assert result.lo <= f(a * unit) / unit <= result.hi
         for n in (5, 239):
             value, error = _arctan_of_inverse(n, p)

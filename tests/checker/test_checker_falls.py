@@ -41,14 +41,20 @@ def watched(h):
 def test_what_falls():
     """L(1 - x) = -v: falls while v > 0, or twice that, or with the sum of two; not else."""
     wall, speed, slow, part = map(watched, (1 - X, V, V - U, U))
-    assert falls(wall, [speed])
-    assert falls(watched(3 - X * 2), [speed])
-    assert falls(wall, [slow, part])
-    assert not falls(wall, [slow])
-    assert not falls(wall, [])
-    assert not falls(watched(X - 1), [speed])
-    assert not falls(watched(1 - X - V * Fraction(1, 10**9)), [speed])
-    assert not falls(wall, [watched(V + Fraction(1, 10**9))])
+    assert falls(wall, (speed,))
+    assert falls(watched(3 - X * 2), (speed,))
+    assert falls(
+        wall,
+        (
+            slow,
+            part,
+        ),
+    )
+    assert not falls(wall, (slow,))
+    assert not falls(wall, ())
+    assert not falls(watched(X - 1), (speed,))
+    assert not falls(watched(1 - X - V * Fraction(1, 10**9)), (speed,))
+    assert not falls(wall, (watched(V + Fraction(1, 10**9)),))
 
 
 def test_the_end():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -46,7 +47,7 @@ def with_guard(mode, name, **parts):
 
 def with_mode(model, mode, **parts):
     """Return a model with a part of a mode changed."""
-    return model._replace(modes={**model.modes, mode: model.modes[mode]._replace(**parts)})
+    return replace(model, modes={**model.modes, mode: model.modes[mode]._replace(**parts)})
 
 
 def with_field(mode, **field):
@@ -65,9 +66,9 @@ def with_more(mode):
 F, f, e, mu = (Polynomial.of(CONSTANTS[name]) for name in ("F", "f", "e", "mu"))
 SMALL = Fraction(1, 10**9)
 REFUSED = {
-    "other state": (oscillator()._replace(state=("v", "x")), "not that of one mass"),
+    "other state": (replace(oscillator(), state=("v", "x")), "not that of one mass"),
     "another mode": (
-        oscillator()._replace(modes=oscillator().modes | {"more": Mode({}, {})}),
+        replace(oscillator(), modes=oscillator().modes | {"more": Mode({}, {})}),
         "not that of one mass",
     ),
     "rest moves": (with_field(REST, x=ONE), "a mass at rest moves"),

@@ -8,7 +8,7 @@ import pytest
 
 from cap import prove, verify
 from cap.audit import command as audit
-from cap.command import archive, own, verifier
+from cap.command import archive, own, own_horseshoe, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
@@ -44,6 +44,9 @@ def test_a_command(module, words, monkeypatch):
         if "--help" in given:
             with pytest.raises(SystemExit, match="0"):
                 read(given)
+            return
+        if "--map" in given:
+            assert own_horseshoe.Asked.of(own_horseshoe.parser().parse_args(given)).map.image
             return
         if "--model" in given:
             assert own.Asked.of(own.parser().parse_args(given)).system.modes

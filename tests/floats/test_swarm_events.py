@@ -11,7 +11,7 @@ from test_swarm import compare
 from cap.floats.engine.swarm import follow, itinerary
 from cap.parameters import PAPER
 
-HELD = np.arccos(0.4)  # |a| = f, falling
+HELD = 1.1592794807274087  # |a| = f, falling: the double above acos(2/5), held already
 LOOSE = np.pi - HELD  # |a| = f, growing, to the left
 CLOSEST = [1e-2, 1e-4, 1e-7, 1e-10, 1e-13, 1e-15]
 

@@ -43,7 +43,13 @@ COMMANDS = dict(
 )
 # to prove them takes the better part of a minute, or minutes; their provers have tests of their own
 LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persistence"}
-LONG |= {"horseshoe-1", "island", "island-2"}  # and what they find depends on rounding in floats
+LONG |= {
+    "horseshoe-1",
+    "island",
+    "island-2",
+    "map_horseshoe-1",
+    "map_horseshoe-2",
+}  # and what they find depends on rounding in floats
 
 # seconds each, and with tests of their own, too, or one more of a theorem
 SLOW = {"attractor", "branch", "branch-2", "inventory", "particles_limits", "particles_sink",

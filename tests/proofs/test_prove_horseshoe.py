@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ import pytest
 from cap.checker.coverings.half_period import HalfPeriod
 from cap.errors import BadInput, NotProved
 from cap.floats.coverings.family import Family
-from cap.floats.coverings.planar import half_period, images, standard
+from cap.floats.coverings.planar import formulas, half_period, images
 from cap.floats.coverings.saddles import saddles
 from cap.floats.coverings.sizes import Sizes
 from cap.maps.fixed_point import Start
@@ -20,7 +21,9 @@ from cap.proofs.coverings import diamonds, entropy, lemma_2_no_diamond, proved
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
 from cap.runner import Runner
+from cap.system.files import planar
 
+STANDARD = planar(Path(__file__).parents[2] / "examples/maps/standard.py")
 SETTING = Setting(PAPER, Start(0.0, 0.0, ()), 6)
 
 
@@ -72,7 +75,7 @@ def test_sizes_grow_only_for_coverings_that_hold():
     """One that asks for too much is given up, and leaves no trace; one that holds is kept."""
     axes = np.array([1, 3**0.5 - 1, 1, -1 - 3**0.5])  # of the saddle 0 of the standard map, K = 2
     frames = np.array([[x, 0.0, *axes] for x in (0.0, 3.0)])
-    sizes = Sizes(standard(2.0), frames, np.array([[-0.1, 0.1], [-0.1, 0.1]]), 4.0)
+    sizes = Sizes(formulas(STANDARD), frames, np.array([[-0.1, 0.1], [-0.1, 0.1]]), 4.0)
     source, target = arrays([(0, 0), (0, 1)])
     before = sizes.U.copy(), sizes.W.copy()
     assert list(sizes.grown(source, target, np.array([1]))) == [False, False]

@@ -14,7 +14,7 @@ from cap.errors import NotProved
 from cap.sets import compiled as compiling
 from cap.sets.compiled import PROBE, require_ieee, sources
 from cap.sets.doubles import Interval
-from sets.compiled_functions import Pair, Triple, compiled, elementary, exchange, polynomial, probe
+from sets.compiled_functions import compiled, elementary, polynomial, probe
 from sets.draw import interval
 
 FUNCTIONS = {"polynomial": polynomial, "elementary": elementary}
@@ -50,28 +50,6 @@ def test_nothing_is_contracted_or_fast(name):
     assert not re.findall(LIBM, assembly)
     if name == "elementary" and "sd" in assembly:
         assert re.search(r"\bv?sqrtsd\b", assembly)
-
-
-def test_records():
-    """Fields are read and written in place, by Python and by compiled code, and hold their kind."""
-    for function in (exchange, compiled(exchange)):
-        t, table = Triple(weight=3.0), np.zeros((3, Pair.SIZE))
-        t.second.x, t.second.k, t.first.k = Interval(2.0, 0.25), -8, 5
-        assert function(t, table) == -8
-        assert (t.first.x.mid, t.first.k, t.weight) == (6.0, 8, 7.0)
-        row = Pair(table[1])
-        assert (row.k, row.x.mid) == (8, 6.0)
-        assert row.x.rad >= 0.75
-        assert not table[[0, 2]].any()
-
-
-def test_records_of_records():
-    """A record is assigned by its fields; an unknown field is an error."""
-    t, other = Triple(), Pair(k=4, x=Interval(1.0, 2.0))
-    t.second = other
-    assert (t.second.k, t.second.x.rad, t.first.k) == (4, 2.0, 0)
-    with pytest.raises(AttributeError, match="no field"):
-        _ = t.third
 
 
 def test_the_processor_rounds_to_nearest():
@@ -113,7 +91,7 @@ def test_sources_are_those_compiled():
     """The digest is one of all files of these rooms, so no old code is loaded after a change."""
     assert len(sources()) == 64
     here = Path(cap.__file__).parent
-    assert (here / "boxes" / "follow.py").exists()
+    assert (here / "areas" / "folded" / "paths.py").exists()
     assert (here / "sets" / "doubles.py").exists()
 
 

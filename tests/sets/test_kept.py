@@ -80,8 +80,8 @@ def test_the_digest_is_of_all_that_may_be_compiled():
         for path in (ROOT / "cap").rglob("*.py")
         if "from cap.sets.compiled import" in path.read_text(encoding="utf-8")
     }
-    assert users <= {"areas", "boxes", "sets", "release"}
-    assert {path.name for path in files()} >= {"paths.py", "fit.py", "union.py", "compiled.py"}
+    assert users <= {"areas", "sets"}
+    assert {path.name for path in files()} >= {"paths.py", "levels.py", "compiled.py"}
 
 
 def test_no_place_to_keep_anything(tmp_path):
@@ -93,9 +93,10 @@ def test_no_place_to_keep_anything(tmp_path):
     env = {**os.environ, "HOME": "/proc/none", "PYTHONPATH": str(tmp_path)}
     env.pop("XDG_CACHE_HOME", None)
     program = (
-        "import cap.boxes.follow, cap.boxes.krawczyk, cap.boxes.launches, cap.floats.engine.swarm\n"
-        "from cap.boxes.follow import FOLLOW\n"
-        "print(cap.__file__, type(FOLLOW._cache).__name__)"
+        "import cap, cap.floats.engine.swarm\n"
+        "from cap.sets.compiled import compiled\n"
+        "from cap.sets.doubles import hull\n"
+        "print(cap.__file__, type(compiled(hull)._cache).__name__)"
     )
     done = subprocess.run(
         [sys.executable, "-c", program],

@@ -12,7 +12,6 @@ import sympy
 
 from cap.areas.folded import backward, next_event, paths
 from cap.areas.strips import arcs, hits
-from cap.boxes import flight as boxes
 from cap.floats.engine import flight as floats
 from cap.floats.engine import lifted
 from cap.maps import launch_set
@@ -188,30 +187,7 @@ def test_next_events(monkeypatch, push):
     assert same(next_event.speed_at(T, push, A, ref), s)
 
 
-# boxes of states, and single orbits in doubles
-
-
-@pytest.mark.parametrize("mode", [RIGHT, LEFT])
-@pytest.mark.parametrize("viscosity", [0, mu])
-def test_boxes(monkeypatch, mode, viscosity):
-    """Of ``boxes.flight``: speed and gap, the force, and the derivative, of both signs."""
-    monkeypatch.setattr(boxes, "relaxed", relaxed)
-    sign = 1 if mode == RIGHT else -1
-    y = SimpleNamespace(alpha=f, mu=viscosity, viscous=1 if viscosity else 0)
-    y.response = 1 / (1 + viscosity**2)
-    begin, end = (boxes.Moment(z, sign * sin(z), sign * cos(z)) for z in (t, T))
-    n = SimpleNamespace()
-    boxes.launch(n, sign, begin, u, R)
-    x, v = from_the_model(mode, (0, sign * u), (t, T), viscosity)
-    speed, gap = boxes.flown(y, n, end)
-    assert same(speed, sign * v)
-    assert same(gap, R - sign * x)
-    assert same(boxes.force(y, end.cos, speed), sign * sympy.diff(v, T))
-    m = boxes.drift(y, boxes.Matrix(1, 0, 0, 1), T - t)
-    assert same(m.a, 1)
-    assert same(m.b, sympy.diff(sign * x, u))
-    assert same(m.c, 0)
-    assert same(m.d, sympy.diff(sign * v, u))
+# single orbits in doubles
 
 
 @pytest.mark.parametrize("mode", [RIGHT, LEFT])

@@ -1,10 +1,15 @@
 """The constants of the folded flow (`.backward`, `.paths`), enclosed."""
 
+import math
+from fractions import Fraction
+
 from cap.areas.folded.backward import Constants
-from cap.boxes.units import BITS, of_ball
 from cap.parameters import Parameters
 from cap.sets import interval
-from cap.sets.doubles import enclosing
+from cap.sets.doubles import Interval, enclosing
+from cap.sets.interval import Ball
+
+BITS = 200
 
 
 def system_of(p: Parameters, *, forwards: bool = False) -> Constants:
@@ -19,3 +24,12 @@ def system_of(p: Parameters, *, forwards: bool = False) -> Constants:
         sine = ((1 - ratio) * (1 + ratio)).sqrt()
         found = enclosing(a), enclosing(width), of_ball(theta), of_ball(sine)
     return Constants(*(end for q in found for end in (q.mid, q.rad)))
+
+
+def of_ball(x: Ball) -> Interval:
+    """Return an interval around the nearest double that contains a ball."""
+    low, high = interval.ends(x)
+    mid = float((low + high) / 2)
+    gap = max(high - Fraction(mid), Fraction(mid) - low)
+    rad = float(gap)
+    return Interval(mid, rad if Fraction(rad) >= gap else math.nextafter(rad, math.inf))

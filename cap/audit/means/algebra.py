@@ -12,7 +12,7 @@ from typing import Any
 
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import made
-from cap.audit.verdict import Verdict, confirmed, corrected
+from cap.audit.verdict import Outcome
 from cap.errors import NotProved
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -51,8 +51,10 @@ def _vanishes(expression: Any) -> bool:
 
 
 def differs(left: Any, right: Any) -> bool:
-    """Return whether two expressions certainly take different values at an exact point."""
+    """Return whether two expressions, or matrices, certainly differ at an exact point."""
     difference = left - right
+    if isinstance(difference, sp.MatrixBase):
+        return any(differs(entry, 0) for entry in difference)
     free = sorted(difference.free_symbols, key=str)
     point = {symbol: Fraction(7 * k + 10, 5 * k + 13) for k, symbol in enumerate(free)}
     with interval.workprec(BITS):
@@ -118,18 +120,14 @@ _GREEK = {
 }
 
 
-def formula(derived: Any, stated: Any, evidence: str, found: str = "") -> Verdict:
-    """Return the verdict on a formula: confirmed if it is the one derived here, else corrected.
-
-    ``found`` is the derived one in words of people, if the printed expression is not good enough.
-    """
+def compared(derived: Any, printed: Any) -> Outcome:
+    """Return the verdict on a formula: confirmed if it is the one derived here, else corrected."""
     made()
-    words = found or shown(sp.simplify(derived))
-    if same(derived, stated):
-        return confirmed(words, evidence)
-    if differs(derived, stated):
-        return corrected(words, evidence)
-    raise NotProved("algebra", f"whether {words} is {shown(stated)} is undecided")
+    if same(derived, printed):
+        return Outcome.CONFIRMED
+    if differs(derived, printed):
+        return Outcome.CORRECTED
+    raise NotProved("algebra", f"whether {shown(derived)} is {shown(printed)} is undecided")
 
 
 def identity(name: str, left: Any, right: Any = 0) -> None:

@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 from cap.audit.means.need import made
-from cap.audit.verdict import Verdict, confirmed, corrected, imprecise
+from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.sets import interval
@@ -56,26 +56,23 @@ def below(claimed: Enclosure, places: int = 4) -> str:
     return interval.decimal(claimed.lower // unit * unit, places)
 
 
-def number(stated: str, value: Ball, evidence: str, found: str = "", *, digits: int = 3) -> Verdict:
+def compared(printed: str, value: Ball) -> Outcome:
     """Return the verdict on a printed decimal: what is found, rounded to its last digit, or not.
 
-    If it is farther away, but by less than a unit of this digit, it is imprecise.  ``digits`` are
-    shown beyond those stated.
+    If it is farther away, but by less than a unit of this digit, it is imprecise.
     """
     made()
-    printed = Decimal(stated)
-    exponent = printed.as_tuple().exponent
-    places = -exponent if isinstance(exponent, int) else 0
-    distance = abs(value - interval.ball(Fraction(printed)))
-    unit = interval.ball(Fraction(1, 10**places))
-    words = f"{found} {between(value, places + digits)}".strip()
+    number = Decimal(printed)
+    exponent = number.as_tuple().exponent
+    distance = abs(value - interval.ball(Fraction(number)))
+    unit = interval.ball(Fraction(Decimal(1).scaleb(exponent if isinstance(exponent, int) else 0)))
     if distance <= unit / 2:
-        return confirmed(words, evidence)
+        return Outcome.CONFIRMED
     if unit / 2 < distance <= unit:
-        return imprecise(words, evidence)
+        return Outcome.IMPRECISE
     if distance > unit:
-        return corrected(words, evidence)
-    raise NotProved("number", f"whether {stated} is right is undecided", {"value": value})
+        return Outcome.CORRECTED
+    raise NotProved("number", f"whether {printed} is right is undecided", {"value": value})
 
 
 def roots(

@@ -6,7 +6,7 @@ just after the later one, at first order in δ; no saltation formula is used.
 
 from typing import Any, NamedTuple
 
-from cap.audit.means.algebra import reals
+from cap.audit.means.algebra import reals, symbols
 from cap.audit.means.lazy import sympy as sp
 
 
@@ -35,3 +35,11 @@ def derivative(event: Event, hit: bool, restitution: Any = 1) -> Any:
     deviation = sp.Matrix([x, v - event.v_after])
     linear = [sp.simplify(sp.diff(each, small).subs(small, 0)) for each in deviation]
     return sp.Matrix([[sp.diff(each, z) for z in (dx, dv)] for each in linear])
+
+
+def hit(side: int, restitution: Any = 1) -> Any:
+    """Return the derivative of a hit of r (1) or l (-1), by u = |v| > 0, f > 0, c = F cos ωt."""
+    (u, f), (c,) = symbols("u f"), reals("c,")
+    v = side * u
+    event = Event(v, c - f * side, -restitution * v, c + f * side)
+    return derivative(event, True, restitution)

@@ -11,6 +11,7 @@ from cap.parameters import PAPER, Parameters
 from cap.tree import inside
 
 FOLDER = inside("certificates")
+THE_PAPER = "the parameters of the paper, and one mass"
 _asked: set[str] = set()
 
 
@@ -41,6 +42,26 @@ def at_the_paper(each: Stored) -> bool:
     """Return whether a certificate is about the paper's parameters, and one mass."""
     parameters = dict(each.parameters)
     return not parameters.pop("masses", ()) and Parameters(**parameters) == PAPER
+
+
+def claimed(name: str) -> Any:
+    """Return what a stored certificate claims: ``elliptic.twist``, or nothing if there is none.
+
+    ``elliptic.at`` is where it holds: THE_PAPER, or parameters, as in ``elliptic.at.f``.
+    """
+    stem, *path = name.split(".")
+    if not path or not (FOLDER / f"{stem}.json").is_file():
+        return None
+    found = stored(f"{stem}.json")
+    if path == ["at"] and at_the_paper(found):
+        return THE_PAPER
+    value: Any = {**found.claims, "at": found.parameters}
+    for each in path:
+        named = isinstance(value, dict)
+        inside = value.get(each) if named else value[int(each)] if each.isdigit() else None
+        need(inside is not None, f"{stem}.json claims no {name}")
+        value = inside
+    return value
 
 
 @cache

@@ -27,7 +27,7 @@ half of itself at each step.
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from math import isqrt
 
 from cap.checker.kernel.interval import Interval
@@ -60,12 +60,12 @@ def cos_sin(x: Interval) -> tuple[Interval, Interval]:
     bits = x.bits
     magnitude = max(abs(x.lo), abs(x.hi)).bit_length()  # |t| < 2^(magnitude - bits)
     p = max(magnitude, bits) + bits.bit_length() + 16
-    whole = pi(p)
-    half_pi = Interval(whole.lo, whole.hi, p + 1).with_bits(p)
-    cos_lo, sin_lo = _cos_sin_at(x.lo << (p - bits), half_pi)
-    cos_hi, sin_hi = (cos_lo, sin_lo) if x.lo == x.hi else _cos_sin_at(x.hi << (p - bits), half_pi)
+    cos_lo, sin_lo = _cos_sin_at(x.lo << (p - bits), p)
+    if x.lo == x.hi:
+        return cos_lo.with_bits(bits), sin_lo.with_bits(bits)
+    cos_hi, sin_hi = _cos_sin_at(x.hi << (p - bits), p)
     cos, sin = _hull(cos_lo, cos_hi), _hull(sin_lo, sin_hi)
-    quarters = x.with_bits(p) / half_pi  # the interval in units pi/2
+    quarters = x.with_bits(p) / _half_pi(p)  # the interval in units pi/2
     first, last = -(-quarters.lo >> p), quarters.hi >> p
     for n in range(first, min(last, first + 3) + 1):  # four in a row are all there are
         cos, sin = _with_extremum(cos, n), _with_extremum(sin, n - 1)
@@ -84,9 +84,17 @@ def _hull(x: Interval, y: Interval) -> Interval:
     return Interval(min(x.lo, y.lo), max(x.hi, y.hi), x.bits)
 
 
-def _cos_sin_at(a: int, half_pi: Interval) -> tuple[Interval, Interval]:
-    """Return enclosures of the cosine and the sine of the point a 2^-p, where p = half_pi.bits."""
-    p = half_pi.bits
+@cache
+def _half_pi(p: int) -> Interval:
+    """Return an enclosure of pi/2."""
+    whole = pi(p)
+    return Interval(whole.lo, whole.hi, p + 1).with_bits(p)
+
+
+@lru_cache(maxsize=1024)
+def _cos_sin_at(a: int, p: int) -> tuple[Interval, Interval]:
+    """Return enclosures of the cosine and the sine of the point a 2^-p."""
+    half_pi = _half_pi(p)
     k = (2 * a + half_pi.lo) // (2 * half_pi.lo)
     r = a - k * half_pi.lo
     error = abs(k) * half_pi.width

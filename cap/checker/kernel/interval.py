@@ -154,8 +154,10 @@ class Interval:
 
     def lies_in(self, lower: Fraction, upper: Fraction) -> bool:
         """Return whether the interval is a subset of [lower, upper]."""
-        return lower <= self.lower and self.upper <= upper
+        below = lower.numerator << self.bits <= self.lo * lower.denominator
+        return below and self.hi * upper.denominator <= upper.numerator << self.bits
 
     def lies_inside(self, lower: Fraction, upper: Fraction) -> bool:
         """Return whether the interval is a subset of the open interval (lower, upper)."""
-        return lower < self.lower and self.upper < upper
+        below = lower.numerator << self.bits < self.lo * lower.denominator
+        return below and self.hi * upper.denominator < upper.numerator << self.bits

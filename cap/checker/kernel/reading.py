@@ -30,8 +30,10 @@ def text(value: Any, where: str) -> str:
 def number(value: Any, where: str) -> Fraction:
     """Return an exact number: an integer, a decimal without exponent, or a fraction."""
     literal = text(value, where)
-    need(len(literal) <= MAX_CHARACTERS, f"{where} is longer than {MAX_CHARACTERS} characters")
-    need(_NUMBER.fullmatch(literal) is not None, f"{where} is not a number of the format")
+    if len(literal) > MAX_CHARACTERS:
+        raise Rejected(f"{where} is longer than {MAX_CHARACTERS} characters")
+    if _NUMBER.fullmatch(literal) is None:
+        raise Rejected(f"{where} is not a number of the format")
     whole, _, decimals = literal.partition(".")
     if decimals:
         return Fraction(int(whole + decimals), 10 ** len(decimals))
@@ -74,9 +76,10 @@ def _no_number(_: str) -> NoReturn:
 
 def _refuse_literals(value: object, depth: int = 0) -> None:
     """Reject true, false and null, anywhere, and deep nesting."""
-    need(depth <= MAX_DEPTH, "the JSON is nested too deeply")
     if isinstance(value, dict | list):
+        need(depth < MAX_DEPTH or not value, "the JSON is nested too deeply")
         for part in value.values() if isinstance(value, dict) else value:
-            _refuse_literals(part, depth + 1)
+            if part.__class__ is not str:
+                _refuse_literals(part, depth + 1)
     else:
         text(value, "a value (true, false or null)")

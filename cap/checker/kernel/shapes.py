@@ -47,6 +47,7 @@ class Field(NamedTuple):
 
 
 Table = tuple[Field, ...]
+_INTEGER = re.compile("-?[0-9]+", re.ASCII)
 
 
 def matched(value: Any, shape: Any, where: str) -> Any:
@@ -142,9 +143,9 @@ class Integer(NamedTuple):
 
     def __call__(self, value: Any, where: str) -> int:
         """Read it."""
-        small = re.fullmatch(f"-?[0-9]{{1,{self.digits}}}", text(value, where), re.ASCII)
-        need(small is not None, f"{where} is not an integer of at most {self.digits} digits")
-        return int(value)
+        if _INTEGER.fullmatch(text(value, where)) and len(value) <= self.digits + (value[0] == "-"):
+            return int(value)
+        raise Rejected(f"{where} is not an integer of at most {self.digits} digits")
 
 
 class Many(NamedTuple):
@@ -158,7 +159,12 @@ class Many(NamedTuple):
         """Read it."""
         listed = isinstance(value, list) and self.least <= len(value) <= self.most
         need(listed, f"{where} is not a list of {self.least} to {self.most}")
-        return matched(value, [self.shape] * len(value), where)
+        try:
+            if callable(self.shape):
+                return [self.shape(part, "") for part in value]
+            return [matched(part, self.shape, "") for part in value]
+        except Rejected:  # once more, to say where
+            return matched(value, [self.shape] * len(value), where)
 
 
 class First(NamedTuple):

@@ -7,39 +7,55 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from typing import Generic, Protocol, TypeVar
 
-from cap.checker.kernel.interval import Interval
+N = TypeVar("N", bound="Number")
 
 
-class Slope:
+class Number(Protocol):
+    """What is enclosed: an interval, or what stands for one."""
+
+    def __add__(self: N, other: N, /) -> N: ...
+    def __sub__(self: N, other: N, /) -> N: ...
+    def __neg__(self: N) -> N: ...
+    def __mul__(self: N, other: N, /) -> N: ...
+    def __truediv__(self: N, other: N, /) -> N: ...
+    def scaled(self: N, c: Fraction, /) -> N:
+        """Return the product with a rational number."""
+
+    def integer(self: N, n: int, /) -> N:
+        """Return an integer."""
+
+
+class Slope(Generic[N]):
     """An enclosure of a number, and of its derivatives by the variables of these indices."""
 
     __slots__ = ("by", "value")
 
-    def __init__(self, value: Interval, by: Mapping[int, Interval]) -> None:
+    def __init__(self, value: N, by: Mapping[int, N]) -> None:
         self.value, self.by = value, by
 
-    def derivatives(self, count: int) -> list[Interval]:
+    def derivatives(self, count: int) -> list[N]:
         """Return the first few derivatives."""
         zero = self.value.integer(0)
         return [self.by.get(i, zero) for i in range(count)]
 
-    def __add__(self, other: Slope | Interval) -> Slope:
-        if isinstance(other, Interval):
+    def __add__(self, other: Slope[N] | N) -> Slope[N]:
+        if not isinstance(other, Slope):
             return Slope(self.value + other, self.by)
         total = dict(self.by)
         for i, x in other.by.items():
             total[i] = total[i] + x if i in total else x
         return Slope(self.value + other.value, total)
 
-    def __neg__(self) -> Slope:
+    def __neg__(self) -> Slope[N]:
         return Slope(-self.value, {i: -x for i, x in self.by.items()})
 
-    def __sub__(self, other: Slope) -> Slope:
+    def __sub__(self, other: Slope[N]) -> Slope[N]:
         return self + -other
 
-    def __mul__(self, other: Slope | Interval) -> Slope:
-        if isinstance(other, Interval):
+    def __mul__(self, other: Slope[N] | N) -> Slope[N]:
+        if not isinstance(other, Slope):
             return Slope(self.value * other, {i: x * other for i, x in self.by.items()})
         total = {i: x * other.value for i, x in self.by.items()}
         for i, x in other.by.items():
@@ -47,11 +63,11 @@ class Slope:
             total[i] = total[i] + term if i in total else term
         return Slope(self.value * other.value, total)
 
-    def __truediv__(self, other: Slope) -> Slope:
+    def __truediv__(self, other: Slope[N]) -> Slope[N]:
         quotient = self.value / other.value
         rest = Slope(self.value, self.by) - other * quotient
         return Slope(quotient, {i: x / other.value for i, x in rest.by.items()})
 
-    def scaled(self, c: Fraction) -> Slope:
+    def scaled(self, c: Fraction) -> Slope[N]:
         """Return the product with a rational number."""
         return Slope(self.value.scaled(c), {i: x.scaled(c) for i, x in self.by.items()})

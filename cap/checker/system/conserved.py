@@ -19,6 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import lru_cache
 
 from cap.checker.system.model import Model
 from cap.checker.system.polynomial import ONE, Polynomial, variable
@@ -35,6 +36,7 @@ def product_of_two(model: Model, contacts: Sequence[tuple[str, str, str]]) -> Fr
     return total
 
 
+@lru_cache
 def _factor_of(model: Model, mode: str, guard: str, to: str) -> Fraction | None:
     """Return det S of a contact, if the flight after it has no divergence."""
     event, field, state = model.modes[mode].guards[guard], model.modes[to].field, model.state

@@ -39,23 +39,13 @@ from typing import NamedTuple
 from cap.checker.kernel.elementary import cos_sin, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.slope import Slope
-from cap.checker.system.evaluation import Values
-from cap.checker.system.legs import Flights, dot
-from cap.checker.system.model import CLOCK, PI, Guard, Model
-from cap.checker.system.polynomial import ONE
+from cap.checker.system.legs import dot
+from cap.checker.system.model import Guard, Model
+from cap.checker.system.passage import Clock, Contact, Jet, Step, passage
 
-SHIFT, AGAIN = 48, 2
+SHIFT, AGAIN = 48, 3
 Ends = tuple[Fraction, Fraction]
 Matrix = list[list[Interval]]
-
-
-class Contact(NamedTuple):
-    """A guard of a mode comes to zero, and the system goes on in the mode ``to``."""
-
-    mode: str
-    guard: str
-    to: str
 
 
 class Round(NamedTuple):
@@ -85,17 +75,6 @@ class Round(NamedTuple):
         return self.contacts[(k + 1) % len(self.contacts)]
 
 
-class Step(NamedTuple):
-    """From one contact to the next: h and the state on arrival, in (t, q, the next t).
-
-    And the state just after the contact.
-    """
-
-    guard: Slope
-    after: list[Interval]
-    arrival: list[Slope]
-
-
 class Equations:
     """F and F' at a precision."""
 
@@ -103,10 +82,8 @@ class Equations:
         self.orbit, self.bits, self.model = orbit, bits, orbit.model
         self.n = len(orbit.model.state)
         self.size = (self.n + 1) * len(orbit.contacts)
-        modes = {contact.to for contact in orbit.contacts}
-        self.flights = {m: Flights(orbit.model, m, bits) for m in sorted(modes)}
-        self.omega = self.flights[orbit.contacts[0].to].omega
-        self.pi = pi(bits)
+        self.passages = [passage(orbit.model, contact, bits) for contact in orbit.contacts]
+        self.omega, self.pi = self.passages[0].flights.omega, pi(bits)
         self.period = self.pi * 2 / self.omega
         self.autonomous = orbit.model.autonomous
 
@@ -129,68 +106,46 @@ class Equations:
         later = there <= here and not self.autonomous
         return z[there] + self.period * self.orbit.periods if later else z[there]
 
-    def steps(self, z: Sequence[Interval], order: int = 1) -> list[Step]:
-        """Return the steps over a box of unknowns; of the order 0 they have no derivatives."""
-        return [self._step(z, k, order) for k in range(len(self.orbit.contacts))]
-
-    def _step(self, z: Sequence[Interval], k: int, order: int) -> Step:
-        (here, _), n, flights = self.places(k), self.n, self.flights[self.orbit.contacts[k].to]
-        t, q, end = self.start(z, k), z[here + 1 : here + n + 1], self.end(z, k)
-        one = t.integer(1)
-        state = [Slope(x, {i: one} if order else {}) for i, x in enumerate(q, start=1)]
-        start, last = self._clock(t, 0, order), self._clock(end, n + 1, order)
-        guard, after = self.after(k, [*start, *state])
-        flown = Flown(flights, self._coordinates(flights, after, start), end - t)
-        reached = [self._arrival(flown, i, last, order) for i in range(n)]
-        return Step(guard, [x.value for x in after], reached)
-
-    def _coordinates(self, flights: Flights, z: list[Slope], clock: Sequence[Slope]) -> list[Slope]:
-        """Return y of a state, where its flight is P + exp(N d) y, or exp(M d) y."""
-        one = Slope(self.pi.integer(1), {})
-        if flights.response is None:
-            return [*z, *clock, one]
-        cos, sin = clock
-        pairs = zip(z, flights.response, strict=True) if flights.response else ()
-        rests = [x - (cos * U + sin * V) for x, (U, V) in pairs]
-        return [*(rests or z), one]
-
-    def _clock(self, t: Interval, index: int, order: int) -> tuple[Slope, Slope]:
-        """Return cos wt and sin wt with their derivatives by t."""
-        cos, sin = cos_sin(t * self.omega)
-        rates = ({index: -(sin * self.omega)}, {index: cos * self.omega}) if order else ({}, {})
-        return Slope(cos, rates[0]), Slope(sin, rates[1])
-
-    def after(self, k: int, before: Sequence[Slope]) -> tuple[Slope, list[Slope]]:
-        """Return the guard of a contact, and the state just after it; ``before``: clock, state."""
-        guard, names = self.orbit.guard(k), (*CLOCK, *self.model.state)
-        known = dict(zip(names, before, strict=True)) | {PI: Slope(self.pi, {})}
-        values = Values(known, Slope(self.pi.integer(1), {}))
-        state, divisor = dict(known), values.of(guard.divisor)
-        for z, q in guard.reset.items():
-            state[z] = values.of(q) if guard.divisor == ONE else values.of(q) / divisor
-        return values.of(guard.value), [state[z] for z in self.model.state]
-
-    def _arrival(self, step: Flown, i: int, end: Sequence[Slope], order: int) -> Slope:
-        """Return a variable on arrival."""
-        flights, y, d = step
-        row, *rates = flights.exponential.over(i, d, order)
-        flown = reduce(add, (x * a for x, a in zip(y, row, strict=True) if a.lo or a.hi))
-        for rate in rates:
-            speed = dot(rate, [x.value for x in y])
-            flown = flown + Slope(speed.integer(0), {0: -speed, self.n + 1: speed})
-        if not flights.response:
-            return flown
-        U, V = flights.response[i]
-        return flown + end[0] * U + end[1] * V
+    def steps(self, z: Sequence[Interval]) -> list[Step]:
+        """Return the steps over a box of unknowns."""
+        return [self.passages[k].step(*at) for k, at in enumerate(self._places(z))]
 
     def value(self, z: Sequence[Interval]) -> list[Interval]:
         """Return F."""
         result = list[Interval]()
-        for k, (h, _, arrival) in enumerate(self.steps(z, 0)):
+        for k, at in enumerate(self._places(z)):
             there = self.places(k)[1]
-            result.append(h.value)
-            result += [x.value - z[there + 1 + i] for i, x in enumerate(arrival)]
+            h, *arrival = self.passages[k].values(*at)
+            result.append(h)
+            result += [x - z[there + 1 + i] for i, x in enumerate(arrival)]
         return result
+
+    def _places(
+        self, z: Sequence[Interval]
+    ) -> Iterator[tuple[Clock, Sequence[Interval], Clock, Interval]]:
+        """Give for each leg the clock and the state at its start, the clock at its end, and d.
+
+        A whole number of periods later the clock is the same.
+        """
+        count = len(self.orbit.contacts)
+        clocks = [self._clock(self.start(z, k)) for k in range(count)]
+        for k in range(count):
+            (here, _), t = self.places(k), self.start(z, k)
+            clock = clocks[k], clocks[(k + 1) % count]
+            yield clock[0], z[here + 1 : here + self.n + 1], clock[1], self.end(z, k) - t
+
+    def _clock(self, t: Interval) -> Clock:
+        """Return cos wt and sin wt; for t near m they differ by at most w |t - m| from those of m.
+
+        Without a clock they occur nowhere.
+        """
+        if self.autonomous or t.width >> self.bits // 2:
+            return cos_sin(t * self.omega)
+        m = t.midpoint()
+        far = ((max(t.hi - m.lo, m.hi - t.lo) * self.omega.hi) >> self.bits) + 1
+        near = Interval(-far, far, self.bits)
+        cos, sin = cos_sin(m * self.omega)
+        return (cos + near, sin + near) if t.width else (cos, sin)
 
     def slope(self, steps: Sequence[Step]) -> list[dict[int, Interval]]:
         """Return the rows of F', without zeros."""
@@ -209,21 +164,13 @@ class Equations:
             yield row
 
 
-class Flown(NamedTuple):
-    """What a flight starts from, in coordinates in which it is exp(N d) y, and its duration."""
-
-    flights: Flights
-    y: list[Slope]
-    d: Interval
-
-
 def krawczyk(
     equations: Equations,
     region: Sequence[Ends],
     centre: Sequence[Fraction],
     preconditioner: Sequence[Sequence[int]],
 ) -> list[Interval]:
-    """Return K(K(K(region))) if K(region) lies in the interior of the region.
+    """Return K(K(K(K(region)))) if K(region) lies in the interior of the region.
 
     C is the preconditioner in units 2^-`SHIFT`.  The centre lies in the region.  F' is in all steps
     that over the region, which contains the zero as K(region) does.
@@ -233,11 +180,8 @@ def krawczyk(
     box = [Interval.enclosing(*ends, equations.bits) for ends in region]
     middle = [equations.number(c) for c in centre]
     value, slope = equations.value(middle), equations.slope(equations.steps(box))
-    newton, rows = list[Interval](), list[list[int]]()
-    for i, (row, c) in enumerate(zip(preconditioner, middle, strict=True)):
-        less = reduce(add, (f * q for q, f in zip(row, value, strict=True)))
-        newton.append(c - Interval(less.lo >> SHIFT, -(-less.hi >> SHIFT), less.bits))
-        rows.append(residual(row, slope, i))
+    newton = [c - f for c, f in zip(middle, times(preconditioner, value), strict=True)]
+    rows = residual(preconditioner, slope)
     K = _moved(newton, rows, box, middle)
     inner = all(z.lies_inside(*ends) for z, ends in zip(K, region, strict=True))
     need(inner, "K does not lie in the interior of its box")
@@ -246,17 +190,37 @@ def krawczyk(
     return K
 
 
-def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[int]:
-    """Return bounds of the i-th row of |1 - C F'|; ``row`` is that of C in units 2^-`SHIFT`."""
-    bits = next(iter(slope[0].values())).bits
-    low, high = [0] * len(row), [0] * len(row)
-    low[i] = high[i] = 1 << bits + SHIFT
-    for c, entries in zip(row, slope, strict=True):
+def times(C: Sequence[Sequence[int]], v: Sequence[Interval]) -> list[Interval]:
+    """Return C v; C in units 2^-`SHIFT`.  Twice the sum of middles, and a bound of the rest."""
+    twice, width, bits = [x.lo + x.hi for x in v], [x.width for x in v], v[0].bits
+    found = []
+    for row in C:
+        total, rest = sum(map(mul, row, twice)), sum(map(mul, map(abs, row), width))
+        lo, hi = total - rest >> SHIFT + 1, -(-(total + rest) >> SHIFT + 1)
+        found.append(Interval(lo, hi, bits))
+    return found
+
+
+def residual(
+    C: Sequence[Sequence[int]], slope: Sequence[Mapping[int, Interval]]
+) -> list[list[int]]:
+    """Return bounds of the entries of |1 - C F'|; C in units 2^-`SHIFT`.
+
+    With F' = F_0 + D, F_0 of middles, |1 - C F'| <= |1 - C F_0| + |C| |D|; what is at most the
+    greatest entry in its row stands for an entry of |D|.  All is computed twice as large.
+    """
+    columns: list[list[tuple[int, int]]] = [[] for _ in slope]
+    for k, entries in enumerate(slope):
         for j, x in entries.items():
-            a, b = (x.lo, x.hi) if c >= 0 else (x.hi, x.lo)
-            low[j] -= c * b
-            high[j] -= c * a
-    return [(max(-a, b) >> SHIFT) + 1 for a, b in zip(low, high, strict=True)]
+            columns[j].append((k, x.lo + x.hi))
+    wide = [max(x.width for x in entries.values()) for entries in slope]
+    two, found = 2 << next(iter(slope[0].values())).bits + SHIFT, list[list[int]]()
+    for i, row in enumerate(C):
+        rest = sum(map(mul, map(abs, row), wide))
+        sums = [sum([row[k] * x for k, x in column]) for column in columns]
+        sums[i] -= two
+        found.append([(abs(x) + rest >> SHIFT + 1) + 1 for x in sums])
+    return found
 
 
 def _moved(
@@ -284,7 +248,7 @@ def leg_maps(steps: Sequence[Step], n: int) -> list[Matrix]:
     return [_leg(step, end.guard, n) for step, end in zip(steps, ends, strict=True)]
 
 
-def _leg(step: Step, guard: Slope, n: int) -> Matrix:
+def _leg(step: Step, guard: Jet, n: int) -> Matrix:
     """Return the derivative of (t, q) at a contact by (t, q) at the one before."""
     by_time, *by_state = guard.derivatives(n + 1)
     rows = [x.derivatives(n + 2) for x in step.arrival]

@@ -34,14 +34,14 @@ from cap.checker.system.contacts import (
     SHIFT,
     Equations,
     Matrix,
-    Step,
     leg_maps,
     product,
-    residual,
     symmetric,
+    times,
 )
 from cap.checker.system.legs import solved
 from cap.checker.system.model import Model
+from cap.checker.system.passage import Step
 
 Box = list[Interval]
 MINORS = 5  # rows of a matrix of which all minors are taken
@@ -134,6 +134,22 @@ def determinant(D: Matrix) -> Interval:
     return total
 
 
+def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[int]:
+    """Return bounds of the i-th row of |1 - C A|; ``row`` is that of C in units 2^-`SHIFT`.
+
+    Each entry by itself: on a long cell those of A have very different widths.
+    """
+    bits = next(iter(slope[0].values())).bits
+    low, high = [0] * len(row), [0] * len(row)
+    low[i] = high[i] = 1 << bits + SHIFT
+    for c, entries in zip(row, slope, strict=True):
+        for j, x in entries.items():
+            a, b = (x.lo, x.hi) if c >= 0 else (x.hi, x.lo)
+            low[j] -= c * b
+            high[j] -= c * a
+    return [(max(-a, b) >> SHIFT) + 1 for a, b in zip(low, high, strict=True)]
+
+
 def exact(q: Fraction, like: Interval) -> Interval:
     """Return an enclosure of a number."""
     return Interval.enclosing(q, q, like.bits)
@@ -221,10 +237,11 @@ class Curve:
         others = [{k - (k > along): x for k, x in row.items() if k != along} for row in rows]
         far = [r.hi for k, r in enumerate(reach) if k != along]
         error = Box()
-        for i, C in enumerate(preconditioner):
-            less = self._times(C, value) + self._times(C, forced) * offset
-            sides = (sum(map(mul, residual(C, others, i), far)) >> bits) + 1
-            error.append(Interval((-less.hi >> SHIFT) - sides, -(less.lo >> SHIFT) + sides, bits))
+        rest = [residual(row, others, i) for i, row in enumerate(preconditioner)]
+        parts = zip(times(preconditioner, value), times(preconditioner, forced), rest, strict=True)
+        for f, g, row in parts:
+            sides = (sum(map(mul, row, far)) >> bits) + 1
+            error.append(-f - g * offset + Interval(-sides, sides, bits))
         error.insert(along, offset.integer(0))
         inner = all(
             x.lies_inside(-r, r)
@@ -238,11 +255,6 @@ class Curve:
         """Return a row of F' times the slope of a line."""
         parts = [x.scaled(slope[k]) for k, x in row.items()]
         return sum(parts[1:], parts[0])
-
-    def _times(self, C: Sequence[int], column: Sequence[Interval]) -> Interval:
-        """Return a row of 2^48 C times a column."""
-        products = (x * q for q, x in zip(C, column, strict=True))
-        return sum(products, self.equations.pi.integer(0))
 
     def rate(self, steps: Sequence[Step], along: int) -> Interval:
         """Return dp/ds, where s is not p."""

@@ -33,6 +33,7 @@ from cap.checker.kernel.rejection import TooCoarse, need
 
 MOST = 400  # of a
 GUARD = 16  # p - bits
+MOST_KNOWN = 10_000  # rows at points that are kept
 Row = list[Interval]
 
 
@@ -82,12 +83,24 @@ class Exponential:
             rows.append(above)
         return rows[::-1]
 
-    def _polynomial(self, i: int, d: Interval, order: int) -> Row:
-        """Return the derivative of some order of the i-th row, a polynomial in d."""
+    @property
+    def is_polynomial(self) -> bool:
+        """Whether M is nilpotent."""
+        return self._series is not None
+
+    def polynomials(self, i: int, order: int) -> list[list[Interval]]:
+        """Return the coefficients, highest power first, of the derivative of the i-th row.
+
+        M is nilpotent.
+        """
         if (i, order) not in self._columns:
             self._columns[i, order] = self._coefficients(i, order)
+        return self._columns[i, order]
+
+    def _polynomial(self, i: int, d: Interval, order: int) -> Row:
+        """Return the derivative of some order of the i-th row, a polynomial in d."""
         found = Row()
-        for first, *others in self._columns[i, order]:
+        for first, *others in self.polynomials(i, order):
             for c in others:
                 first = first * d + c  # noqa: PLW2901
             found.append(first)
@@ -106,6 +119,8 @@ class Exponential:
     def at(self, i: int, z: int) -> Row:
         """Return the i-th row at the point z 2^-bits."""
         if (i, z) not in self._known:
+            if len(self._known) == MOST_KNOWN:
+                self._known.clear()
             s = max(0, abs(z).bit_length() - self.bits)
             if (i, s) not in self._tables:
                 self._tables[i, s] = self._table(i, s)

@@ -15,7 +15,7 @@ are compared and printed; nothing is evaluated in any other way.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import lcm
 from typing import Any
@@ -53,12 +53,17 @@ def model(given: dict[str, Any]) -> Model:
     """Return the system in fields of the shape above; what is no system rejects."""
     state, omega, modes = tuple(given["state"]), given["omega"], given["modes"]
     need(omega > 0 and _fits(omega), "omega is not between 10^-30 and 10^30")
+    confirm_names(state)
+    read = {key: _mode(part, state, modes, key) for key, part in modes.items()}
+    return Model(state, omega, read, "times_pi" in given)
+
+
+def confirm_names(state: Sequence[str]) -> None:
+    """Reject names that are no names of variables."""
     need(len({*state}) == len(state), "two variables of the state have one name")
     for z in state:
         need(_VARIABLE.fullmatch(z) is not None, f"{z} is not a name of a variable")
         need(z not in _RESERVED, f"{z} is not a free name")
-    read = {key: _mode(part, state, modes, key) for key, part in modes.items()}
-    return Model(state, omega, read, "times_pi" in given)
 
 
 def _mode(given: dict[str, Any], state: tuple[str, ...], modes: Iterable[str], key: str) -> Mode:
@@ -77,13 +82,13 @@ def _mode(given: dict[str, Any], state: tuple[str, ...], modes: Iterable[str], k
 def _guard(
     given: dict[str, Any], state: tuple[str, ...], modes: Iterable[str], where: str
 ) -> Guard:
-    value = _polynomial(given["value"], state, where)
+    value = polynomial(given["value"], state, where)
     low = all(len(monomial) <= OF_GUARDS for monomial in value.terms)
     need(low, f"{where} has a degree above {OF_GUARDS}")
     need(bool(value.variables - {PI}), f"{where} is constant")
     need(given["reset"].keys() <= {*state}, f"{where} resets what is no variable of the state")
-    reset = {z: _polynomial(q, state, f"{z} after {where}") for z, q in given["reset"].items()}
-    divisor = _polynomial(given.get("divisor", [["1"]]), state, f"the divisor of {where}")
+    reset = {z: polynomial(q, state, f"{z} after {where}") for z, q in given["reset"].items()}
+    divisor = polynomial(given.get("divisor", [["1"]]), state, f"the divisor of {where}")
     need(bool(divisor.terms), f"the divisor of {where} is 0")
     need({*given["to"]} <= {*modes}, f"{where} leads to an unknown mode")
     need(len({*given["to"]}) == len(given["to"]), f"{where} leads to a mode twice")
@@ -92,13 +97,14 @@ def _guard(
 
 def _linear(given: list[list[str]], state: tuple[str, ...], where: str) -> Polynomial:
     """Return a polynomial of degree at most one, but for pi."""
-    q = _polynomial(given, state, where)
+    q = polynomial(given, state, where)
     degrees = (sum(z != PI for z in monomial) for monomial in q.terms)
     need(all(degree <= 1 for degree in degrees), f"{where} is not linear")
     return q
 
 
-def _polynomial(given: list[list[str]], state: tuple[str, ...], where: str) -> Polynomial:
+def polynomial(given: list[list[str]], state: tuple[str, ...], where: str) -> Polynomial:
+    """Return the polynomial of a list of terms, in the state, the clock and pi."""
     total = dict[tuple[str, ...], Fraction]()
     for term in given:
         c, monomial = number(term[0], where), tuple(sorted(term[1:]))
@@ -141,20 +147,16 @@ def _told_guard(key: str, guard: Guard) -> str:
     return f"{printed(guard.value)} > 0 ('{key}', at 0 {', '.join(jumps)})"
 
 
-def printed(q: Polynomial) -> str:
-    """Return a polynomial as people write it."""
-    line = " ".join(_terms(q)) or "0"
+def printed(q: Polynomial, angle: str = "omega t") -> str:
+    """Return a polynomial as people write it; cos and sin are those of an angle."""
+    line = " ".join(_terms(q, angle)) or "0"
     return "-" + line[2:] if line.startswith("- ") else line.removeprefix("+ ")
 
 
-def _terms(q: Polynomial) -> Iterator[str]:
+def _terms(q: Polynomial, angle: str) -> Iterator[str]:
     """Give the terms, each after its sign."""
     for monomial, c in q.terms.items():
-        factors = [*map(_factor, monomial)]
+        factors = [f"{z}({angle})" if z in CLOCK else z for z in monomial]
         if abs(c) != 1 or not factors:
             factors.insert(0, str(abs(c)))
         yield f"{'-' if c < 0 else '+'} {' '.join(factors)}"
-
-
-def _factor(key: str) -> str:
-    return f"{key}(omega t)" if key in CLOCK else key

@@ -19,8 +19,11 @@ Beyond its ends a flight is continued by these formulas.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache, reduce
+from operator import add
+from typing import NamedTuple, Protocol, TypeVar
 
 from cap.checker.kernel.elementary import cos_sin, pi
 from cap.checker.kernel.interval import Interval
@@ -28,10 +31,20 @@ from cap.checker.kernel.rejection import need
 from cap.checker.system.evaluation import Values
 from cap.checker.system.exponential import Exponential
 from cap.checker.system.model import CLOCK, PI, Model
-from cap.checker.system.polynomial import Polynomial
+from cap.checker.system.polynomial import Polynomial, variable
+from cap.checker.system.program import Program, Tape, Term
 
+W = TypeVar("W", bound="Ring")
 Vector = list[Interval]
 Pairs = list[tuple[Interval, Interval]]
+
+
+class Ring(Protocol):
+    """What may stand for a variable of the state."""
+
+    def __add__(self: W, other: W, /) -> W: ...
+    def __sub__(self: W, other: W, /) -> W: ...
+    def __mul__(self: W, other: W, /) -> W: ...
 
 
 def matrix(model: Model, mode: str) -> list[list[Polynomial]]:
@@ -75,9 +88,27 @@ def _times(A: Sequence[Sequence[Fraction]], v: Vector, zero: Interval) -> Vector
 
 
 def dot(row: Sequence[Interval], column: Sequence[Interval]) -> Interval:
-    """Return the sum of products."""
-    pairs = zip(row, column, strict=True)
-    return sum((a * b for a, b in pairs if a.lo or a.hi), row[0].integer(0))
+    """Return the sum of products, rounded once."""
+    least = most = 0
+    for x, y in zip(row, column, strict=True):
+        a, b, c, d = x.lo, x.hi, y.lo, y.hi
+        if a >= 0:
+            least += (a if c >= 0 else b) * c
+            most += (b if d >= 0 else a) * d
+        elif b <= 0:
+            least += (a if d >= 0 else b) * d
+            most += (b if c >= 0 else a) * c
+        else:
+            least += min(a * d, b * c)
+            most += max(a * c, b * d)
+    bits = row[0].bits
+    return Interval(least >> bits, -(-most >> bits), bits)
+
+
+@lru_cache(maxsize=256)
+def flights(model: Model, mode: str, bits: int) -> Flights:
+    """Return the flights of a mode at a precision; they are kept."""
+    return Flights(model, mode, bits)
 
 
 class Flights:
@@ -93,6 +124,7 @@ class Flights:
         if self.response is not None:
             M = [[M[i][j] for j in (*range(n), n + 2)] for i in (*range(n), n + 2)]
         self.exponential = Exponential(rational(M, mode), bits)
+        self._along = dict[Polynomial, Along]()
 
     def _response(self, rows: list[list[Polynomial]], mode: str) -> Pairs | None:
         """Return U and V of each variable, or None if they are not found; none if they are zero."""
@@ -114,66 +146,107 @@ class Flights:
         U = [-(a + x) / w for a, x in zip(_times(A, V, zero), s, strict=True)]
         return list(zip(U, V, strict=True))
 
-    def particular(self, i: int, cos: Interval, sin: Interval) -> Interval:
-        """Return the response of a variable at a time."""
-        if not self.response:
-            return self.pi.integer(0)
-        U, V = self.response[i]
-        return U * cos + V * sin
-
     def clock(self, t: Interval) -> tuple[Interval, Interval]:
         """Return cos wt and sin wt."""
         return cos_sin(t * self.omega)
 
+    def begin(
+        self, z: Sequence[W], clock: tuple[W, W], constant: Callable[[Interval], W]
+    ) -> list[W]:
+        """Return y of a state, where its flight is P + exp(N d) y, or exp(M d) y."""
+        one = constant(self.pi.integer(1))
+        if self.response is None:
+            return [*z, *clock, one]
+        return [*(x - p for x, p in zip(z, self.particular(*clock, constant), strict=True)), one]
+
+    def particular(self, cos: W, sin: W, constant: Callable[[Interval], W]) -> list[W]:
+        """Return P at a time."""
+        if not self.response:
+            return [constant(self.pi.integer(0))] * len(self.model.state)
+        return [cos * constant(U) + sin * constant(V) for U, V in self.response]
+
+    def motion(self, d: Interval, rows: Sequence[int], order: int = 0) -> list[Interval]:
+        """Return what flights depend on but for their start: d, or rows of the derivatives of X."""
+        if self.exponential.is_polynomial:
+            return [d]
+        found = [self.exponential.over(i, d, order) for i in rows]
+        return [x for k in range(order + 1) for row in found for x in row[k]]
+
+    def inputs(self, tape: Tape, rows: Sequence[int], order: int = 0) -> Iterator[list[list[Term]]]:
+        """Give, for k = 0, ..., order, the rows of the k-th derivative of X, of these inputs."""
+        if not self.exponential.is_polynomial:
+            for _ in range(order + 1):
+                yield [tape.inputs(len(self.exponential.columns)) for _ in rows]
+            return
+        (d,) = tape.inputs(1)
+        for k in range(order + 1):
+            columns = [self.exponential.polynomials(i, k) for i in rows]
+            yield [[_horner([*map(tape.constant, c)], d) for c in row] for row in columns]
+
+    def along(self, g: Polynomial) -> Along:
+        """Return a polynomial along flights."""
+        if g not in self._along:
+            self._along[g] = self._written(g)
+        return self._along[g]
+
+    def _written(self, g: Polynomial) -> Along:
+        tape, state = Tape(self.pi.bits), self.model.state
+        used = [i for i, z in enumerate(state) if z in g.variables]
+        y, clock = tape.inputs(len(self.exponential.columns)), tape.inputs(2)
+        (rows,) = self.inputs(tape, used)
+        P = self.particular(clock[0], clock[1], tape.constant)
+        moved = {state[i]: total(y, row) + P[i] for i, row in zip(used, rows, strict=True)}
+        known = {**moved, **dict(zip(CLOCK, clock, strict=True)), PI: tape.constant(self.pi)}
+        return Along(used, Program(tape.given, [Values(known, y[0].integer(1)).of(g)]))
+
+
+def _horner(coefficients: Sequence[Term], d: Term) -> Term:
+    """Return a polynomial; its coefficients begin with that of the highest power."""
+    return reduce(lambda total, c: total * d + c, coefficients)
+
+
+def total(y: Sequence[W], row: Sequence[W]) -> W:
+    """Return the sum of products."""
+    return reduce(add, (a * b for a, b in zip(y, row, strict=True)))
+
+
+class Along(NamedTuple):
+    """A polynomial along flights: of y, the clock, and d or these rows of X."""
+
+    rows: list[int]
+    program: Program
+
 
 class Leg:
-    """The flights in a mode from a box of states, each from a time in an interval on.
-
-    They may be ``known``, with what other legs of the mode have computed of them.
-    """
+    """The flights in a mode from a box of states, each from a time in an interval on."""
 
     def __init__(
-        self,
-        model: Model,
-        mode: str,
-        start: Interval,
-        state: Mapping[str, Interval],
-        known: Flights | None = None,
+        self, model: Model, mode: str, start: Interval, state: Mapping[str, Interval]
     ) -> None:
         self.model, self.mode, self.start, self.given = model, mode, start, state
-        self.flights = known or Flights(model, mode, start.bits)
-        cos, sin = self.flights.clock(start)
-        if self.flights.response is None:
-            self.begin = [*(state[z] for z in model.state), cos, sin, start.integer(1)]
-        else:
-            shifts = (self.flights.particular(i, cos, sin) for i in range(len(model.state)))
-            rests = [state[z] - x for z, x in zip(model.state, shifts, strict=True)]
-            self.begin = [*rests, start.integer(1)]
-        self._seen = dict[tuple[int, int], dict[str, Interval]]()
+        self.flights = flights(model, mode, start.bits)
+        z = [state[name] for name in model.state]
+        self.begin = self.flights.begin(z, self.flights.clock(start), lambda x: x)
+        self._clocks = dict[tuple[int, int], tuple[Interval, Interval]]()
+        self._seen = dict[tuple[Polynomial, int, int], Interval]()
 
     def state(self, t: Interval) -> dict[str, Interval]:
         """Return the state at all times of an interval, for all of the flights."""
-        found = self._values(t, self.model.state)
-        return {z: found[z] for z in self.model.state}
+        return {z: self.over(variable(z), t) for z in self.model.state}
 
     def over(self, g: Polynomial, t: Interval) -> Interval:
         """Return a polynomial in the state at all times of an interval, for all of the flights."""
-        values = self._values(t, g.variables)
-        return Values({**values, PI: self.flights.pi}, t.integer(1)).of(g)
+        place = g, t.lo, t.hi
+        if place not in self._seen:
+            along = self.flights.along(g)
+            if place[1:] not in self._clocks:
+                self._clocks[t.lo, t.hi] = self.flights.clock(t)
+            motion = self.flights.motion(t - self.start, along.rows)
+            inputs = [*self.begin, *self._clocks[t.lo, t.hi], *motion]
+            (self._seen[place],) = along.program.run(inputs)
+        return self._seen[place]
 
     def begun(self, g: Polynomial) -> Interval:
         """Return a polynomial in the state, for each of the flights where it begins."""
         known = dict(zip(CLOCK, self.flights.clock(self.start), strict=True))
         return Values({**known, **self.given, PI: self.flights.pi}, self.start.integer(1)).of(g)
-
-    def _values(self, t: Interval, names: Collection[str]) -> dict[str, Interval]:
-        """Return the clock, and some variables of the state; others may be there, too."""
-        if (t.lo, t.hi) not in self._seen:
-            self._seen[t.lo, t.hi] = dict(zip(CLOCK, self.flights.clock(t), strict=True))
-        found = self._seen[t.lo, t.hi]
-        cos, sin = (found[z] for z in CLOCK)
-        for i, z in enumerate(self.model.state):
-            if z in names and z not in found:
-                (row,) = self.flights.exponential.over(i, t - self.start)
-                found[z] = dot(row, self.begin) + self.flights.particular(i, cos, sin)
-        return found

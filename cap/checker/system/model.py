@@ -17,7 +17,9 @@ of (dh/dz) field_z - w sin dh/dcos + w cos dh/dsin, again a polynomial.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import NamedTuple
 
 from cap.checker.system.polynomial import ONE, ZERO, Polynomial, variable
@@ -42,8 +44,12 @@ class Mode(NamedTuple):
     guards: Mapping[str, Guard]
 
 
-class Model(NamedTuple):
-    """A system; ``omega``, or omega pi if ``times_pi``, is the frequency of its clock."""
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A system; ``omega``, or omega pi if ``times_pi``, is the frequency of its clock.
+
+    What is computed of a system alone may be kept, under this object.
+    """
 
     state: tuple[str, ...]
     omega: Fraction
@@ -55,7 +61,7 @@ class Model(NamedTuple):
         """The frequency of the clock."""
         return variable(PI) * self.omega if self.times_pi else Polynomial.of(self.omega)
 
-    @property
+    @cached_property
     def autonomous(self) -> bool:
         """Whether the clock occurs nowhere."""
         found = [q for mode in self.modes.values() for q in mode.field.values()]

@@ -12,10 +12,11 @@ Monomial = tuple[str, ...]  # its variables, sorted, each as often as its power
 class Polynomial:
     """The sum of coefficient * monomial; two are equal if they have the same terms."""
 
-    __slots__ = ("terms",)
+    __slots__ = ("_hash", "terms")
 
     def __init__(self, terms: Mapping[Monomial, Fraction]) -> None:
         self.terms = {monomial: c for monomial, c in terms.items() if c}
+        self._hash: int | None = None
 
     @classmethod
     def of(cls, value: Polynomial | Fraction | int) -> Polynomial:
@@ -26,7 +27,9 @@ class Polynomial:
         return isinstance(other, Polynomial) and self.terms == other.terms
 
     def __hash__(self) -> int:
-        return hash(frozenset(self.terms.items()))
+        if self._hash is None:
+            self._hash = hash(frozenset(self.terms.items()))
+        return self._hash
 
     def __add__(self, other: Polynomial | Fraction | int) -> Polynomial:
         total = dict(self.terms)

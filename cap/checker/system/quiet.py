@@ -29,8 +29,9 @@ and so on.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations, pairwise
 from typing import NamedTuple, Protocol
 
@@ -70,7 +71,25 @@ class Watched(NamedTuple):
         return cls(h, rate, model.lie(mode, rate))
 
 
-def falls(h: Watched, others: Iterable[Watched]) -> bool:
+@lru_cache(maxsize=256)
+def watched(model: Model, mode: str) -> Mapping[str, Watched]:
+    """Return the guards of a mode; they are kept."""
+    guards = model.modes[mode].guards
+    return {key: Watched.of(model, mode, guard.value) for key, guard in guards.items()}
+
+
+@lru_cache(maxsize=512)
+def vanishing(model: Model, mode: str, guard: str, to: str) -> Mapping[str, int]:
+    """Return how many of h, L h of the guards of a mode ``to`` vanish after an event; it is kept.
+
+    The event is that of a guard of the first mode.
+    """
+    event = model.modes[mode].guards[guard]
+    return {key: zeros_after(h, event) for key, h in watched(model, to).items()}
+
+
+@lru_cache(maxsize=1024)
+def falls(h: Watched, others: tuple[Watched, ...]) -> bool:
     """Return whether Lemma M holds for h and one of the others, or the sum of two."""
     listed = [other.h for other in others]
     one = any((c := _factor(-h.rate, g)) is not None and c > 0 for g in listed)

@@ -22,9 +22,8 @@ between contacts nothing else is assumed than the equations of its mode.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, cite
@@ -47,12 +46,10 @@ from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two
 from cap.checker.system.contacts import (
-    Contact,
     Ends,
     Equations,
     Matrix,
     Round,
-    Step,
     krawczyk,
     leg_maps,
     return_map,
@@ -61,12 +58,21 @@ from cap.checker.system.contacts import (
 from cap.checker.system.given import GUARDS, STATES, SYSTEM, model, told
 from cap.checker.system.legs import Leg
 from cap.checker.system.model import Model
-from cap.checker.system.quiet import Watched, ends_positive, falls, stays_positive, zeros_after
+from cap.checker.system.passage import Contact, Step
+from cap.checker.system.quiet import (
+    ends_positive,
+    falls,
+    stays_positive,
+    vanishing,
+    watched,
+)
 from cap.checker.system.stability import kind_of_two, outside
 
 CONTACTS, CUTS, PERIODS = 64, 1000, 1000
 MOST_BITS, WORK = 1024, 1 << 23  # of bits x variables x pieces
 UNKNOWNS = CONTACTS * (STATES + 1)
+
+Cuts = Mapping[str, Sequence[Fraction]]
 
 
 class Contacts(Theorem):
@@ -212,50 +218,28 @@ class Contacts(Theorem):
         self.step("K(box) lies in the interior of the box: exactly one zero of F, in K(box)")
         return zero
 
-    def nothing_else(
-        self, zero: list[Interval], steps: list[Step], cuts: list[dict[str, list[Fraction]]]
-    ) -> None:
+    def nothing_else(self, zero: list[Interval], steps: list[Step], cuts: Sequence[Cuts]) -> None:
         """Prove that the zeros are orbits: no guard vanishes but at the contacts."""
         for k in range(len(self.orbit.contacts)):
             self.leg(zero, steps[k], k, cuts[k])
         self.step("on each leg all guards of its mode are positive between the contacts")
 
-    @cached_property
-    def watched(self) -> dict[str, dict[str, Watched]]:
-        """The guards of the modes between the contacts, with their derivatives in time."""
-        modes = {contact.to: self.p.modes[contact.to] for contact in self.orbit.contacts}
-        return {
-            mode: {g: Watched.of(self.p, mode, guard.value) for g, guard in of.guards.items()}
-            for mode, of in modes.items()
-        }
-
-    @cached_property
-    def zeros(self) -> dict[Contact, dict[str, int]]:
-        """How many of h, L h of each guard vanish after a contact."""
-        found = dict[Contact, dict[str, int]]()
-        for k, contact in enumerate(self.orbit.contacts):
-            if contact not in found:
-                guards = self.watched[contact.to].items()
-                found[contact] = {g: zeros_after(h, self.orbit.guard(k)) for g, h in guards}
-        return found
-
-    def leg(
-        self, zero: list[Interval], step: Step, k: int, cuts: dict[str, list[Fraction]]
-    ) -> None:
+    def leg(self, zero: list[Interval], step: Step, k: int, cuts: Cuts) -> None:
         """Prove that nothing else happens between a contact and the next one."""
         contact = self.orbit.contacts[k]
-        mode, guards, zeros = contact.to, self.watched[contact.to], self.zeros[contact]
+        mode, guards = contact.to, watched(self.p, contact.to)
+        zeros = vanishing(self.p, contact.mode, contact.guard, contact.to)
         start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
         after = dict(zip(self.p.state, step.after, strict=True))
-        flights = Leg(self.p, mode, start, after, self.equations.flights[mode])
+        flights = Leg(self.p, mode, start, after)
         for key, h in guards.items():
             ends = zeros[key], int(key == self.orbit.following(k).guard)
             if key in cuts:
                 stays_positive(flights, h, end, cuts[key], ends)
             else:
-                others = [guards[other] for other in cuts]
+                others = tuple(guards[other] for other in cuts)
                 need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")
                 ends_positive(flights, h, end, ends)
 
@@ -325,14 +309,13 @@ class Contacts(Theorem):
 
         In each, a guard is negative, or vanishes after this contact and falls.
         """
-        contact, event = self.orbit.contacts[k], self.orbit.guard(k)
+        contact = self.orbit.contacts[k]
         after = dict(zip(self.p.state, step.after, strict=True))
-        for mode in (m for m in event.to if m != contact.to):
+        for mode in (m for m in self.orbit.guard(k).to if m != contact.to):
             flights = Leg(self.p, mode, start, after)
-            named = self.p.modes[mode].guards.values()
-            guards = [Watched.of(self.p, mode, guard.value) for guard in named]
-            zero = [zeros_after(h, event) > 0 for h in guards]
-            signs = [h.rate if z else h.h for h, z in zip(guards, zero, strict=True)]
+            guards = watched(self.p, mode)
+            zeros = vanishing(self.p, contact.mode, contact.guard, mode)
+            signs = [h.rate if zeros[g] else h.h for g, h in guards.items()]
             if not any((-flights.begun(g)).is_positive() for g in signs):
                 return False
         return True

@@ -52,9 +52,10 @@ from cap.checker.kernel.shapes import (
     Word,
 )
 from cap.checker.kernel.theorem import BITS
-from cap.checker.system.contacts import Contact, Equations, Round
+from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Cell, Curve, Line
 from cap.checker.system.given import GUARDS, STATES, told
+from cap.checker.system.passage import Contact
 from cap.checker.system.stability import outside
 from cap.checker.theorems.contacts import CONTACTS, CUTS, MOST_BITS, PERIODS, UNKNOWNS, Contacts
 

@@ -1,7 +1,8 @@
 """Planar maps in floats, with derivatives, for compiled code.
 
-To add a map: a number, a function like `half_period`, a line in `image`; and for the checker a
-class in `cap.checker.coverings`.  Nothing else in this folder knows which map it is.
+To add one that no formulas give: a number, a function like `half_period`, a line in `image`; and
+for the checker a class in `cap.checker.coverings`.  Nothing else in this folder knows which map it
+is.
 """
 
 import math
@@ -14,13 +15,15 @@ from numba.extending import register_jitable
 from numpy.typing import NDArray
 
 from cap.floats.engine.compiled import announced
+from cap.system.planar import Map
+from cap.system.polynomial import COS, PI, SIN, Polynomial, variable
 
 Floats = NDArray[np.float64]
 Six = tuple[float, float, float, float, float, float]
 
-HALF_PERIOD, HENON, STANDARD = range(3)
+HALF_PERIOD, FORMULAS = range(2)
 STEPS, CLOSE = 60, 1e-12
-FAR = 2.0  # where orbits of the Hénon map are given up
+FAR = 10.0  # from 0, in each coordinate of a plane: there orbits are given up
 
 
 class Planar(NamedTuple):
@@ -40,14 +43,24 @@ def half_period(phi: float, a: float) -> Planar:
     return Planar(HALF_PERIOD, np.array([phi, a]), (-a, a, 0.0, 2.5 + 2 * a), a)
 
 
-def henon(a: float, b: float) -> Planar:
-    """Return the Hénon map (x, y) -> (1 - a x² + y, b x)."""
-    return Planar(HENON, np.array([a, b]), (-2.0, 2.0, -1.0, 1.0), 1.0)
-
-
-def standard(K: float) -> Planar:
-    """Return the standard map (x, y) -> (x + y', y'), y' = y + K sin x, cut at x, y' = ±π."""
-    return Planar(STANDARD, np.array([K, 0.0]), (-np.pi, np.pi, -np.pi, np.pi), np.pi)
+def formulas(given: Map) -> Planar:
+    """Return a map given by formulas; its ``size`` is that of the torus, or 1."""
+    far = math.pi if given.torus else FAR
+    x, y = given.state
+    cos, sin = variable(COS), variable(SIN)
+    rows = list[Polynomial]()
+    for q in given.image.values():
+        rows += [q.derivative(x) - q.derivative(COS) * sin + q.derivative(SIN) * cos]
+        rows += [q.derivative(y)]
+    numbers = [float(given.torus), far]
+    for q in (*given.image.values(), *rows):
+        numbers.append(float(len(q.terms)))
+        for monomial, c in q.terms.items():
+            powers = dict(monomial)
+            numbers.append(float(c) * math.pi ** powers.get(PI, 0))
+            numbers += [float(powers.get(name, 0)) for name in (x, y, COS, SIN)]
+    size = math.pi if given.torus else 1.0
+    return Planar(FORMULAS, np.array(numbers), (-far, far, -far, far), size)
 
 
 @register_jitable
@@ -55,11 +68,8 @@ def image(kind: int, y: Floats, x: float, v: float) -> tuple[bool, Six]:
     """Return whether the map is defined, its value, and its derivative row by row."""
     if kind == HALF_PERIOD:
         return _half_period(y[0], y[1], x, v)
-    if kind == HENON:
-        near = abs(x) < FAR and abs(v) < FAR
-        return near, (1 - y[0] * x * x + v, y[1] * x, -2 * y[0] * x, 1.0, y[1], 0.0)
-    if kind == STANDARD:
-        return _standard(y[0], x, v)
+    if kind == FORMULAS:
+        return _formulas(y, x, v)
     return _nowhere()
 
 
@@ -69,14 +79,41 @@ def _nowhere() -> tuple[bool, Six]:
 
 
 @register_jitable
-def _standard(K: float, x: float, y: float) -> tuple[bool, Six]:
-    if not (abs(x) < math.pi and abs(y) < math.pi):
+def _formulas(y: Floats, x: float, v: float) -> tuple[bool, Six]:
+    """Evaluate six sums of products, one after the other in ``y``."""
+    if not (abs(x) < y[1] and abs(v) < y[1]):
         return _nowhere()
-    v, k = y + K * math.sin(x), K * math.cos(x)
-    v -= 2 * math.pi * math.floor(v / (2 * math.pi) + 0.5)
-    u = x + v
-    u -= 2 * math.pi * math.floor(u / (2 * math.pi) + 0.5)
-    return True, (u, v, 1 + k, 1.0, k, 1.0)
+    c, s = math.cos(x), math.sin(x)
+    X, n = _polynomial(y, 2, x, v, c, s)
+    V, n = _polynomial(y, n, x, v, c, s)
+    d0, n = _polynomial(y, n, x, v, c, s)
+    d1, n = _polynomial(y, n, x, v, c, s)
+    d2, n = _polynomial(y, n, x, v, c, s)
+    d3, n = _polynomial(y, n, x, v, c, s)
+    if y[0] > 0:
+        X -= 2 * math.pi * math.floor(X / (2 * math.pi) + 0.5)
+        V -= 2 * math.pi * math.floor(V / (2 * math.pi) + 0.5)
+    return True, (X, V, d0, d1, d2, d3)
+
+
+@register_jitable
+def _polynomial(y: Floats, n: int, x: float, v: float, c: float, s: float) -> tuple[float, int]:
+    """Return the sum of products that stands from the place n on, and the place after it."""
+    total, count = 0.0, int(y[n])
+    n += 1
+    for _ in range(count):
+        term = y[n]
+        for _ in range(int(y[n + 1])):
+            term *= x
+        for _ in range(int(y[n + 2])):
+            term *= v
+        for _ in range(int(y[n + 3])):
+            term *= c
+        for _ in range(int(y[n + 4])):
+            term *= s
+        total += term
+        n += 5
+    return total, n
 
 
 @register_jitable

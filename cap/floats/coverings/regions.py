@@ -1,4 +1,5 @@
-"""Regions whose names are symbols: clusters of points of the invariant set, with gaps between.
+"""Regions whose names are symbols: clusters of points of the invariant set, with gaps between;
+or cells of a grid.
 
 A half-plane orients the unstable directions: its edge is a direction that few of them have.
 Clusters are those of single linkage: what is joined by steps shorter than a gap.
@@ -17,6 +18,7 @@ FIRST, TRIED = (
     (4, 5),
 )  # symbols before and after: of the sample, and when clusters are tried
 BINS = 36  # of directions
+GRID, RIM = 4, 0.02  # cells in each direction; of the rectangle
 
 
 def regions(g: Planar, saddle: Saddle) -> Regions:
@@ -37,6 +39,20 @@ def regions(g: Planar, saddle: Saddle) -> Regions:
         if torn == 0:
             break
     return best[1]
+
+
+def cells(g: Planar, saddle: Saddle) -> Regions:
+    """Return the cells of a grid over the least rectangle around a sample: where points of the
+    invariant set have no gaps between them, as on an attractor, there are no clusters.
+    """
+    window, one = np.array(g.window), np.zeros((1, 1), dtype=np.int64)
+    sample = Leaves(g, saddle, Regions(one, window, saddle.unstable), *FIRST)
+    direction = _direction(np.array([piece.T for piece in sample.pieces.values()]))
+    points = np.array([piece.z for piece in sample.pieces.values()])
+    low, high = points.min(axis=0), points.max(axis=0)
+    rim = RIM * (high - low)
+    window = np.stack([low - rim, high + rim], axis=1).reshape(-1)
+    return Regions(np.arange(GRID**2).reshape(GRID, GRID), window, direction)
 
 
 def _direction(tangents: Floats) -> Floats:

@@ -30,11 +30,33 @@ class Drawing(NamedTuple):
 
 
 DRAWINGS = {
+    "attractor": Drawing("releases:attractor", (9.0, 4.8)),
+    "branch": Drawing("pairs:branch"),
+    "capture": Drawing("captures:capture", (8.2, 4.2)),
+    "cascade": Drawing("releases:cascade", (9.0, 4.6)),
+    "conservative": Drawing("islands:conservative", (7.2, 5.2)),
+    "contacts": Drawing("contacts:contacts", (8.6, 5.0)),
+    "effective_stability": Drawing("fixed_points:effective_stability", (7.0, 6.6)),
     "elliptic": Drawing("fixed_points:elliptic"),
+    "entropies": Drawing("releases:entropies", (7.2, 4.6)),
     "homoclinic": Drawing("homoclinic:draw", (6.4, 5.8), "Proof"),
+    "impulse": Drawing("resting:impulse", (6.4, 4.6)),
+    "inventory": Drawing("islands:inventory", (8.6, 4.6)),
+    "island": Drawing("islands:island", (6.6, 5.6)),
     "mixed": Drawing("mixed:draw", (7.4, 9), "Proof"),
+    "particles": Drawing("two_masses:elliptic", (9.0, 4.4)),
+    "particles_limits": Drawing("two_masses:limits", (7.6, 7.0)),
+    "particles_saddle": Drawing("two_masses:saddle", (9.0, 4.4)),
+    "particles_sink": Drawing("two_masses:sink", (8.2, 4.2)),
+    "particles_stability": Drawing("two_masses:stability", (8.2, 6.2)),
     "periodic": Drawing("fixed_points:periodic"),
+    "persistence": Drawing("fixed_points:persistence", (9.6, 5.8)),
+    "pitchfork": Drawing("pairs:pitchfork"),
     "saddle": Drawing("fixed_points:saddle"),
+    "segment": Drawing("resting:segment", (8.2, 4.4)),
+    "sliding": Drawing("resting:sliding", (8.2, 4.4)),
+    "symmetric": Drawing("pairs:symmetric"),
+    "window": Drawing("releases:window", (9.0, 4.8)),
 }
 
 

@@ -50,6 +50,8 @@ def middle(claim: Enclosure) -> float:
 
 def number(claim: Enclosure | Fraction, count: int = DIGITS) -> str:
     """Return a number claimed with so many digits, rounded outwards: 0.1027[1..2]."""
+    if isinstance(claim, Enclosure) and claim.lower == claim.upper and len(claim.text[0]) <= count:
+        return f"${claim.text[0]}$"
     text = latex(claim, count)
     found = re.fullmatch(r"\[(\S+), (\S+)\](.*)", text)
     if not found:

@@ -11,7 +11,7 @@ __all__ = ["FIGURES", "GROUPS", "REASONS", "STATEMENTS", "more"]
 
 FIGURES = True  # that `cap.paper` computes: rows of their tables are claims
 
-_NAMES = (
+GROUPS = (
     *("introduction", "inclusion", "stops", "wellposed", "strobe"),
     *("cover", "lifting", "symplectic", "saltation"),
     *("ansatz", "roots", "fold", "linearization"),
@@ -23,7 +23,6 @@ _NAMES = (
     *("integrator", "diagnostics", "existence", "enclosure", "conclusion"),
     *("gallery", "mirror", "wording"),
 )
-GROUPS = tuple(f"cap.audit.papers.mixed_dynamics.claims.{name}" for name in _NAMES)
 
 
 def more() -> Sequence[Claim]:

@@ -1,0 +1,45 @@
+"""Words with numbers in them: ``{name}``, or ``{name:places}``, rounded so that they stay true.
+
+{x}      words, or an expression
+{x:8}    a number, enclosed and rounded outwards to 8 places
+{x:<4}   a bound from below, {x:>4} from above
+{x:in6}  a range in which something holds, rounded inwards
+"""
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from cap.audit.means import algebra, balls
+from cap.audit.means.stored import claimed
+from cap.checker.kernel.shapes import Enclosure
+from cap.errors import NotProved
+from cap.sets.interval import Ball
+
+_HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|)(\d+))?\}")
+_ROUNDED = {"": balls.pair, "<": balls.below, ">": balls.above, "in": balls.inner}
+
+
+def filled(text: str, words: Mapping[str, object]) -> str:
+    """Return a text with every hole filled, from words or from what a certificate claims.
+
+    Raises `NotProved` if there is nothing of some name.
+    """
+    return _HOLE.sub(lambda hole: _shown(_value(hole[1], words), hole[2] or "", hole[3]), text)
+
+
+def _value(name: str, words: Mapping[str, object]) -> object:
+    value = words[name] if name in words else claimed(name)
+    if value is None:
+        raise NotProved("audit", f"there are no words for {name!r}")
+    return value
+
+
+def _shown(value: Any, way: str, places: str | None) -> str:
+    if places is None:
+        return algebra.shown(value) if hasattr(value, "free_symbols") else str(value)
+    if isinstance(value, Enclosure):
+        return _ROUNDED[way](value, int(places))
+    with balls.precisely():
+        ball = value if isinstance(value, Ball) else algebra.enclosure(value)
+        return balls.between(ball, int(places))

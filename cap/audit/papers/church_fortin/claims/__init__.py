@@ -1,0 +1,1 @@
+"""The claims on the tables, and what decides them."""

@@ -1,0 +1,125 @@
+"""Steps that are data: lines of algebra, each a definition, or what has to hold.
+
+    positive = "F f omega"               symbols: positive numbers, real ones, or any
+    real = "t"
+    steps = '''
+    rate = diff(F*cos(omega*t), t)       a name for an expression of sympy
+    rate.subs(t, 0) == 0                 an identity, confirmed by sympy
+    2*f != f                             certain at an exact point, in balls
+    pi/2 > 1                             a sign: of a number in balls, else by those of the symbols
+    elliptic.twist > 0                   what elliptic.json claims, once the checker has accepted it
+    elliptic.at == paper                 it is about the paper's parameters
+    hit(1).det() == 1                    of a derivative of `cap.audit.means.linear`
+    '''
+
+What follows ``#`` says, for people, what is shown, or what would be the case if it were not.
+"""
+
+import re
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from cap.audit.means import algebra, balls, linear
+from cap.audit.means.lazy import parser
+from cap.audit.means.lazy import sympy as sp
+from cap.audit.means.need import need
+from cap.audit.means.stored import THE_PAPER, claimed
+from cap.audit.verdict import Outcome
+from cap.checker.kernel.shapes import Enclosure
+from cap.errors import NotProved
+from cap.sets import interval
+from cap.sets.interval import Ball
+
+Given = Mapping[str, Any]
+Words = Mapping[str, object]  # by their names
+SYMBOLS = {"positive": {"positive": True}, "real": {"real": True}, "any": {}}
+_DEFINES = re.compile(r"(\w+) = (.+)")
+_HOLDS = re.compile(r"(.+) (==|!=|<|>) (.+)")
+_CLAIMED = re.compile(r"(?<![\w.])[a-z]+(?:-\d+)?(?:\.\w+)+")
+
+
+class Steps:
+    """The names that steps have defined, and the balls of numbers that certificates enclose."""
+
+    def __init__(self) -> None:
+        self.names: dict[str, Any] = {"paper": THE_PAPER, "hit": linear.hit}
+        self.balls: dict[Any, Ball] = {}
+
+    def make(self, given: Given) -> None:
+        """Declare the symbols, and make the steps; `NotProved` if one of them fails."""
+        for key, assumed in SYMBOLS.items():
+            self.names |= {name: sp.Symbol(name, **assumed) for name in given.get(key, "").split()}
+        for line in given.get("steps", "").splitlines():
+            if text := line.partition("  #")[0].strip():
+                self._step(text)
+
+    def _step(self, text: str) -> None:
+        if found := _DEFINES.fullmatch(text):
+            self.names[found[1]] = self._read(found[2])
+        elif found := _HOLDS.fullmatch(text):
+            left, right = self._read(found[1]), self._read(found[3])
+            need(self._holds(left, found[2], right), f"this was not confirmed: {text}")
+        else:
+            raise NotProved("audit", f"this is no step: {text}")
+
+    def _read(self, text: str) -> Any:
+        """Return what a text means: an expression of sympy, or something that is claimed."""
+        known = dict(self.names)
+
+        def name(found: re.Match[str]) -> str:
+            if (value := claimed(found[0])) is None:
+                return found[0]
+            known[own := f"claimed_{len(known)}"] = self._exact(value)
+            return own
+
+        return parser.parse_expr(_CLAIMED.sub(name, text), local_dict=known)
+
+    def _exact(self, value: Any) -> Any:
+        """Return a claimed value for an expression: for an enclosure a symbol, which has a ball."""
+        if isinstance(value, Enclosure):
+            symbol = sp.Dummy(str(value), real=True)
+            with balls.precisely():
+                self.balls[symbol] = interval.hull(*map(interval.ball, value[:2]))
+            return symbol
+        return sp.Rational(value) if isinstance(value, Fraction | int) else value
+
+    def _holds(self, left: Any, relation: str, right: Any) -> bool:
+        if relation in "<>":
+            return self._positive(left - right if relation == ">" else right - left)
+        if relation == "!=":
+            return algebra.differs(left, right)
+        symbolic = isinstance(left, sp.Basic | sp.MatrixBase)
+        return bool(left == right) or (symbolic and algebra.same(left, right))
+
+    def _positive(self, value: Any) -> bool:
+        """Return whether a number or an expression is certainly positive."""
+        if value.free_symbols <= self.balls.keys():
+            return bool(self.enclosed(value) > 0)
+        return bool(sp.factor(sp.simplify(value)).is_positive)
+
+    def enclosed(self, value: Any) -> Ball:
+        """Return an enclosure of a number."""
+        with balls.precisely():
+            return algebra.enclosure(value, self.balls)
+
+
+def made(*given: Given) -> Steps:
+    """Make the steps of some data, one after the other."""
+    steps = Steps()
+    for each in given:
+        steps.make(each)
+    return steps
+
+
+def _formula(steps: Steps, _stated: str) -> Outcome:
+    """Compare the formula that is ``derived`` with the one that is ``printed``."""
+    return algebra.compared(steps.names["derived"], steps.names["printed"])
+
+
+def _number(steps: Steps, stated: str) -> Outcome:
+    """Compare the decimal that is stated with the ``value``."""
+    return balls.compared(stated, steps.enclosed(steps.names["value"]))
+
+
+RULES: dict[str, Callable[[Steps, str], Outcome]] = {"formula": _formula, "number": _number}

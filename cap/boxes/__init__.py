@@ -1,1 +1,0 @@
-"""Boxes of states by the million, followed in outward-rounded doubles; no theorem uses them yet."""

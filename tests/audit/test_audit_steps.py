@@ -1,0 +1,122 @@
+"""Steps that are data: each line can fail, and what is written follows from them."""
+
+from dataclasses import replace
+
+import pytest
+
+from cap.audit import given, steps
+from cap.audit.decide import decided
+from cap.audit.filled import filled
+from cap.audit.verdict import Outcome, Strength
+from cap.errors import NotProved
+
+pytest_plugins = ["audit_fixtures"]
+HOLD = [
+    "sin(t)**2 + cos(t)**2 == 1",
+    "[1, t] == [1, t]",
+    "2*f != f",
+    "pi/2 > 1",
+    "-f < 0",
+    "f + t**2 > 0",
+    "elliptic.twist > 1/10",
+    "elliptic.at == paper",
+    "elliptic.at.f == 2/5",
+    'periodic-1.type == "sink focus"',
+    "hit(1).det() == 1",
+]
+FAIL = [
+    "sin(t)**2 - cos(t)**2 == 1",
+    "[1, t] == [1, f]",
+    "f != f",
+    "pi/2 > 2",
+    "t < 1",
+    "f - t**2 > 0",
+    "elliptic.twist > 12/100",
+    "elliptic.twist < 1/10",
+    "periodic-1.at == paper",
+    "elliptic.at.f == 1/2",
+    'periodic-1.type == "saddle"',
+    "hit(1).det() == 2",
+]
+
+
+def made(lines):
+    """Make steps with f > 0 and a real t."""
+    return steps.made({"positive": "f", "real": "t", "steps": lines})
+
+
+@pytest.mark.parametrize("line", HOLD)
+def test_what_holds(line):
+    """Identities, differences, signs, what certificates claim."""
+    made(line)
+
+
+@pytest.mark.parametrize("line", FAIL)
+def test_what_does_not_hold(line):
+    """The line is named."""
+    with pytest.raises(NotProved):
+        made(line)
+
+
+def test_what_is_no_step():
+    """A line without a relation; a claim that the certificate does not make; an unknown number."""
+    for line in ("pi", "elliptic.nothing > 0", "elliptic.box.9 > 0"):
+        with pytest.raises(NotProved, match=r"no step|claims no"):
+            made(line)
+
+
+def test_names_are_defined_in_order():
+    """A later step uses what an earlier one defined; a common part comes first."""
+    done = steps.made({"positive": "a", "steps": "b = 2*a"}, {"steps": "c = b + a\nc == 3*a"})
+    assert str(done.names["c"]) == "3*a"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("{x}, {b}", "one, 2 a"),
+        ("{third:4}", "[0.3333, 0.3334]"),
+        ("{1, 3}, {±a}", "{1, 3}, {±a}"),
+        ("{elliptic.twist:5}", "[0.11347, 0.11348]"),
+        ("{elliptic.twist:<3}, {elliptic.twist:>3}", "0.113, 0.114"),
+    ],
+)
+def test_words_are_filled(text, words):
+    """Names, numbers rounded outwards, certificates; other braces stay."""
+    names = steps.made({"positive": "a", "steps": "b = 2*a\nthird = Rational(1, 3)"}).names
+    assert filled(text, {**names, "x": "one"}) == words
+
+
+def test_words_that_are_not_there():
+    """A hole that nothing fills decides nothing."""
+    with pytest.raises(NotProved, match="no words for 'nothing'"):
+        filled("{nothing}", {})
+
+
+def claim_of(example, **data):
+    """Return a claim made of data."""
+    entry = {"verdict": "confirmed", "stated": "0.25", "found": "yes", "evidence": "{x:3}", **data}
+    return replace(example[0], decide=lambda: given._derived(entry, {}))
+
+
+@pytest.mark.parametrize(
+    ("data", "outcome"),
+    [
+        ({"steps": "x = Rational(1, 4)\nx > 0"}, Outcome.CONFIRMED),
+        ({"steps": "x = Rational(1, 4)\nx > 1"}, Outcome.UNDECIDED),
+        ({"steps": "x = Rational(1, 4)\nvalue = x", "verdict": "number"}, Outcome.CONFIRMED),
+        ({"steps": "x = Rational(1, 3)\nvalue = x", "verdict": "number"}, Outcome.CORRECTED),
+        ({"steps": "x = pi\nderived = x\nprinted = pi", "verdict": "formula"}, Outcome.CONFIRMED),
+        ({"steps": "x = pi\nderived = x\nprinted = 3", "verdict": "formula"}, Outcome.CORRECTED),
+        ({"steps": "x = pi", "verdict": "formula"}, Outcome.UNDECIDED),
+    ],
+)
+def test_the_verdict_follows_from_the_steps(example, data, outcome):
+    """Or from a rule; a step that fails, or a name that is missing, decides nothing."""
+    assert decided(claim_of(example, **data), fresh=True).outcome is outcome
+
+
+def test_what_makes_no_step_is_read(example):
+    """Its strength says so."""
+    verdict = decided(claim_of(example, evidence="The text."), fresh=True)
+    assert verdict.strength is Strength.READ

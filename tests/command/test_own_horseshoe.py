@@ -1,0 +1,108 @@
+"""`cap.prove horseshoe --map`: what is proved of a file, and refusals in one line."""
+
+import json
+
+import pytest
+
+from cap.command.prover import main
+from cap.proofs import map_horseshoe
+from cap.system.files import planar
+
+HENON = "examples/maps/henon.py"
+
+
+def prove(*words, given=HENON):
+    """Run the command and return its status."""
+    return main(["horseshoe", "--map", given, *map(str, words)])
+
+
+@pytest.mark.slow
+def test_from_a_file_to_a_certificate(tmp_path, capsys):
+    """Near a full horseshoe short words are enough for most of log 2; no other file is replaced."""
+    words = "--set", "a=5", "--effort", "2", "--sets", "disjoint", "--out", tmp_path
+    assert prove(*words) == 0
+    assert "one-sided subshift" in capsys.readouterr().out.replace("\n  ", " ")
+    (path,) = tmp_path.glob("*.json")
+    assert path.name == "map_horseshoe-henon-a=5.json"
+    claims = json.loads(path.read_text())["claims"]
+    assert float(claims["entropy"]) > 0.69
+    assert claims["together"] == "1"
+    path.write_text("{}")
+    assert prove(*words) == 2
+    assert "there is another file" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (["--effort", "9"], "integer from 1 to 5"),
+        (["--sets", "few"], "must be one of"),
+        (["--set", "c=1"], "no parameter c"),
+        (["--jobs", "0"], "integer from 1"),
+        (["--out", "/nowhere/at/all.json"], "cannot write"),
+    ],
+)
+def test_refusals(words, why, capsys):
+    """One line each."""
+    assert prove(*words) == 2
+    assert why in capsys.readouterr().err
+
+
+MAPS = {
+    "one": 'Map("x", {"x": x})',
+    "unknown": 'Map("x y", {"x": x + z, "y": y})',
+    "missing": 'Map("x y", {"x": x})',
+    "turns": 'Map("x y", {"x": x * y, "y": y}, torus=True)',
+    "name": 'Map("x cos", {"x": x, "cos": y})',
+    "pi": 'Map("x y", {"x": x / pi, "y": y})',
+    "system": "1",
+}
+WHY = {
+    "one": "two coordinates",
+    "unknown": "the unknown z",
+    "missing": "give the images",
+    "turns": "depends on turns",
+    "name": "not a name",
+    "pi": "divided by pi",
+    "system": "returns no cap.Map, but int",
+}
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_what_is_no_map(name, tmp_path, capsys):
+    """What is wrong with the map is told, with the file."""
+    file = tmp_path / "mine.py"
+    lines = "from cap import Map, variables", 'x, y, z, pi = variables("x y z pi")'
+    file.write_text("\n".join([*lines, "", "", "def mine():", f"    return {MAPS[name]}"]))
+    assert prove(given=str(file)) == 2
+    said = capsys.readouterr().err
+    assert WHY[name] in said
+    assert "mine.py" in said
+    assert said.count("\n") == 1
+
+
+def test_other_files(capsys):
+    """A system is no map, JSON neither, and another theorem has none."""
+    assert prove(given="examples/ball.py") == 2
+    assert "returns no cap.Map, but System" in capsys.readouterr().err
+    assert prove(given="map.json") == 2
+    assert "a map is FILE.py" in capsys.readouterr().err
+    assert main(["elliptic", "--map", HENON]) == 2
+    assert "of a map `horseshoe` is proved" in capsys.readouterr().err
+
+
+def test_the_form_of_a_certificate():
+    """Polynomials are lists of terms; a torus is told."""
+    found = map_horseshoe.as_parameters(planar("examples/maps/standard.py", {"K": "3/2"}))
+    assert found["torus"] == "1"
+    assert sorted(found["image"]["y"]) == [["1", "y"], ["3/2", "sin"]]
+
+
+@pytest.mark.slow
+def test_a_map_without_a_saddle(tmp_path, capsys):
+    """It is said that nothing is proved: a rotation has none."""
+    file = tmp_path / "turn.py"
+    lines = "from cap import Map, variables", 'x, y = variables("x y")'
+    file.write_text("\n".join([*lines, "def turn():", '    return Map("x y", {"x": -y, "y": x})']))
+    assert prove("--out", tmp_path, given=str(file)) == 1
+    assert "no saddle" in capsys.readouterr().err
