@@ -29,7 +29,7 @@ class Coverage:
 
 def _reasons() -> dict[str, str]:
     """Return why no claim is taken from some places."""
-    found: dict[str, str] = subject.paper().REASONS
+    found: dict[str, str] = subject.paper()["none"]
     return found
 
 

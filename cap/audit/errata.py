@@ -1,7 +1,7 @@
 """The erratum: ``errata.toml``, what stands in the TeX file and what should stand there.
 
 Every formula and number that a claim corrects or refutes has a change.  A theorem that falls is
-not repaired by them: what may be cited instead of it is in the STATEMENTS of the paper.
+not repaired by them: what may be cited instead of it is in ``statements.toml``.
 """
 
 import difflib

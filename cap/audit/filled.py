@@ -8,6 +8,7 @@
 
 import re
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import Any
 
 from cap.audit.means import algebra, balls
@@ -38,6 +39,8 @@ def _value(name: str, words: Mapping[str, object]) -> object:
 def _shown(value: Any, way: str, places: str | None) -> str:
     if places is None:
         return algebra.shown(value) if hasattr(value, "free_symbols") else str(value)
+    if isinstance(value, Fraction):
+        value = Enclosure(value, value, (str(value), str(value)))
     if isinstance(value, Enclosure):
         return _ROUNDED[way](value, int(places))
     with balls.precisely():

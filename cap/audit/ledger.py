@@ -1,6 +1,6 @@
 """All claims, in the order of the paper."""
 
-from cap.audit import given, labels, subject
+from cap.audit import given, labels, subject, tables
 from cap.audit.claim import Claim
 from cap.audit.subject import cached
 from cap.errors import BadInput
@@ -13,9 +13,9 @@ def claims() -> dict[str, Claim]:
 
     The rows of tables come after the other claims of their places.
     """
-    own = subject.paper()
-    found = [each for group in own.GROUPS for each in given.claims(*subject.group(group))]
-    found += own.more()
+    groups = subject.paper()["groups"]
+    found = [each for group in groups for each in given.claims(*subject.group(group))]
+    found += tables.claims()
     order = {place.label: k for k, place in enumerate(labels.stored().places)}
     found.sort(key=lambda each: order.get(each.where, len(order)))
     return {each.id: each for each in found}

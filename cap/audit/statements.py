@@ -4,9 +4,11 @@ The status follows from the verdicts on the claims that decide it; the words in 
 were written for these verdicts, and `cap.audit.recorded` holds them.
 """
 
+import tomllib
 from dataclasses import dataclass
 
-from cap.audit import labels
+from cap.audit import labels, subject
+from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Verdict
 
 STANDS, CHANGED, FALLS = "stands", "stands when changed", "falls"
@@ -49,6 +51,9 @@ class Statement:
         return _STATUS[first]
 
 
-def statement(label: str, *decided_by: str, instead: str) -> Statement:
-    """Return a statement."""
-    return Statement(label, decided_by, instead)
+@cached
+def statements() -> tuple[Statement, ...]:
+    """Return the statements of the paper, in its order."""
+    path = subject.file("statements.toml")
+    found = tomllib.loads(path.read_text(encoding="utf-8"))["statement"] if path.is_file() else []
+    return tuple(Statement(e["label"], tuple(e["decided_by"]), e["instead"]) for e in found)

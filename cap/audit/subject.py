@@ -1,15 +1,15 @@
 """The paper that is audited: a folder of `cap.audit.papers`, chosen by its name.
 
 Its files: ``labels.json``, the places; ``claims/``, the claims, and the functions that decide those
-that need some; ``findings.toml`` and ``errata.toml``; ``recorded.json``, the verdicts; and the
-module ``paper``, with FIGURES (whether `cap.paper` makes its figures), GROUPS (of claims, in their
-order), ``more()`` (other claims), STATEMENTS and REASONS.  Nothing outside of the folder
-knows what the paper says, but the means and tables of the first one.
+that need some; ``findings.toml``, ``errata.toml`` and ``statements.toml``; ``recorded.json``, the
+verdicts; and ``paper.toml``: whether `cap.paper` makes its figures, the groups of claims in their
+order, why some places have none, and which rows of its tables are decided elsewhere.  Nothing
+outside of the folder knows what the paper says.
 """
 
+import tomllib
 from collections.abc import Callable
 from functools import cache
-from importlib import import_module
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -38,7 +38,7 @@ def forget() -> None:
 
 def names() -> list[str]:
     """Return the names of the papers."""
-    return sorted(path.parent.name for path in FOLDER.glob("*/paper.py"))
+    return sorted(path.parent.name for path in FOLDER.glob("*/paper.toml"))
 
 
 def choose(name: str) -> None:
@@ -65,6 +65,7 @@ def group(name: str) -> tuple[Path, str]:
     return file(f"claims/{name}.toml"), f"{__package__}.papers.{_chosen[0]}.claims.{name}"
 
 
-def paper() -> Any:
-    """Return its module."""
-    return import_module(f"cap.audit.papers.{_chosen[0]}.paper")
+@cached
+def paper() -> dict[str, Any]:
+    """Return what ``paper.toml`` says."""
+    return tomllib.loads(file("paper.toml").read_text(encoding="utf-8"))

@@ -14,7 +14,6 @@ from dataclasses import asdict, dataclass, replace
 from cap.audit import cache as kept
 from cap.audit import subject
 from cap.audit.claim import Claim, Kind
-from cap.audit.papers.mixed_dynamics.elsewhere import DECIDED_BY
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Strength, Verdict, uncheckable
 from cap.errors import NotProved
@@ -52,11 +51,12 @@ def _quotes() -> dict[str, str]:
 
 def claims() -> tuple[Row, ...]:
     """Return the claims of all tables; not the rows that another claim decides."""
+    elsewhere = subject.paper().get("elsewhere", {})
     return tuple(
         _claim(label, *entry)
         for label, entries in listed().items()
         for entry in entries
-        if (label, entry[0]) not in DECIDED_BY
+        if entry[0] not in elsewhere.get(label, {})
     )
 
 

@@ -14,7 +14,11 @@ TOGETHER = (("persistence", "basin"), ("birkhoff", "kam"), ("gallery", "diagnost
 SOON = {"inclusion", "lifting", "symplectic"}
 GROUPS = [
     *TOGETHER,
-    *((name,) for name in subject.paper().GROUPS if not any(name in group for group in TOGETHER)),
+    *(
+        (name,)
+        for name in subject.paper()["groups"]
+        if not any(name in group for group in TOGETHER)
+    ),
 ]
 MODULES = [
     pytest.param(group, marks=[] if SOON & set(group) else [pytest.mark.slow], id=" ".join(group))

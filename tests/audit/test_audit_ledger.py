@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded, subject
+from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded
 from cap.audit.claim import Kind
+from cap.audit.statements import statements
 from cap.audit.verdict import Outcome
 from cap.errors import BadInput
 
@@ -101,9 +102,9 @@ def test_each_wrong_formula_and_number_has_a_change():
 def test_summaries_name_claims():
     """The table of statements; every theorem of the paper is in it."""
     ids = ledger.claims().keys()
-    assert {name for each in subject.paper().STATEMENTS for name in each.decided_by} <= ids
+    assert {name for each in statements() for name in each.decided_by} <= ids
     kinds = ("theorem", "lemma", "proposition", "corollary", "conjecture")
-    assert [each.label for each in subject.paper().STATEMENTS] == [
+    assert [each.label for each in statements()] == [
         place.label for place in labels.stored().places if place.kind in kinds
     ]
 

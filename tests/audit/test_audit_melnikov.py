@@ -5,8 +5,8 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from cap.audit.means import melnikov
-from cap.audit.means.melnikov import Integral
+from cap.audit.papers.mixed_dynamics.means import melnikov
+from cap.audit.papers.mixed_dynamics.means.melnikov import Integral
 from cap.sets import interval
 
 INTEGRALS = {name: each for name, each in vars(melnikov).items() if isinstance(each, Integral)}

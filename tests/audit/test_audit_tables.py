@@ -6,8 +6,7 @@ import pytest
 
 from cap.audit import coverage, ledger, subject, tables
 from cap.audit.decide import all_decided, decided
-from cap.audit.means.printed import printed, stated
-from cap.audit.papers.mixed_dynamics.elsewhere import DECIDED_BY
+from cap.audit.papers.mixed_dynamics.means.printed import printed, stated
 from cap.audit.report.view import report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
@@ -121,9 +120,13 @@ def test_printed_intervals():
 def test_rows_are_in_the_ledger():
     """All that are listed, but those that a claim decides, which exist."""
     rows = {(label, entry[0]) for label, each in tables.listed().items() for entry in each}
-    assert DECIDED_BY.keys() <= rows
-    assert set(DECIDED_BY.values()) <= ledger.claims().keys()
-    assert len(tables.claims()) == len(rows) - len(DECIDED_BY)
+    elsewhere = subject.paper()["elsewhere"]
+    decided_by = {
+        (label, row): name for label, each in elsewhere.items() for row, name in each.items()
+    }
+    assert decided_by.keys() <= rows
+    assert set(decided_by.values()) <= ledger.claims().keys()
+    assert len(tables.claims()) == len(rows) - len(decided_by)
     assert {each.id for each in tables.claims()} <= ledger.claims().keys()
     assert coverage.coverage().wrong == ()
 

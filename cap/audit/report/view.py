@@ -4,10 +4,10 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from cap.audit import labels, ledger, quotes, recorded, subject
+from cap.audit import labels, ledger, quotes, recorded
 from cap.audit.claim import Claim
 from cap.audit.findings import MOST, Finding, members
-from cap.audit.statements import Statement
+from cap.audit.statements import Statement, statements
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Verdict
 
@@ -21,12 +21,13 @@ INTRODUCTION = (
     "something else than what holds. Vacuous: about nothing. Open: neither proved nor refuted, in "
     "the paper or here. Not checkable as stated: too little is said.",
     "Evidence. Proved: in ball arithmetic, symbolically, or exhaustively, when the command runs. "
-    "Certified: by a stored certificate that an independent checker accepts, when the command runs "
-    "or, where that takes minutes, when the verdicts were recorded. By argument: by a written "
-    "proof, in proofs/audit, of which a machine checked what it can. By reading: the text alone "
-    "shows it. Numerical: in doubles, by closed forms from event to event, located up to rounding; "
-    "what depends on chance, seeds or rounding says so. A printed number is confirmed if it is "
-    "what is found, rounded to its last digit. Never-stopping means: the velocity never vanishes.",
+    "Certified: by a stored certificate that an independent checker accepts, when the command "
+    "runs or, if it is one of the few that take long, when the verdicts were recorded. By "
+    "argument: by a written proof, in proofs/audit, of which a machine checked what it can. By "
+    "reading: the text alone shows it. Numerical: in doubles, by closed forms from event to "
+    "event, located up to rounding; what depends on chance, seeds or rounding says so. A printed "
+    "number is confirmed if it is what is found, rounded to its last digit. Never-stopping means: "
+    "the velocity never vanishes.",
 )
 
 
@@ -181,7 +182,7 @@ class Report:
 
     def statements(self) -> list[tuple[Statement, str]]:
         """Return the statements of the paper with what became of them."""
-        return [(each, each.status(self.verdicts)) for each in subject.paper().STATEMENTS]
+        return [(each, each.status(self.verdicts)) for each in statements()]
 
 
 def report(verdicts: dict[str, Verdict]) -> Report:

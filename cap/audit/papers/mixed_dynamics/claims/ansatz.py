@@ -10,8 +10,8 @@ from cap.audit.means.algebra import differs, identity, symbols
 from cap.audit.means.balls import between, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.paper_equation import Equation, psi
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.equation import Equation, psi
 from cap.audit.steps import Words
 from cap.audit.verdict import Verdict, confirmed
 from cap.sets import interval

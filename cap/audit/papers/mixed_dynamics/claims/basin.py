@@ -3,12 +3,10 @@
 from fractions import Fraction
 
 from cap.audit.means.algebra import identity, symbols
-from cap.audit.means.balls import precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.steps import Words
-from cap.sets import interval
 
 
 def _certified_contraction() -> Fraction:
@@ -21,25 +19,6 @@ def small_neighbourhoods() -> Words:
     factor = _certified_contraction()
     need(factor < 1, "the ellipse is not contracted")
     return {"factor": factor}
-
-
-def replacement_of_the_island() -> Words:
-    sink, rectangle = stored("periodic-12.json"), stored("persistence.json").claims["range"]
-    epsilon, mu = 1 - sink.parameters["e"], sink.parameters["mu"]
-    need(0 < epsilon <= rectangle["epsilon"][-1], "P(ε, μ) is not certified at this ε")
-    need(0 < mu <= rectangle["mu"][-1], "P(ε, μ) is not certified at this μ")
-    times = sink.claims["event_times"]
-    with precisely():
-        gap = times[2].lower - times[0].upper  # of the first two hits of the right wall
-        need(interval.ball(gap) > 2 * interval.pi(), "the orbit may have the period T")
-    x, v = sink.claims["x"], sink.claims["v"]
-    return {
-        "epsilon": epsilon,
-        "mu": mu,
-        "lower": format(float(x.lower), ".4f"),
-        "lower_2": format(float(v.lower), ".4f"),
-        "type": sink.claims["type"],
-    }
 
 
 def no_invariant_curve() -> None:

@@ -2,12 +2,12 @@
 
 from fractions import Fraction
 
-from cap.audit.means import block
 from cap.audit.means.balls import pair
 from cap.audit.means.need import need
-from cap.audit.means.orbits import States, hits_only
 from cap.audit.means.stored import at_the_paper, stored
 from cap.audit.papers.mixed_dynamics.claims.saltation import LATER
+from cap.audit.papers.mixed_dynamics.means import block
+from cap.audit.papers.mixed_dynamics.means.orbits import States, hits_only
 from cap.audit.steps import Words
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER

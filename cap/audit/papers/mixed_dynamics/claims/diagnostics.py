@@ -6,10 +6,10 @@ from cap.audit.means.algebra import identity
 from cap.audit.means.balls import between, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.orbits import States
-from cap.audit.means.paper_equation import Equation
-from cap.audit.means.printed import stated
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.equation import Equation
+from cap.audit.papers.mixed_dynamics.means.orbits import States
+from cap.audit.papers.mixed_dynamics.means.printed import stated
 from cap.audit.steps import Words
 from cap.audit.verdict import Verdict, imprecise
 from cap.sets import interval

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from cap.audit.means.balls import between
 from cap.audit.means.need import need
-from cap.audit.means.printed import printed
 from cap.audit.papers.mixed_dynamics.claims.existence import BITS, CENTRE, RADIUS, orbits
+from cap.audit.papers.mixed_dynamics.means.printed import printed
 from cap.audit.steps import Words
 from cap.audit.verdict import Verdict, confirmed, imprecise
 from cap.flow.propagation import after_periods

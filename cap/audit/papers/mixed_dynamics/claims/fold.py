@@ -7,8 +7,8 @@ from cap.audit.means.algebra import identity, symbols
 from cap.audit.means.balls import between, pair, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.paper_equation import psi
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.equation import psi
 from cap.audit.steps import Words
 from cap.one_one.closed_form import symmetric
 from cap.sets import interval

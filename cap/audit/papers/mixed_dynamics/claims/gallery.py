@@ -5,11 +5,11 @@ from fractions import Fraction
 
 from cap.audit import labels
 from cap.audit.means.balls import pair
-from cap.audit.means.bouncing import FORCINGS, STARTS, growth, near_the_walls
 from cap.audit.means.need import need
-from cap.audit.means.printed import stated
 from cap.audit.means.stored import Stored, stored
 from cap.audit.papers.mixed_dynamics.claims.linearization import below_the_bound
+from cap.audit.papers.mixed_dynamics.means.bouncing import FORCINGS, STARTS, growth, near_the_walls
+from cap.audit.papers.mixed_dynamics.means.printed import stated
 from cap.audit.steps import Words
 from cap.audit.verdict import (
     Outcome,

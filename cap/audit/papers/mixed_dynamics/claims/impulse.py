@@ -4,9 +4,9 @@ from fractions import Fraction
 
 from cap.audit.means.balls import between, pair, precisely
 from cap.audit.means.need import need
-from cap.audit.means.orbits import States, at
-from cap.audit.means.paper_equation import Equation
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.equation import Equation
+from cap.audit.papers.mixed_dynamics.means.orbits import States, at
 from cap.audit.steps import Words
 from cap.sets import interval
 

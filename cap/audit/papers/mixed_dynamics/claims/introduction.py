@@ -8,8 +8,8 @@ from cap.audit.means.algebra import identity, symbols
 from cap.audit.means.balls import between, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.orbits import at
 from cap.audit.means.stored import at_the_paper, stored
+from cap.audit.papers.mixed_dynamics.means.orbits import at
 from cap.audit.steps import Words
 from cap.audit.verdict import Verdict, confirmed, imprecise
 from cap.checker.kernel.shapes import Enclosure

@@ -4,8 +4,8 @@ from fractions import Fraction
 
 from cap.audit.means.balls import inner
 from cap.audit.means.need import need
-from cap.audit.means.orbits import States
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.orbits import States
 from cap.audit.steps import Words
 from cap.proofs.census import census
 

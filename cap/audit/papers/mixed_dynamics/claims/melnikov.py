@@ -5,8 +5,13 @@ from fractions import Fraction
 from cap.audit.means.algebra import identity, symbols
 from cap.audit.means.balls import between, precisely
 from cap.audit.means.lazy import sympy as sp
-from cap.audit.means.melnikov import SECH, SECH_SQUARED_COS, SECH_TANH_COS, SECH_TANH_SIN
 from cap.audit.means.need import need
+from cap.audit.papers.mixed_dynamics.means.melnikov import (
+    SECH,
+    SECH_SQUARED_COS,
+    SECH_TANH_COS,
+    SECH_TANH_SIN,
+)
 from cap.audit.steps import Words
 from cap.sets import interval
 from cap.sets.interval import Ball

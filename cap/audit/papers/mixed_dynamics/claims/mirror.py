@@ -7,8 +7,8 @@ from cap.audit.means.balls import between, pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.linear import hit
 from cap.audit.means.need import need
-from cap.audit.means.orbits import until
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.orbits import until
 from cap.audit.steps import Words
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER

@@ -4,8 +4,8 @@ from fractions import Fraction
 
 from cap.audit.means.balls import between
 from cap.audit.means.need import need
-from cap.audit.means.orbits import at
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.orbits import at
 from cap.audit.steps import Words
 from cap.flow.propagation import at_time_zero, propagate
 from cap.sets import interval

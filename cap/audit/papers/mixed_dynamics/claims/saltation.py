@@ -5,8 +5,8 @@ from cap.audit.means.balls import between
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.linear import Event, derivative
 from cap.audit.means.need import need
-from cap.audit.means.orbits import Followed, States, at, hits_only
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.orbits import Followed, States, at, hits_only
 from cap.audit.steps import Words
 from cap.sets import interval
 from cap.sets.interval import Ball

@@ -2,13 +2,13 @@
 
 from fractions import Fraction
 
-from cap.audit.means import block
 from cap.audit.means.algebra import symbols
 from cap.audit.means.balls import between, pair, precisely
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.claims.wellposed import velocity_jump
+from cap.audit.papers.mixed_dynamics.means import block
 from cap.audit.steps import Words
 from cap.one_one.closed_form import symmetric
 from cap.proofs.census import census

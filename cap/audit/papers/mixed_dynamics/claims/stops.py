@@ -2,7 +2,7 @@
 
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.orbits import States
+from cap.audit.papers.mixed_dynamics.means.orbits import States
 from cap.audit.steps import Words
 
 

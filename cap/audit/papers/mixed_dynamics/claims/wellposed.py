@@ -9,8 +9,8 @@ from cap.audit.means.algebra import identity, same, symbols
 from cap.audit.means.balls import above, between
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.orbits import before_a_stop, until
 from cap.audit.means.stored import stored
+from cap.audit.papers.mixed_dynamics.means.orbits import before_a_stop, until
 from cap.audit.steps import Words
 from cap.audit.verdict import Verdict, confirmed, corrected
 from cap.parameters import PAPER

@@ -17,7 +17,7 @@ e^(iξu) du (1 - e^(-πξ)) = 2πi (-iξ) e^(-πξ/2).  QED
 from collections.abc import Callable
 from typing import NamedTuple
 
-from cap.audit.means.quadrature import over_the_line
+from cap.audit.papers.mixed_dynamics.means.quadrature import over_the_line
 from cap.sets import interval
 from cap.sets.interval import Ball, ComplexBall
 
