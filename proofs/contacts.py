@@ -17,7 +17,7 @@ certificate has the system, the box, the Krawczyk hints, and for each leg and gu
 Lemma B (`cap.orbits.pieces`), unless it falls by Lemma M: so the checker searches nothing.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from fractions import Fraction
 from functools import reduce
@@ -57,6 +57,7 @@ EXTRA = 20  # digits of the centre beyond those that are claimed
 RADII = (Fraction(1), *(1 + Fraction(1, 10**k) for k in (6, 3, 2, 1)))
 
 Times = list[Fraction]
+Cuts = list[dict[str, Times]]
 
 
 class Prepared(NamedTuple):
@@ -101,7 +102,7 @@ def prove(
             attracting = _attracting(certificate, prover, orbit)
             if attracting:
                 return attracting
-        return _checked(certificate, legs(prover, orbit.box, orbit.reasons))
+        return checked(certificate, legs(prover, orbit.box, orbit.reasons))
 
 
 def _attracting(
@@ -112,7 +113,7 @@ def _attracting(
     with suppress(NotProved):
         for ellipsoid, cuts in islice(sizes, SIZES):
             with suppress(NotProved):
-                return _checked(_with_basin(certificate, ellipsoid), cuts)
+                return checked(_with_basin(certificate, ellipsoid), cuts)
     return None
 
 
@@ -128,11 +129,13 @@ def _with_basin(certificate: dict[str, Any], found: Ellipsoid) -> dict[str, Any]
     }
 
 
-def _checked(certificate: dict[str, Any], cuts: list[dict[str, Times]]) -> dict[str, Any]:
-    """Return the certificate with cuts, so fine that the checker accepts it."""
+def checked(
+    certificate: dict[str, Any], cuts: Cuts, shape: Callable[[list[Any]], Any] = list
+) -> dict[str, Any]:
+    """Return the certificate with cuts, of this shape, so fine that the checker accepts it."""
     for _ in range(ATTEMPTS):
         shown = [{g: [*map(_decimal, at[1:-1])] for g, at in leg.items()} for leg in cuts]
-        certificate["hints"]["cuts"] = shown
+        certificate["hints"]["cuts"] = shape(shown)
         try:
             check(writer.dumps(certificate).encode(), lambda _step: None)
         except TooCoarse as reason:
@@ -270,12 +273,12 @@ def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:
     }
 
 
-def legs(prover: Prover, box: Box, reasons: Sequence[Reason]) -> list[dict[str, Times]]:
+def legs(prover: Prover, box: Box, reasons: Sequence[Reason]) -> Cuts:
     """Return for each leg, and guard that falls by no lemma, its ends and the cuts of Lemma B.
 
     They are those of the motions whose contacts lie in a box.
     """
-    found = list[dict[str, Times]]()
+    found = Cuts()
     for leg in prover.legs(box):
         begin, end = (Fraction(float(at.time)) for at in (leg.start, leg.end))
         cut = [r for r in reasons if r.leg == leg.number and r.lemma == "B"]

@@ -13,7 +13,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from cap.certificate import report, writer
-from cap.command import own_table
+from cap.command import own_branch, own_refusals, own_table
 from cap.command.console import Parser, columns, program, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
@@ -26,15 +26,21 @@ from cap.system.files import assigned, read
 from cap.system.model import System
 from cap.words import printable, quoted, say
 
+BRANCH = ("branch", "contacts_branch")
 LONGEST = 120  # characters of a name
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
+    named = words[0] if words and not words[0].startswith("-") else ""
+    if named in BRANCH:
+        return own_branch.main(words)
     options = parser().parse_args([protected(word) for word in words])
     progress = Progress()
 
     def run() -> int:
+        if options.theorem not in ("periodic", "contacts"):
+            raise BadInput(own_refusals.why(options.theorem))
         asked = Asked.of(options)
         if options.table is None:
             return _run(asked, progress)
@@ -63,16 +69,8 @@ def parser() -> Parser:
         "--mode fly --out /tmp",
     )
     p.add_argument("theorem", metavar="periodic", help="what is proved")
-    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
-    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
-    p.add_argument(
-        "--period", default="1", metavar="N", help="of N periods of the clock (default 1)"
-    )
+    own_branch.add_common(p)
     p.add_argument("--all", action="store_true", help="prove every orbit that is found")
-    p.add_argument(
-        "--orbit", nargs="+", metavar="Z", help="prove the orbit near that of this state at t = 0"
-    )
-    p.add_argument("--mode", metavar="MODE", help="the mode of that state")
     p.add_argument(
         "--table",
         type=Path,
@@ -116,11 +114,6 @@ class Asked:
     @classmethod
     def of(cls, options: argparse.Namespace) -> "Asked":
         """Read the options; raise `BadInput` with what is wrong."""
-        if options.theorem not in ("periodic", "contacts"):
-            raise BadInput(
-                f"of a system of one's own `periodic` is proved: {options.theorem} is about the "
-                "oscillator with dry friction between two walls, so leave out --model"
-            )
         values = assigned(options.set)
         system = read(options.model, values)
         state = [float(exact(word)) for word in options.orbit or ()]

@@ -63,20 +63,39 @@ class PeriodicOrbit:
     @cached_property
     def symmetric(self) -> list[Ball]:
         """The elementary symmetric functions of the n multipliers: their sum, .., their product."""
-        n, D = len(self.itinerary.system.state), self.derivative
-        if self.autonomous:  # that of the state; one of its multipliers is 0
-            rows = D.table()
-            D = interval.matrix([row[1:] for row in rows[1:]])
-        coefficients = D.charpoly().coeffs()
-        return [(-1) ** k * coefficients[D.nrows() - k] for k in range(1, n + 1)]
+        return symmetric(self.derivative, autonomous=self.autonomous)
 
     def unstable(self, radius: Fraction = Fraction(1)) -> int | None:
         """How many multipliers lie outside a circle around 0, if certainly none lies on it."""
-        signed = [
-            (-1) ** k * e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)
-        ]
-        inside = _inside([interval.ONE, *signed])
-        return None if inside is None else len(signed) - inside
+        return outside(
+            [e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)]
+        )
+
+
+def in_order(leg: Leg) -> None:
+    """Raise `NotProved` unless a leg ends after it begins."""
+    if not leg.start.time < leg.end.time:
+        sets = {"from": leg.start.time, "to": leg.end.time}
+        raise NotProved(f"leg {leg.number + 1}", "the contacts may not be in order", sets)
+
+
+def symmetric(D: Matrix, *, autonomous: bool) -> list[Ball]:
+    """Return the elementary symmetric functions of the n multipliers, D the derivative of a round.
+
+    Without a clock it is that of the state which counts; one of its multipliers is 0.
+    """
+    n = D.nrows() - 1
+    if autonomous:
+        D = interval.matrix([row[1:] for row in D.table()[1:]])
+    coefficients = D.charpoly().coeffs()
+    return [(-1) ** k * coefficients[D.nrows() - k] for k in range(1, n + 1)]
+
+
+def outside(symmetric: Sequence[Ball]) -> int | None:
+    """Return how many multipliers lie outside the unit circle, if certainly none lies on it."""
+    signed = [(-1) ** k * e for k, e in enumerate(symmetric, start=1)]
+    inside = _inside([interval.ONE, *signed])
+    return None if inside is None else len(signed) - inside
 
 
 def _inside(p: Sequence[Ball]) -> int | None:
@@ -147,9 +166,7 @@ class Prover:
         for leg in self.legs(box):
             mode = self.itinerary.contacts[leg.number].to
             following = self.itinerary.following(leg.number).guard
-            if not leg.start.time < leg.end.time:
-                sets = {"from": leg.start.time, "to": leg.end.time}
-                raise NotProved(f"leg {leg.number + 1}", "the contacts may not be in order", sets)
+            in_order(leg)
             for name, lemma in self.equations.kinds.lemmas(mode).items():
                 watch = self.equations.kinds.watch(mode, name)
                 zeros = vanishing[leg.number][name]

@@ -198,6 +198,10 @@ class Asked(NamedTuple):
         self.asked.append((g, t.lower, t.upper))
         return t.integer(1)
 
+    def begun(self, g):
+        """Return 1, noted as asked at the start."""
+        return self.over(g, self.start)
+
 
 @pytest.mark.parametrize("zeros", [(0, 0), (1, 0), (0, 2), (2, 2)])
 def test_the_pieces_cover_the_leg(zeros):

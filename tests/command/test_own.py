@@ -9,7 +9,8 @@ from cap.command.prover import main
 from cap.errors import NotProved
 from cap.floats.models.engine import Engine
 from cap.floats.models.periodic import search
-from cap.proofs import contacts
+from cap.proofs import contacts, symbolic
+from cap.proofs.theorems import THEOREMS
 from cap.system.files import read
 
 MODEL = "examples/impact_oscillator.py"
@@ -97,10 +98,56 @@ def test_refused_in_a_line(words, why, capsys, tmp_path):
 
 
 def test_what_is_not_for_own_systems(capsys):
-    """Other theorems say why they do not apply; a billiard's guard is beyond the float engine."""
-    assert main(["elliptic", "--model", MODEL]) == 2
-    assert "of a system of one's own `periodic` is proved" in capsys.readouterr().err
+    """Each other theorem says in one line why it does not apply."""
+    for name in (*THEOREMS, *symbolic.NAMES, "nonsense"):
+        if name in ("periodic", "branch"):
+            continue
+        assert main([name, "--model", MODEL]) == 2
+        said = capsys.readouterr().err
+        assert said.count("\n") == 1
+        assert "of a system of one's own `periodic` and `branch` are proved" in said
+        assert f"{name} does not apply to a model: " in said or name == "nonsense"
     assert main(["contacts"]) == 2
     assert "python -m cap.prove periodic --model FILE" in capsys.readouterr().err
     assert prove(model="nowhere.py") == 2
     assert "cannot read nowhere.py" in capsys.readouterr().err
+
+
+BALL = ("branch", "--model", "examples/ball.py", "--parameter", "A")
+
+
+def test_a_branch_from_a_file(tmp_path, capsys):
+    """It begins at the orbit found, and the certificate stands by itself."""
+    out = tmp_path / "ball.json"
+    words = ("--range", "1.18", "1.22", "--orbit", "2.06", "-2.63", "--out", str(out))
+    assert main([*BALL, *words]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith("The curve begins at A = 6/5: 1 x table; table at t = 0.510164")
+    assert "A takes on it all values in [1.18, 1.22]" in " ".join(said.split())
+    check(out.read_bytes(), lambda _: None)
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (("--range", "2", "1"), "--range is LOW HIGH, LOW below HIGH"),
+        (("--range", "2", "3"), "the curve begins at A = 6/5, which is not inside of the range"),
+        (("--range", "1", "2", "--parameter", "B"), "has no parameter B: there are A, e, g"),
+        (("--range", "1", "2", "--orbit", "1"), "--orbit is a state: give y, v"),
+        (("--range", "1", "2", "--period", "0"), "--period must be an integer"),
+    ],
+)
+def test_a_branch_refused_in_a_line(words, why, capsys, tmp_path):
+    """Bad input is one line, and the status 2."""
+    assert main([*BALL, *words, "--out", str(tmp_path)]) == 2
+    said = capsys.readouterr().err
+    assert why in said
+    assert said.count("\n") == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_parameter_of_the_flights(capsys, tmp_path):
+    """A damping multiplies the velocity: a branch is refused in a line, after the search."""
+    words = ("--parameter", "d", "--range", "0", "1", "--out", str(tmp_path))
+    assert main(["branch", "--model", MODEL, *words]) == 2
+    assert "in the mode free d multiplies a variable or the clock" in capsys.readouterr().err

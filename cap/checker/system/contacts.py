@@ -180,7 +180,7 @@ def krawczyk(
     box = [Interval.enclosing(*ends, equations.bits) for ends in region]
     middle = [equations.number(c) for c in centre]
     value, slope = equations.value(middle), equations.slope(equations.steps(box))
-    newton = [c - f for c, f in zip(middle, _times(preconditioner, value), strict=True)]
+    newton = [c - f for c, f in zip(middle, times(preconditioner, value), strict=True)]
     rows = residual(preconditioner, slope)
     K = _moved(newton, rows, box, middle)
     inner = all(z.lies_inside(*ends) for z, ends in zip(K, region, strict=True))
@@ -190,7 +190,7 @@ def krawczyk(
     return K
 
 
-def _times(C: Sequence[Sequence[int]], v: Sequence[Interval]) -> list[Interval]:
+def times(C: Sequence[Sequence[int]], v: Sequence[Interval]) -> list[Interval]:
     """Return C v; C in units 2^-`SHIFT`.  Twice the sum of middles, and a bound of the rest."""
     twice, width, bits = [x.lo + x.hi for x in v], [x.width for x in v], v[0].bits
     found = []

@@ -223,7 +223,7 @@ class Leg:
     def __init__(
         self, model: Model, mode: str, start: Interval, state: Mapping[str, Interval]
     ) -> None:
-        self.model, self.mode, self.start = model, mode, start
+        self.model, self.mode, self.start, self.given = model, mode, start, state
         self.flights = flights(model, mode, start.bits)
         z = [state[name] for name in model.state]
         self.begin = self.flights.begin(z, self.flights.clock(start), lambda x: x)
@@ -245,3 +245,8 @@ class Leg:
             inputs = [*self.begin, *self._clocks[t.lo, t.hi], *motion]
             (self._seen[place],) = along.program.run(inputs)
         return self._seen[place]
+
+    def begun(self, g: Polynomial) -> Interval:
+        """Return a polynomial in the state, for each of the flights where it begins."""
+        known = dict(zip(CLOCK, self.flights.clock(self.start), strict=True))
+        return Values({**known, **self.given, PI: self.flights.pi}, self.start.integer(1)).of(g)

@@ -53,6 +53,9 @@ class Flights(Protocol):
     def over(self, g: Polynomial, t: Interval) -> Interval:
         """Return a polynomial in the state at all times of an interval, for all of the flights."""
 
+    def begun(self, g: Polynomial) -> Interval:
+        """Return a polynomial in the state, for each of the flights where it begins."""
+
 
 class Watched(NamedTuple):
     """A guard h of a mode, L h and L^2 h."""
@@ -164,9 +167,10 @@ class Piece:
         """Return whether 3 holds at the start, ``sign`` = 1, or 4 at the end, ``sign`` = -1."""
         if zeros == 2:
             return self.bend.is_positive()
-        rate = self.flights.over(self.h.rate, at) * sign
+        first, flights = sign > 0, self.flights
+        rate = flights.begun(self.h.rate) if first else -flights.over(self.h.rate, at)
         fall = self.length * Interval(min(self.bend.lo, 0), 0, rate.bits) / 2
-        other = self.b if sign > 0 else self.a
+        other = self.b if first else self.a
         concave = self.concave and self.flights.over(self.h.h, other).is_positive()
         return (rate + fall).is_positive() or concave
 

@@ -22,7 +22,7 @@ between contacts nothing else is assumed than the equations of its mode.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -31,7 +31,17 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Integer, Many, Maybe, Quantity, Whole, Word, region
+from cap.checker.kernel.shapes import (
+    Field,
+    Integer,
+    Many,
+    Maybe,
+    Quantity,
+    Table,
+    Whole,
+    Word,
+    region,
+)
 from cap.checker.kernel.theorem import BITS, Theorem
 from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two
@@ -50,7 +60,6 @@ from cap.checker.system.legs import Leg
 from cap.checker.system.model import Model
 from cap.checker.system.passage import Contact, Step
 from cap.checker.system.quiet import (
-    Watched,
     ends_positive,
     falls,
     stays_positive,
@@ -63,13 +72,15 @@ CONTACTS, CUTS, PERIODS = 64, 1000, 1000
 MOST_BITS, WORK = 1024, 1 << 23  # of bits x variables x pieces
 UNKNOWNS = CONTACTS * (STATES + 1)
 
+Cuts = Mapping[str, Sequence[Fraction]]
+
 
 class Contacts(Theorem):
     """A periodic orbit with these contacts."""
 
     PARAMETERS: ClassVar[dict[str, Any]] = SYSTEM
     # fmt: off
-    HINTS = (
+    HINTS: ClassVar[Table] = (
         BITS,
         Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
               "time and state near those of each contact, in the box"),
@@ -80,7 +91,7 @@ class Contacts(Theorem):
         Field("reach", Maybe(Many(Many(number, 2, STATES + 1), 1, CONTACTS)), "", "r",
               "how far from those of the orbit time and state at each contact may be in the basin"),
     )
-    CLAIMS = (
+    CLAIMS: ClassVar[Table] = (
         Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
               "the guards that come to zero in one round, in order, and the modes that follow"),
         Field("periods", Whole(1, PERIODS), "", "p", "the periods of the clock in one round"),
@@ -150,7 +161,7 @@ class Contacts(Theorem):
         zero = self.zero()
         steps = self.equations.steps(zero)
         box, near = self.basin(zero) if "basin" in self.claims else (zero, steps)
-        self.nothing_else(box, near)
+        self.nothing_else(box, near, self.hints["cuts"])
         step = self.equations.n + 1
         each = [zero[k : k + step] for k in range(0, len(zero), step)]
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
@@ -207,26 +218,17 @@ class Contacts(Theorem):
         self.step("K(box) lies in the interior of the box: exactly one zero of F, in K(box)")
         return zero
 
-    def nothing_else(self, zero: list[Interval], steps: list[Step]) -> None:
-        """Prove that the zero is an orbit: no guard vanishes but at the contacts."""
-        for k, contact in enumerate(self.orbit.contacts):
-            zeros = vanishing(self.p, contact.mode, contact.guard, contact.to)
-            self.leg(zero, steps[k], k, watched(self.p, contact.to), zeros)
+    def nothing_else(self, zero: list[Interval], steps: list[Step], cuts: Sequence[Cuts]) -> None:
+        """Prove that the zeros are orbits: no guard vanishes but at the contacts."""
+        for k in range(len(self.orbit.contacts)):
+            self.leg(zero, steps[k], k, cuts[k])
         self.step("on each leg all guards of its mode are positive between the contacts")
 
-    def leg(
-        self,
-        zero: list[Interval],
-        step: Step,
-        k: int,
-        guards: Mapping[str, Watched],
-        zeros: Mapping[str, int],
-    ) -> None:
-        """Prove that nothing else happens between a contact and the next one.
-
-        So many of h, L h of each guard are ``zeros`` at the start.
-        """
-        mode, cuts = self.orbit.contacts[k].to, self.hints["cuts"][k]
+    def leg(self, zero: list[Interval], step: Step, k: int, cuts: Cuts) -> None:
+        """Prove that nothing else happens between a contact and the next one."""
+        contact = self.orbit.contacts[k]
+        mode, guards = contact.to, watched(self.p, contact.to)
+        zeros = vanishing(self.p, contact.mode, contact.guard, contact.to)
         start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")
@@ -314,7 +316,7 @@ class Contacts(Theorem):
             guards = watched(self.p, mode)
             zeros = vanishing(self.p, contact.mode, contact.guard, mode)
             signs = [h.rate if zeros[g] else h.h for g, h in guards.items()]
-            if not any((-flights.over(g, start)).is_positive() for g in signs):
+            if not any((-flights.begun(g)).is_positive() for g in signs):
                 return False
         return True
 

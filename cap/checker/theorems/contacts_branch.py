@@ -1,0 +1,336 @@
+"""The theorem about a curve of periodic orbits over a parameter of the system that is given.
+
+The last variable of the state is the parameter p: nothing moves it, so the system is one for each
+p.  The orbits are given by their contacts, as in ``contacts``; so is what is meant by F, a leg, and
+its guards.
+
+1. *Cells.*  On each of them F has one zero for each value of one unknown, in an explicit box around
+   a line, and those of a cell and of the next one are one curve (``curve``).
+2. *Nothing else happens*: over all zeros of a cell each leg is quiet, as in ``contacts``.  So all
+   zeros of F on the cells are periodic orbits.  p takes on the curve, which is connected, all
+   values between any two.
+3. *Multipliers.*  From their elementary symmetric functions e_j over all of a cell: how many are
+   outside the unit circle, if none is on it.  Or, for two: on a cell along p the derivative of F by
+   the others is not singular, so 1 is no multiplier; if 1 + e_1 + e_2 does not vanish, -1 is none;
+   and if |e_2| is not 1, a pair that is not real is not on the circle.  So none is on it, and the
+   number outside is the same on all of the cell: that on a cell next to it, with which it has an
+   orbit in common.
+4. *Points.*  A short cell on one of the cells, at the ends of which a function has opposite signs,
+   so that it is 0 between them; ``outside`` counts multipliers at both ends.
+   - *flip*: the product of all 1 + multiplier, 1 + e_1 + e_2 + ...: one is -1;
+   - *pair*: the counts differ by two, and neither 1 + e_1 + ... nor 1 - e_1 + e_2 - ... vanishes on
+     the short cell, so that 1 and -1 are no multipliers there.  Those that are real, or inside or
+     outside the circle, cannot change the count without one on the circle: two that are not real
+     are on it for some orbit between;
+   - *fold*: along an unknown that is not p, dp/ds changes its sign: p has an extremum between, and
+     where dp/ds = 0 the derivative of F by the other unknowns is singular, so that 1 is a
+     multiplier.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from itertools import pairwise
+from math import ceil, floor
+from typing import Any, ClassVar
+
+from cap.checker.kernel.citation import NEUMAIER, cite
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.reading import number
+from cap.checker.kernel.rejection import need
+from cap.checker.kernel.shapes import (
+    Enclosure,
+    Field,
+    Integer,
+    Many,
+    Maybe,
+    Quantity,
+    Table,
+    Whole,
+    Word,
+)
+from cap.checker.kernel.theorem import BITS
+from cap.checker.system.contacts import Equations, Round
+from cap.checker.system.curve import Cell, Curve, Line
+from cap.checker.system.given import GUARDS, STATES, told
+from cap.checker.system.passage import Contact
+from cap.checker.system.stability import outside
+from cap.checker.theorems.contacts import CONTACTS, CUTS, MOST_BITS, PERIODS, UNKNOWNS, Contacts
+
+CELLS, POINTS = 5000, 100
+PLACES = 12  # decimals of what is printed of the parameter
+WORK, EQUATIONS = 1 << 24, 1 << 24
+
+_ROW = Many(number, 3, UNKNOWNS + 1)
+_CELL = {
+    "along": Whole(0, UNKNOWNS),
+    "ends": [number, number],
+    "centre": _ROW,
+    "slope": _ROW,
+    "reach": _ROW,
+    "outside": Maybe(Whole(0, STATES)),
+}
+_POINT = {
+    "kind": Word(("flip", "pair", "fold")),
+    "cell": Whole(0, CELLS),
+    "short": {key: _CELL[key] for key in ("along", "ends", "centre", "slope", "reach")},
+    "at": Quantity(),
+    "outside": [Whole(0, STATES), Whole(0, STATES)],
+}
+_MATRIX = Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS)
+
+
+class ContactsBranch(Contacts):
+    """A curve of periodic orbits with these contacts."""
+
+    # fmt: off
+    HINTS: ClassVar[Table] = (
+        BITS,
+        Field("fine", Whole(64, MOST_BITS), "", "", "precision of the short cells"),
+        Field("preconditioners", Many(_MATRIX, 1, CELLS), "", "C",
+              "of each cell, in units 2^-48"),
+        Field("cuts", Many(Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), 1, CELLS),
+              "", "", "of each cell, as those of an orbit"),
+        Field("points", Many(_MATRIX, 0, POINTS), "", "",
+              "the preconditioner of the short cell of each point"),
+    )
+    CLAIMS: ClassVar[Table] = (
+        Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
+              "the guards that come to zero in one round, in order, and the modes that follow"),
+        Field("periods", Whole(1, PERIODS), "", "p", "the periods of the clock in one round"),
+        Field("range", [number, number], "", "", "between these all values of the parameter occur"),
+        Field("cells", Many(_CELL, 1, CELLS), "", "",
+              "pieces of the curve, in order, of which only one unknown is free: times and states "
+              "just before the contacts, and the parameter at the end; how many multipliers are "
+              "outside the unit circle on all of it, none on it"),
+        Field("points", Many(_POINT, 0, POINTS), "", "",
+              "short pieces of the cell of this number, counted from 0, on which a multiplier is "
+              "-1, or two are on the unit circle, or the parameter turns; where it is then; how "
+              "many multipliers are outside at both ends"),
+    )
+    CITES = (
+        cite("Krawczyk", NEUMAIER,
+             ("smooth", "F is real analytic on the boxes: guards are polynomials, resets rational "
+              "functions, flights exponentials", "cells"),
+             ("inclusion", "K lies in the interior of the box of each cell", "cells")),
+    )
+    # fmt: on
+    KINDS: ClassVar[dict[str, str]] = {
+        "flip": "a multiplier is -1",
+        "pair": "two multipliers that are not real are on the unit circle",
+        "fold": "the curve turns back, and a multiplier is 1",
+    }
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
+        """Reject what is not the same number everywhere, and too much work."""
+        need(hints["bits"] <= MOST_BITS, f"more than {MOST_BITS} bits")
+        count, cells, points = (len(claims[key]) for key in ("contacts", "cells", "points"))
+        for key in ("preconditioners", "cuts"):
+            need(len(hints[key]) == cells, f"hints.{key} is not a list of {cells}")
+        need(len(hints["points"]) == points, f"hints.points is not a list of {points}")
+        need(all(len(legs) == count for legs in hints["cuts"]), "a cell has not a leg a contact")
+        size = len(claims["cells"][0]["centre"])
+        pieces = sum(len(at) + 1 for legs in hints["cuts"] for leg in legs for at in leg.values())
+        work = hints["bits"] * (size // count + 3) * pieces
+        need(work <= WORK, "bits x variables x pieces of legs are more than 2^24")
+        entries = (cells + points) * size**2 * count
+        need(entries <= EQUATIONS, "cells x unknowns^2 x contacts are more than 2^24")
+
+    def prove(self) -> None:
+        """Prove the theorem."""
+        Curve.confirm(self.p)
+        self.orbit = Round(self.p, [Contact(**c) for c in self.claims["contacts"]],
+                           self.claims["periods"])  # fmt: skip
+        self.orbit.confirm()
+        self.equations = Equations(self.orbit, self.hints["bits"])
+        once = not self.equations.autonomous or self.claims["periods"] == 1
+        need(once, "claims.periods is not 1, but the system has no clock")
+        self.curve = Curve(self.equations)
+        given = zip(self.claims["cells"], self.hints["preconditioners"], strict=True)
+        self.cells = [self.curve.cell(_line(cell), C) for cell, C in given]
+        self.step("K lies in the interior of the box of each cell: one zero of F for each s")
+        joined = all(a.meets(b) for a, b in pairwise(self.cells))
+        need(joined, "two cells are not certain to be one curve")
+        self.step("each cell and the next have a point in common")
+        e = [self.quiet(k, cell) for k, cell in enumerate(self.cells)]
+        self.step("on each leg all guards of its mode are positive between the contacts")
+        self.counted(e)
+        self.reaches(self.points())
+
+    def reaches(self, short: list[Cell]) -> None:
+        """Prove that the parameter takes all values of the range: there are ends beyond it."""
+        low, high = self.claims["range"]
+        need(low < high, "claims.range is not in order")
+        every = (*self.cells, *short)
+        ends = [(cell.line, s, cell.at(s)[-1]) for cell in every for s in cell.line.ends]
+        last = self.curve.size
+        least = any(s <= low if c.along == last else p.upper <= low for c, s, p in ends)
+        most = any(s >= high if c.along == last else p.lower >= high for c, s, p in ends)
+        need(least and most, "the parameter may not go through all of claims.range")
+        self.step("the parameter takes all values of the range")
+
+    def quiet(self, k: int, cell: Cell) -> list[Interval]:
+        """Prove that the zeros of a cell are orbits; return the e_j of their multipliers."""
+        box = cell.box
+        steps, zeros = self.curve.steps(box), self.curve.expanded(box)
+        for j, cuts in enumerate(self.hints["cuts"][k]):
+            self.leg(zeros, steps[j], j, cuts)
+        return self.curve.multipliers(steps)
+
+    def counted(self, e: list[list[Interval]]) -> None:
+        """Prove how many multipliers are outside the unit circle, on the cells of which it is said.
+
+        The numbers are known of some cells, and are those of cells next to them.
+        """
+        known = [outside(each) for each in e]
+        size = self.curve.size
+        steady = [
+            cell.line.along == size and _is_steady(each)
+            for cell, each in zip(self.cells, e, strict=True)
+        ]
+        for order in (range(1, len(e)), range(len(e) - 2, -1, -1)):
+            for k in order:
+                if known[k] is None and steady[k]:
+                    known[k] = known[k - order.step]
+        for k, (cell, count) in enumerate(zip(self.claims["cells"], known, strict=True)):
+            certain = cell.get("outside", count) == count
+            need(certain, f"cell {k}: so many multipliers are not certain to be outside")
+        self.step("so many multipliers are outside the unit circle, and none on it")
+
+    def points(self) -> list[Cell]:
+        """Prove what happens at the points; return their short cells."""
+        fine, found = Curve(Equations(self.orbit, self.hints["fine"])), list[Cell]()
+        for k, (point, C) in enumerate(
+            zip(self.claims["points"], self.hints["points"], strict=True)
+        ):
+            need(point["cell"] < len(self.cells), f"point {k} is on no cell")
+            short, on = fine.cell(_line(point["short"]), C), self.cells[point["cell"]]
+            bits = self.hints["bits"]
+            ends = [(s, [x.with_bits(bits) for x in short.at(s)]) for s in short.line.ends]
+            lies = all(on.holds(short.line, s, w) for s, w in ends)
+            need(lies, f"point {k} is not certain to be on its cell")
+            self.compare(f"points[{k}].at", point["at"], short.box[-1])
+            self.happens(k, point, fine, short)
+            found.append(short)
+        self.step("each point lies on its cell, and what is claimed happens there")
+        return found
+
+    def happens(self, k: int, point: dict[str, Any], fine: Curve, short: Cell) -> None:
+        """Prove what is claimed of one point."""
+        steps = [fine.steps(short.at(s)) for s in short.line.ends]
+        e = [fine.multipliers(step) for step in steps]
+        counted = [outside(each) for each in e] == point["outside"]
+        need(counted, f"point {k}: not so many multipliers are certain to be outside at its ends")
+        kind, along = point["kind"], short.line.along
+        if kind == "pair":
+            before, after = point["outside"]
+            need(abs(before - after) == 2, f"point {k}: the counts do not differ by two")
+            over = fine.multipliers(fine.steps(short.box))
+            real = any(_product(over, sign).contains_zero() for sign in (1, -1))
+            need(not real, f"point {k}: a multiplier may be 1 or -1")
+            return
+        if kind == "fold":
+            need(along < fine.size, f"point {k}: along the parameter there is no fold")
+            a, b = (fine.rate(step, along) for step in steps)
+        else:
+            a, b = (_product(each, 1) for each in e)
+        differ = (a.is_positive() and (-b).is_positive()) or (
+            (-a).is_positive() and b.is_positive()
+        )
+        need(differ, f"point {k}: the signs at its ends are not certain to differ")
+
+    def words(self) -> str:
+        """Return the theorem in one line."""
+        claims, p = self.claims, self.p.state[-1]
+        names = ", ".join(f"'{c['guard']}' of '{c['mode']}', then '{c['to']}'"
+                          for c in claims["contacts"])  # fmt: skip
+        alone = self.p.autonomous
+        period = "an unknown period" if alone else f"period {claims['periods']} x 2 pi/omega"
+        low, high = claims["range"]
+        between = f"[{_decimal(low, ceil)}, {_decimal(high, floor)}]"
+        return (
+            f"the system with the {told(self.p)}; its variable {p} is a parameter, which nothing "
+            f"moves; there is a connected curve of orbits of {period}, {len(claims['cells'])} "
+            f"analytic pieces, each with these contacts in one round, at each of which the guard "
+            f"falls through 0, and no others: {names}; {p} takes on it all values in "
+            f"{between}; on each piece, in a box around a line, there is for each value of "
+            f"one unknown no other orbit with these contacts{''.join(self.counts())}"
+            f"{''.join(self.told_points())}"
+        )
+
+    def counts(self) -> Iterator[str]:
+        """Give, for pieces of the curve, how many multipliers are outside the unit circle."""
+        p, cells, n = self.p.state[-1], self.claims["cells"], len(self.p.state) - 1
+        k = 0
+        while k < len(cells):
+            count, first = cells[k].get("outside"), k
+            while k < len(cells) and cells[k].get("outside") == count:
+                k += 1
+            if count is not None:
+                pieces = f"piece {first}" if k - first == 1 else f"pieces {first} to {k - 1}"
+                yield (
+                    f"; on {pieces}, where {p} lies in {self.values(first, k)}, {count} of the {n} "
+                    "multipliers are outside the unit circle and none on it"
+                )
+
+    def values(self, first: int, after: int) -> str:
+        """Return an interval that contains the parameter on some pieces."""
+        found = [_values(_line(cell)) for cell in self.claims["cells"][first:after]]
+        low, high = min(a for a, _ in found), max(b for _, b in found)
+        return f"[{_decimal(low, floor)}, {_decimal(high, ceil)}]"
+
+    def told_points(self) -> Iterator[str]:
+        """Give what happens at the points."""
+        p = self.p.state[-1]
+        for point in self.claims["points"]:
+            at: Enclosure = point["at"]
+            before, after = point["outside"]
+            yield (
+                f"; for an orbit on piece {point['cell']} with {p} in {at} "
+                f"{self.KINDS[point['kind']]}: {before} outside the unit circle on one side, "
+                f"{after} on the other"
+            )
+
+
+def _line(given: dict[str, Any]) -> Line:
+    low, high = given["ends"]
+    return Line(given["along"], (low, high), given["centre"], given["slope"], given["reach"])
+
+
+def _is_steady(e: list[Interval]) -> bool:
+    """Return whether of two multipliers none is -1, nor two that are not real on the circle."""
+    if len(e) != 2 or _product(e, 1).contains_zero():
+        return False
+    one, size = e[1].integer(1), e[1].magnitude()
+    return size.is_before(one) or one.is_before(size)
+
+
+def _values(line: Line) -> tuple[Fraction, Fraction]:
+    """Return what the last unknown lies between on a cell."""
+    if line.along == len(line.centre) - 1:
+        return line.ends
+    low, high = (line.slope[-1] * (s - line.middle) for s in line.ends)
+    c, r = line.centre[-1], line.reach[-1]
+    return c - r + min(low, high), c + r + max(low, high)
+
+
+def _decimal(q: Fraction, towards: Callable[[Fraction], int]) -> str:
+    """Return a number as a decimal, rounded to this side."""
+    units = towards(q * 10**PLACES)
+    whole, part = divmod(abs(units), 10**PLACES)
+    digits = f"{part:0{PLACES}d}".rstrip("0")
+    return f"{'-' if units < 0 else ''}{whole}{'.' if digits else ''}{digits}"
+
+
+def _product(e: list[Interval], sign: int) -> Interval:
+    """Return the product of all 1 + sign x multiplier."""
+    total = e[0].integer(1)
+    for k, x in enumerate(e, 1):
+        total = total + x * sign**k
+    return total
+
+
+THEOREM = ContactsBranch

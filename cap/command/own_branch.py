@@ -1,0 +1,165 @@
+"""The command ``cap.prove branch --model FILE``: a curve of orbits of a system of one's own.
+
+An orbit is found as by ``periodic``; the curve through it is followed over a range of a parameter,
+and proved (`cap.proofs.contacts_branch`).
+"""
+
+import argparse
+import sys
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+
+from cap.certificate import report, writer
+from cap.command.console import Parser, columns, program, protected
+from cap.command.output import writable, writable_into
+from cap.command.progress import Progress, answered
+from cap.errors import BadInput, NotProved
+from cap.floats.models.periodic import Closed, near, search
+from cap.option import integer
+from cap.orbits.itinerary import Itinerary
+from cap.parameters import exact
+from cap.proofs import contacts_branch
+from cap.system.files import assigned, load
+from cap.system.model import System
+from cap.system.moving import moving
+from cap.words import printable, quoted, say
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command line; return its exit status."""
+    options = parser().parse_args([protected(word) for word in words])
+    progress = Progress()
+    return answered(lambda: _run(options, progress), progress)
+
+
+def add_common(p: argparse.ArgumentParser) -> None:
+    """Add what all proofs about systems of one's own take."""
+    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
+    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    p.add_argument(
+        "--period", default="1", metavar="N", help="of N periods of the clock (default 1)"
+    )
+    p.add_argument(
+        "--orbit", nargs="+", metavar="Z", help="prove the orbit near that of this state at t = 0"
+    )
+    p.add_argument("--mode", metavar="MODE", help="the mode of that state")
+
+
+def parser() -> Parser:
+    """Return the parser of this command."""
+    p = Parser(
+        prog=f"{program('cap.prove')} branch --model FILE",
+        description="Prove a curve of periodic orbits of a system of your own over a range of a "
+        "parameter: it exists, in pieces on which it is the only one, nothing else happens on its "
+        "orbits, how many multipliers are outside the unit circle, and where one passes -1, two "
+        "pass the circle elsewhere, or the curve turns back, to 20 digits.  The parameter must "
+        "stand in guards, resets or constant forces.",
+        epilog="Example: python -m cap.prove branch --model examples/ball.py --parameter A "
+        "--range 1 3 --set e=1/2",
+    )
+    p.add_argument("theorem", metavar="branch", help="what is proved")
+    add_common(p)
+    p.add_argument("--parameter", required=True, metavar="A", help="the parameter that varies")
+    p.add_argument(
+        "--range",
+        required=True,
+        nargs=2,
+        metavar=("LOW", "HIGH"),
+        help="its least and greatest value; the curve begins at the value of --set or of the model",
+    )
+    p.add_argument(
+        "--out",
+        type=Path,
+        default=Path("certificates"),
+        metavar="PATH",
+        help="a file ending in .json, or a directory (default: certificates)",
+    )
+    return p
+
+
+def _run(options: argparse.Namespace, progress: Progress) -> int:
+    """Find an orbit, and prove the curve through it."""
+    values, name = assigned(options.set), options.parameter
+    low, high = (exact(word) for word in options.range)
+    if not low < high:
+        raise BadInput("--range is LOW HIGH, LOW below HIGH")
+    here = load(options.model, values)
+    if name not in here.values:
+        known = ", ".join(here.values) or "none"
+        raise BadInput(f"{options.model} has no parameter {name}: there are {known}")
+    start = here.values[name]
+    if not low < start < high:
+        raise BadInput(
+            f"the curve begins at {name} = {start}, which is not inside of the range: "
+            f"give a value with --set"
+        )
+    path = _path(options, values)
+    periods = integer(options.period, "period", (1, 64))
+    orbit = _orbit(options, here.system, periods, progress)
+    progress.clear()
+    print(f"The curve begins at {name} = {start}: {printable(orbit.shown())}\n", flush=True)
+    begun = {contact.mode for contact in orbit.itinerary.contacts}
+
+    def at(value: Fraction) -> System:
+        return load(options.model, {**values, name: value}).system
+
+    system = moving(at, name, (low, high), begun)
+    itinerary = Itinerary(system, orbit.itinerary.contacts, orbit.itinerary.periods)
+    guess = [*orbit.guess, float(start)]
+    try:
+        proved, ends = contacts_branch.prove(itinerary, guess, (low, high), progress.tell)
+    except NotProved as failure:
+        progress.clear()
+        say(f"NOT PROVED (contacts_branch).  {failure}", sys.stderr)
+        return 1
+    progress.clear()
+    told = report.theorem(proved, columns(sys.stdout) or report.WIDTH)
+    try:
+        written = writer.write(proved, path)
+    except OSError as error:
+        print(told)
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    print(told)
+    for side, why in zip(("first", "last"), ends, strict=True):
+        if why:
+            print(printable(f"It is not followed beyond its {side} piece: {why}"))
+    print(f"\nCertificate: {quoted(path)} ({written}; the independent checker accepts it)\n")
+    return 0
+
+
+def _path(options: argparse.Namespace, values: Mapping[str, str]) -> Path:
+    """Return where the certificate goes."""
+    out: Path = options.out
+    if out.suffix == ".json":
+        writable(out)
+        return out
+    writable_into(out, ".json")
+    stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
+    told = [f"{key}={value}" for key, value in sorted(values.items())]
+    words = ["contacts_branch", Path(stem).stem, options.parameter, *options.range, *told]
+    path = out / f"{'-'.join(words).replace('/', '_')}.json"
+    if path.exists():
+        raise BadInput(f"there is a file at {quoted(path)}: name one with --out FILE.json")
+    return path
+
+
+def _orbit(options: argparse.Namespace, system: System, periods: int, progress: Progress) -> Closed:
+    """Return the orbit at which the curve begins."""
+    if system.autonomous and periods != 1:
+        raise BadInput("nothing depends on the clock: leave out --period, the period is unknown")
+    if options.orbit:
+        state = [float(exact(word)) for word in options.orbit]
+        if len(state) != len(system.state):
+            raise BadInput(f"--orbit is a state: give {', '.join(system.state)}")
+        try:
+            return near(system, state, options.mode, periods)
+        except NotProved as failure:
+            raise BadInput(f"no orbit that closes is near that of the state: {failure}") from None
+    met = search(system, periods, progress.tell)
+    if not met.orbits:
+        raise BadInput(
+            "no isolated orbit with a contact was found where the curve begins "
+            "(a state near one can be given with --orbit)"
+        )
+    return met.orbits[0]

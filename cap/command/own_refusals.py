@@ -1,0 +1,41 @@
+"""Why a theorem does not apply to a system of one's own, in one line each."""
+
+from collections.abc import Mapping
+
+from cap.proofs import symbolic
+from cap.proofs.theorems import THEOREMS
+
+PROVED = "of a system of one's own `periodic` and `branch` are proved"
+
+REASONS: Mapping[str, str] = {
+    "capture": "its bounds are those of hits of a wall under dry friction, for one mass",
+    "attractor": "its map of an interval begins where dry friction releases one mass",
+    "entropies": "its map of an interval begins where dry friction releases one mass",
+    "window": "its map of an interval begins where dry friction releases one mass",
+    "cascade": "its map of an interval begins where dry friction releases one mass",
+    "elliptic": "its twist needs derivatives of third order, which are not written for any system",
+    "effective_stability": "its motions are those whose velocity never vanishes, of one mass",
+    "island": "its invariant curve is one of the map over half a period, of one mass",
+    "homoclinic": "its curves are those of a saddle of the map over one period, of one mass",
+    "saddle": "`periodic --model` says of any orbit how many multipliers are outside the circle",
+    "persistence": "its family goes from elastic walls to others; see `branch --model`",
+    "pitchfork": "its orbits hit each of two walls once, in closed form; see `branch --model`",
+    "symmetric": "its orbits hit each of two walls once, in closed form; see `branch --model`",
+    "inventory": "its list is complete by a bound of the velocities between two walls",
+    "segment": "its orbits touch no wall and are in closed form",
+    "conservative": "its areas are those of velocities that never vanish, between two walls",
+    "mixed": "its areas are those of one mass between two walls",
+    "horseshoe": "its parallelograms are carried by motions of one mass that never stop",
+    "impulse": "its bound is that of the momentum of one mass under dry friction",
+    "symplectic": "its identities are those of collisions of masses",
+}
+MASSES = "it is about masses between two walls; `periodic --model` takes any number of them"
+OTHER = "it is about one mass between two walls"
+
+
+def why(theorem: str) -> str:
+    """Return the line for a theorem, or for what is none."""
+    if theorem not in (*THEOREMS, *symbolic.NAMES):
+        return f"there is no theorem {theorem!r}; {PROVED}"
+    other = MASSES if theorem.startswith(("particles", "sliding")) else OTHER
+    return f"{theorem} does not apply to a model: {REASONS.get(theorem, other)}; {PROVED}"

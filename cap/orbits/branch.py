@@ -1,0 +1,338 @@
+"""A curve of periodic orbits over a range of a parameter, followed from one orbit, cell by cell.
+
+It ends where the parameter leaves the range, or where a cell fails however short it is: where the
+orbit grazes a guard, say.  What is seen on the way in doubles, multipliers that cross the unit
+circle and turns of the curve, is then enclosed in cells of the length 4e-24 (`Point`).
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from itertools import combinations
+from math import prod
+from typing import Any, Generic, NamedTuple, TypeVar
+
+import numpy as np
+
+from cap.errors import NotProved
+from cap.maps.zero import Box
+from cap.orbits.cells import Cell, Cells, Line
+from cap.orbits.periodic import outside
+from cap.sets import interval
+from cap.sets.interval import Ball
+
+FINE = 224  # bits for points
+PLACES, STEPS = 24, 40  # decimals of a point; steps of the secant method
+FIRST, LONG, SHORT, GROWTH = 1 / 100, 1 / 20, 1e-5, 1.4  # half lengths of cells, of the range
+CLEAR = 1 / 500  # a longer cell should tell how many multipliers are outside the unit circle
+MOST = 1500
+STEEP = 0.03  # of the parameter in the tangent, so that a cell goes along it
+
+Legs = TypeVar("Legs")
+
+
+class Shown(NamedTuple, Generic[Legs]):
+    """A cell, and what shows that nothing else happens on its orbits."""
+
+    cell: Cell
+    legs: Legs
+
+
+class Point(NamedTuple):
+    """A short cell on the cell of a number, over which ``kind`` happens.
+
+    A multiplier passes -1 ("flip"), two pass the unit circle elsewhere ("pair"), or the curve turns
+    back ("fold"): the sign of the test function changes.  So many multipliers are outside the unit
+    circle at both ends.
+    """
+
+    kind: str
+    inside: int
+    cell: Cell
+    outside: tuple[int, int]
+
+
+@dataclass
+class Branch(Generic[Legs]):
+    """Cells in order along the curve, points on it, and why it ends where it does (or nothing).
+
+    Of each cell it is known how many multipliers are outside the unit circle, or not (None).
+    """
+
+    cells: list[Shown[Legs]] = field(default_factory=list)
+    counts: list[int | None] = field(default_factory=list)
+    points: list[Point] = field(default_factory=list)
+    ends: tuple[str, str] = ("", "")
+
+
+Quiet = Callable[[Box], Legs]
+Tell = Callable[[str, float | None], None]
+
+
+class Follower(Generic[Legs]):
+    """Follows curves in a range of the parameter."""
+
+    def __init__(
+        self, cells: Cells, ends: tuple[Fraction, Fraction], quiet: Quiet[Legs], tell: Tell
+    ) -> None:
+        self.cells, self.quiet, self.tell = cells, quiet, tell
+        self.low, self.high = ends
+        self.size = cells.curve.size  # the parameter is the unknown of this number
+
+    def branch(self, w: Sequence[float]) -> Branch[Legs]:
+        """Return the curve through an orbit, to both sides."""
+        start = [float(x) for x in w]
+        v = self.cells.tangent(start)
+        v = v if v[self.size] > 0 else -v
+        before, first = self._followed(start, -v, None)
+        after, last = self._followed(start, v, before[0] if before else None)
+        if not before and not after:
+            raise NotProved("branch", f"no cell is proved where it begins: {last or first}")
+        shown = [*reversed(before), *after]
+        cells = [each.cell for each in shown]
+        return Branch(shown, self.counts(cells), list(self._points(cells)), (first, last))
+
+    def _followed(
+        self, z: Sequence[float], v: Any, beside: Shown[Legs] | None
+    ) -> tuple[list[Shown[Legs]], str]:
+        """Return cells from an orbit on in one direction, and why they end.
+
+        The first has an orbit in common with the cell that is ``beside`` it.
+        """
+        found, last = list[Shown[Legs]](), beside.cell if beside else None
+        along = self._unknown(v)
+        s, part = _exactly(z[along]) if along == self.size else _rounded(z[along]), FIRST
+        while len(found) < MOST:
+            self.tell("following the branch", None)
+            if self._is_over(s if along == self.size else _exactly(z[self.size]), v[self.size]):
+                return found, ""
+            new = self._unknown(v)
+            begin = s if new == along else self._begin(found[-1].cell, s, new)
+            end = self._end(new, begin, v[new], part)
+            try:
+                shown = self._shown(z, v, new, (begin, end))
+                clear = self._is_clear(shown.cell)
+                if not clear and part > CLEAR:
+                    raise NotProved("branch", "multipliers may be on the unit circle on it")
+                if last and not shown.cell.holds(last, s) and not last.holds(shown.cell, begin):
+                    raise NotProved("branch", "cells are not certain to be one curve")
+            except NotProved as reason:
+                why, part = str(reason), part / 2
+                if part < SHORT:
+                    return found, why
+                continue
+            found.append(shown)
+            last, along, s = shown.cell, new, end
+            z = [float(x) for x in last.at(end)]
+            ahead = self.cells.tangent(z)
+            v = ahead if ahead @ v > 0 else -ahead
+            part = min(part * GROWTH, LONG) if clear else part
+        return found, f"after {MOST} cells"
+
+    def _unknown(self, v: Any) -> int:
+        """Return along which unknown a cell goes: the parameter, if the curve is not too steep."""
+        return self.size if abs(v[self.size]) > STEEP * max(abs(v)) else int(np.argmax(abs(v)))
+
+    def _is_over(self, p: Fraction, rate: float) -> bool:
+        """Return whether the parameter is at an end of its range, and leaves it."""
+        return p >= self.high if rate > 0 else p <= self.low
+
+    def _is_clear(self, cell: Cell) -> bool:
+        """Return whether it is known how many multipliers are outside, or that these stay so."""
+        return outside(cell.multipliers) is not None or self._steady(cell)
+
+    def _begin(self, cell: Cell, s: Fraction, new: int) -> Fraction:
+        """Return where a cell along another unknown begins: somewhat before the last one ends."""
+        inward = s + (cell.line.middle - s) / 5
+        w = [float(x) for x in cell.line.at(interval.ball(inward - cell.line.middle))]
+        return _rounded(self.cells.newton(w, cell.line.along)[0][new])
+
+    def _end(self, along: int, begin: Fraction, rate: float, part: float) -> Fraction:
+        """Return where a cell ends; one along the parameter in its range."""
+        long = part * (float(self.high - self.low) if along == self.size else 1)
+        end = _rounded(float(begin) + (2 * long if rate > 0 else -2 * long))
+        return min(max(end, self.low), self.high) if along == self.size else end
+
+    def _shown(
+        self, z: Sequence[float], v: Any, along: int, ends: tuple[Fraction, Fraction]
+    ) -> Shown[Legs]:
+        """Prove a cell, and that nothing else happens on its orbits."""
+        low, high = sorted(ends)
+        if not low < high:
+            raise NotProved("branch", "a cell is too short for decimals")
+        step = (float(low + high) / 2 - z[along]) / v[along]
+        line = self.cells.line(
+            [x + step * y for x, y in zip(z, v, strict=True)], along, (low, high)
+        )
+        cell = self.cells.prove(line)
+        return Shown(cell, self.quiet(cell.wider))
+
+    # multipliers
+
+    def _steady(self, cell: Cell) -> bool:
+        """Return whether no multiplier can pass the unit circle on a cell: of two, and along p.
+
+        1 is none as the derivative of F is not singular; -1 is none, nor is a pair on the circle.
+        """
+        e = cell.multipliers
+        if len(e) != 2 or cell.line.along != self.size:
+            return False
+        total, size = _at_minus_one(e), abs(e[1])
+        return bool(not total.contains(0) and (size < 1 or size > 1))
+
+    def counts(self, cells: Sequence[Cell]) -> list[int | None]:
+        """Return how many multipliers are outside the unit circle on each cell, None if unclear.
+
+        Where none can pass the circle, they are as many as on a cell next to it.
+        """
+        known = [outside(cell.multipliers) for cell in cells]
+        for order in (range(1, len(cells)), range(len(cells) - 2, -1, -1)):
+            for k in order:
+                if known[k] is None and self._steady(cells[k]):
+                    known[k] = known[k - order.step]
+        return known
+
+    # points
+
+    def _points(self, cells: list[Cell]) -> Iterator[Point]:
+        """Give points where test functions change their signs from one end of a cell to the other.
+
+        A point that is not proved is left out.
+        """
+        for k, cell in enumerate(cells):
+            self.tell("looking for bifurcations", k / len(cells))
+            ends = [self._tests(cell, s) for s in cell.line.ends]
+            for kind in ends[0]:
+                if ends[0][kind] * ends[1][kind] < 0:
+                    try:
+                        with interval.workprec(FINE):
+                            yield self._point(kind, k, cell)
+                    except NotProved as r:
+                        print(kind, k, r)
+                        continue
+
+    def _tests(self, cell: Cell, s: Fraction) -> dict[str, float]:
+        """Return the test functions in doubles."""
+        w = [float(x) for x in cell.at(s)]
+        with interval.workprec(64):
+            e = self.cells.multipliers(tuple(map(Ball, w)))
+        found = {"flip": float(_at_minus_one(e)), "pair": float(_of_pairs(e))}
+        if cell.line.along != self.size:
+            v = self.cells.tangent(w)
+            found = {"fold": v[self.size] / v[cell.line.along], **found}
+        return found
+
+    def _point(self, kind: str, number: int, cell: Cell) -> Point:
+        """Prove that the test function changes its sign over a short cell."""
+        s = self._zero(kind, cell)
+        unit = Fraction(1, 10**PLACES)
+        middle = round(s, PLACES)
+        low, high = cell.line.ends
+        ends = max(middle - 2 * unit, low), min(middle + 2 * unit, high)
+        short = self.cells.prove(self._fine(cell.line, ends))
+        if not cell.holds(short, ends[0]) or not cell.holds(short, ends[1]):
+            raise NotProved("point", "it is not certain to be on the curve")
+        signs = [self.sign(kind, short, end) for end in ends]
+        if signs[0] * signs[1] != -1:
+            raise NotProved("point", f"no change of sign is certain: {kind}")
+        counts = [outside(self.cells.multipliers(short.at(end))) for end in ends]
+        before, after = counts
+        if before is None or after is None:
+            raise NotProved("point", "multipliers may be on the unit circle beside it")
+        if kind == "pair" and abs(before - after) != 2:
+            raise NotProved("point", "no pair of multipliers crosses the unit circle")
+        return Point(kind, number, short, (before, after))
+
+    def sign(self, kind: str, cell: Cell, s: Fraction) -> int:
+        """Return the sign of a test function; 0 if it is not certain."""
+        value = self._value(kind, cell, s)
+        return 1 if value > 0 else -1 if value < 0 else 0
+
+    def _value(self, kind: str, cell: Cell, s: Fraction) -> Ball:
+        """Return an enclosure of a test function."""
+        box = cell.at(s)
+        if kind == "fold":
+            return self._rate(box, cell.line.along)
+        e = self.cells.multipliers(box)
+        return _at_minus_one(e) if kind == "flip" else _of_pairs(e)
+
+    def _rate(self, box: Box, along: int) -> Ball:
+        """Return an enclosure of dp/ds."""
+        curve, size = self.cells.curve, self.size
+        rows = curve.rows(curve.blocks(box, self.cells.balls))
+        others = [k for k in range(size + 1) if k != along]
+        A = interval.matrix([[row[k] for k in others] for row in rows])
+        b = interval.column([-row[along] for row in rows])
+        try:
+            rates = A.solve(b).entries()
+        except ZeroDivisionError:
+            raise NotProved("point", "F' may be singular along the curve") from None
+        value: Ball = rates[others.index(size)]
+        return value
+
+    def _fine(self, line: Line, ends: tuple[Fraction, Fraction]) -> Line:
+        """Return a line through a point of the curve that is known to many digits."""
+        middle, along, size = (ends[0] + ends[1]) / 2, line.along, self.size
+        others = [k for k in range(size + 1) if k != along]
+        C = interval.matrix([[interval.ball(q) for q in row] for row in line.matrix])
+        start = line.at(interval.ball(middle - line.middle))
+        w, of = [x.mid() for x in start], self.cells.balls
+        w[along] = interval.ball(middle)
+        for _ in range(STEPS):
+            step = (C * interval.column(self.cells.curve.value(w, of))).entries()
+            for k, d in zip(others, step, strict=True):
+                w[k] = (w[k] - d).mid()
+            if max(float(abs(d)) for d in step) < 1e-50:
+                break
+        rows = self.cells.slopes([float(x) for x in w])
+        inverse = np.linalg.inv(rows[:, others])
+        rates = np.ones(size + 1)
+        rates[others] = -inverse @ rows[:, along]
+        centre = [round(interval.midpoint(x), 2 * PLACES) for x in w]
+        centre[along] = middle
+        matrix = [[Fraction(round(x * 2**48), 2**48) for x in row] for row in inverse.tolist()]
+        return Line(along, ends, centre, [Fraction(f"{q:.8g}") for q in rates], matrix)
+
+    def _zero(self, kind: str, cell: Cell) -> Fraction:
+        """Return where the test function changes its sign, by the secant method; a guess."""
+
+        def value(s: Fraction) -> Fraction:
+            line = self._fine(cell.line, (s, s))
+            exact = Cell(line, (), (interval.ZERO,) * (self.size + 1), [])
+            return interval.midpoint(self._value(kind, exact, s))
+
+        low, high = a, b = cell.line.ends
+        f, g = value(a), value(b)
+        for _ in range(STEPS):
+            if f == g:
+                break
+            s = min(max(round(b - g * (b - a) / (g - f), PLACES + 8), low), high)
+            a, f, b, g = b, g, s, value(s)
+            if abs(b - a) < Fraction(1, 10 ** (PLACES + 3)):
+                break
+        return b
+
+
+def _exactly(x: float) -> Fraction:
+    return Fraction(repr(x))
+
+
+def _rounded(x: float) -> Fraction:
+    return Fraction(f"{x:.9f}")
+
+
+def _at_minus_one(e: Sequence[Ball]) -> Ball:
+    """Return the product of 1 + multiplier."""
+    return interval.total([interval.ONE, *e])
+
+
+def _of_pairs(e: Sequence[Ball]) -> Ball:
+    """Return the product of 1 - the product of two multipliers, over all pairs; a guess."""
+    p = [1.0] + [(-1) ** k * float(x) for k, x in enumerate(e, 1)]
+    if len(e) == 2:
+        return 1 - e[1]
+    roots = np.roots(p)
+    return Ball(float(np.real(prod(1 - a * b for a, b in combinations(roots.tolist(), 2)))))
+
+
+__all__ = ["Branch", "Follower", "Point", "Shown"]

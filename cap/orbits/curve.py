@@ -1,0 +1,58 @@
+"""Curves of periodic orbits: the equations of an orbit with a parameter p that is unknown, too.
+
+The system has p as its last variable, which nothing moves (`cap.system.moving`).  The unknowns w
+are the times and states just before the contacts, without p, and at the end p: one more than there
+are equations, F(w) = 0.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from cap.orbits.equations import Block, Equations, Unknowns
+from cap.orbits.itinerary import Itinerary
+from cap.orbits.leg import Kinds
+from cap.orbits.numbers import Numbers
+
+
+class Curve:
+    """F and F' of the orbits with an itinerary, in w."""
+
+    def __init__(self, itinerary: Itinerary, kinds: Kinds | None = None) -> None:
+        self.equations = Equations(itinerary, kinds)
+        self.step = self.equations.n  # time and state of a contact, without p
+        self.size = self.step * len(itinerary.contacts)  # equations; p is the unknown after these
+
+    def expanded(self, w: Unknowns) -> list[Any]:
+        """Return the unknowns of the system in which p is a variable."""
+        found: list[Any] = []
+        for k in range(0, self.size, self.step):
+            found += [*w[k : k + self.step], w[self.size]]
+        return found
+
+    def value(self, w: Unknowns, of: Numbers) -> list[Any]:
+        """Return F(w)."""
+        return self._shortened(self.equations.value(self.expanded(w), of))
+
+    def blocks(self, w: Unknowns, of: Numbers) -> list[Block]:
+        """Return the derivatives of each leg, those by p, too."""
+        return self.equations.blocks(self.expanded(w), of)
+
+    def rows(self, blocks: Sequence[Block]) -> list[list[Any]]:
+        """Return F' by rows."""
+        width = self.step + 1
+        return [
+            [*self._shortened(row), sum(row[self.step :: width])]
+            for row in self._shortened(self.equations.rows(blocks))
+        ]
+
+    def of_round(self, blocks: Sequence[Block]) -> list[Block]:
+        """Return the derivatives of each leg at one p."""
+        n = self.step
+        return [
+            Block(guard[:n], [[*row[:n], row[-1]] for row in rows[:-1]]) for guard, rows in blocks
+        ]
+
+    def _shortened(self, entries: Sequence[Any]) -> list[Any]:
+        """Return what is not of p; of each contact it is the last."""
+        width = self.step + 1
+        return [x for k, x in enumerate(entries) if (k + 1) % width]

@@ -1,0 +1,141 @@
+"""Theorem (contacts_branch).  Let a system be given as data (`cap.system.model`) that depends on a
+parameter p, which stands in guards, resets and constant forces.  Let an orbit be given by its
+contacts, with a guess.  If the lemmas below succeed, then
+
+ (i)   there is a connected curve of periodic orbits with these contacts, in analytic pieces, on
+       which p takes all values of an explicit interval; in boxes around the pieces there are no
+       others with these contacts, for each value of one unknown;
+ (ii)  nothing else happens on them; on pieces of which it is said, so many multipliers are outside
+       the unit circle, and none on it;
+ (iii) on explicit short pieces a multiplier passes -1, or two that are not real pass the unit
+       circle, or p turns back and a multiplier is 1: a function changes its sign there.  That such
+       a point is a bifurcation of a certain type is not claimed.
+
+Proof.  `cap.orbits.cells` (i), `cap.orbits.quiet` (ii), `cap.orbits.branch` (iii).
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from cap.certificate import writer
+from cap.certificate.writer import Rounding
+from cap.checker.theorems import load
+from cap.errors import BadInput
+from cap.orbits.branch import FINE, Branch, Follower, Point, Shown, Tell
+from cap.orbits.cells import SHIFT, Cell, Cells, wider
+from cap.orbits.curve import Curve
+from cap.orbits.itinerary import Itinerary
+from cap.orbits.periodic import Prover
+from cap.proofs import contacts
+from cap.proofs.contacts import Cuts as Legs
+from cap.sets import interval
+from cap.sets.interval import exact_decimal as _decimal
+
+BITS, DIGITS = 96, 20
+
+
+def prove(
+    itinerary: Itinerary,
+    guess: Sequence[float],
+    ends: tuple[Fraction, Fraction],
+    tell: Tell = lambda _words, _part: None,
+) -> tuple[dict[str, Any], tuple[str, str]]:
+    """Return a certificate of the curve through an orbit, and why it ends (nothing: the range).
+
+    The system has the parameter as its last variable (`cap.system.moving`); ``guess`` has the time
+    and the state just before each contact, and the parameter at the end.
+    """
+    parameters = contacts.as_parameters(itinerary.system)
+    with interval.workprec(BITS):
+        curve = Curve(itinerary)
+        prover = Prover(curve.equations, pieces=True)
+
+        def quiet(box: Sequence[Any]) -> Legs:
+            around = tuple(curve.expanded(box))
+            return contacts.legs(prover, around, prover.reasons(around))
+
+        found = Follower(Cells(curve), ends, quiet, tell).branch(guess)
+        certificate = {
+            "format": writer.FORMAT,
+            "theorem": "contacts_branch",
+            "parameters": parameters,
+            "digits": str(DIGITS),
+            "claims": claims(itinerary, found),
+            "hints": hints(found),
+            "cites": list(load("contacts_branch").CITES),
+            "provenance": writer.provenance(BITS),
+        }
+        tell("checking", None)
+        cuts = [leg for shown in found.cells for leg in shown.legs]
+        return contacts.checked(certificate, cuts, _by_cell(len(itinerary.contacts))), found.ends
+
+
+def _by_cell(count: int) -> Any:
+    """Return how cuts are written: those of so many legs belong to a cell."""
+    return lambda cuts: [cuts[k : k + count] for k in range(0, len(cuts), count)]
+
+
+def claims(itinerary: Itinerary, found: Branch[Legs]) -> dict[str, Any]:
+    """Return what is claimed of a curve."""
+    values = [_parameter(shown.cell, s) for shown in found.cells for s in shown.cell.line.ends]
+    turns = [interval.outward(p.cell.box[-1], DIGITS) for p in found.points if p.kind == "fold"]
+    values += [(Fraction(lower), Fraction(upper)) for lower, upper in turns]
+    low, high = min(upper for _, upper in values), max(lower for lower, _ in values)
+    if not low < high:
+        raise BadInput("the curve that is proved is too short: the parameter hardly moves on it")
+    return {
+        "contacts": [contact._asdict() for contact in itinerary.contacts],
+        "periods": str(itinerary.periods),
+        "range": [_decimal(low), _decimal(high)],
+        "cells": [_cell(*each) for each in zip(found.cells, found.counts, strict=True)],
+        "points": [_point(point) for point in found.points],
+    }
+
+
+def _parameter(cell: Cell, s: Fraction) -> tuple[Fraction, Fraction]:
+    """Return bounds of the parameter at an end of a cell, with room for the checker's."""
+    if cell.line.along == len(cell.line.centre) - 1:
+        return s, s
+    lower, upper = interval.outward(wider(cell.at(s)[-1]), 9)
+    return Fraction(lower), Fraction(upper)
+
+
+def _shape(cell: Cell) -> dict[str, Any]:
+    line = cell.line
+    return {
+        "along": str(line.along),
+        "ends": [_decimal(s) for s in line.ends],
+        "centre": [_decimal(q) for q in line.centre],
+        "slope": [_decimal(q) for q in line.slope],
+        "reach": [_decimal(q) for q in cell.reach],
+    }
+
+
+def _cell(shown: Shown[Legs], count: int | None) -> dict[str, Any]:
+    return {**_shape(shown.cell), **({} if count is None else {"outside": str(count)})}
+
+
+def _point(point: Point) -> dict[str, Any]:
+    return {
+        "kind": point.kind,
+        "cell": str(point.inside),
+        "short": _shape(point.cell),
+        "at": Rounding(DIGITS).pair(point.cell.box[-1]),
+        "outside": [str(count) for count in point.outside],
+    }
+
+
+def hints(found: Branch[Legs]) -> dict[str, Any]:
+    """Return what the checker need not search, but the cuts."""
+    return {
+        "bits": str(BITS),
+        "fine": str(FINE),
+        "preconditioners": [_matrix(shown.cell) for shown in found.cells],
+        "cuts": [],
+        "points": [_matrix(point.cell) for point in found.points],
+    }
+
+
+def _matrix(cell: Cell) -> list[list[str]]:
+    return [[str(round(q * 2**SHIFT)) for q in row] for row in cell.line.matrix]

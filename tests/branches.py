@@ -1,0 +1,47 @@
+"""Certificates of curves of periodic orbits, each proved once."""
+
+from copy import deepcopy
+from fractions import Fraction
+from functools import cache
+
+import models
+
+from cap.orbits.itinerary import Contact, Itinerary
+from cap.proofs.contacts_branch import prove
+from cap.system.files import read
+from cap.system.moving import moving
+
+ENDS = Fraction("1.045"), Fraction("1.06")
+FLIP = Fraction("1.5"), Fraction("1.55")
+TURN = [("back", "turn", "coming"), ("coming", "kick", "going"), ("going", "stop", "back")]
+
+
+def ball(ends, guess):
+    """Return the curve of a ball over an amplitude."""
+    system = moving(lambda A: models.ball(A=A), "A", ends, ["fly"])
+    return prove(Itinerary(system, [Contact("fly", "table", "fly")]), guess, ends)
+
+
+def clock():
+    """Return the curve of the clock over its dry friction."""
+    ends = Fraction(0), Fraction("0.01")
+    system = moving(lambda f: read("examples/clock.py", {"f": f}), "f", ends, ["going"])
+    guess = [6.292138, -1.403255, 0, 1.626726, 0, 1.288769, 3.146611, 1.653107, 0, 0.005]
+    return prove(Itinerary(system, [Contact(*names) for names in TURN]), guess, ends)
+
+
+CASES = {
+    "fold": lambda: ball(ENDS, [0.1, 0.1, -3.14159, 1.0525]),
+    "flip": lambda: ball(FLIP, [0.8, 1.1, -3.14159, 1.525]),
+    "clock": clock,
+}
+
+
+def certificate(name):
+    """Return a certificate, which may be changed, and why the curve ends."""
+    return deepcopy(_proved(name)[0])
+
+
+@cache
+def _proved(name):
+    return CASES[name]()
