@@ -95,7 +95,14 @@ def test_words_that_are_not_there():
 
 def claim_of(example, **data):
     """Return a claim made of data."""
-    entry = {"verdict": "confirmed", "stated": "0.25", "found": "yes", "evidence": "{x:3}", **data}
+    entry = {
+        "id": "strobe.example",
+        "verdict": "confirmed",
+        "stated": "0.25",
+        "found": "yes",
+        "evidence": "{x:3}",
+        **data,
+    }
     return replace(example[0], decide=lambda: given._derived(entry, {}))
 
 

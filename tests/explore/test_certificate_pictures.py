@@ -22,6 +22,7 @@ pytestmark = pytest.mark.usefixtures("orbits_computed_once", "releases_computed_
 ROOT = Path(__file__).parents[2]
 STORED = ROOT / "certificates"
 REJECTED = sorted((Path(__file__).parents[1] / "certificates/reject").glob("mixed_*.json"))
+UNDRAWN = "contacts_branch", "horseshoe", "map_horseshoe"  # refused in one line
 SOON = ("box_past_the_wall", "no_sink", "other_interval")
 
 
@@ -42,8 +43,8 @@ def refused(path, out, capsys):
 
 
 def test_every_theorem_has_a_picture():
-    """Each has a function that draws it, and, where that is named, a proof."""
-    assert sorted({*theorems.DRAWINGS, "horseshoe"}) == NAMES
+    """Each but those of `UNDRAWN` has a function that draws it, and, if that is named, a proof."""
+    assert sorted([*theorems.DRAWINGS, *UNDRAWN]) == NAMES
     for name in theorems.DRAWINGS:
         assert callable(theorems.function(name))
         assert theorems.proof(name).prove

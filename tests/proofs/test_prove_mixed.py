@@ -17,10 +17,10 @@ from cap.checker.folded.basins import Basins
 from cap.checker.kernel.certificate import read
 from cap.checker.theorems.mixed import Mixed
 from cap.errors import BadInput, NotProved
-from cap.explore import mixed as picture
+from cap.explore import explorer
 from cap.floats.candidates import Request
 from cap.parameters import PAPER
-from cap.pictures import proved as painting
+from cap.pictures.theorems import mixed as painting
 from cap.proofs import mixed, places
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
@@ -145,7 +145,7 @@ def drawn(coarse, tmp_path_factory):
         patch.setattr(
             painting, "proved", lambda *known: outlines.extend(proved(*known)) or outlines
         )
-        assert picture.main([str(path), "--out", str(out)]) == 0
+        assert explorer.main(["certificate", str(path), "--out", str(out)]) == 0
     return path, out, outlines
 
 
@@ -189,7 +189,7 @@ def test_no_picture(drawn, tmp_path, capsys):
     path, out, _ = drawn
     for words in ([str(tmp_path / "no.json")], [str(out)], [str(path), "--out", "a.csv"]):
         capsys.readouterr()
-        assert picture.main(words) == 2
+        assert explorer.main(["certificate", *words]) == 2
         assert capsys.readouterr().err.startswith("error: ")
 
 
