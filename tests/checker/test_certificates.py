@@ -71,6 +71,7 @@ REASONS = {
 
 SLOW = {  # like others of their theorems, and as long to check as a true one
     "conservative_by_three_flights",
+    "effective_stability_for_longer",
     "entropies_with_a_larger_share_of_cycles",
     "mixed_early_sticks_dropped",
     "mixed_places_all_at_once",
