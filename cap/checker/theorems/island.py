@@ -158,7 +158,8 @@ class Island(BetweenWalls):
 
     def seconds(self) -> int:
         """Return about how long a proof takes: products of functions are most of it."""
-        return self.hints["degree"] * self.hints["places"] * len(self.hints["hits"]) // PER_SECOND
+        hints = self.hints
+        return int(hints["degree"] * hints["places"] * len(hints["hits"])) // PER_SECOND
 
     def prove(self) -> None:
         """Prove the theorem."""
