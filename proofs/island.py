@@ -46,7 +46,7 @@ from cap.tori.states import Motion, States, covering
 
 SUMMARY = "an explicit invariant curve around an elliptic orbit: what is inside never stops"
 GROUP = "orbit"
-SEARCH = candidates.elliptic
+SEARCH = candidates.with_islands
 OPTIONS = (ROTATION, LARGEST)
 CHECK = together
 
@@ -56,6 +56,7 @@ REACHES = tuple(Fraction(1, n) for n in (300, 1000, 10_000, 100_000, 1_000_000))
 LOOSE = Ball("1e-20")
 TRIES = 4  # with more and more modes
 MODES = 4096
+PER_SECOND = 1500  # digits of functions, for half a period
 STEPS_OF_CURVE = ("invariant curve", "search", "reciprocal", "frame", "implicit equation", "sine")
 
 
@@ -120,28 +121,30 @@ def prove(setting: Setting) -> Proof:
 def located(setting: Setting) -> Place:
     """Return where the island is; half a period suffices if the orbit is its own image."""
     p, guess = setting.parameters, setting.start
-    alpha, a = p.f / p.F, p.R * p.omega**2 / p.F / 2
-    length, speed = (float(p.F / p.omega**k) for k in (2, 1))
-    z = (guess.x - float(p.l + p.r) / 2) / length, guess.v / speed
-    if not z[1] > 0:
+    if not guess.v > 0:
         raise BadInput("the theorem island is about orbits with v > 0 at t = 0")
-    sigma = tori.HalfPeriod(float(alpha), float(a))
-    image = sigma(*z)
-    halves = 1 if max(abs(image[0] - z[0]), abs(image[1] - z[1])) < 1e-6 else 2
-    return Place(tori.centre(halves, sigma, z), (alpha, a))
+    laws = p.f / p.F, p.R * p.omega**2 / p.F / 2
+    return Place(tori.of_orbit(p, guess.x, guess.v), laws)
 
 
 def island(setting: Setting, place: Place, q: Quadratic) -> Content:
     """Prove the theorem for one rotation number; return claims and hints."""
     setting.progress(f"alpha = {q}: orbits with this rotation number are looked for")
     rows = tori.coefficients(place.centre, float(q.value()))
+    if not tori.winds(place.centre, rows):
+        raise NotProved("Lemma 3", "the curve may not wind around P*", {"rotation number": str(q)})
+    reaches = [r for r in REACHES if tori.never_stops(place.centre, rows, float(r))]
+    if not reaches:
+        raise NotProved("Lemma 1", "motions from around the curve may stop", {"alpha": str(q)})
     decay = tori.decay(rows)
+    if 95 / decay > MODES:
+        raise NotProved("curve", "its coefficients fall too slowly", {"exponent": decay})
     scales = {Scale.of(decay, setting.digits, attempt): None for attempt in range(TRIES)}
     failed = NotProved("curve", "there is no number of modes to try")
     for scale in scales:
         try:
             with interval.workprec(scale.bits):
-                return _content(setting, place, q, scale, rows)
+                return _content(setting, place, q, scale, (rows, reaches))
         except NotProved as reason:
             if reason.step not in STEPS_OF_CURVE:
                 raise
@@ -149,12 +152,16 @@ def island(setting: Setting, place: Place, q: Quadratic) -> Content:
     raise failed
 
 
-def _content(setting: Setting, place: Place, q: Quadratic, scale: Scale, rows: Any) -> Content:
-    setting.progress(f"alpha = {q}: {scale.degree} modes")
+def _content(
+    setting: Setting, place: Place, q: Quadratic, scale: Scale, start: tuple[Any, list[Fraction]]
+) -> Content:
+    rows, reaches = start
+    work = scale.degree * scale.places * place.centre.halves
+    setting.progress(f"alpha = {q}: {scale.degree} modes, about {work // PER_SECOND} s")
     gamma = interval.short(q.diophantine())
     at = approximate(setting, place, (q, gamma), scale, rows)
     words, at = written(at, scale.places)
-    reach, proved = lemma_2_curve(at)
+    reach, proved = lemma_2_curve(at, reaches)
     found = loosened(proved)
     motion = Motion.of(*place.laws)
     middle, axes = centred(motion, place, setting.digits)
@@ -262,14 +269,14 @@ def written(at: Approximate, places: int) -> tuple[dict[str, Any], Approximate]:
     return words, Approximate(Curve(x, v), (a, b), mapped, at.rotation)
 
 
-def lemma_2_curve(at: Approximate) -> tuple[Fraction, Found]:
+def lemma_2_curve(at: Approximate, reaches: list[Fraction]) -> tuple[Fraction, Found]:
     """*Statement.* There is an invariant curve near K, with the rotation number.
 
     *Computed.* The image of K, that of all functions within r of K, the inequalities; the largest r
     of a few with which they succeed.
     """
     failed = NotProved("invariant curve", "there is no reach to try")
-    for reach in REACHES:
+    for reach in reaches:
         try:
             sizes = measured(at.map, at.curve, at.frame, at.rotation, interval.ball(reach))
             return reach, invariant_curve(sizes)

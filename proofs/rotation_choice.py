@@ -2,10 +2,9 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
 from typing import Any
 
-from cap.errors import BadInput, NotProved
+from cap.errors import BadInput
 from cap.floats.candidates import tori
 from cap.option import Option
 from cap.parameters import Parameters
@@ -15,8 +14,9 @@ from cap.tori.rotation import Quadratic
 _FORM = re.compile(r"\[0;((?:\d{1,3},)*)(?:\((\d{1,3}(?:,\d{1,3})*)\)|(\d{1,3}),\.\.\.)\]")
 LONGEST = 40
 POINTS = 60
-USUAL = Fraction(3, 4), Fraction(22, 25)  # of the largest radius: where the usual curve is
-OUTWARDS = ((93, 97), (96, 100))  # the same, in hundredths, for the largest
+INWARDS = ((75, 88), (55, 65), (40, 50), (25, 35), (12, 18), (5, 8))
+OUTERMOST = ((96, 100), (93, 97), (88, 94), (82, 89), (75, 83), (68, 76), *INWARDS[1:])
+"""Where curves are tried, one after the other, in hundredths of the largest radius."""
 
 
 def rotation(words: Sequence[str], name: str) -> Quadratic:
@@ -46,7 +46,7 @@ LARGEST = Option(
     "largest",
     None,
     "try curves from the outside inwards, from the last that floats show: the first that is proved "
-    "is the result; this takes minutes to a quarter of an hour",
+    "is the result; this takes minutes, at the paper's parameters three",
     nargs=0,
 )
 
@@ -57,24 +57,25 @@ def together(options: Mapping[str, Any], parameters: Parameters) -> None:  # noq
         raise BadInput("--rotation and --largest do not go together")
 
 
-def chosen(setting: Setting, centre: Any) -> Iterator[Quadratic]:
+def chosen(setting: Setting, centre: tori.Centre) -> Iterator[Quadratic]:
     """Yield the rotation numbers to try, in this order."""
     asked, largest = setting.of(ROTATION), LARGEST.name in setting.options
     if asked:
         yield asked
         return
     setting.progress("the largest curve that floats show is looked for")
-    last = tori.last_radius(centre)
-    usual = [tuple(float(part) * last for part in USUAL)]
-    rings = [(a / 100 * last, b / 100 * last) for a, b in OUTWARDS[::-1]] if largest else usual
+    yield from within(centre, OUTERMOST if largest else INWARDS)
+
+
+def within(centre: tori.Centre, rings: Sequence[tuple[int, int]] = INWARDS) -> Iterator[Quadratic]:
+    """Yield rotation numbers of curves in the rings, each once."""
+    last, known = tori.last_radius(centre), set[Quadratic]()
     for ring in rings:
-        ends = sorted(centre.turns(r, tori.LONG) for r in ring)
-        found = noble(ends[0], ends[1])
-        if found:
+        low, high = sorted(centre.turns(part / 100 * last, tori.LONG) for part in ring)
+        found = noble(low, high)
+        if found and found not in known:
+            known.add(found)
             yield found
-    if not largest:
-        return
-    yield from (noble_near(centre.turns(part / 100 * last, tori.LONG)) for part in (90, 80, 70))
 
 
 def noble(low: float, high: float) -> Quadratic | None:
@@ -95,11 +96,3 @@ def simplest(point: float, low: float, high: float) -> Quadratic | None:
         if head[-1] < 1000 and low < float(found.value()) < high:
             return found
     return None
-
-
-def noble_near(value: float) -> Quadratic:
-    """Return a noble number within 1e-4."""
-    found = noble(value - 1e-4, value + 1e-4)
-    if found is None:
-        raise NotProved("search", "no noble rotation number was found", {"near": value})
-    return found

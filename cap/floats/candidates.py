@@ -56,6 +56,7 @@ __all__ = [
     "tori",
     "touching_nothing",
     "turning",
+    "with_islands",
 ]
 
 half_period, formulas = planar.half_period, planar.formulas
@@ -105,6 +106,16 @@ def saddles(request: Request) -> Found:
 def elliptic(request: Request) -> Found:
     """Find elliptic orbits that never turn, for a theorem of another name."""
     return non_sticking(replace(request, kind="elliptic"))
+
+
+def with_islands(request: Request) -> Found:
+    """Find elliptic orbits, and say how long what is asked for may take."""
+    found = elliptic(request)
+    if "largest" in request.options:
+        found.lines.append(
+            "Curves are tried from the outside inwards: minutes, at the paper's parameters three."
+        )
+    return found
 
 
 def elliptic_particles(request: Request) -> Found:

@@ -26,7 +26,7 @@ has it, and why it preserves area); G is sigma, or sigma sigma = Phi, the map ov
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Sequence
 from fractions import Fraction
 from math import isqrt
 from typing import Any
@@ -50,7 +50,7 @@ from cap.checker.kernel.shapes import (
 )
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.system.walls import SYSTEM, BetweenWalls
-from cap.checker.tori import between, rotation
+from cap.checker.tori import between, rotation, told
 from cap.checker.tori.half_period import Hit, Motion, Passage, States, cells
 from cap.checker.tori.invariant_curve import (
     Near,
@@ -138,7 +138,7 @@ class Island(BetweenWalls):
     # fmt: on
 
     @classmethod
-    def cited(cls, claims: Mapping[str, Any]) -> list[Citation]:
+    def cited(cls, claims: Container[str]) -> list[Citation]:
         """Return what is cited; Franks only for periodic orbits."""
         return list(cls.CITES if "orbits" in claims else cls.CITES[:-1])
 
@@ -403,35 +403,20 @@ class Island(BetweenWalls):
         alpha = rotation.value(**self.claims["rotation_number"], bits=self.circle.bits)
         found = between.at_centre(self.trace, s == int(self.claims["winding"]), alpha)
         self.compare("orbits", self.claims["orbits"], {"centre": found})
-        need(self.gap() is not None, "the rotation numbers at P* and on the curve may be equal")
+        need(
+            told.gap(self.claims) is not None,
+            "the rotation numbers at P* and on the curve may be equal",
+        )
         self.step("the rotation number at P* is the one claimed, another than on the curve")
-
-    def gap(self) -> tuple[Fraction, Fraction] | None:
-        """Return numbers between the rotation numbers of P* and the curve, if they differ."""
-        alpha = rotation.value(**self.claims["rotation_number"], bits=ROUGH)
-        centre = self.claims["orbits"]["centre"]
-        below, above = (alpha.upper, centre.lower), (centre.upper, alpha.lower)
-        return below if below[0] < below[1] else above if above[0] < above[1] else None
-
-    def told_orbits(self) -> str:
-        """Return what is said of periodic orbits, if they are claimed."""
-        gap = self.gap() if "orbits" in self.claims else None
-        if gap is None:
-            return ""
-        centre = self.claims["orbits"]["centre"]
-        return _ORBITS.format(map=self.claims["map"], centre=centre, least=between.simplest(*gap))
 
     def words(self) -> str:
         """Return the theorem in one line."""
         claims = self.claims
-        quotients = claims["rotation_number"]
-        head, period = (",".join(map(str, quotients[k])) for k in ("head", "period"))
         every = _PHI if claims["map"] == "Phi" else _SIGMA
         two = _TWO if claims["disks"] == 2 else ""
         more = {name: decimal(claims[name]) for name in ("diophantine", "distance")}
-        alpha = f"[0;{head},({period})]"
-        more["orbits"] = self.told_orbits()
-        return self.told(SYSTEM + _CURVE, every=every, two=two, alpha=alpha, **more)
+        more |= {"alpha": told.turns(claims), "orbits": told.orbits(claims)}
+        return self.told(SYSTEM + _CURVE, every=every, two=two, **more)
 
 
 def coefficients(words: str) -> Coefficients:
@@ -465,12 +450,6 @@ _CURVE = (
     "starts in the disk at t = 0 has a velocity that never vanishes, for all times, forward and "
     "backward, and hits the right wall once in each (nT, nT + T/2) and the left wall once in each "
     "(nT + T/2, nT + T){two}{orbits}"
-)
-_ORBITS = (
-    "; at P* the rotation number of {map}, in the sense in which that of the curve is alpha, lies "
-    "in {centre}; for each fraction p/q in lowest terms between both (as {least}) the disk "
-    "contains at least two periodic orbits of {map}, of minimal period q, that turn around P* p "
-    "times in q steps"
 )
 _TWO = (
     "; the images of these motions by (x, v, t) -> (l + r - x, -v, t + T/2) start at t = 0 in "

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cap.errors import NotProved
+from cap.parameters import Parameters
 
 LONG = 8_000
 SHORT = 2_000
@@ -20,6 +21,9 @@ STEEP = 0.8  # no coefficients are taken to fall faster
 NOISE, QUIET = 1e-11, 8  # so many modes in a row below it are the end
 AVERAGES = (8_000, 160), (60_000, 800)  # over so many periods, for so many modes
 FIRST = 1e-2  # a radius from which on orbits turn less, or more, the larger it is
+SMALLEST = 1e-6  # a radius
+GRID = 24  # states along a side
+SAME = 1e-6  # what states differ by that are one
 State = tuple[float, float]
 Array = np.ndarray[Any, Any]
 
@@ -127,13 +131,25 @@ def centre(halves: int, sigma: HalfPeriod, near: State) -> Centre:
     return Centre(halves, sigma, (z[0], z[1]), M / math.sqrt(abs(np.linalg.det(M))), angle)
 
 
+def of_orbit(p: Parameters, x: float, v: float) -> Centre:
+    """Return the fixed point near a state: of σ if it is its own image, else of σσ."""
+    sigma = HalfPeriod(float(p.f / p.F), float(p.R * p.omega**2 / p.F / 2))
+    length, speed = (float(p.F / p.omega**k) for k in (2, 1))
+    z = (x - float(p.l + p.r) / 2) / length, v / speed
+    image = sigma(*z)
+    halves = 1 if max(abs(image[0] - z[0]), abs(image[1] - z[1])) < SAME else 2
+    return centre(halves, sigma, z)
+
+
 def radius(at: Centre, rotation: float) -> float:
     """Return the radius at which orbits have this rotation number: by bisection, then secants.
 
     Orbits that end lie outside.
     """
     start, inner, outer = at.angle / (2 * math.pi), 0.0, FIRST
-    side = math.copysign(1, at.turns(FIRST) - start)
+    while not math.isfinite(at.turns(outer, SHORT)) and outer > SMALLEST:
+        outer /= 4
+    side = math.copysign(1, at.turns(outer) - start)
 
     def within(r: float) -> bool:
         return side * (at.turns(r, SHORT) - rotation) < 0
@@ -206,6 +222,41 @@ def coefficients(at: Centre, rotation: float) -> Array:
             break
     result: Array = np.array(rows[: quiet[0] if quiet else modes]).T
     return result
+
+
+def winds(at: Centre, rows: Array) -> bool:
+    """Return whether, in the frame, one of the terms exp(±iθ) is larger than all others."""
+    rows = rows.copy()
+    rows[:, 0] -= at.point
+    y = np.linalg.inv(at.frame) @ rows
+    above, below = np.abs(y[0] + 1j * y[1]), np.abs(y[0] - 1j * y[1])  # of k and of -k
+    total = above.sum() + below[1:].sum()
+    return bool(2 * max(above[1], below[1]) > total)
+
+
+def never_stops(at: Centre, rows: Array, reach: float) -> bool:
+    """Return whether states on a grid of a parallelogram never stop for a period.
+
+    It is that in which `cap.tori.around.half_width` finds all curves within ``reach``.
+    """
+    inverse = np.linalg.inv(at.frame)
+    y = inverse @ rows
+    y[:, 0] -= inverse @ at.point
+    sizes = np.abs(y)
+    most = float((2 * sizes.sum(axis=1) - sizes[:, 0]).max())
+    half = most + float(np.abs(inverse).sum(axis=1).max()) * reach
+    side = np.linspace(-half, half, GRID)
+    alpha, a = at.map.alpha, at.map.a
+    least = math.sqrt(1 - alpha**2) - alpha * math.acos(alpha)
+    states = at.point + np.array([(p, q) for p in side for q in side]) @ at.frame.T
+    for x, v in states:
+        for _ in range(at.halves):
+            if not (abs(x) < a and v > 0):
+                return False
+            x, v = at.map(x, v)  # noqa: PLW2901 (from half period to half period)
+            if not (abs(x) < a and v > least):
+                return False
+    return True
 
 
 class Torus(NamedTuple):
