@@ -22,6 +22,7 @@ the walls, which are at ±a.
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -31,7 +32,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.floats.candidates import tori
 from cap.proofs.fixed_point import Content, Proof, Setting, assembled
-from cap.proofs.rotation_choice import LARGEST, ROTATION, chosen, together
+from cap.proofs.rotation_choice import LARGEST, ROTATION, Sought, chosen, together
 from cap.sets import interval, matrix
 from cap.sets.fourier import Circle
 from cap.sets.interval import Ball, Box
@@ -66,6 +67,11 @@ class Place:
 
     centre: tori.Centre
     laws: tuple[Fraction, Fraction]
+
+    @cached_property
+    def last(self) -> float:
+        """The radius of the last orbit found that goes on."""
+        return tori.last_radius(self.centre)
 
 
 class Centre(NamedTuple):
@@ -106,11 +112,11 @@ def prove(setting: Setting) -> Proof:
         raise BadInput("the theorem island needs friction: f > 0")
     place = located(setting)
     failed = NotProved("search", "there is no rotation number to try")
-    for q in chosen(setting, place.centre):
+    for sought in chosen(setting, place):
         try:
-            content = island(setting, place, q)
+            content = island(setting, place, sought)
         except NotProved as reason:
-            setting.progress(f"alpha = {q} is not proved: {reason.step}")
+            setting.progress(f"alpha = {sought.rotation} is not proved: {reason.step}")
             failed = reason
         else:
             proved = assembled("island", setting, strings, content)
@@ -127,10 +133,11 @@ def located(setting: Setting) -> Place:
     return Place(tori.of_orbit(p, guess.x, guess.v), laws)
 
 
-def island(setting: Setting, place: Place, q: Quadratic) -> Content:
+def island(setting: Setting, place: Place, sought: Sought) -> Content:
     """Prove the theorem for one rotation number; return claims and hints."""
+    q = sought.rotation
     setting.progress(f"alpha = {q}: orbits with this rotation number are looked for")
-    rows = tori.coefficients(place.centre, float(q.value()))
+    rows = tori.coefficients(place.centre, float(q.value()), sought.ring)
     if not tori.winds(place.centre, rows):
         raise NotProved("Lemma 3", "the curve may not wind around P*", {"rotation number": str(q)})
     reaches = [r for r in REACHES if tori.never_stops(place.centre, rows, float(r))]

@@ -56,9 +56,9 @@ class AtF:
             place = located(setting)
         except (BadInput, NotProved):
             return {"reason": NO_ORBIT}
-        for q in within(place.centre):
+        for sought in within(place):
             try:
-                claims, hints = island(setting, place, q)
+                claims, hints = island(setting, place, sought)
             except NotProved:
                 continue
             return {"claims": claims, "hints": hints}

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple, Protocol
 
 from cap.errors import BadInput
 from cap.floats.candidates import tori
@@ -14,8 +14,9 @@ from cap.tori.rotation import Quadratic
 _FORM = re.compile(r"\[0;((?:\d{1,3},)*)(?:\((\d{1,3}(?:,\d{1,3})*)\)|(\d{1,3}),\.\.\.)\]")
 LONGEST = 40
 POINTS = 60
-INWARDS = ((75, 88), (55, 65), (40, 50), (25, 35), (12, 18), (5, 8))
-OUTERMOST = ((96, 100), (93, 97), (88, 94), (82, 89), (75, 83), (68, 76), *INWARDS[1:])
+INWARDS = ((75, 88), (65, 75), (55, 65), (47, 55), (40, 47), (33, 40), (25, 33), (18, 25), (12, 18),
+           (5, 8))  # fmt: skip
+OUTERMOST = ((96, 100), (93, 97), (88, 94), (82, 89), *INWARDS)
 """Where curves are tried, one after the other, in hundredths of the largest radius."""
 
 
@@ -51,31 +52,51 @@ LARGEST = Option(
 )
 
 
+class Sought(NamedTuple):
+    """The rotation number of a curve, and between which radii to look for it."""
+
+    rotation: Quadratic
+    ring: tuple[float, float]
+
+
+class Place(Protocol):
+    """Where an island is."""
+
+    @property
+    def centre(self) -> tori.Centre:
+        """The elliptic point, in floats."""
+
+    @property
+    def last(self) -> float:
+        """The radius of the last orbit found that goes on."""
+
+
 def together(options: Mapping[str, Any], parameters: Parameters) -> None:  # noqa: ARG001
     """Raise `BadInput` if both options are given."""
     if ROTATION.name in options and LARGEST.name in options:
         raise BadInput("--rotation and --largest do not go together")
 
 
-def chosen(setting: Setting, centre: tori.Centre) -> Iterator[Quadratic]:
-    """Yield the rotation numbers to try, in this order."""
+def chosen(setting: Setting, place: Place) -> Iterator[Sought]:
+    """Yield the curves to try, in this order."""
     asked, largest = setting.of(ROTATION), LARGEST.name in setting.options
     if asked:
-        yield asked
+        yield Sought(asked, (0.0, place.last))
         return
     setting.progress("the largest curve that floats show is looked for")
-    yield from within(centre, OUTERMOST if largest else INWARDS)
+    yield from within(place, OUTERMOST if largest else INWARDS)
 
 
-def within(centre: tori.Centre, rings: Sequence[tuple[int, int]] = INWARDS) -> Iterator[Quadratic]:
-    """Yield rotation numbers of curves in the rings, each once."""
-    last, known = tori.last_radius(centre), set[Quadratic]()
-    for ring in rings:
-        low, high = sorted(centre.turns(part / 100 * last, tori.LONG) for part in ring)
+def within(place: Place, rings: Sequence[tuple[int, int]] = INWARDS) -> Iterator[Sought]:
+    """Yield curves in the rings, each rotation number once."""
+    known = set[Quadratic]()
+    for begin, end in rings:
+        ring = begin / 100 * place.last, end / 100 * place.last
+        low, high = sorted(place.centre.turns(r, tori.LONG) for r in ring)
         found = noble(low, high)
         if found and found not in known:
             known.add(found)
-            yield found
+            yield Sought(found, ring)
 
 
 def noble(low: float, high: float) -> Quadratic | None:

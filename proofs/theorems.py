@@ -97,9 +97,9 @@ class Theorem:
         return proof
 
 
-OWN = ("contacts", "contacts_branch", "map_horseshoe")
-"""Theorems about a system of one's own: `cap.command.own`, reached by ``--model``; about a map:
-`cap.command.own_horseshoe`, by ``horseshoe --map``."""
+OWN = ("contacts", "contacts_branch", "map_curve", "map_horseshoe")
+"""Theorems about a system of one's own: `cap.command.own`, reached by ``--model``; about a map,
+by ``--map``: `cap.command.own_curve` and `cap.command.own_horseshoe`."""
 
 THEOREMS = {name: Theorem(name) for name in NAMES if name not in OWN}
 

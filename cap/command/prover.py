@@ -25,7 +25,8 @@ def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     named = {word.split("=")[0] for word in words}
     if "--map" in named:
-        return import_module("cap.command.own_horseshoe").main(words)  # type: ignore[no-any-return]
+        kind = "curve" if "island" in named else "horseshoe"
+        return import_module(f"cap.command.own_{kind}").main(words)  # type: ignore[no-any-return]
     if "--model" in named:
         return import_module("cap.command.own").main(words)  # type: ignore[no-any-return]
     options = read(words)

@@ -12,7 +12,7 @@ from cap.errors import BadInput
 from cap.floats.coverings import planar
 from cap.floats.coverings.search import Family, families, families_by_cells
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
-from cap.floats.search import periodic, tori
+from cap.floats.search import periodic, spanning, tori
 from cap.floats.search.cycles import Cycle, near
 from cap.floats.search.homoclinic import Excursion, Saddle, excursions
 from cap.floats.search.orbits import from_hit_times, search
@@ -53,6 +53,7 @@ __all__ = [
     "releasing",
     "releasing_again",
     "saddles",
+    "spanning",
     "tori",
     "touching_nothing",
     "turning",

@@ -7,7 +7,7 @@ the same side of 1/2.  (`cap.checker.tori.between` has the proof; docs/invariant
 periodic orbits.)
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from cap.errors import NotProved
@@ -20,6 +20,7 @@ from cap.tori.states import States
 
 PLACES = 16  # where a segment may end: at multiples of 2π/16
 PIECES = (16, 64, 256)
+MANY = 256  # places where a function is evaluated
 Derivative = Callable[[States], Matrix[Ball]]
 
 
@@ -33,12 +34,38 @@ class Ray(NamedTuple):
 
 def value(u: FourierModel, place: int) -> Ball:
     """Return the value of a real function at 2π place/16."""
-    n = u.circle.degree
-    turn = ComplexBall(0, interval.pi() * 2 * place / PLACES).exp()
-    powers = [turn**k for k in range(PLACES)]
-    parts = (c * powers[k % PLACES] for k, c in zip(u.circle.modes(n), u.coefficients, strict=True))
-    total: Ball = interval.total(part.real for part in parts)
-    return total + interval.symmetric(u.error)
+    return values(u, [place], PLACES)[0]
+
+
+def values(u: FourierModel, places: Iterable[int], count: int) -> list[Ball]:
+    """Return the values of a real function at 2π place/count."""
+    parts = [ComplexBall(0)] * count
+    for k, c in zip(u.circle.modes(u.circle.degree), u.coefficients, strict=True):
+        parts[k % count] = parts[k % count] + c
+    turn = 2 * interval.pi() / count
+    powers = [ComplexBall(0, turn * j).exp() for j in range(count)]
+    far = interval.symmetric(u.error)
+    return [
+        interval.total((c * powers[k * place % count]).real for k, c in enumerate(parts)) + far
+        for place in places
+    ]
+
+
+def extent(u: FourierModel) -> tuple[Ball, Ball]:
+    """Return bounds of the values of a real polynomial, from below and from above.
+
+    Between two of the places it differs from the nearer one by at most |u'| π/256.
+    """
+    there = values(u, range(MANY), MANY)
+    modes = u.circle.modes(u.circle.degree)
+    steepness = interval.total(
+        abs(k) * c.abs_upper() for k, c in zip(modes, u.coefficients, strict=True)
+    )
+    far = steepness * interval.pi() / MANY
+    least, most = there[0], there[0]
+    for v in there:
+        least, most = least.min(v), most.max(v)
+    return interval.lower(least - far), interval.upper(most + far)
 
 
 def ray(after: Callable[[States], States], P: Box, curve: Curve, distance: Ball) -> Ray:

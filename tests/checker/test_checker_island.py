@@ -10,10 +10,11 @@ import pytest
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems.island import Island, coefficients
+from cap.checker.theorems.island import Island
 from cap.checker.tori import between, rotation
 from cap.checker.tori.half_period import Motion, States, cells
 from cap.checker.tori.invariant_curve import Near, Sizes, near
+from cap.checker.tori.written import coefficients
 from cap.checker.verdict import words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed

@@ -94,7 +94,7 @@ def test_what_is_cited():
 
 def test_sizes():
     """As many hints as claims; the time is bounded, and said before."""
-    assert seconds(encode(GOOD)) == 0
+    assert seconds(encode(GOOD)) == 1
     larger = changed(GOOD, "hints", "islands", 0, "places", "99")
     assert seconds(encode(changed(larger, "hints", "islands", 0, "degree", "3000"))) > 30
     fewer = GOOD["hints"] | {"islands": GOOD["hints"]["islands"][:1]}

@@ -25,7 +25,6 @@ has it, and why it preserves area); G is sigma, or sigma sigma = Phi, the map ov
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Container, Sequence
 from fractions import Fraction
 from math import isqrt
@@ -34,7 +33,7 @@ from typing import Any
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.elementary import pi
-from cap.checker.kernel.fourier import Circle, Coefficients, Function
+from cap.checker.kernel.fourier import Circle, Function
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
@@ -52,26 +51,13 @@ from cap.checker.kernel.theorem import Certificate
 from cap.checker.system.walls import SYSTEM, BetweenWalls
 from cap.checker.tori import between, rotation, told
 from cap.checker.tori.half_period import Hit, Motion, Passage, States, cells
-from cap.checker.tori.invariant_curve import (
-    Near,
-    Shift,
-    Sizes,
-    Vector,
-    det,
-    near,
-    norm,
-    small_divisors,
-    twist,
-)
+from cap.checker.tori.invariant_curve import Near, Setting, Shift, Vector, beside, norm
+from cap.checker.tori.written import COARSE, QUOTIENTS, function
 
 MAX_DEGREE = 4096
 MAX_WORK = 4096 * 100  # degree times places
 PER_SECOND = 16_000  # digits of functions, for half a period
 ROUGH = 96  # bits, for boxes
-COARSE = 20  # decimal places
-LARGEST = 10**6  # of coefficients
-POLYNOMIAL = re.compile("-?[0-9]{1,400} -?[0-9]{1,400}(,-?[0-9]{1,400} -?[0-9]{1,400})*")
-QUOTIENTS = Many(Whole(1, 999), 1, 40)
 MATRIX, PAIR = [[number] * 2] * 2, [number] * 2
 
 
@@ -189,10 +175,7 @@ class Island(BetweenWalls):
 
     def function(self, words: str, unit: int = 1) -> Function:
         """Return a trigonometric polynomial; its numbers are in so many units of the circle."""
-        parts = [(re * unit, im * unit) for re, im in coefficients(words)]
-        largest = max(abs(part) for pair in parts for part in pair)
-        need(largest <= LARGEST * self.circle.unit, f"a coefficient is larger than {LARGEST}")
-        return Function(self.circle, parts, 0)
+        return function(self.circle, words, unit)
 
     def pair(self, words: dict[str, str], unit: int = 1) -> Vector:
         """Return two."""
@@ -286,22 +269,16 @@ class Island(BetweenWalls):
         self.step("the map is defined for all functions near K")
         (x, v), (X, V) = exactly[-1][:2], near_by[-1][:2]
         L = K[0].derivative(), K[1].derivative()
-        d0 = (det(L, N) - 1).norm
 
         def tangent(w: Vector) -> Vector:
             for passage in exactly:
                 w = passage.tangent(w)
             return w
 
-        t0, tm = twist(circle, tangent, N, ahead, d0)
-        eps = norm((x - ahead(K[0]), v - ahead(K[1])))
-        need(tm > 0, "the mean twist may vanish")
-        M = norm((X - x, V - v))
+        setting = Setting(K, L, N, ahead, gamma, self.hints["reach"])
+        defect, spread = (x - ahead(K[0]), v - ahead(K[1])), (X - x, V - v)
+        found = beside(setting, defect, spread, tangent)
         self.tangent_size = norm(L)
-        sizes = [Fraction(n, circle.unit) for n in (eps, norm(L), norm(N), d0, t0, tm, M)]
-        numbers = [self.number_at(q) for q in (*sizes, self.hints["reach"], circle.rho)]
-        numbers.append(small_divisors(gamma, circle.bits))
-        found = near(Sizes._make(numbers))
         need(found.distance <= self.claims["distance"], "the curve may be farther from K")
         self.step("there is an invariant curve near K, with the rotation number")
         return found
@@ -417,14 +394,6 @@ class Island(BetweenWalls):
         more = {name: decimal(claims[name]) for name in ("diophantine", "distance")}
         more |= {"alpha": told.turns(claims), "orbits": told.orbits(claims)}
         return self.told(SYSTEM + _CURVE, every=every, two=two, **more)
-
-
-def coefficients(words: str) -> Coefficients:
-    """Return the coefficients of 0, 1, ...: complex integers; that of 0 is real."""
-    need(POLYNOMIAL.fullmatch(words) is not None, "a list of coefficients is not one")
-    pairs = [tuple(map(int, part.split(" "))) for part in words.split(",")]
-    need(pairs[0][1] == 0, "a mean value is not real")
-    return [(re, im) for re, im in pairs]
 
 
 def determinant(M: Sequence[Sequence[Fraction]]) -> Fraction:

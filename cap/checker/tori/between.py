@@ -32,11 +32,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.kernel.elementary import arccos, cos_sin, pi
+from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.fourier import Function
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.tori.half_period import Motion, States
+from cap.checker.tori.values import values
 
 PLACES = 16  # where a segment may end: at multiples of 2 pi/16
 Point = tuple[Interval, Interval]
@@ -44,18 +45,7 @@ Point = tuple[Interval, Interval]
 
 def value(u: Function, place: int, error: int, bits: int) -> Interval:
     """Return an enclosure of the values at 2 pi place/16 of all real functions within an error."""
-    parts = [[0, 0] for _ in range(PLACES)]  # of exp(ik 2 pi/16): all that are equal
-    for k, (re, im) in enumerate(u.coefficients):
-        part = parts[k * place % PLACES]
-        part[0] += re * (2 if k else 1)
-        part[1] += im * (2 if k else 1)
-    unit = u.circle.unit
-    far = Fraction(u.error + error, unit)
-    total = Interval.enclosing(-far, far, bits)
-    for j, (a, b) in enumerate(parts):
-        cos, sin = cos_sin(pi(bits) * (2 * j) / PLACES)
-        total = total + cos.scaled(Fraction(a, unit)) - sin.scaled(Fraction(b, unit))
-    return total
+    return values(u, [place], PLACES, error, bits)[0]
 
 
 def sense(motion: Motion, halves: int, ends: tuple[Point, Point], count: int) -> int:

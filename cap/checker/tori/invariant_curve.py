@@ -95,6 +95,36 @@ def twist(circle: Circle, tangent: Tangent, N: Vector, ahead: Shift, d0: int) ->
     return most, abs(T.mean) - T.error - (most - T.norm)
 
 
+class Setting(NamedTuple):
+    """What the theorem is about, besides F: K, K', N, the rotation, gamma and r.
+
+    K are the periodic parts of the curve.
+    """
+
+    K: Vector
+    L: Vector
+    N: Vector
+    ahead: Shift
+    gamma: Fraction
+    reach: Fraction
+
+
+def beside(given: Setting, defect: Vector, spread: Vector, tangent: Tangent) -> Near:
+    """Return how near C is; the hypotheses must hold, and the inequalities.
+
+    ``defect`` is F(K) - K+, ``spread`` F(K + h) - F(K) for |h| <= reach, ``tangent`` DF(K).
+    """
+    circle = given.ahead.circle
+    unit, bits = circle.unit, circle.bits
+    d0 = (det(given.L, given.N) - 1).norm
+    t0, tm = twist(circle, tangent, given.N, given.ahead, d0)
+    need(tm > 0, "the mean twist may vanish")
+    norms = norm(defect), norm(given.L), norm(given.N), d0, t0, tm, norm(spread)
+    sizes = [*(Fraction(n, unit) for n in norms), given.reach, circle.rho]
+    numbers = [Interval.enclosing(q, q, bits) for q in sizes]
+    return near(Sizes._make([*numbers, small_divisors(given.gamma, bits)]))
+
+
 def near(sizes: Sizes) -> Near:
     """Return RK and s; the inequalities of the theorem must hold.
 

@@ -7,6 +7,7 @@ Sander and Yorke, Nonlinearity 30, 2017).
 """
 
 import math
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,8 +21,8 @@ ROUNDING = 1e-15
 STEEP = 0.8  # no coefficients are taken to fall faster
 NOISE, QUIET = 1e-11, 8  # so many modes in a row below it are the end
 AVERAGES = (8_000, 160), (60_000, 800)  # over so many periods, for so many modes
-FIRST = 1e-2  # a radius from which on orbits turn less, or more, the larger it is
-SMALLEST = 1e-6  # a radius
+FIRST = 1e-2  # the radius that is tried first
+BRACKETS = 24  # radii at which orbits are tried
 GRID = 24  # states along a side
 SAME = 1e-6  # what states differ by that are one
 State = tuple[float, float]
@@ -141,30 +142,27 @@ def of_orbit(p: Parameters, x: float, v: float) -> Centre:
     return centre(halves, sigma, z)
 
 
-def radius(at: Centre, rotation: float) -> float:
-    """Return the radius at which orbits have this rotation number: by bisection, then secants.
+def radius(at: Centre, rotation: float, ring: tuple[float, float]) -> float:
+    """Return a radius in a ring at which orbits have this rotation number.
 
-    Orbits that end lie outside.
+    It need not be monotone: a bracket is looked for from the outside; then bisection, then secants.
     """
-    start, inner, outer = at.angle / (2 * math.pi), 0.0, FIRST
-    while not math.isfinite(at.turns(outer, SHORT)) and outer > SMALLEST:
-        outer /= 4
-    side = math.copysign(1, at.turns(outer) - start)
-
-    def within(r: float) -> bool:
-        return side * (at.turns(r, SHORT) - rotation) < 0
-
-    if not side * (rotation - start) > 0:
+    start, (least, most) = at.angle / (2 * math.pi), ring
+    radii = [least + (most - least) * k / BRACKETS for k in range(BRACKETS + 1)]
+    turns = [at.turns(r, SHORT) if r else start for r in radii]
+    ends = zip(pairwise(radii), pairwise(turns), strict=True)
+    brackets = [(r, a - rotation) for r, (a, b) in ends if (a - rotation) * (b - rotation) <= 0]
+    if not brackets:
         raise NotProved(
             "search",
-            "rotation numbers around the centre are on its other side",
-            {"at the centre": start, "wanted": rotation},
+            "no orbits with this rotation number are found",
+            {"at the centre": start, "wanted": rotation, "last radius": most},
         )
-    while within(outer):
-        inner, outer = outer, 1.5 * outer
+    (inner, outer), sign = brackets[-1]
     while outer - inner > 1e-3 * outer:
         middle = (inner + outer) / 2
-        inner, outer = (middle, outer) if within(middle) else (inner, middle)
+        within = (at.turns(middle, SHORT) - rotation) * sign > 0
+        inner, outer = (middle, outer) if within else (inner, middle)
     (r, a), (s, b) = ((r, at.turns(r, LONG) - rotation) for r in (inner, outer))
     for _ in range(8):
         if abs(b) < 1e-15 or not math.isfinite(b) or a == b:
@@ -203,12 +201,12 @@ def decay(rows: Array) -> float:
     return min([STEEP, *(math.log(sizes[1] / envelope[k]) / (k - 1) for k in later)])
 
 
-def coefficients(at: Centre, rotation: float) -> Array:
+def coefficients(at: Centre, rotation: float, ring: tuple[float, float]) -> Array:
     """Return Fourier coefficients of both components of the curve, as rows, down to the noise.
 
     An orbit that is too short shows modes that are none: they come back after the noise.
     """
-    start = radius(at, rotation)
+    start = radius(at, rotation, ring)
     for count, modes in AVERAGES:
         orbit = at.orbit(start, count) @ at.frame.T + at.point
         turned = np.exp(-2j * math.pi * ((rotation * np.arange(count + 1)) % 1))

@@ -44,6 +44,7 @@ DRAWINGS = {
     "inventory": Drawing("islands:inventory", (8.6, 4.6)),
     "island": Drawing("islands:island", (6.6, 5.6)),
     "islands": Drawing("island_family:islands", (7.2, 6.4)),
+    "map_curve": Drawing("cylinder:map_curve", (6.8, 5.8)),
     "mixed": Drawing("mixed:draw", (7.4, 9), "Proof"),
     "particles": Drawing("two_masses:elliptic", (9.0, 4.4)),
     "particles_limits": Drawing("two_masses:limits", (7.6, 7.0)),

@@ -39,12 +39,14 @@ def islands(theorem: Islands, figure: Figure) -> None:
         below.plot(fine, turns, "-", color=colour, label=rf"of $\{name}$ at P* (floats)")
     for each in theorem.hints["open"]:
         above.plot(float(each["f"]), 0.03, "x", color=RED, transform=above.get_xaxis_transform())
+    above.text(0.5, 0.02, "near the resonances 1/3 and 1/4 of P* islands are small (floats)",
+               transform=above.transAxes, fontsize=8, ha="center", color=GREY)  # fmt: skip
     above.set_ylabel(r"area  [$F^2/\omega^3$]")
     for at, order in crossings(fine, found):
         _resonance(above, below, at, order)
     below.set(xlabel="friction $f$  [force]", ylabel="rotation number", ylim=(0, 0.5))
     figure.legend(loc="outside lower center", ncols=3, fontsize=7.5)
-    words = f"Islands at {len(claims)} values of $f$: they vanish where P* is in resonance 1/3"
+    words = f"Islands at {len(claims)} values of $f$"
     heading(figure, theorem, words, but=("f",))
 
 

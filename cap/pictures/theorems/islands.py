@@ -12,7 +12,8 @@ from cap.checker.strips.columns import UNIT, columns, lines
 from cap.checker.strips.overlap import Gap, gaps, mirrored
 from cap.checker.theorems.conservative import Conservative
 from cap.checker.theorems.inventory import Inventory
-from cap.checker.theorems.island import Island, coefficients
+from cap.checker.theorems.island import Island
+from cap.checker.tori.written import coefficients
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats

@@ -1,0 +1,89 @@
+"""What the commands with ``--map FILE`` share: where the certificate goes, and what is printed."""
+
+import argparse
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from cap.certificate import report, writer
+from cap.command.console import columns
+from cap.command.output import writable, writable_into
+from cap.command.progress import Progress
+from cap.errors import BadInput, NotProved
+from cap.proofs.map_horseshoe import as_parameters
+from cap.system.files import assigned, planar
+from cap.system.planar import Map
+from cap.words import quoted, say
+
+
+def add_common(p: argparse.ArgumentParser, theorem: str) -> None:
+    """Add what all proofs about maps take."""
+    p.add_argument("theorem", metavar=theorem, help="what is proved")
+    p.add_argument("--map", required=True, metavar="FILE", help="FILE.py[:FUNCTION]")
+    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    p.add_argument("--jobs", default="1", metavar="N", help="processes (default 1)")
+    p.add_argument(
+        "--out",
+        type=Path,
+        default=Path("certificates"),
+        metavar="PATH",
+        help="a file ending in .json, which is replaced; or a directory (default: certificates), "
+        "which is made if it is missing: there no other file is replaced",
+    )
+
+
+def given(options: argparse.Namespace) -> Map:
+    """Return the map; raise `BadInput` if there is none."""
+    return planar(options.map, assigned(options.set))
+
+
+def certificate(options: argparse.Namespace, name: str, about: Map) -> Path:
+    """Return where a certificate goes; raise `BadInput` if another file is there."""
+    path: Path = options.out
+    if path.suffix == ".json":
+        writable(path)
+        return path
+    writable_into(path, ".json")
+    stem = options.map.rpartition(":")[2] if ".py:" in options.map else options.map
+    told = [f"{key}={value}" for key, value in sorted(assigned(options.set).items())]
+    words = "-".join([name, Path(stem).stem, *told]).replace("/", "_")
+    path /= f"{words[:120]}.json"
+    _free(path, as_parameters(about))
+    return path
+
+
+def answered(
+    theorem: str, prove: Callable[[], dict[str, Any]], path: Path, progress: Progress
+) -> int:
+    """Prove a theorem, write the certificate and print it; return the status."""
+    try:
+        proved = prove()
+    except NotProved as failure:
+        progress.clear()
+        say(f"NOT PROVED ({theorem}).  {failure}", sys.stderr)
+        return 1
+    progress.clear()
+    told = report.theorem(proved, columns(sys.stdout) or report.WIDTH)
+    try:
+        written = writer.write(proved, path)
+    except OSError as error:
+        print(told)
+        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
+    name = quoted(path)
+    print(f"{told}\n\nCertificate: {name} ({written}; the independent checker accepts it)\n")
+    return 0
+
+
+def _free(path: Path, parameters: dict[str, Any]) -> None:
+    """Raise `BadInput` if there is a file at a path, but about the same system."""
+    if not path.exists():
+        return
+    try:
+        old = json.loads(path.read_bytes())["parameters"]
+    except (OSError, ValueError, LookupError, TypeError):
+        old = None
+    if old != parameters:
+        advice = "move it away, or name the file with --out FILE.json"
+        raise BadInput(f"there is another file at {quoted(path)}: {advice}")
