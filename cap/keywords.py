@@ -44,6 +44,7 @@ class Options(System, total=False):
     speed: Exact | None
     undecided: Exact | None
     points: int | str | None
+    count: int | str | None
     rotation: str | None
     largest: bool | None
     effort: int | str | None

@@ -97,9 +97,10 @@ class Theorem:
         return proof
 
 
-OWN = ("contacts", "contacts_branch", "map_curve", "map_horseshoe")
-"""Theorems about a system of one's own: `cap.command.own`, reached by ``--model``; about a map,
-by ``--map``: `cap.command.own_curve` and `cap.command.own_horseshoe`."""
+OWN = ("ball_curve", "contacts", "contacts_branch", "map_curve", "map_horseshoe")
+"""Theorems about a system of one's own: `cap.command.own`, reached by ``--model``; about a map, by
+``--map``: `cap.command.own_curve`, `cap.command.own_horseshoe`; about a ball, by ``--ball``:
+`cap.command.own_ball`."""
 
 THEOREMS = {name: Theorem(name) for name in NAMES if name not in OWN}
 

@@ -1,9 +1,9 @@
-"""What the commands with ``--map FILE`` share: where the certificate goes, and what is printed."""
+"""What the commands about maps share: where the certificate goes, and what is printed."""
 
 import argparse
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,11 @@ def add_common(p: argparse.ArgumentParser, theorem: str) -> None:
     p.add_argument("theorem", metavar=theorem, help="what is proved")
     p.add_argument("--map", required=True, metavar="FILE", help="FILE.py[:FUNCTION]")
     p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    add_ends(p)
+
+
+def add_ends(p: argparse.ArgumentParser) -> None:
+    """Add how many processes there are, and where the certificate goes."""
     p.add_argument("--jobs", default="1", metavar="N", help="processes (default 1)")
     p.add_argument(
         "--out",
@@ -40,17 +45,24 @@ def given(options: argparse.Namespace) -> Map:
 
 
 def certificate(options: argparse.Namespace, name: str, about: Map) -> Path:
-    """Return where a certificate goes; raise `BadInput` if another file is there."""
+    """Return where a certificate about a map goes; raise `BadInput` if another file is there."""
+    stem = options.map.rpartition(":")[2] if ".py:" in options.map else options.map
+    return place(options, [name, Path(stem).stem], assigned(options.set), as_parameters(about))
+
+
+def place(
+    options: argparse.Namespace, names: list[str], told: Mapping[str, Any], about: dict[str, Any]
+) -> Path:
+    """Return where a certificate goes, whose name tells values; `BadInput` for another file."""
     path: Path = options.out
     if path.suffix == ".json":
         writable(path)
         return path
     writable_into(path, ".json")
-    stem = options.map.rpartition(":")[2] if ".py:" in options.map else options.map
-    told = [f"{key}={value}" for key, value in sorted(assigned(options.set).items())]
-    words = "-".join([name, Path(stem).stem, *told]).replace("/", "_")
+    values = [f"{key}={value}" for key, value in sorted(told.items())]
+    words = "-".join([*names, *values]).replace("/", "_")
     path /= f"{words[:120]}.json"
-    _free(path, as_parameters(about))
+    _free(path, about)
     return path
 
 

@@ -27,6 +27,8 @@ def main(words: Sequence[str]) -> int:
     if "--map" in named:
         kind = "curve" if "island" in named else "horseshoe"
         return import_module(f"cap.command.own_{kind}").main(words)  # type: ignore[no-any-return]
+    if "--ball" in named:
+        return import_module("cap.command.own_ball").main(words)  # type: ignore[no-any-return]
     if "--model" in named:
         return import_module("cap.command.own").main(words)  # type: ignore[no-any-return]
     options = read(words)

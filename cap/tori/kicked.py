@@ -24,6 +24,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from math import prod
+from typing import Any
 
 from cap.errors import BadInput
 from cap.sets import interval
@@ -31,7 +32,7 @@ from cap.sets.fourier import Circle, FourierModel
 from cap.sets.interval import Ball, ComplexBall
 from cap.system.planar import Map as Formulas
 from cap.system.polynomial import COS, SIN, Polynomial, variable
-from cap.tori.invariant_curve import Image, Map, Vector
+from cap.tori.invariant_curve import Curve, Image, Vector
 
 HALF_I = ComplexBall(0, Ball((1, -1)))
 WIDE = Ball(1) / 2**20  # a state that is followed no further
@@ -72,25 +73,42 @@ class Kicked:
             powers = dict(monomial)
             yield k, powers.get(COS, 0), powers.get(SIN, 0)
 
-    def over(self, circle: Circle) -> Map:
+    def over(self, circle: Circle) -> "Functions":
         """Return the map for curves (θ + x(θ), y(θ))."""
+        return Functions(self, circle)
+
+
+@dataclass(frozen=True)
+class Functions:
+    """A map of functions; it needs no hints."""
+
+    at: Kicked
+    circle: Circle
+
+    def __call__(self, x: FourierModel, y: FourierModel) -> Image:
+        """Return the image of the curves (θ + x, y) in the models."""
+        circle, q = self.circle, self.at.q
         sine = circle.model([HALF_I, ComplexBall(0), -HALF_I])
         cosine = circle.model([ComplexBall(1) / 2, ComplexBall(0), ComplexBall(1) / 2])
-        b, c = interval.ball(self.b), interval.ball(self.c)
-        slope = self.q.derivative(SIN) * variable(COS) - self.q.derivative(COS) * variable(SIN)
+        b, c = interval.ball(self.at.b), interval.ball(self.at.c)
+        slope = q.derivative(SIN) * variable(COS) - q.derivative(COS) * variable(SIN)
+        s, k = x.sin_cos()
+        known = {COS: cosine * k - sine * s, SIN: sine * k + cosine * s}
+        after, steep = y + _value(q, known, circle), _value(slope, known, circle)
 
-        def mapped(x: FourierModel, y: FourierModel) -> Image:
-            s, k = x.sin_cos()
-            known = {COS: cosine * k - sine * s, SIN: sine * k + cosine * s}
-            after, steep = y + _value(self.q, known, circle), _value(slope, known, circle)
+        def tangent(w: Vector) -> Vector:
+            pushed = w[1] + steep * w[0]
+            return w[0] + pushed * b, pushed
 
-            def tangent(w: Vector) -> Vector:
-                pushed = w[1] + steep * w[0]
-                return w[0] + pushed * b, pushed
+        return Image(x + after * b + c, after, tangent)
 
-            return Image(x + after * b + c, after, tangent)
+    def along(self, _curve: Curve) -> "Functions":
+        """Return the map."""
+        return self
 
-        return mapped
+    def written(self, _places: int) -> tuple[dict[str, Any], "Functions"]:
+        """Return the map, without hints."""
+        return {}, self
 
 
 def mean(q: Polynomial) -> Fraction:

@@ -32,7 +32,7 @@ def bumped(text, mode, by):
 
 def test_it_is_verified():
     """All steps; the schema describes it; the sentence has the numbers claimed."""
-    assert len(verify(GOOD)) == 5
+    assert len(verify(GOOD)) == 6
     fits_the_schema(GOOD)
     said = words(read(encode(GOOD)))
     low, high = CLAIMS["bounds"]
@@ -74,7 +74,7 @@ def test_bounds_are_moved():
     low, high = map(Fraction, CLAIMS["bounds"])
     rejected(changed(GOOD, "claims", "bounds", 0, str(low + Fraction(1, 10**6))), "below")
     rejected(changed(GOOD, "claims", "bounds", 1, str(high - Fraction(1, 10**6))), "above")
-    assert len(verify(changed(GOOD, "claims", "bounds", ["3", "5"]))) == 5
+    assert len(verify(changed(GOOD, "claims", "bounds", ["3", "5"]))) == 6
 
 
 def test_extent():
@@ -106,7 +106,7 @@ X, Y, KICK = ["1", "x"], ["1", "y"], ["3/10", "sin"]
 def test_maps():
     """That of the certificate, written otherwise; another one; what is no such map."""
     torus = {k: v for k, v in GOOD["parameters"].items() if k != "torus"}
-    assert len(verify(GOOD | {"parameters": torus})) == 5
+    assert len(verify(GOOD | {"parameters": torus})) == 6
     near = [f"{Fraction(3, 10) + Fraction(1, 10**9)}", "sin"]
     rejected(image([X, Y, near], [Y, near]), "y0|farther")
     rejected(image([X, ["2", "y"], ["3/5", "sin"]], [Y, KICK]), "y0|farther|twist")

@@ -41,7 +41,7 @@ def test_takers():
     """Where a range of f is asked for, it is the theorem on the range that takes the option."""
     assert {"attractor on a range of f", "branch"} <= set(takers("journal"))
     assert takers("undecided") == ["mixed"]
-    assert takers("from") == ["attractor", "branch", "cascade", "entropies"]
+    assert takers("from") == ["attractor", "branch", "cascade", "entropies", "islands"]
 
 
 def test_the_help_names_them():
@@ -50,7 +50,7 @@ def test_the_help_names_them():
     for _ in range(2):
         words = " ".join(shown.format_help().split())
         assert "--order N elliptic: odd order" in words
-        assert "--from Q attractor, branch, cascade, entropies: for f from" in words
+        assert "--from Q attractor, branch, cascade, entropies, islands: for f from" in words
         assert "--masses M1,M2 particles, particles_limits," in words
 
 

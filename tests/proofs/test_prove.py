@@ -44,9 +44,12 @@ COMMANDS = dict(
 # to prove them takes the better part of a minute, or minutes; their provers have tests of their own
 LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persistence"}
 LONG |= {
+    "ball_curve",
     "horseshoe-1",
     "island",
     "island-2",
+    "islands",
+    "map_curve",
     "map_horseshoe-1",
     "map_horseshoe-2",
 }  # and what they find depends on rounding in floats

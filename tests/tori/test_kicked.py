@@ -69,7 +69,7 @@ def test_the_map_and_its_derivative():
     )
     g = checker.Kicked.of(formulas(matched(as_parameters(GENERAL), FORMULAS, "")))
     there = g.over(U, V)
-    moved = g.tangent(there, (A, B))
+    moved = there.tangent((A, B))
     for theta in (0.0, 1.0, 2.5, 4.0):
         x0, y0, a0, b0 = (value(w, theta) for w in (u, v, a, b))
         y1 = y0 + kick(theta + x0)
@@ -139,7 +139,7 @@ def test_curves_in_floats():
         spanning.Kicked(1.0, 0.0, [(0.9, 0, 1)]),
         spanning.Kicked(-2.0, 0.3, [(0.1, 0, 1), (0.05, 1, 1), (-0.02, 1, 0)]),
     ):
-        curve, rate = spanning.found(at, golden)
+        curve, rate = spanning.found(at, 2 * math.pi * golden)
         _, error = spanning.improved(at, curve, 2 * math.pi * golden)
         assert error < 1e-12
         assert 0.05 < rate <= 0.8
@@ -154,7 +154,7 @@ def test_curves_in_floats():
         off = (turned / (2 * math.pi * 3000) - golden + 0.5) % 1 - 0.5
         assert abs(off) < 1e-3
     with pytest.raises(NotProved, match="no curve"):
-        spanning.found(spanning.Kicked(1.0, 0.0, [(1.2, 0, 1)]), golden)
+        spanning.found(spanning.Kicked(1.0, 0.0, [(1.2, 0, 1)]), 2 * math.pi * golden)
 
 
 def test_how_far_orbits_get():

@@ -31,6 +31,14 @@ Vector = tuple[Function, Function]
 Tangent = Callable[[Vector], Vector]
 
 
+class Image(NamedTuple):
+    """The image of curves (theta + x, y): its x and y, and the derivative along it of vectors."""
+
+    x: Function
+    y: Function
+    tangent: Tangent
+
+
 class Sizes(NamedTuple):
     """The numbers of the hypotheses, as intervals; ``small`` is 1/(4 e gamma)."""
 

@@ -25,15 +25,7 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.system.model import COS, SIN
 from cap.checker.system.polynomial import Polynomial, variable
-from cap.checker.tori.invariant_curve import Vector
-
-
-class Image(NamedTuple):
-    """The image of a curve: its periodic parts, and q' along the curve."""
-
-    x: Function
-    y: Function
-    slope: Function
+from cap.checker.tori.invariant_curve import Image, Vector
 
 
 class Kicked(NamedTuple):
@@ -66,14 +58,14 @@ class Kicked(NamedTuple):
         known = {COS: cosine * k - sine * s, SIN: sine * k + cosine * s}
         cos, sin = variable(COS), variable(SIN)
         slope = self.q.derivative(SIN) * cos - self.q.derivative(COS) * sin
-        after = y + value(self.q, known, circle)
-        moved = x + after.times(exact(self.b, circle)) + circle.constant(exact(self.c, circle))
-        return Image(moved, after, value(slope, known, circle))
+        after, steep = y + value(self.q, known, circle), value(slope, known, circle)
+        b, c = exact(self.b, circle), exact(self.c, circle)
 
-    def tangent(self, image: Image, w: Vector) -> Vector:
-        """Return the derivative along the curve, of a vector."""
-        pushed = w[1] + image.slope * w[0]
-        return w[0] + pushed.times(exact(self.b, pushed.circle)), pushed
+        def tangent(w: Vector) -> Vector:
+            pushed = w[1] + steep * w[0]
+            return w[0] + pushed.times(b), pushed
+
+        return Image(x + after.times(b) + circle.constant(c), after, tangent)
 
 
 def mean(q: Polynomial) -> Fraction:

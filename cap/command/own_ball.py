@@ -1,0 +1,68 @@
+"""The command ``cap.prove island --ball A=1/5``: an invariant curve of an elastic bouncing ball."""
+
+import argparse
+from collections.abc import Sequence
+
+from cap.command import own_map
+from cap.command.console import Parser, program, protected
+from cap.command.own_curve import GOLDEN
+from cap.command.progress import Progress, answered
+from cap.errors import BadInput
+from cap.option import integer
+from cap.parameters import exact
+from cap.proofs import ball_curve
+from cap.proofs.rotation_choice import rotation
+from cap.runner import Runner
+from cap.system.files import assigned
+
+
+def main(words: Sequence[str]) -> int:
+    """Run the command line; return its exit status."""
+    options = parser().parse_args([protected(word) for word in words])
+    progress = Progress()
+    return answered(lambda: _run(options, progress), progress)
+
+
+def parser() -> Parser:
+    """Return the parser of this command."""
+    p = Parser(
+        prog=f"{program('cap.prove')} island --ball A=Q,omega=Q,g=Q",
+        description="Prove that a ball, y'' = -g, that bounces elastically on a table at A "
+        "sin(omega t), A omega^2 < g, has an analytic invariant curve in the plane of the phase "
+        "and the speed of impacts: it bounds all speeds below it, for all times.",
+        epilog="Example: python -m cap.prove island --ball A=1/5 --rotation '[0;(1)]' --turns 1",
+    )
+    p.add_argument("theorem", metavar="island", help="what is proved")
+    p.add_argument(
+        "--ball",
+        required=True,
+        metavar="A=Q,..",
+        help="A, omega and g, exact: 0.5 means 1/2 (default 1/5, 1, 1)",
+    )
+    p.add_argument(
+        "--rotation",
+        default=GOLDEN,
+        metavar="[0;A,...]",
+        help="so many times, besides --turns N, the table oscillates between two impacts on the "
+        "curve: a continued fraction with its period in parentheses (default [0;(1)], the golden "
+        "number)",
+    )
+    p.add_argument("--turns", default="0", metavar="N", help="and N times more (default 0)")
+    own_map.add_ends(p)
+    return p
+
+
+def _run(options: argparse.Namespace, progress: Progress) -> int:
+    """Prove it, write the certificate and print it; return the status."""
+    given = assigned(options.ball)
+    if unknown := sorted(given.keys() - set(ball_curve.Table._fields)):
+        raise BadInput(f"a ball has no parameter {unknown[0]}: it has A, omega and g")
+    table = ball_curve.Table(**{name: exact(word) for name, word in given.items()}).checked()
+    q = rotation([options.rotation], "rotation")
+    whole = integer(options.turns, "turns", (0, 999))
+    runner = Runner(integer(options.jobs, "jobs", (1, 1024)), progress.tell)
+    told = {**given, **({"turns": whole} if whole else {})}
+    path = own_map.place(options, ["ball_curve"], told, ball_curve.as_parameters(table))
+    return own_map.answered(
+        "ball_curve", lambda: ball_curve.prove(table, q, whole, runner), path, progress
+    )

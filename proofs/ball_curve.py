@@ -1,0 +1,77 @@
+"""Theorem (ball_curve).  Let a ball bounce elastically on a table,
+
+    y'' = -g,   y > A sin ωt,     0 < A ω² < g,
+
+and let α be a quadratic irrational, n >= 0.  If the lemmas succeed, then
+
+ (i)   the map from impact to impact, of (ωt mod 2π, v), v > 0 the speed after an impact, relative
+       to the table, has an invariant analytic curve that goes around once, near an explicit
+       trigonometric polynomial in (ωt, v²ω²/(2g²)), on which it is conjugate to a rotation; the
+       table oscillates n + α times between two impacts, on average;
+ (ii)  on it v lies between explicit bounds: so no motion goes from speeds below the first to speeds
+       above the second, or back, whenever.
+
+Proof.  docs/invariant-curve-proof.md, with `cap.tori.bouncing`; `cap.proofs.cylinder`.
+"""
+
+from fractions import Fraction
+from math import pi
+from typing import Any, NamedTuple
+
+from cap.errors import BadInput
+from cap.floats.candidates import spanning
+from cap.proofs.cylinder import Sought, bounds, checked, proved
+from cap.runner import Runner
+from cap.sets import interval
+from cap.sets.fourier import Circle
+from cap.tori.bouncing import Bouncing
+from cap.tori.rotation import Quadratic
+
+
+class Table(NamedTuple):
+    """The parameters A, ω and g."""
+
+    A: Fraction = Fraction(1, 5)
+    omega: Fraction = Fraction(1)
+    g: Fraction = Fraction(1)
+
+    @property
+    def a(self) -> Fraction:
+        """The reduced acceleration A ω²/g."""
+        return self.A * self.omega**2 / self.g
+
+    def checked(self) -> "Table":
+        """Return it; raise `BadInput` unless 0 < A ω² < g."""
+        if not all(q > 0 for q in self):
+            raise BadInput("A, omega and g must be positive")
+        if not self.a < 1:
+            raise BadInput(
+                "A omega^2 < g is needed, that a flight ends at the first height 0: here A omega^2 "
+                f"is {float(self.a):.6g} g"
+            )
+        return self
+
+
+def prove(table: Table, q: Quadratic, whole: int, runner: Runner) -> dict[str, Any]:
+    """Return a certificate, which the checker accepts; raise `NotProved`."""
+    a, scale = table.checked().a, table.g / table.omega
+    runner.tell(f"a curve with the rotation number {whole} + {q} is looked for", None)
+    ball = spanning.Ball(float(a))
+    curve, decay = spanning.found(ball, 2 * pi * (whole + float(q.value())))
+    rows = [row.tolist() for row in ball.hints(curve)]
+
+    def mapped(circle: Circle) -> Bouncing:
+        return Bouncing.of(circle, interval.ball(a), rows)
+
+    found, at = proved(Sought(q, whole, curve, decay), mapped, runner)
+    with interval.workprec(at.bits):
+        speeds = ((2 * w).sqrt() * interval.ball(scale) for w in (found.low, found.high))
+        claims = {**found.claims, "turns": str(whole), "speeds": bounds(*speeds)}
+    content = claims, found.hints
+    certificate: dict[str, Any] = checked("ball_curve", as_parameters(table), content, runner)
+    return certificate
+
+
+def as_parameters(table: Table) -> dict[str, str]:
+    """Return the parameters in the form that a certificate holds."""
+    return {name: str(value) for name, value in table._asdict().items()}

@@ -1,0 +1,149 @@
+"""The theorem ``ball_curve``: what is true is verified; each lie is noticed."""
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from cap.checker.kernel.certificate import read
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems.ball_curve import BallCurve
+from cap.checker.verdict import seconds, words
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.tampered import malformed
+
+ROOT = Path(__file__).parents[2]
+GOOD = json.loads((ROOT / "tests/certificates/accept/ball_curve_small.json").read_text())
+CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
+CURVE, FLIGHT = CLAIMS["curve"], HINTS["flight"]
+UNIT = 10 ** int(HINTS["places"])
+LITTLE = UNIT // 10**4
+
+
+def bumped(text, mode, by):
+    """Return a polynomial with a real part of a coefficient changed."""
+    parts = text.split(",")
+    re, im = parts[mode].split(" ")
+    parts[mode] = f"{int(re) + by} {im}"
+    return ",".join(parts)
+
+
+def test_it_is_verified():
+    """All steps; the schema describes it; the sentence has the numbers claimed."""
+    assert len(verify(GOOD)) == 5
+    fits_the_schema(GOOD)
+    said = words(read(encode(GOOD)))
+    low, high = CLAIMS["speeds"]
+    for part in (
+        "y'' = -3",
+        "1/30 sin(2 t)",
+        "1 + alpha times",
+        "[0;1,(1)]",
+        f"if v < {low} after one impact, then v <= {high} after all",
+    ):
+        assert part in said
+
+
+LIES = {
+    "t": ("claims", "curve", "first", bumped(CURVE["first"], 1, LITTLE), "y0|twist"),
+    "w": ("claims", "curve", "second", bumped(CURVE["second"], 0, LITTLE), "y0|twist"),
+    "the error": ("claims", "distance", "0." + 40 * "0" + "1", "farther"),
+    "rotation": ("claims", "rotation_number", "head", ["2"], "y0|Diophantine"),
+    "Diophantine": ("claims", "diophantine", "0.39", "Diophantine"),
+    "turns": ("claims", "turns", "2", "y0|twist"),
+    "no turns": ("claims", "turns", "0", "y0|twist"),
+    "frame": ("hints", "frame", "second", bumped(HINTS["frame"]["second"], 0, 10**20), "1/2|y0"),
+    "no reach": ("hints", "reach", "0", "reach is not"),
+    "a large reach": ("hints", "reach", "1", "contraction|larger than 1"),
+    "speed": ("hints", "flight", "speed", bumped(FLIGHT["speed"], 0, UNIT), "contraction"),
+    "negative": ("hints", "flight", "speed", "-1 0", "contraction"),
+    "inverse": ("hints", "flight", "inverse", "0 0", "contraction"),
+    "time": ("hints", "flight", "time", "0 0", "contraction"),
+    "later": ("hints", "flight", "later", "0 0", "contraction"),
+    "degree": ("hints", "degree", "8", "too many"),
+}
+
+
+@pytest.mark.parametrize("name", LIES)
+def test_lies(name):
+    """Each is rejected, by what it contradicts."""
+    *path, value, why = LIES[name]
+    rejected(changed(GOOD, *path, value), why)
+
+
+def negated(text):
+    """Return minus a polynomial."""
+    pairs = (part.split(" ") for part in text.split(","))
+    return ",".join(f"{-int(re)} {-int(im)}" for re, im in pairs)
+
+
+def test_speeds_have_a_sign():
+    """The other root of v² = 2w: the ball would be below the table."""
+    flight = FLIGHT | {k: negated(FLIGHT[k]) for k in ("speed", "inverse")}
+    rejected(changed(GOOD, "hints", "flight", flight), "may not be positive")
+
+
+def test_flights_take_time():
+    """The root 0 of the height is none: its reciprocal of the slope is 1/v."""
+    flight = FLIGHT | {"time": "0 0", "later": negated(FLIGHT["inverse"])}
+    rejected(changed(GOOD, "hints", "flight", flight), "no time")
+
+
+def test_bounds_are_moved():
+    """Both ends."""
+    low, high = map(Fraction, CLAIMS["speeds"])
+    rejected(changed(GOOD, "claims", "speeds", 0, str(low + Fraction(1, 10**6))), "lower")
+    rejected(changed(GOOD, "claims", "speeds", 1, str(high - Fraction(1, 10**6))), "higher")
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "why"),
+    [
+        ("A", "1/31", "y0|twist|farther|contraction"),
+        ("omega", "2001/1000", "y0|twist|farther|contraction"),
+        ("g", "3001/1000", "y0|twist|farther|contraction"),
+        ("A", "0", "10"),
+        ("A", "-1/30", "10"),
+        ("g", "-3", "10"),
+        ("A", "3/4", "A omega"),
+        ("A", "1" + 31 * "0", "10"),
+    ],
+)
+def test_other_balls(name, value, why):
+    """Another ball; a table that falls faster than the ball; signs."""
+    rejected(changed(GOOD, "parameters", name, value), why)
+
+
+def test_restitution_is_no_parameter():
+    """What loses energy has no such curve."""
+    rejected({**GOOD, "parameters": GOOD["parameters"] | {"e": "1"}}, "unknown fields")
+
+
+def test_the_time():
+    """It is said before."""
+    assert seconds(encode(GOOD)) == 0
+    large = changed(changed(GOOD, "hints", "degree", "20000"), "hints", "places", "60")
+    assert seconds(encode(large)) > 50
+
+
+def test_what_is_malformed():
+    """Fields missing, added, of another type; what has the form of numbers is tested above."""
+    survived = [where for where, bad in malformed(GOOD) if not refused(bad)]
+    others = [w for w in survived if w[-1] != ["2", "1"] and "rotation_number" not in w]
+    assert others == []
+
+
+def refused(certificate):
+    """Return whether a certificate is refused when it is read, or its polynomials are."""
+    try:
+        given = BallCurve(read(encode(certificate)), lambda _: None)
+        for pair in (given.claims["curve"], given.hints["frame"]):
+            given.pair(pair, 1)
+        for name in ("speed", "time"):
+            given.pair({"first": given.hints["flight"][name], "second": "0 0"}, 1)
+        for name in ("inverse", "later"):
+            given.pair({"first": given.hints["flight"][name], "second": "0 0"}, 1)
+    except Rejected:
+        return True
+    return False
