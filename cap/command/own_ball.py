@@ -2,6 +2,9 @@
 
 import argparse
 from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 from cap.command import own_map
 from cap.command.console import Parser, program, protected
@@ -11,16 +14,18 @@ from cap.errors import BadInput
 from cap.option import integer
 from cap.parameters import exact
 from cap.proofs import ball_curve
+from cap.proofs.ball_curve import Table
 from cap.proofs.rotation_choice import rotation
 from cap.runner import Runner
 from cap.system.files import assigned
+from cap.tori.rotation import Quadratic
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     options = parser().parse_args([protected(word) for word in words])
     progress = Progress()
-    return answered(lambda: _run(options, progress), progress)
+    return answered(lambda: _proved(Asked.of(options), progress), progress)
 
 
 def parser() -> Parser:
@@ -52,17 +57,36 @@ def parser() -> Parser:
     return p
 
 
-def _run(options: argparse.Namespace, progress: Progress) -> int:
+@dataclass(frozen=True)
+class Asked:
+    """What is asked for; all of it makes sense."""
+
+    table: Table
+    rotation: Quadratic
+    turns: int
+    jobs: int
+    path: Path
+
+    @classmethod
+    def of(cls, options: argparse.Namespace) -> "Asked":
+        """Read the options; raise `BadInput` with what is wrong."""
+        given = assigned(options.ball)
+        if unknown := sorted(given.keys() - set(Table._fields)):
+            raise BadInput(f"a ball has no parameter {unknown[0]}: it has A, omega and g")
+        table = Table(**{name: exact(word) for name, word in given.items()}).checked()
+        q = rotation([options.rotation], "rotation")
+        turns = integer(options.turns, "turns", (0, 999))
+        jobs = integer(options.jobs, "jobs", (1, 1024))
+        told = {**given, **({"turns": turns} if turns else {})}
+        path = own_map.place(options, ["ball_curve"], told, ball_curve.as_parameters(table))
+        return cls(table, q, turns, jobs, path)
+
+
+def _proved(asked: Asked, progress: Progress) -> int:
     """Prove it, write the certificate and print it; return the status."""
-    given = assigned(options.ball)
-    if unknown := sorted(given.keys() - set(ball_curve.Table._fields)):
-        raise BadInput(f"a ball has no parameter {unknown[0]}: it has A, omega and g")
-    table = ball_curve.Table(**{name: exact(word) for name, word in given.items()}).checked()
-    q = rotation([options.rotation], "rotation")
-    whole = integer(options.turns, "turns", (0, 999))
-    runner = Runner(integer(options.jobs, "jobs", (1, 1024)), progress.tell)
-    told = {**given, **({"turns": whole} if whole else {})}
-    path = own_map.place(options, ["ball_curve"], told, ball_curve.as_parameters(table))
-    return own_map.answered(
-        "ball_curve", lambda: ball_curve.prove(table, q, whole, runner), path, progress
-    )
+    runner = Runner(asked.jobs, progress.tell)
+
+    def prove() -> dict[str, Any]:
+        return ball_curve.prove(asked.table, asked.rotation, asked.turns, runner)
+
+    return own_map.answered("ball_curve", prove, asked.path, progress)

@@ -2,6 +2,9 @@
 
 import argparse
 from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 from cap.command import own_map
 from cap.command.console import Parser, program, protected
@@ -10,7 +13,9 @@ from cap.option import integer
 from cap.proofs import map_curve
 from cap.proofs.rotation_choice import rotation
 from cap.runner import Runner
+from cap.system.planar import Map
 from cap.tori.kicked import Kicked
+from cap.tori.rotation import Quadratic
 
 GOLDEN = "[0;(1)]"
 
@@ -19,7 +24,7 @@ def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     options = parser().parse_args([protected(word) for word in words])
     progress = Progress()
-    return answered(lambda: _run(options, progress), progress)
+    return answered(lambda: _proved(Asked.of(options), progress), progress)
 
 
 def parser() -> Parser:
@@ -44,11 +49,30 @@ def parser() -> Parser:
     return p
 
 
-def _run(options: argparse.Namespace, progress: Progress) -> int:
+@dataclass(frozen=True)
+class Asked:
+    """What is asked for; all of it makes sense."""
+
+    map: Map
+    rotation: Quadratic
+    jobs: int
+    path: Path
+
+    @classmethod
+    def of(cls, options: argparse.Namespace) -> "Asked":
+        """Read the options; raise `BadInput` with what is wrong."""
+        given = own_map.given(options)
+        Kicked.of(given)
+        q = rotation([options.rotation], "rotation")
+        jobs = integer(options.jobs, "jobs", (1, 1024))
+        return cls(given, q, jobs, own_map.certificate(options, "map_curve", given))
+
+
+def _proved(asked: Asked, progress: Progress) -> int:
     """Prove it, write the certificate and print it; return the status."""
-    given = own_map.given(options)
-    Kicked.of(given)
-    q = rotation([options.rotation], "rotation")
-    runner = Runner(integer(options.jobs, "jobs", (1, 1024)), progress.tell)
-    path = own_map.certificate(options, "map_curve", given)
-    return own_map.answered("map_curve", lambda: map_curve.prove(given, q, runner), path, progress)
+    runner = Runner(asked.jobs, progress.tell)
+
+    def prove() -> dict[str, Any]:
+        return map_curve.prove(asked.map, asked.rotation, runner)
+
+    return own_map.answered("map_curve", prove, asked.path, progress)

@@ -8,7 +8,7 @@ import pytest
 
 from cap import prove, verify
 from cap.audit import command as audit
-from cap.command import archive, own, own_horseshoe, verifier
+from cap.command import archive, own, own_ball, own_curve, own_horseshoe, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
@@ -35,6 +35,13 @@ def block(page, first):
     return [line.strip() for line in lines[start:end] if line.strip()]
 
 
+def own_command(given):
+    """Return the command about a map, a ball, or a system of one's own, if it is one."""
+    if "--map" in given:
+        return own_curve if "island" in given else own_horseshoe
+    return own_ball if "--ball" in given else own if "--model" in given else None
+
+
 @pytest.mark.parametrize(("module", "words"), sorted(set(ALL)))
 def test_a_command(module, words, monkeypatch):
     """Its options exist, and make sense together."""
@@ -45,11 +52,9 @@ def test_a_command(module, words, monkeypatch):
             with pytest.raises(SystemExit, match="0"):
                 read(given)
             return
-        if "--map" in given:
-            assert own_horseshoe.Asked.of(own_horseshoe.parser().parse_args(given)).map.image
-            return
-        if "--model" in given:
-            assert own.Asked.of(own.parser().parse_args(given)).system.modes
+        command = own_command(given)
+        if command:
+            assert command.Asked.of(command.parser().parse_args(given))
             return
         options = read(given)
         if options.theorem in NAMES:

@@ -31,6 +31,7 @@ class Drawing(NamedTuple):
 
 DRAWINGS = {
     "attractor": Drawing("releases:attractor", (9.0, 4.8)),
+    "ball_curve": Drawing("cylinder:ball_curve", (6.8, 5.8)),
     "branch": Drawing("pairs:branch"),
     "capture": Drawing("captures:capture", (8.2, 4.2)),
     "cascade": Drawing("releases:cascade", (9.0, 4.6)),
