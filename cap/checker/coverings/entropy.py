@@ -123,7 +123,7 @@ def confirm_overlaps(sets: list[list[Fraction]], edges: list[list[int]]) -> int:
 
 def confirm_coverings(g: Planar, sets: list[list[Fraction]], edges: list[list[int]], i: int) -> int:
     """Check all coverings by a set; return the number of boxes."""
-    return covers(g, Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
+    return covers(g.on(i), Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
 
 
 _CHECKED = "coverings are checked"

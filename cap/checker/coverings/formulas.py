@@ -18,7 +18,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from cap.checker.coverings.planar import Image
+from cap.checker.coverings.planar import Image, Planar
 from cap.checker.kernel.doubles import PI, Double, cos_sin, enclosing
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.rejection import need
@@ -76,7 +76,7 @@ def _turns(q: Polynomial, state: Sequence[str]) -> bool:
     return all(len(m) == 1 and c.denominator == 1 for m, c in with_one.items())
 
 
-class Map:
+class Map(Planar):
     """The map in doubles."""
 
     def __init__(self, formulas: Formulas) -> None:
