@@ -25,10 +25,8 @@ import numpy as np
 
 from cap.checker.coverings.contact_map import ContactMap
 from cap.checker.coverings.contact_map import Section as Checked
-from cap.checker.coverings.contact_map import interval as enclosed
 from cap.checker.coverings.covering import Parallelogram
 from cap.checker.kernel.doubles import between
-from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import matched
 from cap.checker.system.given import SYSTEM, model
@@ -65,14 +63,14 @@ def prove(
             best = proved(g, found, runner, disjoint=disjoint)
             return checked("contact_horseshoe", parameters, _content(g, best, middle), runner)
         except NotProved as failure:
-            reason = str(failure)
+            reason = str(failure); print("DEBUG", reason)
     raise NotProved("search", reason)
 
 
 def _content(g: ContactMap, best: Proved, middle: Fraction) -> tuple[Any, Any]:
     """Return claims and hints."""
     times = lemma_3_times(g, best)
-    period = 2 * math.pi / _double(g.flights.omega)
+    period = g.period.mid
     rate, vector = _in_time(best, times)
     per_period = Fraction(math.floor((rate * period - SLACK) * 10**PLACES), 10**PLACES)
     claims = {
@@ -107,14 +105,14 @@ def _bound(g: ContactMap, source: Parallelogram) -> Fraction:
         a, b, c, d = waiting.pop()
         x, y = source.points(between(a, b), between(c, d))
         try:
-            flown = g.flown(enclosed(x), enclosed(y))
+            flown = g.flown(x, y)
         except Rejected as reason:
             if b - a < SMALL:
                 raise NotProved("Lemma 3", f"a flight from a set has no certain end: {reason}") from None
             m, n = (a + b) / 2, (c + d) / 2
             waiting += [(*p, *q) for p in ((a, m), (m, b)) for q in ((c, n), (n, d))]
         else:
-            most = max(most, (flown.T - flown.t).upper)
+            most = max(most, Fraction(flown.duration.upper))
     return Fraction(math.ceil(most * (1 + ROOM) * UNIT), UNIT)
 
 
@@ -144,6 +142,3 @@ def _in_time(best: Proved, times: Sequence[Fraction]) -> tuple[float, list[int]]
     sums = np.bincount(source, weights=v[target], minlength=len(v))
     return float((np.log(sums / v) / tau).min()), vector
 
-
-def _double(x: Interval) -> float:
-    return float(x.midpoint().lower)

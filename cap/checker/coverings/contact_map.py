@@ -10,14 +10,19 @@ g is a map of a cylinder.  This is cut open: the map is looked at for |t - m| < 
 defined where t' is m + T/2 modulo T.  An orbit that stays where it is defined is one of the map of
 the cylinder; so a compact invariant set of the one is one of the other, with the same entropy.
 
-*First contact.*  Let the contacts be in a box.  Over it the flights after the reset are known
-(`system.legs`).  T contains the times near that of the midpoint; if Newton's operator s - h(s)/L
-h(T) lies inside T, each of them has exactly one zero of h in T, and L h < 0 there.  After the reset
-h = 0 by an identity of polynomials, and that h > 0 from there to the zero, and the other guards
-are positive, is Lemma B of `system.quiet`, with pieces that are halved until all is decided.
+*Flights* are polynomial in time but for the response P to the clock (`system.legs`): with d = s - t
 
-*Derivative.*  Let D be the derivative of the state on arrival at a fixed time t' by t or p, where
-dq/dt = -h_t/c before the contact.  Then dt' = -c Dq/L h, and dp' = Dp + (dp/dt') dt'.
+    z(s) = P(s) + sum of N_k y d^k,      y = (z - P, 1)(t) after the reset,      N_k = N^k/k!.
+
+*First contact.*  The contacts are in a box.  Let T contain times; if Newton's operator s - h(s)/L
+h(T) lies inside T, each flight has exactly one zero of h in T, and L h < 0 there.  After the reset
+h = 0 by an identity of polynomials.  If L^2 h < 0 for all times, h is strictly concave: it is
+positive between two zeros.  Else, and for the other guards of the mode, Lemma B of `system.quiet`
+shows that they are positive, with pieces that are halved until all is decided.
+
+*Derivative.*  At a fixed time s, z(s) has by p the derivative sum N_k y_p d^k, and by t the
+derivative sum N_k y_t d^k - (the rate of the sum): y_p and y_t are those of y, and q = -r/c varies
+with t.  If D is one of both at s = t', then dt' = -c Dq/L h, and dp' = Dp + (dp/ds) dt'.
 
 *Times.*  For each of the sets a bound of t' - t is given; on a set, what may be longer is rejected.
 """
@@ -31,26 +36,26 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from cap.checker.coverings.planar import Image, Planar
-from cap.checker.kernel.doubles import GROWTH, TINY, UNIT, Double
+from cap.checker.coverings.sums import Sum
+from cap.checker.kernel.doubles import GROWTH, PI, TINY, UNIT, Double, cos_sin, enclosing
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.system.evaluation import Values
-from cap.checker.system.legs import Flights, Leg
-from cap.checker.system.model import CLOCK, COS, PI, SIN, Model
-from cap.checker.system.passage import Contact, passage
-from cap.checker.system.program import Program, Tape
+from cap.checker.system.legs import Leg, flights
+from cap.checker.system.model import CLOCK, COS, SIN, Model
+from cap.checker.system.model import PI as NUMBER
+from cap.checker.system.polynomial import Polynomial, variable
 from cap.checker.system.quiet import halved, vanishing, watched
 
-BITS = 80
-HALF, LEAST = 1 << BITS - 1, 1 << BITS - 60
-STEPS = 3  # of Newton's method, in the middle
+BITS = 80  # of intervals of integers
+PARTS, MOST, STEPS = 24, 2000, 6  # of a period; of a flight; of a search
+SLACK, LEAST = 1.25, 2.0**-44  # of the interval T, around a guess
 PIECES, MOST_PIECES = 1 << 12, 200  # of the flights from a set; of one flight, for each guard
-PARTS, MOST = 32, 2000  # steps of a period; of a flight
-FAR = 2.0**40
+FAR = 2.0**30
+Row = list[tuple[int, Double]]  # columns that are not zero, with their entries
 
 
 class Section:
-    """A guard, as above."""
+    """A guard as above, and what it is where a motion comes to it."""
 
     def __init__(self, model: Model, mode: str, guard: str) -> None:
         need(len(model.state) == 2, "the state has not two variables")  # noqa: PLR2004
@@ -58,33 +63,41 @@ class Section:
         known = mode in model.modes and guard in model.modes[mode].guards
         need(known, f"there is no guard {guard} of a mode {mode}")
         self.model, self.mode, self.key = model, mode, guard
-        self.guard = model.modes[mode].guards[guard]
-        need(mode in self.guard.to, f"{guard} does not lead to the mode {mode}")
-        names = sorted(self.guard.value.variables - {*CLOCK, PI})
+        given = model.modes[mode].guards[guard]
+        need(mode in given.to, f"{guard} does not lead to the mode {mode}")
+        names = sorted(given.value.variables - {*CLOCK, NUMBER})
         need(len(names) == 1, f"{guard} is not of one variable of the state")
-        self.q = model.state.index(names[0])
-        rate = self.guard.value.derivative(names[0])
+        rate = given.value.derivative(names[0])
         need(rate.terms.keys() == {()}, f"{guard} is not of degree 1 in {names[0]}")
-        self.c = rate.number
-        self.place = (self.guard.value.without(names)) * (-1 / self.c)
         self.zeros = vanishing(model, mode, guard, mode)
         need(self.zeros[guard] == 1, f"{guard} does not come to zero alone after the reset")
-        self.others = [key for key in model.modes[mode].guards if key != guard]
+        self.q = names[0]
+        self.p = next(z for z in model.state if z != self.q)
+        self.c, self.rest = rate.number, given.value.without(names)
+        self.place = self.rest * (-1 / self.c)
+        here, free = {self.q: self.place}, given.reset.get(self.p, variable(self.p))
+        jumps = self.p in given.reset
+        self.over = given.divisor.substituted(here) if jumps else Polynomial.of(1)
+        self.after = free.substituted(here)
 
-    @property
-    def names(self) -> tuple[str, str]:
-        """The variable that a contact's time gives, and the other one."""
-        q = self.model.state[self.q]
-        return q, self.model.state[1 - self.q]
+    def by_time(self, q: Polynomial) -> Polynomial:
+        """Return the derivative by the time on which the clock depends."""
+        w, cos, sin = self.model.frequency, variable(COS), variable(SIN)
+        return q.derivative(SIN) * cos * w - q.derivative(COS) * sin * w
 
 
 class Flown(NamedTuple):
-    """Flights: from contacts at times t, the state before them, to times T, and L h there."""
+    """Flights: for q and p the sums N_k y by powers of d, and those with the derivatives of y.
 
-    t: Interval
-    before: list[Interval]
-    T: Interval
-    rate: Interval
+    They end at times, after durations, with the speed L h.
+    """
+
+    sums: list[list[Double]]
+    by_t: list[list[Double]]
+    by_p: list[list[Double]]
+    time: Double
+    duration: Double
+    speed: Double
 
 
 class ContactMap(Planar):
@@ -96,128 +109,218 @@ class ContactMap(Planar):
     def __init__(
         self, section: Section, middle: Fraction, times: Sequence[Fraction], budget: int = PIECES
     ) -> None:
-        self.section, self.model = section, section.model
-        self.passage = passage(self.model, Contact(section.mode, section.key, section.mode), BITS)
-        self.flights = self.passage.flights
+        self.section, self.model, state = section, section.model, section.model.state
+        motion = flights(self.model, section.mode, BITS)
+        exponential = motion.exponential
+        need(exponential.is_polynomial, "the flights are not polynomial in time")
+        self.order = [state.index(section.q), state.index(section.p)]
+        columns = [exponential.polynomials(i, 0) for i in self.order]
+        degree = max(len(c) for row in columns for c in row) - 1
+        self.powers = [_by_power(row, degree) for row in columns]
+        self.omega = double(motion.omega)
+        self.period = PI * 2.0 / self.omega
+        none = Double(0.0), Double(0.0)
+        response = [(double(U), double(V)) for U, V in motion.response or ()] or [none, none]
+        self.response = [response[i] for i in self.order]
+        self.middle, self.times, self.left = enclosing(middle), times, budget
+        self.longest = enclosing(max(times))
+        self.count = min(MOST, math.ceil(float(max(times)) * PARTS / self.period.mid) + 2)
+        self._write(section)
+
+    def _write(self, section: Section) -> None:
+        """Write the formulas, in p, the clock and pi."""
+        names, rest = (section.p, COS, SIN, NUMBER), section.rest
+        rate = section.by_time(rest)
+        self.c = enclosing(section.c)
+        self.rest, self.rest_rate = Sum(rest, names), Sum(rate, names)
+        bend = Sum(section.by_time(rate), names).bound((0.0, 1.0, 1.0, PI.magnitude))
+        U, V = self.response[0]
+        swing = self.omega * self.omega * self.c * Double(0.0, U.magnitude + V.magnitude)
+        self.bend = (swing.magnitude + bend) * (1 + 2.0**-40)
+        self.seen = [(self.c.mid * U.mid, 1, 0), (self.c.mid * V.mid, 0, 1)]
+        for m, k in rest.terms.items():
+            number = float(k) * math.pi ** m.count(NUMBER)
+            self.seen.append((number, m.count(COS), m.count(SIN)))
+        self.seen = [term for term in self.seen if term[0]]
+        self.place = [Sum(q, names) for q in (section.place, section.by_time(section.place))]
+        self.new = [
+            Sum(part, names)
+            for q in (section.after, section.over)
+            for part in (q, section.by_time(q), q.derivative(section.p))
+        ]
         guards = watched(self.model, section.mode)
         self.own = guards[section.key]
-        self.others = [(guards[key], (section.zeros[key], 0)) for key in section.others]
-        self.period = self.flights.pi * 2 / self.flights.omega
-        self.middle = _number(middle)
-        self.times, self.longest, self.left = times, _number(max(times)), budget
-        self.contact = self._written()
-        self.scout = Scout(section, self.flights, float(max(times)))
+        self.others = [
+            (h, (section.zeros[key], 0)) for key, h in guards.items() if key != section.key
+        ]
 
     def on(self, i: int) -> ContactMap:
         """Return the map on the i-th set."""
         found = copy(self)
-        found.longest = _number(self.times[i])
+        found.longest = enclosing(self.times[i])
         return found
-
-    def _written(self) -> Program:
-        """Return the formulas of q and of the state after the contact, in the clock and p."""
-        tape, section = Tape(BITS), self.section
-        cos, sin, p = tape.inputs(3)
-        one, q, other = p.integer(1), *section.names
-        known = {COS: cos, SIN: sin, PI: tape.constant(self.flights.pi), other: p}
-        known[q] = place = Values(known, one).of(section.place)
-        values, guard, after = Values(known, one), section.guard, dict(known)
-        divisor = values.of(guard.divisor)
-        for z, new in guard.reset.items():
-            after[z] = values.of(new) / divisor
-        return Program(tape.given, [place, *(after[z] for z in self.model.state)])
 
     def image(self, x: Double, y: Double) -> Image:
         """Enclose g and Dg over a rectangle of (t, p); reject what may not be as above."""
-        q, free = self.section.q, 1 - self.section.q
-        t, before, T, rate = self.flown(interval(x), interval(y))
-        need((self.longest + t - T).lo >= 0, "a flight may last longer than is claimed")
-        clocks = self.flights.clock(t), self.flights.clock(T)
-        step = self.passage.step(clocks[0], before, clocks[1], T - t)
-        place_t = -step.guard.by[0] / step.guard.by[1 + q]
-        by = [arrival.derivatives(4) for arrival in step.arrival]
-        columns = [[row[0] + row[1 + q] * place_t for row in by], [row[1 + free] for row in by]]
-        minus = step.guard.by[1 + q] / -rate
-        times = [minus * column[q] for column in columns]
-        rows = times, [c[free] + by[free][3] * s for c, s in zip(columns, times, strict=True)]
-        (a, b), (c, d) = (map(double, row) for row in rows)
-        arrival = double(step.arrival[free].value)
-        return Image(double(self._reduced(T)), arrival, ((a, b), (c, d)))
+        flown = self.flown(x, y)
+        need((self.longest - flown.duration).lower >= 0, "a flight may last longer than claimed")
+        d, cos_, sin_ = flown.duration, *cos_sin(flown.time * self.omega)
+        (U, V), free = self.response[1], flown.sums[1]
+        arrival = _horner(free, d) + U * cos_ + V * sin_
+        speed = _slope(free, d) + self.omega * (V * cos_ - U * sin_)
+        by = -self.c / flown.speed
+        first = [_horner(c, d) - _slope(s, d) for c, s in zip(flown.by_t, flown.sums, strict=True)]
+        second = [_horner(c, d) for c in flown.by_p]
+        t_t, t_p = by * first[0], by * second[0]
+        rows = (t_t, t_p), (first[1] + speed * t_t, second[1] + speed * t_p)
+        return Image(self._reduced(flown.time), arrival, rows)
 
-    def flown(self, t: Interval, p: Interval) -> Flown:
-        """Return the flights from contacts to the next ones, of times t and with p."""
+    def flown(self, t: Double, p: Double) -> Flown:
+        """Return the flights from contacts at times t, with p, to the next ones."""
         self._within(t)
-        place, *after = self.contact.run([*self.flights.clock(t), p])
-        leg = Leg(self.model, self.section.mode, t, dict(zip(self.model.state, after, strict=True)))
-        before = [place, p] if self.section.q == 0 else [p, place]
-        return Flown(t, before, *self.first(leg))
+        cos, sin = cos_sin(t * self.omega)
+        known = p, cos, sin, PI
+        place, place_t = (value.at(known) for value in self.place)
+        top, top_t, top_p, under, under_t, under_p = (value.at(known) for value in self.new)
+        new = top / under
+        new_t, new_p = (top_t - new * under_t) / under, (top_p - new * under_p) / under
+        P = [U * cos + V * sin for U, V in self.response]
+        rate = [self.omega * (V * cos - U * sin) for U, V in self.response]
+        y, one, zero = (place - P[0], new - P[1]), Double(1.0), Double(0.0)
+        by_t = place_t - rate[0], new_t - rate[1]
+        sums = self._sums((*y, one))
+        duration, speed = self._first(t, sums)
+        at = t + duration
+        self._quiet(t, (place, new), at, sums[0])
+        columns = self._sums((*by_t, zero)), self._sums((zero, new_p, zero))
+        return Flown(sums, *columns, at, duration, speed)
 
-    def first(self, leg: Leg) -> tuple[Interval, Interval]:
-        """Return the times of the first contacts after the start of flights, and L h there."""
-        at = self.scout.met(leg)
-        for _ in range(STEPS):
-            at = _middle(at - leg.over(self.own.h, at) / leg.over(self.own.rate, at))
-        h, rate = leg.over(self.own.h, at), leg.over(self.own.rate, at)
-        need((-rate).is_positive(), "a guard may not be crossed")
-        reach = (h.magnitude() / -rate).hi * 5 // 4 + LEAST
-        T = Interval(at.lo - reach, at.hi + reach, BITS)
-        new = at - h / leg.over(self.own.rate, T)
-        need(T.lo < new.lo and new.hi < T.hi, "no certain contact")
-        need(leg.start.is_before(new), "a flight that may have no length")
-        for guard, zeros in ((self.own, (1, 1)), *self.others):
-            self.left -= halved(leg, guard, new, zeros, min(self.left, MOST_PIECES))
-        return new, leg.over(self.own.rate, new)
+    def _sums(self, y: Sequence[Double]) -> list[list[Double]]:
+        """Return the coefficients of the powers of d, for q and p."""
+        return [[_dot(row, y) for row in rows] for rows in self.powers]
 
-    def _within(self, t: Interval) -> None:
+    def _first(self, t: Double, sums: Sequence[list[Double]]) -> tuple[Double, Double]:
+        """Return how long after t the guard comes to zero near a guess, and L h then."""
+        near = self._guess(t.mid, [a.mid for a in sums[0]])
+        at = Double(near)
+        h, speed = self._height(sums[0], t + at, at), self._speed(sums[0], t + at, at)
+        need((-speed).is_positive(), "a guard may not be crossed")
+        reach = h.magnitude / -speed.upper * SLACK + LEAST
+        T = Double(near, reach)
+        step = -h / self._speed(sums[0], t + T, T)
+        need(step.magnitude < reach, "no certain contact")
+        duration = at + step
+        need(duration.is_positive(), "a flight that may have no length")
+        return duration, self._speed(sums[0], t + duration, duration)
+
+    def _height(self, sums: Sequence[Double], s: Double, d: Double) -> Double:
+        """Return h at the time s, d after the contact."""
+        cos, sin = cos_sin(s * self.omega)
+        U, V = self.response[0]
+        q = _horner(sums, d) + U * cos + V * sin
+        return self.c * q + self.rest.at((d, cos, sin, PI))
+
+    def _speed(self, sums: Sequence[Double], s: Double, d: Double) -> Double:
+        """Return L h at the time s, d after the contact."""
+        cos, sin = cos_sin(s * self.omega)
+        U, V = self.response[0]
+        q = _slope(sums, d) + self.omega * (V * cos - U * sin)
+        return self.c * q + self.rest_rate.at((d, cos, sin, PI))
+
+    def _quiet(
+        self, t: Double, state: tuple[Double, Double], end: Double, sums: Sequence[Double]
+    ) -> None:
+        """Prove that the guards are positive on flights, from a state after the contact."""
+        watched = list(self.others)
+        curve = self.c * sums[2] * 2.0 if len(sums) > 2 else Double(0.0)  # noqa: PLR2004
+        if not curve.upper + self.bend < 0:
+            watched.append((self.own, (1, 1)))
+        if watched:
+            names = self.section.q, self.section.p
+            start = dict(zip(names, map(interval, state), strict=True))
+            leg = Leg(self.model, self.section.mode, interval(t), start)
+            for guard, zeros in watched:
+                most = min(self.left, MOST_PIECES)
+                self.left -= halved(leg, guard, interval(end), zeros, most)
+
+    def _guess(self, t: float, a: Sequence[float]) -> float:
+        """Return a time after which the guard seems to come to zero; it needs no trust."""
+        step, before = self.period.mid / PARTS, 0.0
+        for k in range(1, self.count):
+            h = self._seen(t, a, k * step)
+            if not h > 0:
+                need(k > 1, "no contact is seen")
+                low, high = (k - 1) * step, k * step
+                d, last = low + step * before / (before - h), high
+                for _ in range(STEPS):  # the secant method
+                    here = self._seen(t, a, d)
+                    if here == h or d == last:
+                        break
+                    d, last, h = d - here * (d - last) / (here - h), d, here
+                need(low <= d <= high, "no contact is seen")
+                return d
+            before = h
+        need(False, "no contact is seen")  # noqa: FBT003
+        return 0.0
+
+    def _seen(self, t: float, a: Sequence[float], d: float) -> float:
+        """Return h, up to a positive factor, d after a contact at t."""
+        angle = self.omega.mid * (t + d)
+        c, s, q, total = math.cos(angle), math.sin(angle), 0.0, 0.0
+        for x in reversed(a):
+            q = q * d + x
+        for number, i, j in self.seen:
+            total += number * c**i * s**j
+        return self.c.mid * q + total
+
+    def _within(self, t: Double) -> None:
         """Reject phases that may not be within half a period of m."""
-        near = (t - self.middle).magnitude() * 2
-        need(near.is_before(self.period), "a phase that may be at the cut")
+        half = self.period * 0.5
+        near = t - self.middle
+        inside = (half - near).is_positive() and (half + near).is_positive()
+        need(inside, "a phase that may be at the cut")
 
-    def _reduced(self, t: Interval) -> Interval:
+    def _reduced(self, t: Double) -> Double:
         """Return a time modulo the period, within half a period of m."""
-        turns = ((t - self.middle).midpoint() / self.period).midpoint() + Interval(HALF, HALF, BITS)
-        phase = t - self.period * (turns.lo >> BITS)
+        turns = math.floor((t.mid - self.middle.mid) / self.period.mid + 0.5)
+        phase = t - self.period * float(turns)
         self._within(phase)
         return phase
 
 
-class Scout:
-    """Where a contact may be, in floats: needs no trust."""
+def _by_power(row: Sequence[Sequence[Interval]], degree: int) -> list[Row]:
+    """Return for each power of d the coefficients in a row; they come with the highest first."""
+    found = [Row() for _ in range(degree + 1)]
+    for j, column in enumerate(row):
+        for k, c in enumerate(reversed(column)):
+            if c.lo or c.hi:
+                found[k].append((j, double(c)))
+    return found
 
-    def __init__(self, section: Section, flights: Flights, longest: float) -> None:
-        self.sign = 1 if section.c > 0 else -1
-        self.omega, self.pi = _float(flights.omega), math.pi
-        self.step = 2 * math.pi / self.omega / PARTS
-        count = min(MOST, math.ceil(longest / self.step) + 2)
-        exponential = flights.exponential
-        times = (Interval.enclosing(s := Fraction(k * self.step), s, BITS) for k in range(count))
-        self.rows = [[_float(x) for x in exponential.over(section.q, d)[0]] for d in times]
-        self.response = [(_float(U), _float(V)) for U, V in flights.response or ()]
-        U, V = self.response[section.q] if self.response else (0.0, 0.0)
-        terms = section.place.terms.items()
-        self.place = [(float(c), m.count(COS), m.count(SIN), m.count(PI)) for m, c in terms]
-        self.U, self.V = U, V
 
-    def met(self, leg: Leg) -> Interval:
-        """Return a time after the start of a flight, at which the guard seems to be zero."""
-        y, start = [_float(x) for x in leg.begin], _float(leg.start)
-        before = 1.0
-        for k, row in enumerate(self.rows[1:], start=1):
-            h = self._height(y, row, start + k * self.step)
-            if h <= 0:
-                need(k > 1, "no contact is seen")
-                at = Fraction(start + (k - h / (h - before)) * self.step)
-                return Interval.enclosing(at, at, BITS)
-            before = h
-        need(found=False, why="no contact is seen")
-        return leg.start
+def _dot(row: Row, y: Sequence[Double]) -> Double:
+    """Return the sum of products."""
+    total = Double(0.0)
+    for k, a in row:
+        total = total + (y[k] if a.mid == 1 and not a.rad else a * y[k])
+    return total
 
-    def _height(self, y: list[float], row: list[float], t: float) -> float:
-        """Return the guard, up to a factor."""
-        c, s = math.cos(self.omega * t), math.sin(self.omega * t)
-        q = sum(a * b for a, b in zip(y, row, strict=True)) + self.U * c + self.V * s
-        place = sum(n * c**i * s**j * math.pi**k for n, i, j, k in self.place)
-        return self.sign * (q - place)
+
+def _horner(sums: Sequence[Double], d: Double) -> Double:
+    """Return the sum of sums_k d^k."""
+    total = sums[-1]
+    for a in reversed(sums[:-1]):
+        total = total * d + a
+    return total
+
+
+def _slope(sums: Sequence[Double], d: Double) -> Double:
+    """Return its derivative."""
+    last = len(sums) - 1
+    total = sums[last] * float(last)
+    for k in range(last - 1, 0, -1):
+        total = total * d + sums[k] * float(k)
+    return total
 
 
 def interval(x: Double) -> Interval:
@@ -229,21 +332,7 @@ def interval(x: Double) -> Interval:
 
 def double(x: Interval) -> Double:
     """Return an interval of doubles that contains the points."""
-    need(x.magnitude().hi < FAR * FAR * (1 << BITS), "a number too large")
+    need(x.magnitude().hi < int(FAR) << BITS, "a number too large")
     mid = math.ldexp(float(x.lo + x.hi), -BITS - 1)
     rad = math.ldexp(float(x.hi - x.lo), -BITS - 1)
     return Double(mid, (rad + UNIT * abs(mid)) * GROWTH + TINY)
-
-
-def _float(x: Interval) -> float:
-    """Return a double near the middle."""
-    return math.ldexp(float(x.lo + x.hi), -x.bits - 1)
-
-
-def _number(q: Fraction) -> Interval:
-    """Return an enclosure of a rational number."""
-    return Interval.enclosing(q, q, BITS)
-
-
-def _middle(x: Interval) -> Interval:
-    return x.midpoint()
