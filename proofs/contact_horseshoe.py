@@ -33,22 +33,33 @@ from cap.checker.system.given import SYSTEM, model
 from cap.checker.theorems.contact_horseshoe import WORK
 from cap.errors import NotProved
 from cap.floats import candidates
+from cap.maps.graphs import in_time
 from cap.proofs.contacts import as_parameters
 from cap.proofs.coverings import PLACES, SCALE, Proved, checked, proved
 from cap.runner import Runner
 from cap.sets import interval
-from cap.system.section import Section
+from cap.system.model import System
+from cap.system.section import Section, sections
 
 FAR = Fraction(1000)  # no bound of times, at first
 PARTS = 4  # of a set, in each direction, on which times are bounded
 UNIT = 1000  # times are multiples of 1/UNIT
 ROOM, SMALL = Fraction(1, 200), 1 / 64  # of a time; of a part
-STEPS, ROUNDS, CLOSE, SLACK = 4000, 200, 1e-12, 1e-9
+SLACK = 1e-9
 
 
-def prove(
-    section: Section, effort: int, runner: Runner, *, disjoint: bool
-) -> dict[str, Any]:
+def prove_any(system: System, effort: int, runner: Runner, *, disjoint: bool) -> dict[str, Any]:
+    """Return a certificate about the contacts with a guard; the guards are tried one by one."""
+    reasons = list[str]()
+    for section in sections(system):
+        try:
+            return prove(section, effort, runner, disjoint=disjoint)
+        except NotProved as failure:
+            reasons.append(f"contacts with {section.guard} of {section.mode}: {failure}")
+    raise NotProved("search", "; ".join(reasons))
+
+
+def prove(section: Section, effort: int, runner: Runner, *, disjoint: bool) -> dict[str, Any]:
     """Return a certificate, which the checker accepts; raise `NotProved`."""
     parameters = as_parameters(section.system)
     given = Checked(model(matched(parameters, SYSTEM, "the system")), section.mode, section.guard)
@@ -63,7 +74,7 @@ def prove(
             best = proved(g, found, runner, disjoint=disjoint)
             return checked("contact_horseshoe", parameters, _content(g, best, middle), runner)
         except NotProved as failure:
-            reason = str(failure); print("DEBUG", reason)
+            reason = str(failure)
     raise NotProved("search", reason)
 
 
@@ -93,7 +104,7 @@ def lemma_3_times(g: ContactMap, best: Proved) -> list[Fraction]:
 
     *Computed.* Flights from parts of the set, which are halved until they have a certain end.
     """
-    return [_bound(g, Parallelogram(numbers)) for numbers in best.sets]
+    return [_bound(g.on(i), Parallelogram(numbers)) for i, numbers in enumerate(best.sets)]
 
 
 def _bound(g: ContactMap, source: Parallelogram) -> Fraction:
@@ -108,7 +119,8 @@ def _bound(g: ContactMap, source: Parallelogram) -> Fraction:
             flown = g.flown(x, y)
         except Rejected as reason:
             if b - a < SMALL:
-                raise NotProved("Lemma 3", f"a flight from a set has no certain end: {reason}") from None
+                why = f"a flight from a set has no certain end: {reason}"
+                raise NotProved("Lemma 3", why) from None
             m, n = (a + b) / 2, (c + d) / 2
             waiting += [(*p, *q) for p in ((a, m), (m, b)) for q in ((c, n), (n, d))]
         else:
@@ -117,28 +129,14 @@ def _bound(g: ContactMap, source: Parallelogram) -> Fraction:
 
 
 def _in_time(best: Proved, times: Sequence[Fraction]) -> tuple[float, list[int]]:
-    """Return the growth per unit of time, and the integer vector that shows it.
-
-    It is s with the spectral radius 1 of exp(-s tau_i) A; the vector is its eigenvector.
-    """
-    source = np.repeat(np.arange(len(best.edges)), [len(targets) for targets in best.edges])
-    target = np.array([j for targets in best.edges for j in targets])
-    tau = np.array([float(t) for t in times])
-    s, v = 0.0, np.ones(len(tau))
-    for _ in range(ROUNDS):
-        weights = np.exp(-s * tau)[source]
-        for k in range(STEPS):
-            then = v + np.bincount(source, weights=weights * v[target], minlength=len(v))
-            growth = float(then.max())
-            change = np.abs(then / growth - v).max()
-            v = then / growth
-            if k % 10 == 0 and change < CLOSE:
-                break
-        step = math.log(growth - 1) / tau.max()
-        s += step
-        if abs(step) < CLOSE:
-            break
+    """Return a growth per unit of time, and the integer vector that shows it."""
+    source = [i for i, targets in enumerate(best.edges) for _ in targets]
+    target = [j for targets in best.edges for j in targets]
+    v = in_time(np.array(source), np.array(target), np.array([float(tau) for tau in times]))
     vector = [int(Fraction(float(x)) * SCALE) for x in v]
-    sums = np.bincount(source, weights=v[target], minlength=len(v))
-    return float((np.log(sums / v) / tau).min()), vector
-
+    rates = [
+        math.log(sum(vector[j] for j in targets) / n) / float(tau)
+        for targets, n, tau in zip(best.edges, vector, times, strict=True)
+        if n > 0
+    ]
+    return min(rates), vector

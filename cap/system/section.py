@@ -1,4 +1,4 @@
-"""Where a motion meets a guard again and again: a surface of two dimensions, from contact to contact.
+"""Where motions meet a guard again and again: a surface of two dimensions.
 
 A state of two variables, a guard h = c q + r(clock) of a mode, c a number, after which the mode
 may be the same: just before a contact q = -r/c, so the contact is given by its time and by the

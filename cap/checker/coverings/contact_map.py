@@ -39,7 +39,7 @@ from cap.checker.coverings.planar import Image, Planar
 from cap.checker.coverings.sums import Sum
 from cap.checker.kernel.doubles import GROWTH, PI, TINY, UNIT, Double, cos_sin, enclosing
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.system.legs import Leg, flights
 from cap.checker.system.model import CLOCK, COS, SIN, Model
 from cap.checker.system.model import PI as NUMBER
@@ -58,7 +58,7 @@ class Section:
     """A guard as above, and what it is where a motion comes to it."""
 
     def __init__(self, model: Model, mode: str, guard: str) -> None:
-        need(len(model.state) == 2, "the state has not two variables")  # noqa: PLR2004
+        need(len(model.state) == 2, "the state has not two variables")
         need(not model.autonomous, "the clock occurs nowhere")
         known = mode in model.modes and guard in model.modes[mode].guards
         need(known, f"there is no guard {guard} of a mode {mode}")
@@ -206,11 +206,11 @@ class ContactMap(Planar):
         h, speed = self._height(sums[0], t + at, at), self._speed(sums[0], t + at, at)
         need((-speed).is_positive(), "a guard may not be crossed")
         reach = h.magnitude / -speed.upper * SLACK + LEAST
+        need(reach * (1 + 2.0**-40) < near, "a flight that may have no length")
         T = Double(near, reach)
         step = -h / self._speed(sums[0], t + T, T)
         need(step.magnitude < reach, "no certain contact")
         duration = at + step
-        need(duration.is_positive(), "a flight that may have no length")
         return duration, self._speed(sums[0], t + duration, duration)
 
     def _height(self, sums: Sequence[Double], s: Double, d: Double) -> Double:
@@ -232,7 +232,7 @@ class ContactMap(Planar):
     ) -> None:
         """Prove that the guards are positive on flights, from a state after the contact."""
         watched = list(self.others)
-        curve = self.c * sums[2] * 2.0 if len(sums) > 2 else Double(0.0)  # noqa: PLR2004
+        curve = self.c * sums[2] * 2.0 if len(sums) > 2 else Double(0.0)
         if not curve.upper + self.bend < 0:
             watched.append((self.own, (1, 1)))
         if watched:
@@ -249,7 +249,7 @@ class ContactMap(Planar):
         for k in range(1, self.count):
             h = self._seen(t, a, k * step)
             if not h > 0:
-                need(k > 1, "no contact is seen")
+                need(k > 1, "a contact too soon after another one")
                 low, high = (k - 1) * step, k * step
                 d, last = low + step * before / (before - h), high
                 for _ in range(STEPS):  # the secant method
@@ -257,11 +257,9 @@ class ContactMap(Planar):
                     if here == h or d == last:
                         break
                     d, last, h = d - here * (d - last) / (here - h), d, here
-                need(low <= d <= high, "no contact is seen")
-                return d
+                return min(max(d, low), high)
             before = h
-        need(False, "no contact is seen")  # noqa: FBT003
-        return 0.0
+        raise Rejected("no contact is seen")
 
     def _seen(self, t: float, a: Sequence[float], d: float) -> float:
         """Return h, up to a positive factor, d after a contact at t."""

@@ -24,7 +24,7 @@ from cap.checker.coverings.graph import (
     overlaps,
 )
 from cap.checker.coverings.planar import Planar
-from cap.checker.kernel.citation import cite
+from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
@@ -55,9 +55,9 @@ TOGETHER = Field("together", Whole(1, MOST_SETS), "", "",
 class Coverings(Theorem):
     """Entropy of a planar map, by coverings."""
 
-    HINTS = (SETS, COVERINGS, VECTOR)
+    HINTS: ClassVar[Table] = (SETS, COVERINGS, VECTOR)
     CLAIMS: ClassVar[Table] = (GROWTH, ENTROPY, TOGETHER)
-    CITES = (
+    CITES: ClassVar[tuple[Citation, ...]] = (
         cite(
             "Poincare-Miranda",
             "Miranda, Un'osservazione su un teorema di Brouwer, Boll. Un. Mat. Ital. 3, 1940",

@@ -6,20 +6,20 @@ The motions whose contacts are a bi-infinite orbit of g in Lambda form a flow: t
 t' - t, of the shift on these orbits.
 
 *Lemma 5.*  If v >= 0 is not 0 and A v >= exp(s tau_i) v, in each row i, s > 0, the entropy of the
-flow is at least s, per unit of time.  *Proof.*  Let B have the rows exp(-s tau_i) A_i.  B v >= v, so
-rho(B) >= 1 (Lemma 4 of ``graph``), which is that of a strong component, B w = rho w on it, w > 0.
-The Markov measure m with the transitions B_ij w_j/(rho w_i) has the entropy
+flow is at least s, per unit of time.  *Proof.*  Let B have the rows exp(-s tau_i) A_i.  B v >= v,
+so rho(B) >= 1 (Lemma 4 of ``graph``), which is that of a strong component, B w = rho w on it, w >
+0.  The Markov measure m with the transitions B_ij w_j/(rho w_i) has the entropy
 
     h(m) = log rho + s (the mean of tau_i) >= s (the mean of tau_i).
 
 The pairs of an orbit (z_k) and a path (i_k), z_k in N_(i_k), are a compact set, invariant under the
 shift, and each path occurs (Lemma 1 of ``covering``).  So an invariant measure of pairs lies over
 m, with an entropy of at least h(m); let mu be its image on orbits.  Without a diamond two paths of
-one orbit with the same ends are equal, as their sets always meet: over n steps there are at most V^2
-paths of an orbit, V the number of sets.  So the entropy along the fibres over orbits is 0, and that
-of mu is at least h(m) [Ledrappier, Walters].  The mean of t' - t over mu is at most that of tau_i
-over m.  The flow has an invariant measure of entropy h(mu)/(mean of t' - t) >= s [Abramov], and its
-topological entropy is at least that [variational principle].
+one orbit with the same ends are equal, as their sets always meet: over n steps there are at most
+V^2 paths of an orbit, V the number of sets.  So the entropy along the fibres over orbits is 0, and
+that of mu is at least h(m) [Ledrappier, Walters].  The mean of t' - t over mu is at most that of
+tau_i over m.  The flow has an invariant measure of entropy h(mu)/(mean of t' - t) >= s [Abramov],
+and its topological entropy is at least that [variational principle].
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def exp_above(x: Fraction) -> int:
     With z = x/2^k <= 1 the terms after the last one sum up to less than twice the next one; the sum
     is squared k times.  Each step is rounded up.
     """
-    need(0 <= x <= 64, "an exponent is not in [0, 64]")  # noqa: PLR2004
+    need(0 <= x <= 64, "an exponent is not in [0, 64]")
     k = max(0, (-(-x.numerator // x.denominator) - 1).bit_length())
     z = -(-x.numerator * FINE // (x.denominator << k))
     total, term = 0, FINE

@@ -125,16 +125,13 @@ def stays_positive(
             raise TooCoarse(why)
 
 
-def halved(
-    flights: Flights, h: Watched, end: Interval, zeros: tuple[int, int], most: int
-) -> int:
+def halved(flights: Flights, h: Watched, end: Interval, zeros: tuple[int, int], most: int) -> int:
     """Prove the same without cuts; return the number of pieces looked at, at most ``most``.
 
     Pieces that are not seen to be positive are halved.
     """
     first, last = zeros
     ends = flights.start.lo, end.hi
-    need(ends[0] < ends[1], "a flight that may have no length")
     waiting, count = [ends], 0
     while waiting:
         a, b = waiting.pop()

@@ -125,17 +125,22 @@ class ContactHorseshoe(Coverings):
 
     def _frequency(self) -> Fraction:
         """Return an upper bound of omega/(2 pi)."""
-        return self.p.omega / 2 if self.p.times_pi else self.p.omega / (2 * pi(BITS).lower)
+        omega: Fraction = self.p.omega
+        return omega / 2 if self.p.times_pi else omega / (2 * pi(BITS).lower)
+
+    def told(self, sentence: str, **more: object) -> str:
+        """Return a sentence with the numbers claimed; the parameters are told as a whole."""
+        return sentence.format_map(self.claims | more)
 
     def words(self) -> str:
         """Return the theorem in one line."""
-        q, free = Section(self.p, self.claims["mode"], self.claims["guard"]).names
+        section = Section(self.p, self.claims["mode"], self.claims["guard"])
         kind = _DISJOINT if self.claims["together"] == 1 else _OVERLAPPING
         longest = decimal(max(self.hints["times"]))
         per_period = decimal(self.claims["per_period"])
         return self.bounded(
             _HORSESHOE + kind + _FLOW,
-            system=told(self.p), q=q, free=free, longest=longest, per=per_period,
+            system=told(self.p), q=section.q, free=section.p, longest=longest, per=per_period,
         )  # fmt: skip
 
 

@@ -152,7 +152,7 @@ def _after(y: Floats, t: float, free: float, M: int) -> tuple[bool, Any, Any]:
 
 
 @register_jitable
-def _dot(y: Floats, n: int, z: Any) -> float:
+def _dot(y: Floats, n: int, z: Any) -> Any:
     """Return the product with the row at the place n."""
     return y[n] * z[0] + y[n + 1] * z[1] + y[n + 2] * z[2] + y[n + 3] * z[3] + y[n + 4] * z[4]
 
@@ -197,7 +197,7 @@ def _moved(y: Floats, P: int, t: float, z: Any, v: Any) -> Any:
 
 
 @register_jitable
-def _root(y: Floats, H: int, z: Any) -> float:
+def _root(y: Floats, H: int, z: Any) -> Any:
     """Return after what part of a step the guard comes to zero, by Newton's method in a bracket."""
     row = np.empty(TERMS)
     for n in range(TERMS):

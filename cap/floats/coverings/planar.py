@@ -19,8 +19,8 @@ from cap.floats.coverings.contact import contact_map
 from cap.floats.coverings.polynomials import evaluated, terms
 from cap.floats.engine.compiled import announced
 from cap.system.planar import Map
-from cap.system.section import Section
 from cap.system.polynomial import COS, SIN, Polynomial, variable
+from cap.system.section import Section
 
 Floats = NDArray[np.float64]
 Six = tuple[float, float, float, float, float, float]

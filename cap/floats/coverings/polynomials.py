@@ -10,7 +10,7 @@ from cap.system.polynomial import PI, Polynomial
 
 
 def terms(q: Polynomial, names: Sequence[str]) -> list[float]:
-    """Return how many terms there are; of each its coefficient, and the powers of the four names."""
+    """Return how many terms there are, and of each its coefficient and the powers of four names."""
     numbers = [float(len(q.terms))]
     for monomial, c in q.terms.items():
         powers = dict(monomial)
