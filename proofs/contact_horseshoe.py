@@ -26,11 +26,13 @@ import numpy as np
 from cap.checker.coverings.contact_map import ContactMap
 from cap.checker.coverings.contact_map import Section as Checked
 from cap.checker.coverings.covering import Parallelogram
+from cap.checker.coverings.timed import confirm_timed
 from cap.checker.kernel.doubles import between
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import matched
 from cap.checker.system.given import SYSTEM, model
-from cap.checker.theorems.contact_horseshoe import WORK
+from cap.checker.system.model import Model
+from cap.checker.theorems.contact_horseshoe import WORK, per_unit
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps.graphs import in_time
@@ -45,7 +47,6 @@ FAR = Fraction(1000)  # no bound of times, at first
 PARTS = 4  # of a set, in each direction, on which times are bounded
 UNIT = 1000  # times are multiples of 1/UNIT
 ROOM, SMALL = Fraction(1, 200), 1 / 64  # of a time; of a part
-SLACK = 1e-9
 
 
 def prove_any(system: System, effort: int, runner: Runner, *, disjoint: bool) -> dict[str, Any]:
@@ -81,9 +82,7 @@ def prove(section: Section, effort: int, runner: Runner, *, disjoint: bool) -> d
 def _content(g: ContactMap, best: Proved, middle: Fraction) -> tuple[Any, Any]:
     """Return claims and hints."""
     times = lemma_3_times(g, best)
-    period = g.period.mid
-    rate, vector = _in_time(best, times)
-    per_period = Fraction(math.floor((rate * period - SLACK) * 10**PLACES), 10**PLACES)
+    per_period, vector = _in_time(best, times, g.model)
     claims = {
         "mode": g.section.mode,
         "guard": g.section.key,
@@ -128,8 +127,8 @@ def _bound(g: ContactMap, source: Parallelogram) -> Fraction:
     return Fraction(math.ceil(most * (1 + ROOM) * UNIT), UNIT)
 
 
-def _in_time(best: Proved, times: Sequence[Fraction]) -> tuple[float, list[int]]:
-    """Return a growth per unit of time, and the integer vector that shows it."""
+def _in_time(best: Proved, times: Sequence[Fraction], system: Model) -> tuple[Fraction, list[int]]:
+    """Return the most entropy per period, to `PLACES`, that an integer vector shows, with it."""
     source = [i for i, targets in enumerate(best.edges) for _ in targets]
     target = [j for targets in best.edges for j in targets]
     v = in_time(np.array(source), np.array(target), np.array([float(tau) for tau in times]))
@@ -139,4 +138,20 @@ def _in_time(best: Proved, times: Sequence[Fraction]) -> tuple[float, list[int]]
         for targets, n, tau in zip(best.edges, vector, times, strict=True)
         if n > 0
     ]
-    return min(rates), vector
+    turns, unit = per_unit(system), Fraction(1, 10**PLACES)
+    found = unit * math.ceil(min(rates) / float(turns) / unit)
+    while not _holds(best.edges, vector, found * turns, times):
+        found -= unit
+        if found <= 0:
+            raise NotProved("Lemma 3", "the entropy of the flow is not seen to be positive")
+    return found, vector
+
+
+def _holds(
+    edges: list[list[int]], vector: list[int], rate: Fraction, times: Sequence[Fraction]
+) -> bool:
+    try:
+        confirm_timed(edges, vector, rate, times)
+    except Rejected:
+        return False
+    return True

@@ -36,8 +36,15 @@ class Section:
         found = sorted(given.variables - CLOCK)
         if len(found) != 1 or given.derivative(found[0]).terms.keys() != {()}:
             raise BadInput(f"{where} is not of degree 1 in one variable of the state and the clock")
+        if not self._polynomial():
+            raise BadInput(f"the flights of {self.mode} are not polynomial in time: spring or drag")
         if self.reset[self.fixed] != Quotient.of(variable(self.fixed)):
             raise BadInput(f"at {where} the variable {self.fixed} jumps: it must not vary there")
+
+    def _polynomial(self) -> bool:
+        """Return whether the square of the matrix of the field is zero, so its exponential ends."""
+        A = [row[:2] for row in self.system.matrix(self.mode)[:2]]
+        return all(A[i][0] * A[0][j] == -(A[i][1] * A[1][j]) for i in (0, 1) for j in (0, 1))
 
     @property
     def value(self) -> Polynomial:

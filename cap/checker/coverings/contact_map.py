@@ -114,7 +114,8 @@ class ContactMap(Planar):
         exponential = motion.exponential
         need(exponential.is_polynomial, "the flights are not polynomial in time")
         self.order = [state.index(section.q), state.index(section.p)]
-        columns = [exponential.polynomials(i, 0) for i in self.order]
+        rows = [exponential.polynomials(i, 0) for i in self.order]
+        columns = [[row[j] for j in (*self.order, 2)] for row in rows]
         degree = max(len(c) for row in columns for c in row) - 1
         self.powers = [_by_power(row, degree) for row in columns]
         self.omega = double(motion.omega)

@@ -58,6 +58,11 @@ TIMED = Field(
 )  # fmt: skip
 
 
+def per_unit(system: Model) -> Fraction:
+    """Return an upper bound of omega/(2 pi)."""
+    return system.omega / 2 if system.times_pi else system.omega / (2 * pi(BITS).lower)
+
+
 class ContactHorseshoe(Coverings):
     """Entropy of motions with contact after contact."""
 
@@ -117,16 +122,11 @@ class ContactHorseshoe(Coverings):
     def prove(self) -> None:
         """Prove the theorem."""
         super().prove()
-        rate = self.claims["per_period"] * self._frequency()
+        rate = self.claims["per_period"] * per_unit(self.p)
         need(rate > 0, "the entropy per period is not positive")
         vector = [int(v) for v in self.hints["timed_vector"]]
         confirm_timed(self.hints["coverings"], vector, rate, self.hints["times"])
         self.step("it grows in time as claimed, as no flight from a set is longer than its bound")
-
-    def _frequency(self) -> Fraction:
-        """Return an upper bound of omega/(2 pi)."""
-        omega: Fraction = self.p.omega
-        return omega / 2 if self.p.times_pi else omega / (2 * pi(BITS).lower)
 
     def told(self, sentence: str, **more: object) -> str:
         """Return a sentence with the numbers claimed; the parameters are told as a whole."""
