@@ -45,6 +45,7 @@ COMMANDS = dict(
 LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persistence"}
 LONG |= {
     "horseshoe-1",
+    "converse",
     "island",
     "island-2",
     "map_horseshoe-1",

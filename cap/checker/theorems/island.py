@@ -39,7 +39,9 @@ from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, Word, bound,
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.system.walls import SYSTEM, BetweenWalls
 from cap.checker.tori import rotation
-from cap.checker.tori.half_period import Hit, Motion, Passage, States, cells
+from cap.checker.tori.centre import HINTS as CENTRE
+from cap.checker.tori.centre import fixed_point
+from cap.checker.tori.half_period import Hit, Motion, Passage, cells
 from cap.checker.tori.invariant_curve import (
     Near,
     Shift,
@@ -59,7 +61,7 @@ COARSE = 20  # decimal places
 LARGEST = 10**6  # of coefficients
 POLYNOMIAL = re.compile("-?[0-9]{1,400} -?[0-9]{1,400}(,-?[0-9]{1,400} -?[0-9]{1,400})*")
 QUOTIENTS = Many(Whole(1, 999), 1, 40)
-MATRIX, PAIR = [[number] * 2] * 2, [number] * 2
+MATRIX = [[number] * 2] * 2
 
 
 class Island(BetweenWalls):
@@ -75,9 +77,7 @@ class Island(BetweenWalls):
               "10^-20"),
         Field("hits", Many({"time": text, "inverse": text}, 1, 2), "", "", "times of hits along "
               "K; inverse speeds there, in units 10^-20"),
-        Field("middle", PAIR, "", "", "a point near P*"),
-        Field("radius", number, "", "", "P* is within it, in x and in v"),
-        Field("preconditioner", MATRIX, "", "C", "near (DG(P*) - 1)^-1"),
+        *CENTRE,
         Field("axes", MATRIX, "", "M", "U = middle + M [-h, h]^2"),
         Field("half", number, "", "h", "half the width of U"),
         Field("cells", Whole(1, 256), "", "", "U is covered by cells^2 parallelograms"),
@@ -181,38 +181,13 @@ class Island(BetweenWalls):
         return hull(before), hull(after)
 
     def centre(self) -> tuple[Interval, Interval]:
-        """Prove that there is a fixed point in a rectangle, by Krawczyk's inclusion; compare it."""
-        hints, motion = self.hints, Motion(*self.laws, self.circle.bits)
-        exact = self.number_at
-        r, zero = hints["radius"], exact(Fraction(0))
-        need(r > 0, "the radius is not positive")
-        m = [exact(q) for q in hints["middle"]]
-        z = States(m[0], m[1], ((exact(r), zero), (zero, exact(r))))
-        for _ in range(self.half_periods):
-            z = motion.after(z)
-        found = []
-        for i, row in enumerate(hints["preconditioner"]):
-            c, d = map(exact, row)
-            K = m[i] - c * (z.x - m[0]) - d * (z.v - m[1])
-            for j in (0, 1):  # (1 - C (DG - 1)) r, column by column
-                entry = self.column(z, exact(r), j)
-                change = c * entry[0] + d * entry[1]
-                left = (exact(r) if i == j else zero) - change
-                reach = left.magnitude().hi
-                K = Interval(K.lo - reach, K.hi + reach, K.bits)
-            middle = hints["middle"][i]
-            need(K.lies_inside(middle - r, middle + r), "K does not lie inside its box")
-            found.append(K)
+        """Prove that there is a fixed point in a rectangle, and compare it."""
+        found = fixed_point(Motion(*self.laws, self.circle.bits), self.half_periods, self.hints)
         length, speed = (self.number_at(self.p.F / self.p.omega**k) for k in (2, 1))
         base = self.number_at((self.p.l + self.p.r) / 2)
         self.confirm(x=base + found[0] * length, v=found[1] * speed)
         self.step("P* is a fixed point, at the place claimed")
-        return found[0], found[1]
-
-    def column(self, z: States, r: Interval, j: int) -> tuple[Interval, Interval]:
-        """Return a column of (DG - 1) r."""
-        first, second = z.B[0][j], z.B[1][j]
-        return (first - r, second) if j == 0 else (first, second - r)
+        return found
 
     def number_at(self, q: Fraction) -> Interval:
         """Return a number at the precision of coefficients."""
