@@ -33,7 +33,7 @@ from cap.sets import interval
 from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
 from cap.tori.states import Motion
 
-SUMMARY = (
+SUMMARY = "a polygon around an elliptic orbit: no disk of motions that never stop is larger"
     "a polygon around an elliptic orbit: no invariant disk of motions that never stop is larger"
 )
 GROUP = "orbit"
