@@ -52,7 +52,16 @@ LONG |= {
 }  # and what they find depends on rounding in floats
 
 # seconds each, and with tests of their own, too, or one more of a theorem
-SLOW = {"attractor", "branch", "branch-2", "effective_stability", "elliptic-2", "horseshoe-2"}
+SLOW = {
+    "attractor",
+    "branch",
+    "branch-2",
+    "contacts-2",
+    "contacts-3",
+    "effective_stability",
+    "elliptic-2",
+    "horseshoe-2",
+}
 SLOW |= {
     "inventory",
     "particles-2",

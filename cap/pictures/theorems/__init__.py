@@ -36,6 +36,7 @@ DRAWINGS = {
     "cascade": Drawing("releases:cascade", (9.0, 4.6)),
     "conservative": Drawing("islands:conservative", (7.2, 5.2)),
     "contacts": Drawing("contacts:contacts", (8.6, 5.0)),
+    "contacts_branch": Drawing("curves:branch", (7.6, 6.2)),
     "effective_stability": Drawing("fixed_points:effective_stability", (7.0, 6.6)),
     "elliptic": Drawing("fixed_points:elliptic"),
     "entropies": Drawing("releases:entropies", (7.2, 4.6)),
