@@ -19,7 +19,7 @@ from bokeh.plotting import figure
 from cap.errors import BadInput
 from cap.explore.play.mass import Moving
 from cap.explore.play.sea import PALETTE, Raster
-from cap.explore.play.theorem import Panel
+from cap.explore.play.theorem import WRAPS, Panel
 from cap.floats.diagnostics.grid import Box
 from cap.floats.findings import State
 from cap.pictures.style import RED
@@ -82,10 +82,10 @@ class Page:
 
     def show(self, document: Document) -> None:
         """Put the page into a document, and let it live."""
-        head = Div(text=f"{self.world.head}<br>{FLOATS}", width=800)
+        head = Div(text=f"{self.world.head}<br>{FLOATS}", styles={"max-width": "800px"})
         left = column([self.controls.shown(), self.wrong])
         middle = column([self.portrait, self.ends])
-        above = row([left, middle, self.mass.shown()])
+        above = row([left, middle, self.mass.shown()], styles=WRAPS)  # below each other on a phone
         document.add_root(column([head, above, self.theorem.shown()]))
         document.title = "cap: play"
         document.add_periodic_callback(self._fill, FILLS)

@@ -25,6 +25,7 @@ TITLES = {
     "failed": "The prover failed",
 }
 
+WRAPS = {"flex-wrap": "wrap"}  # what does not fit beside stands below
 Ask = Callable[[], tuple[Any, State | None]]
 
 
@@ -49,7 +50,7 @@ class Panel:
         self.begin = Button(label="prove this", button_type="primary", width=120, name="prove")
         self.end = Button(label="stop", width=80, disabled=True, name="stop")
         self.progress = Div(text="", width=260, name="progress")
-        self.result = Div(text="", width=860, name="theorem")
+        self.result = Div(text="", name="theorem", styles={"max-width": "860px"})
         self.begin.on_click(self.prove)
         self.end.on_click(self.stop)
 
@@ -92,7 +93,7 @@ class Panel:
         """Return what is shown of it."""
         buttons = row([self.begin, self.end, self.progress])
         asked = column([self.choice, self.from_click, self.more, buttons])
-        return row([asked, self.result])
+        return row([asked, self.result], styles=WRAPS)
 
     def _options(self) -> dict[str, Any]:
         """Return the options of the proof; raise `BadInput` for what may not be asked from here."""
