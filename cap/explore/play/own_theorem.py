@@ -3,45 +3,26 @@
 from collections.abc import Callable
 from typing import Any
 
-from cap.errors import BadInput, NotProved
+from cap.errors import BadInput
 from cap.explore.play.own_sea import own_state
 from cap.explore.play.theorem import Ask, Panel
 from cap.floats.models.subject import Subject
 
 NAME = "contacts"
 SUMMARY = "a periodic orbit, its contacts and multipliers; a basin if it attracts"
-OPTIONS = {"digits": (10, (1, 100)), "period": (1, (1, 64))}  # with their limits
+OPTIONS = {"digits": "10", "period": "1"}  # and what they are if they are not given
 
 
 def prove(_theorem: str, options: dict[str, Any], tell: Callable[[str], None]) -> Any:
     """Return the theorem on an orbit of a model, verified; raise `NotProved` or `BadInput`."""
-    from cap import interface  # noqa: PLC0415 (slow to load: in this process alone)
-    from cap.certificate import writer  # noqa: PLC0415
-    from cap.floats.models.periodic import near, search  # noqa: PLC0415
-    from cap.option import integer  # noqa: PLC0415
-    from cap.proofs import contacts  # noqa: PLC0415
+    from cap.own import prove_orbit  # noqa: PLC0415 (slow to load: in this process alone)
     from cap.system.files import load  # noqa: PLC0415
 
     system = load(options["model"], options["values"]).system
-    digits, periods = (
-        integer(str(options.get(name, usual)), name, limits)
-        for name, (usual, limits) in OPTIONS.items()
+    digits, periods = (options.get(name, usual) for name, usual in OPTIONS.items())
+    return prove_orbit(
+        system, state=options.get("orbit"), periods=periods, digits=digits, progress=tell
     )
-    contacts.as_parameters(system)
-    tell("an orbit is looked for ...")
-    if "orbit" in options:
-        try:
-            orbit = near(system, options["orbit"], None, periods)
-        except NotProved as failure:
-            raise BadInput(f"no orbit that closes is near that of the state: {failure}") from None
-    else:
-        met = search(system, periods, lambda words, _part: tell(words))
-        if not met.orbits:
-            raise BadInput(f"no isolated orbit with a contact was found of the period {periods} T")
-        orbit = met.orbits[0]
-    tell(f"proving: {orbit.shown()}")
-    certificate = contacts.prove(orbit.itinerary, orbit.guess, digits)
-    return interface.verified(writer.dumps(certificate).encode())
 
 
 class OwnTheorem(Panel):
