@@ -34,8 +34,6 @@ from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest
 from cap.tori.states import Motion
 
 SUMMARY = "a polygon around an elliptic orbit: no disk of motions that never stop is larger"
-    "a polygon around an elliptic orbit: no invariant disk of motions that never stop is larger"
-)
 GROUP = "orbit"
 SEARCH = candidates.elliptic
 OPTIONS = (JOBS,)
@@ -58,7 +56,7 @@ def prove(setting: Setting) -> Proof:
     with interval.workprec(bits):
         motion = Motion.of(*place.laws)
         middle, _ = centred(motion, place, digits)
-        P, krawczyk = lemma_1_centre(motion, place.centre.halves, middle, digits)
+        P, _, krawczyk = lemma_1_centre(motion, place.centre.halves, middle, digits)
         claims = {
             "map": "Phi" if place.centre.halves == 2 else "sigma",
             **state(setting, P),

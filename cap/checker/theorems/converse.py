@@ -28,7 +28,6 @@ from typing import Any, NamedTuple
 
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.doubles import enclosing
-from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import text
 from cap.checker.kernel.rejection import need
@@ -159,14 +158,13 @@ class Converse(BetweenWalls):
             self.step(f"ring {n}: {_HOW[n > 1]} ({sum(len(t.ends) for t in each)} edges)")
         self.area(rings[-1])
 
-    def centre(self) -> tuple[Interval, Interval]:
+    def centre(self) -> None:
         """Prove that there is a fixed point in a rectangle, and compare it."""
         found = fixed_point(Motion(*self.laws, self.hints["bits"]), self.halves, self.hints)
         length, speed = (self.number(self.p.F / self.p.omega**k) for k in (2, 1))
         base = self.number((self.p.l + self.p.r) / 2)
-        self.confirm(x=base + found[0] * length, v=found[1] * speed)
+        self.confirm(x=base + found.x * length, v=found.v * speed)
         self.step("P* is a fixed point, at the place claimed")
-        return found
 
     def rings(self) -> list[Ring]:
         """Return the rings; P* is inside of each."""

@@ -8,7 +8,7 @@ never stops, for all times.
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
@@ -23,10 +23,16 @@ HINTS = (
 )
 
 
-def fixed_point(
-    motion: Motion, half_periods: int, hints: dict[str, Any]
-) -> tuple[Interval, Interval]:
-    """Prove that there is a fixed point in a square; return a rectangle that contains it."""
+class FixedPoint(NamedTuple):
+    """A rectangle that contains a fixed point, and the traces of DG on the square around it."""
+
+    x: Interval
+    v: Interval
+    trace: Interval
+
+
+def fixed_point(motion: Motion, half_periods: int, hints: dict[str, Any]) -> FixedPoint:
+    """Prove that there is a fixed point in a square."""
 
     def exact(q: Fraction) -> Interval:
         return Interval.enclosing(q, q, motion.bits)
@@ -50,7 +56,7 @@ def fixed_point(
         middle = hints["middle"][i]
         need(K.lies_inside(middle - r, middle + r), "K does not lie inside its box")
         found.append(K)
-    return found[0], found[1]
+    return FixedPoint(found[0], found[1], (z.B[0][0] + z.B[1][1]) / exact(r))
 
 
 def _column(z: States, r: Interval, j: int) -> tuple[Interval, Interval]:
