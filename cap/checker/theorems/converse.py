@@ -42,7 +42,7 @@ from cap.checker.tori.rings import Ring, offsets
 from cap.checker.tori.segments import Segment, Sense, Vector
 
 MAX_RINGS = 16
-MAX_WORK = 2 * 10**7  # half periods of segments
+MAX_WORK = 4 * 10**6  # half periods of segments
 MAX_BITS = 512
 FLIGHT = "-?[1-9][0-9]? [1-9][0-9]?"
 FLIGHTS = re.compile(f"{FLIGHT}(,{FLIGHT})*")

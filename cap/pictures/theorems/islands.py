@@ -98,7 +98,7 @@ def converse(theorem: Converse, figure: Figure) -> None:
     plane(axes)
     figure.legend(loc="outside lower center")
     area = f"{float(claims['area']):g}"
-    heading(figure, theorem, f"No invariant disk around $P^*$ is larger than {area}")
+    heading(figure, theorem, f"No invariant disk around $P^*$ without stops is larger than {area}")
 
 
 def _curve(theorem: Island, name: str, unit: float) -> Floats:
