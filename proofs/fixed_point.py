@@ -216,7 +216,7 @@ def assembled(
         "digits": str(setting.digits),
         "claims": claims,
         "hints": hints,
-        "cites": list(load(theorem).CITES),
+        "cites": load(theorem).cited(claims),
     }
 
 

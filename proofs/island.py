@@ -10,7 +10,9 @@ never stops.  Let α be a quadratic irrational.  If the lemmas below succeed, th
  (ii)  the open disk D inside it is invariant, and its area is enclosed;
  (iii) all motions from D have a velocity that never vanishes, for all times, with one hit of
        the right wall in each (nT, nT + T/2), and of the left wall in each (nT + T/2, nT + T);
- (iv)  if so claimed, the image of D by (x, v, t) -> (l + r - x, -v, t + T/2) is disjoint from D.
+ (iv)  if so claimed, the image of D by (x, v, t) -> (l + r - x, -v, t + T/2) is disjoint from D;
+ (v)   if so claimed: for each fraction p/q, in lowest terms, between α and the rotation number at
+       P*, there are at least two periodic orbits of Φ in D of minimal period q (by Franks).
 
 If the orbit is its own image by the symmetry, Φ is replaced by σ: half a period and the symmetry.
 
@@ -20,7 +22,7 @@ the walls, which are at ±a.
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -34,6 +36,7 @@ from cap.sets import interval, matrix
 from cap.sets.fourier import Circle
 from cap.sets.interval import Ball, Box
 from cap.sets.matrix import Matrix
+from cap.tori import between
 from cap.tori.approximate import Approximate, Doubles, doubles, rounded, sharpened, start
 from cap.tori.around import area, half_width, winding
 from cap.tori.half_period import HalfPeriods, Hit
@@ -62,6 +65,14 @@ class Place:
 
     centre: tori.Centre
     laws: tuple[Fraction, Fraction]
+
+
+class Centre(NamedTuple):
+    """P*, proved, and the trace of the derivative there."""
+
+    place: Place
+    point: Box
+    trace: Ball
 
 
 @dataclass(frozen=True)
@@ -147,15 +158,16 @@ def _content(setting: Setting, place: Place, q: Quadratic, scale: Scale, rows: A
     found = loosened(proved)
     motion = Motion.of(*place.laws)
     middle, axes = centred(motion, place, setting.digits)
-    P, krawczyk = lemma_1_centre(motion, place.centre.halves, middle, setting.digits)
+    P, trace, krawczyk = lemma_1_centre(motion, place.centre.halves, middle, setting.digits)
     half = half_width(at.curve, _balls(middle), axes, interval.ball(reach))
     setting.progress("the region around the curve is covered")
     cells, disks = lemma_1_region(place, (middle, axes, half))
     turns = winding(at.curve, P, axes, found.distance)
+    orbits, ray = lemma_5_orbits(setting, at, Centre(place, P, trace), (q, turns), found)
     exact = interval.exact_decimal
     claims = {
         "map": "Phi" if place.centre.halves == 2 else "sigma",
-        **_state(setting, P),
+        **state(setting, P),
         "rotation_number": {"head": [*map(str, q.head)], "period": [*map(str, q.period)]},
         "diophantine": exact(gamma),
         "curve": words["curve"],
@@ -163,6 +175,7 @@ def _content(setting: Setting, place: Place, q: Quadratic, scale: Scale, rows: A
         "winding": str(turns),
         "area": _area(setting, at.curve, found),
         "disks": str(disks),
+        **orbits,
     }
     hints = {
         "places": str(scale.places),
@@ -176,6 +189,7 @@ def _content(setting: Setting, place: Place, q: Quadratic, scale: Scale, rows: A
         "axes": [[exact(z) for z in row] for row in axes],
         "half": exact(half),
         "cells": str(cells),
+        **ray,
     }
     return claims, hints
 
@@ -186,7 +200,7 @@ def loosened(found: Found) -> Found:
     return found._replace(distance=distance, slope=slope)
 
 
-def _state(setting: Setting, P: Box) -> dict[str, Pair]:
+def state(setting: Setting, P: Box) -> dict[str, Pair]:
     """Return the claims on P*."""
     p, pair, units = setting.parameters, setting.rounding.loosely, setting.units
     length, speed = (interval.ball(p.F / p.omega**k) for k in (2, 1))
@@ -197,9 +211,13 @@ def _state(setting: Setting, P: Box) -> dict[str, Pair]:
 def _area(setting: Setting, curve: Curve, found: Found) -> Pair:
     """Return the claim on the area."""
     p = setting.parameters
-    size = area(curve, found) * interval.ball(p.F**2 / p.omega**3)
-    lower, upper = interval.ends(size)
-    return [*interval.outward(size, 2 - interval.decade(upper - lower))]
+    return _short(area(curve, found) * interval.ball(p.F**2 / p.omega**3))
+
+
+def _short(x: Ball) -> Pair:
+    """Return an enclosure with few digits more than are certain."""
+    lower, upper = interval.ends(x)
+    return [*interval.outward(x, 2 - interval.decade(upper - lower))]
 
 
 def _balls(z: tuple[Fraction, Fraction]) -> Box:
@@ -289,15 +307,16 @@ def derivative(motion: Motion, halves: int, at: Box, r: Ball) -> tuple[Box, Matr
 
 def lemma_1_centre(
     motion: Motion, halves: int, middle: tuple[Fraction, Fraction], digits: int
-) -> tuple[Box, dict[str, Any]]:
+) -> tuple[Box, Ball, dict[str, Any]]:
     """*Statement.* G, that is σ or σσ = Φ, has a fixed point P* in a small square.
 
-    *Computed.* Krawczyk's inclusion.
+    *Computed.* Krawczyk's inclusion.  Return P*, the trace of DG there, and hints.
     """
     radius = Fraction(1, 10 ** (digits + 4))
     m, r = _balls(middle), interval.ball(radius)
     image, D = derivative(motion, halves, m, r)
     C = matrix.inverse(matrix.minus_identity(D))
+    trace = matrix.trace(D)
     rough = [[Fraction(round(interval.midpoint(e) * 10**8), 10**8) for e in row] for row in C]
     (p, q), (s, t) = ((interval.ball(e) for e in row) for row in rough)
     D = matrix.minus_identity(D)
@@ -312,7 +331,40 @@ def lemma_1_centre(
         found.append(K)
     exact = interval.exact_decimal
     hints = {"radius": exact(radius), "preconditioner": [[exact(e) for e in row] for row in rough]}
-    return (found[0], found[1]), hints
+    return (found[0], found[1]), trace, hints
+
+
+def lemma_5_orbits(
+    setting: Setting,
+    at: Approximate,
+    centre: Centre,
+    curve: tuple[Quadratic, int],
+    found: Found,
+) -> Content:
+    """*Statement.* The rotation number at P*, in the sense of the curve's, is another one.
+
+    *Computed.* The sense in which a segment from P* to the curve is turned; the trace at P*.  If
+    that does not succeed, no periodic orbits are claimed.
+    """
+    halves, (q, turns) = centre.place.centre.halves, curve
+    motion = Motion.of(*centre.place.laws)
+
+    def after(z: States) -> States:
+        for _ in range(halves):
+            z = motion.after(z)
+        return z
+
+    try:
+        ray = between.ray(after, centre.point, at.curve, found.distance)
+        alpha, same = q.value(), ray.sense == turns
+        number = between.at_centre(centre.trace, same=same, alpha=alpha)
+        if not (number < alpha or number > alpha):
+            raise NotProved("Lemma 5", "both rotation numbers may be equal", {"at P*": number})
+    except NotProved as reason:
+        setting.progress(f"no periodic orbits are claimed: {reason}")
+        return {}, {}
+    claim = {"centre": _short(number + interval.symmetric(2 * number.rad()))}
+    return {"orbits": claim}, {"ray": {"place": str(ray.place), "pieces": str(ray.pieces)}}
 
 
 def lemma_1_region(

@@ -10,6 +10,7 @@ from configparser import ConfigParser
 from pathlib import Path
 
 import pytest
+from support import only
 
 import cap
 
@@ -196,7 +197,7 @@ def test_the_scripts(site):
     assert set(found["console_scripts"]) == set(SCRIPTS)
 
 
-@pytest.mark.parametrize("script", SCRIPTS)
+@pytest.mark.parametrize("script", only(SCRIPTS, "cap-verify"))
 def test_version_and_name(run, site, script):
     """`--version` says the version, and `--help` the name by which the command was called."""
     (info,) = site.glob("*.dist-info")
@@ -219,6 +220,7 @@ def test_prove_and_verify(run, tmp_path):
     assert run("-c", code).stdout in verified.stdout.replace(' ("saddle.json")', "")
 
 
+@pytest.mark.slow
 def test_audit(run):
     """Claims are decided by the certificates and the written proofs that are installed."""
     for claim in ("wellposed.no-accumulation", "strobe.forward-invariance"):

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from cap.checker.kernel.certificate import MAX_BYTES
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.theorem import Certificate
-from cap.checker.verdict import check, words
+from cap.checker.verdict import check, seconds, words
 from cap.tree import inside
 from cap.words import meant, printable, quoted, unread
 
@@ -45,6 +45,14 @@ def outcome(name: str, jobs: int, tell: Callable[[str, float], None]) -> Outcome
         return Outcome(f"VERIFIED: {words(certificate)} ({quoted(name)})", 0, steps, certificate)
     except Exception as reason:  # noqa: BLE001  (whatever goes wrong, nothing is proved)
         return Outcome(f"REJECTED: {quoted(name)}: {why(reason)}", 1, steps)
+
+
+def expected(name: str) -> int:
+    """Return about how many seconds a check takes; 0 if that is not known, or there is no check."""
+    try:
+        return seconds(content(found(name)))
+    except Exception:  # noqa: BLE001  (the check will say why)
+        return 0
 
 
 def found(name: str) -> Path:

@@ -22,9 +22,10 @@ from pathlib import Path
 from cap.checker.theorems import NAMES
 from cap.command.console import Parser, columns, program
 from cap.command.layout import laid_out
-from cap.command.outcome import Outcome, found, outcome
-from cap.words import say
+from cap.command.outcome import Outcome, expected, found, outcome
+from cap.words import quoted, say
 
+LONG = 5  # seconds
 LARGE = 150_000  # bytes: such a certificate may take minutes, and its proof is divided itself
 
 
@@ -146,9 +147,17 @@ def _outcomes(names: Sequence[str], jobs: int) -> Iterator[tuple[str, Outcome]]:
 
         yield from zip(small, each(min(jobs, len(small)), _alone, small), strict=True)
     for name in names[len(small) :] if len(small) > 1 else names:
+        announce(name)
         with _telling() as tell:
             result = outcome(name, jobs, tell)
         yield name, result
+
+
+def announce(name: str) -> None:
+    """Say how long the check of a large file takes, if that is known and not short."""
+    seconds = expected(name) if _size(name) >= LARGE else 0
+    if seconds >= LONG:
+        say(f"{quoted(name)}: about {seconds} s", sys.stderr)
 
 
 def _alone(name: str) -> Outcome:

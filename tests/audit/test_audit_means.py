@@ -89,6 +89,7 @@ def test_a_pole_on_the_line_is_refused():
         over_the_line(lambda u: 1 / u, 1)
 
 
+@pytest.mark.slow
 def test_orbits_agree_with_floats():
     """The image of a box contains that of its centre."""
     states = States("-0.39", "0.53", "0.001")

@@ -71,6 +71,7 @@ def test_long_names_are_digests():
     assert all(len(name) < 128 and name.startswith("elliptic-") for name in names)
 
 
+@pytest.mark.slow
 def test_all_orbits_have_names_of_their_own(capsys, tmp_path):
     """``--all`` writes each, whatever is there already."""
     for _ in range(2):

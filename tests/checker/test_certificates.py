@@ -50,7 +50,7 @@ REASONS = {
     "particles_limits_that_begin_with_other_masses": "not equal",
     "particles_limits_that_stop_too_late": "interior of its box",
     "particles_limits_with_a_gap_between_cells": "interior of its box",
-    "particles_saddle_called_elliptic": "cites",
+    "particles_saddle_called_elliptic": "claims has missing or unknown fields",
     "particles_sink_that_contracts_at_once": "may be larger than claimed",
     "particles_sink_that_does_not_stick": "interior of its box",
     "particles_stability_of_more_states": "not the smaller one",
@@ -60,7 +60,7 @@ REASONS = {
     "particles_with_their_masses_exchanged": "interior of its box",
     "particles_with_unequal_friction": "parameters.f is not a string",
     "remainder_too_small": "remainder",
-    "saddle_called_elliptic": "cites",
+    "saddle_called_elliptic": "hints has missing or unknown fields",
     "trace_of_the_paper_orbit": "trace does not contain",
     "twist_of_the_paper": "twist does not contain",
     "twist_with_the_other_sign": "twist does not contain",
@@ -71,6 +71,7 @@ REASONS = {
 
 SLOW = {  # like others of their theorems, and as long to check as a true one
     "conservative_by_three_flights",
+    "effective_stability_for_longer",
     "entropies_with_a_larger_share_of_cycles",
     "mixed_early_sticks_dropped",
     "mixed_places_all_at_once",

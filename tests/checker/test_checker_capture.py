@@ -52,6 +52,7 @@ def test_accepts(forged, name):
     assert len(verify(forged[name])) == 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["at once", "viscous"])
 def test_orbits_of_the_box_are_captured(forged, name):
     """In mpmath, until the bounces are very small: all before the bound, with its ratios."""

@@ -17,7 +17,7 @@ import pytest
 
 from cap import verify
 from cap.checker.kernel.rejection import Rejected
-from cap.command import outcome, progress
+from cap.command import outcome, progress, verifier
 from checker.altered import encode
 from checker.forge import forge
 
@@ -43,6 +43,15 @@ def files(tmp_path, good):
     (tmp_path / "hostile.json").write_bytes(encode(hostile))
     os.mkfifo(tmp_path / "fifo.json")
     return tmp_path
+
+
+def test_how_long_a_check_takes(capsys, monkeypatch, files):
+    """It is said before, of large files whose time is known, and not short."""
+    assert 5 < outcome.expected("island-2") < 60
+    assert outcome.expected("elliptic") == outcome.expected(str(files / "deep.json")) == 0
+    for name in ("island-2", "island", "none", "mixed"):
+        verifier.announce(name)
+    assert capsys.readouterr().err == f'"island-2": about {outcome.expected("island-2")} s\n'
 
 
 def test_how_far_a_long_check_is(files, monkeypatch, capsys):

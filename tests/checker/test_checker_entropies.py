@@ -180,6 +180,7 @@ def test_the_strip(at, cells):
         list(at(backwards).covered())
 
 
+@pytest.mark.slow
 def test_the_order():
     """Strips and pieces in order; shares exact; as many hints as claims."""
     path = "claims", "strips"

@@ -73,6 +73,7 @@ def test_what_is_nilpotent():
         assert found.width < 20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", [f"1/{10**25}", "1/1000000", "1/100", "1/5"])
 def test_intervals(part):
     """All times of an interval, and derivatives: contained; where they are monotone, sharp."""

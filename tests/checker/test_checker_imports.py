@@ -30,7 +30,8 @@ ROOMS |= {"inventory": BARE | {"flow", "one_one"}, "horseshoe": BARE | {"coverin
 ROOMS |= {"map_horseshoe": BARE | {"coverings"}}
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
-ROOMS |= {"island": BARE | {"tori"}, "particles_stability": FLOW | {"particles"}}
+ROOMS |= {"island": BARE | {"tori"}, "converse": BARE | {"tori"}}
+ROOMS |= {"particles_stability": FLOW | {"particles"}}
 MORE = {
     "homoclinic": {"saddle"},
     "window": {"attractor"},

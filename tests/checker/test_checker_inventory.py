@@ -271,6 +271,7 @@ def first_hit(alpha, rho, t, u):
     raise AssertionError
 
 
+@pytest.mark.slow
 def test_windows_against_steps():
     """What is said of windows holds of single motions, followed in small steps."""
     source, seen = seeded(2), set()

@@ -4,13 +4,14 @@ import json
 from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.island import Island, coefficients
-from cap.checker.tori import rotation
+from cap.checker.tori import between, rotation
 from cap.checker.tori.half_period import Motion, States, cells
 from cap.checker.tori.invariant_curve import Near, Sizes, near
 from cap.checker.verdict import words
@@ -179,6 +180,109 @@ def test_what_is_no_polynomial(text):
     """Integers in pairs, the first one real."""
     with pytest.raises(Rejected):
         coefficients(text)
+
+
+ORBITS = {"centre": ["0.28695976", "0.28695977"]}
+WITH_ORBITS = {
+    **GOOD,
+    "claims": CLAIMS | {"orbits": ORBITS},
+    "hints": HINTS | {"ray": {"place": "0", "pieces": "16"}},
+    "cites": list(Island.CITES),
+}
+
+
+def test_periodic_orbits():
+    """They may be claimed, or not; then Franks is cited, or not."""
+    assert len(verify(WITH_ORBITS)) == 11
+    fits_the_schema(WITH_ORBITS)
+    said = words(read(encode(WITH_ORBITS)))
+    assert "lies in [0.28695976, 0.28695977]" in said
+    alpha = float(rotation.value([3, 2, 17], [1], 96).lower)
+    least = next(q for q in range(1, 999) if int(q * 0.28695976) > int(q * alpha))
+    assert f"(as {int(least * 0.28695976)}/{least})" in said
+    assert "two periodic orbits of Phi" in said
+    assert "periodic orbit" not in words(read(encode(GOOD)))
+    rejected(WITH_ORBITS | {"cites": GOOD["cites"]}, "own list")
+    rejected(GOOD | {"cites": WITH_ORBITS["cites"]}, "own list")
+    rejected(WITH_ORBITS | {"claims": CLAIMS, "cites": GOOD["cites"]}, "orbits without a ray")
+    rejected(WITH_ORBITS | {"hints": HINTS}, "orbits without a ray")
+
+
+@pytest.mark.parametrize(
+    ("ends", "why"),
+    [
+        (["0.28695975", "0.28695976"], "contain"),
+        (["0.28695977", "0.28695978"], "contain"),
+        (["0.71304023", "0.71304024"], "contain"),
+        (["0.28", "0.29"], "may be equal"),
+    ],
+)
+def test_lies_about_the_centre(ends, why):
+    """The rotation number is another, or not another than that of the curve."""
+    rejected(changed(WITH_ORBITS, "claims", "orbits", "centre", ends), why)
+
+
+def test_a_segment_that_is_turned_both_ways():
+    """By a shear, which turns no direction by 0; by one that turns some by π: nothing is shown."""
+    one, zero = (Interval.enclosing(n, n, 96) for n in (1, 0))
+
+    class Shear:
+        def __init__(self, slope):
+            self.slope = slope
+
+        def after(self, z):
+            (a, b), (c, d) = z.B
+            k = self.slope(z.x)
+            return z._replace(B=((a, b), (c + k * a, d + k * b)))
+
+    ends = (zero, zero), (one, zero)
+    assert between.sense(Shear(lambda _: one), 1, ends, 4) == 1
+    assert between.sense(Shear(lambda _: -one), 2, ends, 4) == -1
+    half = one / 2
+    with pytest.raises(Rejected, match="by 0 or pi"):
+        between.sense(Shear(lambda x: x - half), 1, ends, 3)
+    with pytest.raises(Rejected, match="both ways"):
+        between.sense(Shear(lambda x: x - half), 1, ends, 4)
+
+
+def test_rotation_numbers_at_the_centre():
+    """In the sense of the curve; where the lifts may not match, nothing is shown."""
+    exact = lambda q: Interval.enclosing(Fraction(q), Fraction(q), 96)  # noqa: E731
+    trace, small, large = exact(1), exact("3/10"), exact("7/10")  # a = 1/6
+    near_sixth = between.at_centre(trace, True, small)
+    assert abs(near_sixth.lower - Fraction(1, 6)) < Fraction(1, 10**20)
+    assert abs(between.at_centre(trace, False, large).lower - Fraction(5, 6)) < Fraction(1, 10**20)
+    for same, alpha in ((True, large), (False, small)):
+        with pytest.raises(Rejected, match="other way"):
+            between.at_centre(trace, same, alpha)
+    with pytest.raises(Rejected, match="arccosine"):
+        between.at_centre(exact(2), True, small)
+
+
+def test_values_on_the_curve():
+    """At sixteen places, they are those of the series."""
+    island = Island(read(encode(GOOD)), lambda _: None)
+    (x, _), _, _ = island.polynomials()
+    modes = [complex(a / UNIT, b / UNIT) for a, b in x.coefficients]
+    for place in range(16):
+        turn = np.exp(2j * np.pi * place / 16)
+        there = modes[0].real + 2 * sum((c * turn**k).real for k, c in enumerate(modes) if k)
+        found = between.value(x, place, 0, 96)
+        assert abs(float(found.lower) - there) < 1e-12
+        assert found.upper - found.lower < Fraction(1, 10**20)
+        wider = between.value(x, place, UNIT // 1000, 96)
+        assert wider.lower <= found.lower - Fraction(1, 1001)
+        assert wider.upper >= found.upper + Fraction(1, 1001)
+
+
+def test_the_simplest_fraction():
+    """No smaller denominator is between."""
+    for n in range(1, 60):
+        low, high = Fraction(n, 61), Fraction(n, 61) + Fraction(1, 3 + n * n)
+        found = between.simplest(low, high)
+        assert low <= found <= high
+        for q in range(1, found.denominator):
+            assert not any(low <= Fraction(p, q) <= high for p in range(2 * q))
 
 
 def test_each_inequality():

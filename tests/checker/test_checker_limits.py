@@ -116,6 +116,7 @@ def test_parameters_are_not_too_small(name):
         read_parameters(parameters | {name: "0." + "0" * 30 + "9"})
 
 
+@pytest.mark.slow
 def test_the_worst_takes_well_under_a_minute():
     """As many bits as are read for pairs on 111 cells: of the worst known, the longest proof.
 

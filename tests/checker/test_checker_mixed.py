@@ -73,6 +73,7 @@ def test_shares_enlarged(true):
         sums(lie)
 
 
+@pytest.mark.slow
 def test_regions_dropped(true):
     """Trees of nothing, flights that are not followed, parts that are not."""
     for at, tree in (
@@ -156,6 +157,7 @@ def test_shares_beyond_the_whole(true):
         theorem.sums((Fraction(2, 3), Fraction(1, 2), Fraction(0), Fraction(0)))
 
 
+@pytest.mark.slow
 def test_places(true):
     """A tree that is none; with a node that cannot be followed, or one that counts and is not."""
     at = "hints", "places", "tree"

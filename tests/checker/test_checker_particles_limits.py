@@ -193,6 +193,7 @@ def test_nodes(limits):
     rejected(changed(limits, "hints", "middle", limits["hints"]["middle"][::-1]), "interior")
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("in_between")
 @pytest.mark.parametrize(
     ("speed", "rate", "why"),

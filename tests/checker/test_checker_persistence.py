@@ -200,6 +200,7 @@ def test_stability_on_every_rectangle(continuation, monkeypatch):
                 proof.continuation(fixed_point)
 
 
+@pytest.mark.slow
 def test_the_parameters_are_in_the_range():
     """e = 999/1000 is not in a range that ends at 1/10000."""
     rejected(forge_persistence(epsilon=SMALL, mu=("0", "1/1000")), "not in the range")

@@ -192,7 +192,13 @@ def test_a_proof_during_which_the_mode_changes_is_refused():
 
 
 @only_where_known
-@pytest.mark.parametrize("words", [("verify", str(SMALL)), ("prove", "mixed", "conservative")])
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("verify", str(SMALL)),
+        pytest.param(("prove", "mixed", "conservative"), marks=pytest.mark.slow),
+    ],
+)
 @pytest.mark.parametrize("mode", [ALL[-1], "upward"] if ALL else [])
 def test_commands_refuse_it_in_a_line(mode, words):
     """A whole process in another mode: one line for each theorem, and no traceback."""

@@ -93,6 +93,7 @@ def test_each_number_of_small_certificates(name):
     assert tried(certificate, ("parameters",), ("claims",), ("hints",)) > 10
 
 
+@pytest.mark.slow
 def test_each_number_of_a_ceiling():
     """They become doubles."""
     certificate = stored("tests/certificates/accept/conservative_by_three_flights.json")

@@ -89,6 +89,7 @@ def strobes(y, start, count=12, error=math.inf):
             yield *y.at(f, y.multiple(k)[0]), k, f
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_orbits_in_floats_come_back(name):
     """From a state at t = 0 the first stop is that of the region, at its place and time."""
@@ -128,6 +129,7 @@ def stop(y, p, s, t):
     return math.nan, math.nan
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_releases_in_floats_are_where_they_are_said_to_be(name):
     """From a state at t = 0 the first release after a stick is at the place of the region."""
@@ -202,6 +204,7 @@ def remains(y, f, kind, near, d, x):
     return math.sin(t) + y.a * D + A
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_areas_are_those_of_the_images(name):
     """The density is the determinant of (p, s) in X and Y; its integral is a bound from below."""

@@ -85,6 +85,7 @@ def twist(z, f, matrix, steps=400):
     return (4 * small - large) / 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("f", only(["0.37", "0.4", "0.40002", "0.40004", "0.43"], "0.40002"))
 def test_trace_and_twist_from_orbits_alone(f):
     """Trace, and sign of the twist on both sides of its zero and of the resonance 1/3."""

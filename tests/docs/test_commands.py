@@ -8,7 +8,7 @@ import pytest
 
 from cap import prove, verify
 from cap.audit import command as audit
-from cap.command import archive, own, own_horseshoe, verifier
+from cap.command import archive, own, own_branch, own_horseshoe, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
@@ -35,6 +35,16 @@ def block(page, first):
     return [line.strip() for line in lines[start:end] if line.strip()]
 
 
+def of_own(given):
+    """Read a command about a system, or a map, of one's own."""
+    if "--map" in given:
+        assert own_horseshoe.Asked.of(own_horseshoe.parser().parse_args(given)).map.image
+    elif given[0] in own.BRANCH:
+        assert own_branch.parser().parse_args(given).parameter
+    else:
+        assert own.Asked.of(own.parser().parse_args(given)).system.modes
+
+
 @pytest.mark.parametrize(("module", "words"), sorted(set(ALL)))
 def test_a_command(module, words, monkeypatch):
     """Its options exist, and make sense together."""
@@ -45,11 +55,8 @@ def test_a_command(module, words, monkeypatch):
             with pytest.raises(SystemExit, match="0"):
                 read(given)
             return
-        if "--map" in given:
-            assert own_horseshoe.Asked.of(own_horseshoe.parser().parse_args(given)).map.image
-            return
-        if "--model" in given:
-            assert own.Asked.of(own.parser().parse_args(given)).system.modes
+        if "--map" in given or "--model" in given:
+            of_own(given)
             return
         options = read(given)
         if options.theorem in NAMES:

@@ -176,6 +176,7 @@ def test_bad_input(words, tmp_path, monkeypatch, capsys):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "taken.png"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("words", [
     ["sali", "--f", "7/10"],
     ["lyapunov", "--e", "1e-30"],

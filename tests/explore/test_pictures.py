@@ -104,6 +104,7 @@ def covered(axes, row, column):
     return any(not np.ma.getmaskarray(array)[row, column] for array in arrays)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["basin", "attractor", "sali"])
 def test_a_grid_that_is_interrupted(name):
     """States that nobody followed have no colour, in no panel: they are hatched."""

@@ -48,6 +48,7 @@ def distance(p, z, cycle):
     return StroboscopicMap(p).size((z[0] - cycle.x, z[1] - cycle.v))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("force", TABLE)
 def test_the_paper_s_orbits_are_found(force):
     """Their states, traces and determinants."""

@@ -1,8 +1,12 @@
 """The float engine made from a model: against the hand-written ones, and against dense sampling."""
 
+import os
+import subprocess
+import sys
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -35,10 +39,8 @@ def engine(system):
     return Engine(made[system]() if isinstance(system, str) else oscillator(system))
 
 
-SLOW = [pytest.param(p, marks=pytest.mark.slow) for p in (PAPER, SCALED)]  # compiled anew
-
-
-@pytest.mark.parametrize("p", [LOSSY, *SLOW], ids=["lossy", "paper", "scaled"])
+@pytest.mark.slow
+@pytest.mark.parametrize("p", [LOSSY, PAPER, SCALED], ids=["lossy", "paper", "scaled"])
 def test_friction_as_the_hand_written_engine(p):
     """The same states after three periods, hits and captures, of 2000 orbits."""
     random = np.random.default_rng(7)
@@ -147,6 +149,7 @@ def test_it_may_be_asked_again():
     assert (one.follow([[0.2, 0.5]]).states != other.follow([[0.2, 0.5]]).states).any()
 
 
+@pytest.mark.slow
 def test_what_is_outside_is_flagged():
     """A start at which a guard of its mode is negative."""
     assert engine(PAPER).follow([[0.0, 0.5]], ["left"]).flags[0] & OUTSIDE
@@ -186,3 +189,36 @@ def test_refusals(make, words):
     """What cannot be followed is told in a line."""
     with pytest.raises(BadInput, match=words):
         make()
+
+
+COUNTS = """
+import sys
+import numpy as np
+from cap.floats.models.engine import Engine
+from cap.system.files import read
+
+for path in sys.argv[1:]:
+    engine = Engine(read(path))
+    states = np.random.default_rng(1).normal(size=(40, 2))
+    inside = engine.inside(states)
+    begun = inside.any(axis=0)
+    ends = engine.follow(states[begun], np.argmax(inside[:, begun], axis=0), periods=20)
+    print(*ends.counts.sum(axis=0))
+"""
+
+
+@pytest.mark.slow
+def test_code_that_is_kept_is_that_of_its_own_system(tmp_path):
+    """Whatever was compiled before it in a process; guards of these two are of different kinds."""
+    examples = Path(__file__).parents[2] / "examples"
+
+    def counts(*names):
+        command = [sys.executable, "-c", COUNTS, *(str(examples / f"{name}.py") for name in names)]
+        env = {**os.environ, "XDG_CACHE_HOME": str(tmp_path)}
+        run = subprocess.run(
+            command, check=True, env=env, capture_output=True, text=True, timeout=100
+        )
+        return run.stdout.splitlines()
+
+    (kept,) = counts("impact_oscillator")
+    assert counts("den_hartog", "impact_oscillator")[1:] == [kept]

@@ -47,6 +47,7 @@ def starts(lines):
     return {(float(x), float(v.split("=")[1])) for x, v in states}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("change", "number"), KNOWN.items())
 def test_all_known_orbits_are_found(change, number):
     """As many as ever were found and proved; each closes up and is found once."""

@@ -47,6 +47,7 @@ def test_against_the_model_in_floats(name):
             assert row == pytest.approx(mine, abs=1e-12 * size(path.monodromy) ** 3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SETS)
 def test_against_certified_enclosures(name):
     """A point is followed in balls; where its events are proved, the floats are where they are."""

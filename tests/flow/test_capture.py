@@ -86,6 +86,7 @@ def systems():
         yield p, side, phase / w, far, speed, Fraction(random.randint(1, 40), 40) / w, random
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "leaving",
     [

@@ -28,6 +28,7 @@ TOUCHING = {  # which flight: parameters, x, v with positive least speed, v with
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flight", TOUCHING)
 def test_a_velocity_that_touches_zero_between_hits(flight):
     """Least speed 0, a little less, much less: refused.  A little more: certified."""

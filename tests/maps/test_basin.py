@@ -106,6 +106,7 @@ def test_a_small_room():
             assert told.contraction < 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("p", "state"),
     [(STRONG, (0.1992, -1.4002)), (PAPER, (0.3435, 0.7753)), (PAPER, (0.1003, 0.5419))],
@@ -154,6 +155,7 @@ def test_the_norm_bounds_all_matrices_of_the_balls():
             assert bound <= np.linalg.norm(M, 2) + 2 * radius + 1e-7
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("omega", [Fraction(10**6), Fraction(1, 10**6), Fraction(7)])
 def test_other_units_of_time(omega):
     """The same ellipse, v in the new units, with the same bound of its contraction."""

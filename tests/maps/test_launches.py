@@ -128,6 +128,7 @@ def test_orbits_with_several_hits_are_not_excluded(p):
                 assert inventory.proved_empty(system, centre) is None
 
 
+@pytest.mark.slow
 def test_bounds():
     """The orbits found in floats are slower, and have fewer hits."""
     for p, hits in CASES:

@@ -87,6 +87,7 @@ def test_errors_become_small(saddle):
         assert short.error[k] < low.error[k] / 10**5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", [0, 1])
 def test_pieces_that_are_too_long(saddle, which):
     """They leave the states from which orbits never stop, or the map does not contract."""
@@ -97,6 +98,7 @@ def test_pieces_that_are_too_long(saddle, which):
         W.at(Ball(2))
 
 
+@pytest.mark.slow
 def test_crossings_are_those_of_the_certificate(saddle):
     """Both proofs find the same orbit: from the certified point one arrives at this one."""
     curves = [saddle.curve(which, Fraction(1, 20), 12) for which in (0, 1)]

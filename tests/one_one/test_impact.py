@@ -80,6 +80,7 @@ def pairs(count, seed):
             yield delta, orbit
 
 
+@pytest.mark.slow
 def test_asymmetric_orbits():
     """Random ones, and their mirror images, are T-periodic orbits with the numbers told."""
     with interval.workprec(BITS), workdps(60):

@@ -73,6 +73,7 @@ def found():
 SOON = ("fig:cover", "fig:orbit", "fig:decomp-schematic", "fig:sali", "fig:bifurcation")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "label",
     [pytest.param(label, marks=[pytest.mark.slow] * (label not in SOON)) for label in LABELS],
@@ -282,6 +283,7 @@ def test_bad_requests(label, name, tmp_path):
         command.run(label, [tmp_path / name], lambda _words, _part: None)
 
 
+@pytest.mark.slow
 def test_an_interrupt_keeps_what_is_done(tmp_path, capsys, monkeypatch):
     """The tables of what is done before are written, and the status says so."""
 

@@ -14,6 +14,7 @@ from cap.parameters import PAPER
 from cap.runner import Runner
 
 
+@pytest.mark.slow
 def test_the_period_of_the_sink_doubles():
     """At F = 1.529 that of the sink of F = 1.5; its mirror image is not counted twice."""
     p = at(F="1.5")
@@ -29,6 +30,7 @@ def test_which_orbits_at_1_are_all():
     assert "may be more" in said
 
 
+@pytest.mark.slow
 def test_the_orbit_of_panel_d_is_certified():
     """It sticks after 140 periods; floats agree as long as their errors are small."""
     own = escape.escape((0.1003, 0.5419), Fraction(1, 20), 200)

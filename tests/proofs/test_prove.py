@@ -45,6 +45,7 @@ COMMANDS = dict(
 LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persistence"}
 LONG |= {
     "horseshoe-1",
+    "converse",
     "island",
     "island-2",
     "map_horseshoe-1",
@@ -52,9 +53,25 @@ LONG |= {
 }  # and what they find depends on rounding in floats
 
 # seconds each, and with tests of their own, too, or one more of a theorem
-SLOW = {"attractor", "branch", "branch-2", "inventory", "particles_limits", "particles_sink",
-        "window-1", "elliptic-2", "particles-2", *(f"periodic-{n}" for n in (*range(1, 11), 12)),
-        "effective_stability", "horseshoe-2", "saddle-2", "symmetric-2"}  # fmt: skip
+SLOW = {
+    "attractor",
+    "branch",
+    "branch-2",
+    "contacts-2",
+    "contacts-3",
+    "effective_stability",
+    "elliptic-2",
+    "horseshoe-2",
+}
+SLOW |= {
+    "inventory",
+    "particles-2",
+    "particles_limits",
+    "particles_sink",
+    "saddle-2",
+    "symmetric-2",
+}
+SLOW |= {"window-1", *(f"periodic-{n}" for n in range(1, 14) if n != 11)}
 REPRODUCED = [
     pytest.param(name, marks=[pytest.mark.slow] * (name.removesuffix(".json") in SLOW))
     for name in sorted(set(COMMANDS) - {f"{name}.json" for name in LONG})

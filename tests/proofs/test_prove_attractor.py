@@ -32,6 +32,7 @@ def number(pair):
     return float(sum(map(Fraction, pair)) / 2)
 
 
+@pytest.mark.slow
 def test_the_entropy_against_laps():
     """The number of monotone pieces of Gⁿ on I grows like exp(n h)."""
     low, high = map(float, STORED["interval"])

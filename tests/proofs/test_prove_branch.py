@@ -58,6 +58,7 @@ def orbit_at(f, delta):
     return p, near(p, float(x), float(v))
 
 
+@pytest.mark.slow
 def test_resonances_by_secants_in_floats():
     """At the f claimed Newton's orbit has the rotation number; and no other f near has it."""
     certificate = proved(branch)
@@ -203,6 +204,7 @@ def test_units_of_any_size(words):
         assert abs(Fraction(pitch[name][0]) / unit - Fraction(same[name][0])) < Fraction(1, 10**9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("low", "high", "end"),
     [("0.45", None, False), ("0.42", "0.44", False), (None, "2/5", True), ("1/3", "0.41", True)],

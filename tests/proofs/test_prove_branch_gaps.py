@@ -22,6 +22,7 @@ def cells_accepted(ask):
     return len(theorems.accepted(theorems.THEOREMS["branch"], ask)["claims"]["cells"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("R", ["0.705", pytest.param("2.9", marks=pytest.mark.slow)])
 def test_near_both_ends(R):
     """Where the pair ends soon after its birth, and where it is born at little friction."""

@@ -258,7 +258,8 @@ def test_empty_words(capsys, tmp_path, monkeypatch, line):
     assert (status, err.count("\n")) == (2, 1)
 
 
-@pytest.mark.parametrize("F", ["1", pytest.param("1e20", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("F", ["1", "1e20"])
 def test_few_digits(monkeypatch, F):
     """The exceptions contain the claims on resonances of order <= 4, also of few digits."""
     monkeypatch.setattr(branch, "SMALLEST", Fraction(1, 1000))

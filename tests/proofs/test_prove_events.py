@@ -243,6 +243,7 @@ def test_a_periodic_orbit_with_captures(capsys, tmp_path, digits):
     assert all(Fraction(low) <= 0 <= Fraction(high) for low, high in claims["multipliers"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "state"),
     [
@@ -266,6 +267,7 @@ def test_captures_at_the_times_of_exact_orbits(capsys, tmp_path, words, state):
             assert any(e.word == word and among(times, e.time, Fraction(1, 10**9)) for e in events)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "latest"),
     [
@@ -284,6 +286,7 @@ def test_captures_in_other_units(capsys, tmp_path, words, latest):
     assert Fraction(claims["ratio"]) < 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("epsilon", "mu"),
     [

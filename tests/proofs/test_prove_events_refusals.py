@@ -83,6 +83,7 @@ def test_not_proved_is_said(capsys, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("losses", "reason"),
     [

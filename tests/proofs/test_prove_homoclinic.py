@@ -48,6 +48,7 @@ def test_orbits_go_to_the_saddle_both_ways(proved):
             assert min(away) < 1e-4
 
 
+@pytest.mark.slow
 def test_angles_are_those_of_the_curves_in_floats(proved):
     """The curves in floats cross at these points, at these angles."""
     found = manifolds(PAPER, orbit=tuple(middles(proved["claims"])), length=1.5, spacing=0.02)

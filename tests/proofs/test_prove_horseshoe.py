@@ -71,6 +71,7 @@ def test_a_hit_time_that_is_met_exactly():
     assert np.abs(bends).max() < 1e-8
 
 
+@pytest.mark.slow
 def test_sizes_grow_only_for_coverings_that_hold():
     """One that asks for too much is given up, and leaves no trace; one that holds is kept."""
     axes = np.array([1, 3**0.5 - 1, 1, -1 - 3**0.5])  # of the saddle 0 of the standard map, K = 2

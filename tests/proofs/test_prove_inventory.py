@@ -42,6 +42,7 @@ def setting(p):
     return Setting(p, STARTS["elliptic"], 20)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [pytest.param(name, marks=[pytest.mark.slow] * (name in LONG)) for name in SYSTEMS],

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 import sympy
-from support import seeded
+from support import only, seeded
 
 from cap.errors import BadInput
 from cap.system.polynomial import ONE, ZERO, Polynomial, Quotient, over, variables
@@ -54,7 +54,7 @@ def test_algebra(seed):
     assert Polynomial.of(a) == p  # sympy's expressions are read, pi included
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", only(range(20), *range(4)))
 def test_quotients(seed):
     """Their algebra is that of sympy."""
     random = seeded(seed)

@@ -24,11 +24,11 @@ def read(data: bytes) -> Certificate:
     name = fields["theorem"]
     need(name in NAMES, f"the theorem is none of: {', '.join(NAMES)}")
     theorem = load(name)
-    need(fields["cites"] == list(theorem.CITES), "cites is not the checker's own list")
     need(isinstance(fields["provenance"], dict), "provenance is not an object")
     p = _parameters(name, json.dumps(fields["parameters"]))
     hints = tabled(fields["hints"], theorem.HINTS, "hints")
     claims = tabled(fields["claims"], theorem.CLAIMS, "claims")
+    need(fields["cites"] == theorem.cited(claims), "cites is not the checker's own list")
     theorem.limit(hints, claims)
     return Certificate(name, p, fields["digits"], claims, hints)
 

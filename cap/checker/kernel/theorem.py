@@ -46,6 +46,11 @@ class Theorem(ABC):
     PARTS: ClassVar[dict[str, str]] = {}  # modules that are loaded only where so much is claimed
     jobs: int = 1  # processes that a long proof may use
 
+    @classmethod
+    def cited(cls, claims: Mapping[str, Any]) -> list[Citation]:  # noqa: ARG003
+        """Return what is cited where so much is claimed; by default all."""
+        return list(cls.CITES)
+
     def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
         self.certificate, self.step = certificate, step
         self.tell: Callable[[str, float], None] = lambda _words, _part: None  # how far a proof is
@@ -63,6 +68,10 @@ class Theorem(ABC):
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
         """Reject what would take too long to check; by default nothing."""
         return
+
+    def seconds(self) -> int:
+        """Return about how long a proof takes, for people who wait; 0 if nobody has measured it."""
+        return 0
 
     @abstractmethod
     def prove(self) -> None:

@@ -18,28 +18,42 @@ has it, and why it preserves area); G is sigma, or sigma sigma = Phi, the map ov
 5. *Area* = |the integral of x dv over C|; of K it is 4 pi |sum of k Im(v_k conj x_k)|, k > 0, and
    the integral over C differs by at most 2 pi RK (2 l0 + s), by integration by parts.
    If G = sigma sigma, sigma(D) is another such disk; it is disjoint from D if sigma(U) is from U.
+6. *Periodic orbits* in D, if they are claimed: P* is elliptic, its rotation number is another than
+   that of C, both in the sense of C (cap.checker.tori.between).  By Franks' theorem each fraction
+   p/q between both, in lowest terms, is the rotation number of two orbits at least, of period q.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
 from typing import Any
 
-from cap.checker.kernel.citation import cite
+from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.fourier import Circle, Coefficients, Function
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, Word, bound, enclosure
+from cap.checker.kernel.shapes import (
+    Field,
+    Many,
+    Maybe,
+    Quantity,
+    Whole,
+    Word,
+    bound,
+    enclosure,
+)
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.system.walls import SYSTEM, BetweenWalls
-from cap.checker.tori import rotation
-from cap.checker.tori.half_period import Hit, Motion, Passage, States, cells
+from cap.checker.tori import between, rotation
+from cap.checker.tori.centre import HINTS as CENTRE
+from cap.checker.tori.centre import fixed_point
+from cap.checker.tori.half_period import Hit, Motion, Passage, cells
 from cap.checker.tori.invariant_curve import (
     Near,
     Shift,
@@ -54,12 +68,13 @@ from cap.checker.tori.invariant_curve import (
 
 MAX_DEGREE = 4096
 MAX_WORK = 4096 * 100  # degree times places
+PER_SECOND = 16_000  # digits of functions, for half a period
 ROUGH = 96  # bits, for boxes
 COARSE = 20  # decimal places
 LARGEST = 10**6  # of coefficients
 POLYNOMIAL = re.compile("-?[0-9]{1,400} -?[0-9]{1,400}(,-?[0-9]{1,400} -?[0-9]{1,400})*")
 QUOTIENTS = Many(Whole(1, 999), 1, 40)
-MATRIX, PAIR = [[number] * 2] * 2, [number] * 2
+MATRIX = [[number] * 2] * 2
 
 
 class Island(BetweenWalls):
@@ -75,12 +90,13 @@ class Island(BetweenWalls):
               "10^-20"),
         Field("hits", Many({"time": text, "inverse": text}, 1, 2), "", "", "times of hits along "
               "K; inverse speeds there, in units 10^-20"),
-        Field("middle", PAIR, "", "", "a point near P*"),
-        Field("radius", number, "", "", "P* is within it, in x and in v"),
-        Field("preconditioner", MATRIX, "", "C", "near (DG(P*) - 1)^-1"),
+        *CENTRE,
         Field("axes", MATRIX, "", "M", "U = middle + M [-h, h]^2"),
         Field("half", number, "", "h", "half the width of U"),
         Field("cells", Whole(1, 256), "", "", "U is covered by cells^2 parallelograms"),
+        Field("ray", Maybe({"place": Whole(0, 15), "pieces": Whole(1, 1000)}), "", "", "if "
+              "`orbits` is claimed: a segment from P* to the point of the curve at theta = 2 pi "
+              "place/16, cut into pieces"),
     )
     CLAIMS = (
         Field("map", Word(("sigma", "Phi")), "", "", "sigma: half a period and the symmetry; Phi"),
@@ -95,27 +111,55 @@ class Island(BetweenWalls):
         Field("winding", Word(("1", "-1")), "", "", "how often the curve winds around P*"),
         Field("area", enclosure, "area", "", "of the disk D inside the curve"),
         Field("disks", Whole(1, 2), "", "", "2 if the image of D by the symmetry is disjoint"),
+        Field("orbits", Maybe({"centre": enclosure}), "", "", "the rotation number at P*, in the "
+              "sense in which that of the curve is alpha: for each p/q between both, in lowest "
+              "terms, there are two periodic orbits at least in D, of minimal period q"),
     )
     CITES = (
         cite("Jordan curve theorem", "any textbook of topology",
              ("curve", "the curve is closed and has no double points", "curve, distance")),
         cite("best approximation", "Khinchin, Continued Fractions, 1964, Theorem 17",
              ("quotients", "the quotients are positive integers", "rotation_number")),
+        cite("Franks: a fixed point of positive index",
+             "Franks, Generalizations of the Poincare-Birkhoff theorem, Annals of Mathematics 128 "
+             "(1988), Theorem 2.1",
+             ("annulus", "the map is a homeomorphism of the open "
+              "annulus D without P*, homotopic to the identity, as it keeps orientation and ends",
+              "curve, winding"),
+             ("nonwandering", "every point is nonwandering: the map preserves area, and D has a "
+              "finite one", "area"),
+             ("returning disks", "the lift of the q-th power, by -p, moves angles near P* and near "
+              "the curve in opposite directions, as rotations do: disks return on either side",
+              "orbits.centre, rotation_number"),
+             ("finitely many", "this lift has finitely many fixed points, else there are more than "
+              "two orbits; on a cover of the annulus with enough sheets it has all that there are",
+              "orbits.centre, rotation_number")),
     )
     # fmt: on
 
     @classmethod
-    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+    def cited(cls, claims: Mapping[str, Any]) -> list[Citation]:
+        """Return what is cited; Franks only for periodic orbits."""
+        return list(cls.CITES if "orbits" in claims else cls.CITES[:-1])
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound the time."""
         work = hints["degree"] * hints["places"]
         need(work <= MAX_WORK, f"degree times places is more than {MAX_WORK}")
         need(0 < hints["rho"] <= 1, "0 < rho <= 1 does not hold")
+        need(("ray" in hints) is ("orbits" in claims), "orbits without a ray, or a ray without")
 
     def __init__(self, certificate: Certificate, step: Callable[[str], None]) -> None:
         super().__init__(certificate, step)
         hints = self.hints
         self.circle = Circle(hints["degree"], hints["rho"], hints["places"])
         self.done = 0  # parts of the proof
+
+    def seconds(self) -> int:
+        """Return about how long a proof takes: products of functions are most of it."""
+        hints = self.hints
+        return int(hints["degree"] * hints["places"] * len(hints["hits"])) // PER_SECOND
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -131,6 +175,8 @@ class Island(BetweenWalls):
         self.around(K, close, centre)
         self.area(K, close)
         self.disks(*speeds)
+        if "orbits" in self.claims:
+            self.orbits(K, close, centre)
 
     def polynomials(self) -> tuple[Vector, Vector, list[tuple[Function, Function]]]:
         """Return K, N, and for each hit its time and the inverse speed."""
@@ -181,38 +227,14 @@ class Island(BetweenWalls):
         return hull(before), hull(after)
 
     def centre(self) -> tuple[Interval, Interval]:
-        """Prove that there is a fixed point in a rectangle, by Krawczyk's inclusion; compare it."""
-        hints, motion = self.hints, Motion(*self.laws, self.circle.bits)
-        exact = self.number_at
-        r, zero = hints["radius"], exact(Fraction(0))
-        need(r > 0, "the radius is not positive")
-        m = [exact(q) for q in hints["middle"]]
-        z = States(m[0], m[1], ((exact(r), zero), (zero, exact(r))))
-        for _ in range(self.half_periods):
-            z = motion.after(z)
-        found = []
-        for i, row in enumerate(hints["preconditioner"]):
-            c, d = map(exact, row)
-            K = m[i] - c * (z.x - m[0]) - d * (z.v - m[1])
-            for j in (0, 1):  # (1 - C (DG - 1)) r, column by column
-                entry = self.column(z, exact(r), j)
-                change = c * entry[0] + d * entry[1]
-                left = (exact(r) if i == j else zero) - change
-                reach = left.magnitude().hi
-                K = Interval(K.lo - reach, K.hi + reach, K.bits)
-            middle = hints["middle"][i]
-            need(K.lies_inside(middle - r, middle + r), "K does not lie inside its box")
-            found.append(K)
+        """Prove that there is a fixed point in a rectangle, and compare it."""
+        found = fixed_point(Motion(*self.laws, self.circle.bits), self.half_periods, self.hints)
         length, speed = (self.number_at(self.p.F / self.p.omega**k) for k in (2, 1))
         base = self.number_at((self.p.l + self.p.r) / 2)
-        self.confirm(x=base + found[0] * length, v=found[1] * speed)
+        self.confirm(x=base + found.x * length, v=found.v * speed)
         self.step("P* is a fixed point, at the place claimed")
-        return found[0], found[1]
-
-    def column(self, z: States, r: Interval, j: int) -> tuple[Interval, Interval]:
-        """Return a column of (DG - 1) r."""
-        first, second = z.B[0][j], z.B[1][j]
-        return (first - r, second) if j == 0 else (first, second - r)
+        self.trace = found.trace
+        return found.x, found.v
 
     def number_at(self, q: Fraction) -> Interval:
         """Return a number at the precision of coefficients."""
@@ -345,6 +367,35 @@ class Island(BetweenWalls):
         need(apart, "the disk and its image may meet")
         self.step("the image of the disk by the symmetry is another one")
 
+    def orbits(self, K: Vector, close: Near, centre: tuple[Interval, Interval]) -> None:
+        """Prove that there are periodic orbits with the rotation numbers claimed."""
+        place, pieces = self.hints["ray"]["place"], self.hints["ray"]["pieces"]
+        far = self.circle.above(close.distance)
+        x, v = (between.value(u, place, far, ROUGH) for u in K)
+        start = centre[0].with_bits(ROUGH), centre[1].with_bits(ROUGH)
+        motion = Motion(*self.laws, ROUGH)
+        s = between.sense(motion, self.half_periods, (start, (x, v)), pieces)
+        alpha = rotation.value(**self.claims["rotation_number"], bits=self.circle.bits)
+        found = between.at_centre(self.trace, s == int(self.claims["winding"]), alpha)
+        self.compare("orbits", self.claims["orbits"], {"centre": found})
+        need(self.gap() is not None, "the rotation numbers at P* and on the curve may be equal")
+        self.step("the rotation number at P* is the one claimed, another than on the curve")
+
+    def gap(self) -> tuple[Fraction, Fraction] | None:
+        """Return numbers between the rotation numbers of P* and the curve, if they differ."""
+        alpha = rotation.value(**self.claims["rotation_number"], bits=ROUGH)
+        centre = self.claims["orbits"]["centre"]
+        below, above = (alpha.upper, centre.lower), (centre.upper, alpha.lower)
+        return below if below[0] < below[1] else above if above[0] < above[1] else None
+
+    def told_orbits(self) -> str:
+        """Return what is said of periodic orbits, if they are claimed."""
+        gap = self.gap() if "orbits" in self.claims else None
+        if gap is None:
+            return ""
+        centre = self.claims["orbits"]["centre"]
+        return _ORBITS.format(map=self.claims["map"], centre=centre, least=between.simplest(*gap))
+
     def words(self) -> str:
         """Return the theorem in one line."""
         claims = self.claims
@@ -354,6 +405,7 @@ class Island(BetweenWalls):
         two = _TWO if claims["disks"] == 2 else ""
         more = {name: decimal(claims[name]) for name in ("diophantine", "distance")}
         alpha = f"[0;{head},({period})]"
+        more["orbits"] = self.told_orbits()
         return self.told(SYSTEM + _CURVE, every=every, two=two, alpha=alpha, **more)
 
 
@@ -387,7 +439,13 @@ _CURVE = (
     "F/omega; the open disk inside it is invariant, and has an area in {area}; every motion that "
     "starts in the disk at t = 0 has a velocity that never vanishes, for all times, forward and "
     "backward, and hits the right wall once in each (nT, nT + T/2) and the left wall once in each "
-    "(nT + T/2, nT + T){two}"
+    "(nT + T/2, nT + T){two}{orbits}"
+)
+_ORBITS = (
+    "; at P* the rotation number of {map}, in the sense in which that of the curve is alpha, lies "
+    "in {centre}; for each fraction p/q in lowest terms between both (as {least}) the disk "
+    "contains at least two periodic orbits of {map}, of minimal period q, that turn around P* p "
+    "times in q steps"
 )
 _TWO = (
     "; the images of these motions by (x, v, t) -> (l + r - x, -v, t + T/2) start at t = 0 in "

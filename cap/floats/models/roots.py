@@ -88,11 +88,20 @@ def falling(h1: float, h2: float, third: float, s: float) -> bool:
     return h1 < 0 and h1 + h2 * s / 2 < 0 and h1 + h2 * s + third * s * s / 2 < 0
 
 
+def _named(function: Function, along: Function) -> Function:
+    """Compile a function for guards of one kind, under a name that no other kind has.
+
+    What is compiled finds other compiled code by name.  Code that is kept, of one kind, would find
+    that of another kind which was compiled before it in the process.
+    """
+    function.__qualname__ = f"{function.__name__}_{along.__module__}_{along.__name__}"
+    return cast(Function, njit(function, error_model="numpy", nogil=True))
+
+
 @lru_cache
 def root_of(along: Function) -> Function:
     """Return the function `root` for guards of one kind."""
 
-    @njit(error_model="numpy", nogil=True)
     def root(a: Tuple, rates: Tuple, low: float, high: float, d: float) -> float:
         """Return the zero in [low, high] before which h > 0, by parabolas; d is a guess."""
         if not low < d < high:
@@ -114,7 +123,7 @@ def root_of(along: Function) -> Function:
                 break
         return d
 
-    return cast(Function, root)
+    return _named(root, along)
 
 
 @lru_cache
@@ -122,7 +131,6 @@ def first_of(along: Function) -> Function:
     """Return the function `first` for guards of one kind."""
     root = root_of(along)
 
-    @njit(error_model="numpy", nogil=True)
     def first(a: Tuple, rates: Tuple, D: float) -> float:
         """Return the first time in [0, D] at which h comes to zero, inf if there is none.
 
@@ -151,7 +159,7 @@ def first_of(along: Function) -> Function:
             t, h, h1, h2, step = end, n, n1, n2, 2.5 * length
         return math.inf
 
-    return cast(Function, first)
+    return _named(first, along)
 
 
 @lru_cache
@@ -159,7 +167,6 @@ def decreasing_of(along: Function) -> Function:
     """Return the function `decreasing` for guards of one kind (Lemma M of `cap.system.lemmas`)."""
     root = root_of(along)
 
-    @njit(error_model="numpy", nogil=True)
     def decreasing(a: Tuple, rates: Tuple, D: float) -> float:
         """Return when h comes to zero in [0, D], if it decreases there; inf if it does not."""
         if a[0] <= 0 and (a[1] < 0 or (a[1] == 0 and a[2] < 0)):
@@ -167,7 +174,7 @@ def decreasing_of(along: Function) -> Function:
         h, _, _ = along(a, rates, D)
         return math.inf if h > 0 else root(a, rates, 0.0, D, parabola(a[0], a[1], a[2]))
 
-    return cast(Function, decreasing)
+    return _named(decreasing, along)
 
 
 @njit(error_model="numpy", nogil=True)
