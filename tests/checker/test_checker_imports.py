@@ -33,6 +33,7 @@ ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
 ROOMS |= {"island": BARE | {"tori"}, "converse": BARE | {"tori"}}
 ROOMS |= {"particles_stability": FLOW | {"particles"}}
 MORE = {
+    "contacts_branch": {"contacts"},
     "homoclinic": {"saddle"},
     "window": {"attractor"},
     "persistence": {"periodic"},
