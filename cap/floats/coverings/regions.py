@@ -52,7 +52,7 @@ def cells(g: Planar, saddle: Saddle, symbols: tuple[int, int] = FIRST) -> Region
     direction = _direction(np.array([piece.T for piece in sample.pieces.values()]))
     points = np.array([piece.z for piece in sample.pieces.values()])
     low, high = points.min(axis=0), points.max(axis=0)
-    rim = RIM * (high - low)
+    rim = np.maximum(RIM * (high - low), 1e-9 * g.size)  # a sample may be one point
     window = np.stack([low - rim, high + rim], axis=1).reshape(-1)
     return Regions(np.arange(GRID**2).reshape(GRID, GRID), window, direction)
 
