@@ -7,7 +7,7 @@
     cap.verify_certificate("certificates/saddle.json")
 
 A system of one's own is a `cap.System` of `cap.Mode` with `cap.Guard` and `cap.Bounce`, written
-with `cap.variables` (docs/own-system.md).
+with `cap.variables` (docs/own-system.md); `cap.prove_orbit` proves a periodic orbit of it.
 
 Nothing is imported before it is asked for, so that the checker can be loaded alone.
 """
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         prove_theorem,
         verify_certificate,
     )
+    from cap.own import prove_orbit
     from cap.system.model import Bounce, Guard, Mode, System
     from cap.system.planar import Map
     from cap.system.polynomial import variables
@@ -41,6 +42,7 @@ __all__ = [
     "System",
     "Verified",
     "figures",
+    "prove_orbit",
     "prove_theorem",
     "variables",
     "verify_certificate",
@@ -51,6 +53,7 @@ _MODULES = ("figures",)
 _ELSEWHERE = {
     **dict.fromkeys(("Bounce", "Guard", "Mode", "System"), "cap.system.model"),
     "Map": "cap.system.planar",
+    "prove_orbit": "cap.own",
     "variables": "cap.system.polynomial",
 }
 

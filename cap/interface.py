@@ -223,7 +223,7 @@ def proved(
 
     runner = asked.runner(tell, executor)
     certificate = theorems.accepted(stated, asked.setting(first, runner))
-    return _verified(writer.dumps(certificate).encode())
+    return verified(writer.dumps(certificate).encode())
 
 
 def verify_certificate(path: str | Path) -> Verified:
@@ -237,7 +237,7 @@ def verify_certificate(path: str | Path) -> Verified:
         data = content(found(str(path)))
     except (OSError, ValueError) as error:
         raise BadInput(unread(path, error)) from None
-    return _verified(data)
+    return verified(data)
 
 
 def exact_parameters(**parameters: Unpack[System]) -> Parameters:
@@ -254,7 +254,8 @@ def exact_parameters(**parameters: Unpack[System]) -> Parameters:
     return Parameters(*map(exact, values.values()))
 
 
-def _verified(data: bytes) -> Verified:
+def verified(data: bytes) -> Verified:
+    """Let the checker verify a certificate; raise `NotProved` with its reason if it rejects it."""
     steps: list[str] = []
     try:
         checked = check(data, steps.append)

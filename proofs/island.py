@@ -181,7 +181,7 @@ def _content(
     exact = interval.exact_decimal
     claims = {
         "map": "Phi" if place.centre.halves == 2 else "sigma",
-        **_state(setting, P),
+        **state(setting, P),
         "rotation_number": {"head": [*map(str, q.head)], "period": [*map(str, q.period)]},
         "diophantine": exact(gamma),
         "curve": words["curve"],
@@ -214,7 +214,7 @@ def loosened(found: Found) -> Found:
     return found._replace(distance=distance, slope=slope)
 
 
-def _state(setting: Setting, P: Box) -> dict[str, Pair]:
+def state(setting: Setting, P: Box) -> dict[str, Pair]:
     """Return the claims on P*."""
     p, pair, units = setting.parameters, setting.rounding.loosely, setting.units
     length, speed = (interval.ball(p.F / p.omega**k) for k in (2, 1))

@@ -97,7 +97,14 @@ class Theorem:
         return proof
 
 
-OWN = ("ball_curve", "contacts", "contacts_branch", "map_curve", "map_horseshoe")
+OWN = (
+    "ball_curve",
+    "contacts",
+    "contacts_branch",
+    "contact_horseshoe",
+    "map_curve",
+    "map_horseshoe",
+)
 """Theorems about a system of one's own: `cap.command.own`, reached by ``--model``; about a map, by
 ``--map``: `cap.command.own_curve`, `cap.command.own_horseshoe`; about a ball, by ``--ball``:
 `cap.command.own_ball`."""

@@ -21,7 +21,7 @@ RIGOROUS = (
 )
 STAIRS = ("cap.sets", "cap.flow", "cap.maps", "cap.release", "cap.proofs")
 COMMANDS = ("cap.command", "cap.prove", "cap.verify", "cap.explore", "cap.paper", "cap.audit")
-ABOVE = (*COMMANDS, "cap.interface", "cap.figures")
+ABOVE = (*COMMANDS, "cap.interface", "cap.figures", "cap.own")
 FLOATING = ("cap.floats", "cap.explore", "cap.paper", "cap.pictures")
 DOOR = "cap.floats.candidates"
 DOOR_OF_MODELS = "cap.floats.models.periodic"

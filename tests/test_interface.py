@@ -16,8 +16,10 @@ from cap.command.prover_parser import options_of, parser
 from cap.interface import _below, _outwards
 from cap.keywords import Options
 from cap.proofs import theorems
+from cap.system.files import read
 
 CERTIFICATES = Path(__file__).parent.parent / "certificates"
+BALL = Path(__file__).parent.parent / "examples/ball.py"
 
 
 @pytest.fixture(scope="module")
@@ -254,3 +256,28 @@ assert not [name for name in sys.modules if name.startswith(("cap.proofs", "cap.
     )
     assert done.stderr == ""
     assert done.stdout.startswith("VERIFIED: ")
+
+
+def test_an_orbit_of_an_own_system():
+    """Found, proved and verified; it shows itself, and its numbers are enclosures."""
+    proved = cap.prove_orbit(read(BALL, {"A": "13/10"}), digits=12)
+    assert proved.theorem == "contacts"
+    assert proved.claims["contacts"][0]["guard"] == "table"
+    (time,) = proved.claims["times"]
+    assert time.width < Fraction(1, 10**11)
+    assert "VERIFIED" in proved._repr_html_()
+
+
+@pytest.mark.parametrize(
+    ("more", "why"),
+    [
+        ({"periods": 0}, "periods"),
+        ({"digits": 1000}, "digits"),
+        ({"state": (0.0, 0.0)}, "infinitely many contacts"),
+        ({"state": (1.0, 0.0), "mode": "fall"}, "no mode 'fall'"),
+    ],
+)
+def test_no_orbit_of_an_own_system(more, why):
+    """A line says why."""
+    with pytest.raises(cap.BadInput, match=why):
+        cap.prove_orbit(read(BALL), **more)

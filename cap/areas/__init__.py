@@ -1,1 +1,1 @@
-"""The prover's side of `mixed` and `conservative`: what the checker then proves is found here."""
+"""The prover's side of `mixed`, `conservative` and `converse`: it finds what is then proved."""

@@ -1,6 +1,8 @@
 """Steps that are data: each line can fail, and what is written follows from them."""
 
+import tomllib
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -127,3 +129,18 @@ def test_what_makes_no_step_is_read(example):
     """Its strength says so."""
     verdict = decided(claim_of(example, evidence="The text."), fresh=True)
     assert verdict.strength is Strength.READ
+
+
+def test_claims_on_stops_rest_on_the_equation():
+    """With the friction in the other direction none of them is decided."""
+    path = Path(steps.__file__).parent / "papers/mixed_dynamics/claims/stops.toml"
+    data = tomllib.loads(path.read_text(encoding="utf-8"))
+    claims = [each for each in data["claim"] if "right" in each.get("steps", "")]
+    assert len(claims) >= 5
+    common = data["common"]
+    wrong = {**common, "steps": common["steps"].replace("force - f*s", "force + f*s")}
+    assert wrong != common
+    for each in claims:
+        steps.made(common, each)
+        with pytest.raises(NotProved):
+            steps.made(wrong, each)

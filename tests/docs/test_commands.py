@@ -8,7 +8,7 @@ import pytest
 
 from cap import prove, verify
 from cap.audit import command as audit
-from cap.command import archive, own, own_ball, own_curve, own_horseshoe, verifier
+from cap.command import archive, own, own_ball, own_branch, own_curve, own_horseshoe, verifier
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
@@ -35,11 +35,19 @@ def block(page, first):
     return [line.strip() for line in lines[start:end] if line.strip()]
 
 
-def own_command(given):
-    """Return the command about a map, a ball, or a system of one's own, if it is one."""
-    if "--map" in given:
-        return own_curve if "island" in given else own_horseshoe
-    return own_ball if "--ball" in given else own if "--model" in given else None
+def of_own(given):
+    """Read a command about a system, a map, or a ball, of one's own."""
+    if "--ball" in given or (given[0] == "island" and "--map" in given):
+        command = own_ball if "--ball" in given else own_curve
+        assert command.Asked.of(command.parser().parse_args(given)).rotation
+    elif given[0] == "horseshoe":
+        kind = own_horseshoe.MAP if "--map" in given else own_horseshoe.MODEL
+        asked = own_horseshoe.Asked.of(kind, own_horseshoe.parser(kind).parse_args(given))
+        assert kind.parameters(asked.given)["state"]
+    elif given[0] in own.BRANCH:
+        assert own_branch.parser().parse_args(given).parameter
+    else:
+        assert own.Asked.of(own.parser().parse_args(given)).system.modes
 
 
 @pytest.mark.parametrize(("module", "words"), sorted(set(ALL)))
@@ -52,9 +60,8 @@ def test_a_command(module, words, monkeypatch):
             with pytest.raises(SystemExit, match="0"):
                 read(given)
             return
-        command = own_command(given)
-        if command:
-            assert command.Asked.of(command.parser().parse_args(given))
+        if {"--map", "--model", "--ball"} & {*given}:
+            of_own(given)
             return
         options = read(given)
         if options.theorem in NAMES:

@@ -15,6 +15,7 @@ from cap.explore.play.controls import LIMITS, Controls, _decimal
 from cap.explore.play.page import Page
 from cap.explore.play.prover import News, Proof
 from cap.explore.play.sea import GREY, Sea
+from cap.explore.play.worlds import Oscillator
 from cap.parameters import PAPER
 
 STORED = Path(__file__).parents[2] / "certificates"
@@ -23,7 +24,7 @@ STORED = Path(__file__).parents[2] / "certificates"
 @pytest.fixture(scope="module")
 def page():
     """Return the page of a tab, in a document."""
-    page = Page(PAPER)
+    page = Page(Oscillator(PAPER))
     page.show(Document())
     return page
 

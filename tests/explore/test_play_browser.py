@@ -40,9 +40,9 @@ ALL = """
 MODEL = "const m = Bokeh.documents[0].get_model_by_name(arguments[0]); return "
 
 
-def serving():
+def serving(*more):
     """Begin to serve the page; return the process and its address."""
-    words = [sys.executable, "-m", "cap.explore", "play", "--no-browser"]
+    words = [sys.executable, "-m", "cap.explore", "play", "--no-browser", *more]
     process = subprocess.Popen(words, stdout=subprocess.PIPE, text=True)
     return process, process.stdout.readline().split()[3]
 
@@ -261,6 +261,30 @@ def test_it_ends_with_the_server(browser):
     (number,) = until(lambda: proofs_of(process))
     assert ended(process) == 130
     until(lambda: not Path(f"/proc/{number}/cmdline").exists())
+
+
+def test_a_model(browser):
+    """The page of a system of one's own: its portrait, a slider, a click, a proof, a refusal."""
+    process, address = serving("--model", str(Path(__file__).parents[2] / "examples/ball.py"))
+    opened(browser, address)
+    until(lambda: painted(browser))
+    assert "1 table per T" in model(browser, "ends", "text")
+    typed(browser, 0, "13/10")
+    until(lambda: model(browser, "A-slider", "value") == pytest.approx(1.3))
+    until(lambda: "A = 13/10" in model(browser, "events", "text"))
+    first = model(browser, "events", "text")
+    clicked_on_the_portrait(browser, 60, -40)
+    until(lambda: model(browser, "events", "text") != first)
+    button(browser, "prove this").click()
+    assert "VERIFIED" in theorem(browser)
+    link = next(a for a in found(browser, "a[download]"))
+    data = base64.b64decode(link.get_attribute("href").partition(",")[2])
+    checked = check(data, [].append)
+    assert checked.theorem == "contacts"
+    assert "13/10" in data.decode()
+    typed(browser, 1, "3/2")
+    until(lambda: "restitution" in model(browser, "wrong", "text"))
+    assert ended(process) == 130
 
 
 @pytest.mark.parametrize(

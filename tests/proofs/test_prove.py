@@ -46,16 +46,28 @@ LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persis
 LONG |= {
     "ball_curve",
     "horseshoe-1",
+    "converse",
     "island",
     "island-2",
     "islands",
     "map_curve",
+    "contact_horseshoe-1",
+    "contact_horseshoe-2",
     "map_horseshoe-1",
     "map_horseshoe-2",
 }  # and what they find depends on rounding in floats
 
 # seconds each, and with tests of their own, too, or one more of a theorem
-SLOW = {"attractor", "branch", "branch-2", "effective_stability", "elliptic-2", "horseshoe-2"}
+SLOW = {
+    "attractor",
+    "branch",
+    "branch-2",
+    "contacts-2",
+    "contacts-3",
+    "effective_stability",
+    "elliptic-2",
+    "horseshoe-2",
+}
 SLOW |= {
     "inventory",
     "particles-2",

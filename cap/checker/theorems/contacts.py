@@ -112,7 +112,7 @@ class Contacts(Theorem):
               Maybe({"matrix": Many(Many(number, 1, STATES + 1), 1, STATES + 1),
                      "contraction": number}), "", "",
               "W, by rows, and kappa < 1: with z = (t, q) before the first contact (without a "
-              "clock: q) and z* that of the orbit, |W (z - z*)| becomes less than kappa times "
+              "clock: q) and z* that of the orbit, |W (z - z*)| becomes at most kappa times "
               "that in a round, if it was at most 1"),
     )
     CITES = (

@@ -50,7 +50,9 @@ from cap.checker.kernel.shapes import (
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.system.walls import SYSTEM, BetweenWalls
 from cap.checker.tori import between, rotation, told
-from cap.checker.tori.half_period import Hit, Motion, Passage, States, cells
+from cap.checker.tori.centre import HINTS as CENTRE
+from cap.checker.tori.centre import fixed_point
+from cap.checker.tori.half_period import Hit, Motion, Passage, cells
 from cap.checker.tori.invariant_curve import Near, Setting, Shift, Vector, beside, norm
 from cap.checker.tori.written import COARSE, QUOTIENTS, function
 
@@ -58,7 +60,7 @@ MAX_DEGREE = 4096
 MAX_WORK = 4096 * 100  # degree times places
 PER_SECOND = 16_000  # digits of functions, for half a period
 ROUGH = 96  # bits, for boxes
-MATRIX, PAIR = [[number] * 2] * 2, [number] * 2
+MATRIX = [[number] * 2] * 2
 
 
 class Island(BetweenWalls):
@@ -74,9 +76,7 @@ class Island(BetweenWalls):
               "10^-20"),
         Field("hits", Many({"time": text, "inverse": text}, 1, 2), "", "", "times of hits along "
               "K; inverse speeds there, in units 10^-20"),
-        Field("middle", PAIR, "", "", "a point near P*"),
-        Field("radius", number, "", "", "P* is within it, in x and in v"),
-        Field("preconditioner", MATRIX, "", "C", "near (DG(P*) - 1)^-1"),
+        *CENTRE,
         Field("axes", MATRIX, "", "M", "U = middle + M [-h, h]^2"),
         Field("half", number, "", "h", "half the width of U"),
         Field("cells", Whole(1, 256), "", "", "U is covered by cells^2 parallelograms"),
@@ -210,39 +210,14 @@ class Island(BetweenWalls):
         return hull(before), hull(after)
 
     def centre(self) -> tuple[Interval, Interval]:
-        """Prove that there is a fixed point in a rectangle, by Krawczyk's inclusion; compare it."""
-        hints, motion = self.hints, Motion(*self.laws, self.circle.bits)
-        exact = self.number_at
-        r, zero = hints["radius"], exact(Fraction(0))
-        need(r > 0, "the radius is not positive")
-        m = [exact(q) for q in hints["middle"]]
-        z = States(m[0], m[1], ((exact(r), zero), (zero, exact(r))))
-        for _ in range(self.half_periods):
-            z = motion.after(z)
-        found = []
-        for i, row in enumerate(hints["preconditioner"]):
-            c, d = map(exact, row)
-            K = m[i] - c * (z.x - m[0]) - d * (z.v - m[1])
-            for j in (0, 1):  # (1 - C (DG - 1)) r, column by column
-                entry = self.column(z, exact(r), j)
-                change = c * entry[0] + d * entry[1]
-                left = (exact(r) if i == j else zero) - change
-                reach = left.magnitude().hi
-                K = Interval(K.lo - reach, K.hi + reach, K.bits)
-            middle = hints["middle"][i]
-            need(K.lies_inside(middle - r, middle + r), "K does not lie inside its box")
-            found.append(K)
+        """Prove that there is a fixed point in a rectangle, and compare it."""
+        found = fixed_point(Motion(*self.laws, self.circle.bits), self.half_periods, self.hints)
         length, speed = (self.number_at(self.p.F / self.p.omega**k) for k in (2, 1))
         base = self.number_at((self.p.l + self.p.r) / 2)
-        self.confirm(x=base + found[0] * length, v=found[1] * speed)
+        self.confirm(x=base + found.x * length, v=found.v * speed)
         self.step("P* is a fixed point, at the place claimed")
-        self.trace = (z.B[0][0] + z.B[1][1]) / exact(r)
-        return found[0], found[1]
-
-    def column(self, z: States, r: Interval, j: int) -> tuple[Interval, Interval]:
-        """Return a column of (DG - 1) r."""
-        first, second = z.B[0][j], z.B[1][j]
-        return (first - r, second) if j == 0 else (first, second - r)
+        self.trace = found.trace
+        return found.x, found.v
 
     def number_at(self, q: Fraction) -> Interval:
         """Return a number at the precision of coefficients."""

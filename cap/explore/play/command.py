@@ -7,14 +7,14 @@ from typing import Any
 from cap.command import entry
 from cap.errors import BadInput
 from cap.option import integer
-from cap.parameters import Parameters
 
 NAME = "play"
 SUMMARY = "a page in the browser: portrait, orbits, and the prover beside them"
 MORE = """
 Sliders for all parameters; a click on the portrait shows the orbit of that state, its
-events and the mass; `prove this` proves a theorem in a process of its own.  The page is
-served from this machine to itself alone, until ctrl-C.  It needs the library Bokeh:
+events and the mass; `prove this` proves a theorem in a process of its own.  With --model
+it is about a system of your own, of two variables and with a clock.  The page is served
+from this machine to itself alone, until ctrl-C.  It needs the library Bokeh:
   pip install 'cap-impact-friction[play]'
 """
 
@@ -36,17 +36,18 @@ def add(
     parameters(p)
 
 
-def run(options: argparse.Namespace, p: Parameters) -> int:
+def run(options: argparse.Namespace, about: Any) -> int:
     """Serve the page until an interrupt."""
     port = integer(options.port, "port", (0, 65535))
     with entry.loading():
         try:
             from cap.explore.play.server import play  # noqa: PLC0415 (Bokeh is an extra)
+            from cap.explore.play.worlds import world  # noqa: PLC0415
         except ModuleNotFoundError as error:
             if str(error.name).partition(".")[0] != "bokeh":
                 raise
             raise BadInput(
                 "the page needs Bokeh: pip install 'cap-impact-friction[play]'"
             ) from None
-    play(p, port, opens=not options.no_browser, say=lambda line: print(line, flush=True))
+    play(world(about), port, opens=not options.no_browser, say=lambda line: print(line, flush=True))
     return 0

@@ -4,7 +4,7 @@ The text is what counts; a slider writes into it.  Both have the same limits: at
 within them the portrait can be followed.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -12,7 +12,9 @@ from bokeh.layouts import column, row
 from bokeh.models import Slider, TextInput, UIElement
 
 from cap.errors import BadInput
+from cap.floats.models.subject import Subject
 from cap.parameters import Parameters, exact
+from cap.system.files import load
 
 STEP = Fraction(1, 1000)
 LIMITS = {  # of each parameter, and how it is called
@@ -29,10 +31,17 @@ LIMITS = {  # of each parameter, and how it is called
 class Control:
     """One parameter: a slider in steps of 1/1000, and a text, which may be any exact number."""
 
-    def __init__(self, name: str, value: Fraction, changed: Callable[[], None]) -> None:
-        low, high, title = LIMITS[name]
+    def __init__(
+        self,
+        name: str,
+        value: Fraction,
+        limits: tuple[Fraction, Fraction],
+        title: str,
+        changed: Callable[[], None],
+    ) -> None:
+        low, high = limits
         self.name, self._changed, self._quiet = name, changed, False
-        self.limits = Fraction(low), Fraction(high)
+        self.limits = limits
         self.text = TextInput(value=str(value), title="exactly", width=90, name=f"{name}-text")
         self.slider = Slider(
             start=float(low),
@@ -86,11 +95,14 @@ def _decimal(value: float) -> str:
 
 
 class Controls:
-    """All parameters.  ``changed`` is called when one has changed."""
+    """All parameters of the oscillator.  ``changed`` is called when one has changed."""
 
     def __init__(self, p: Parameters, changed: Callable[[], None]) -> None:
         given = {name: Fraction(q) for name, q in p.strings().items()}
-        self._each = [Control(name, given[name], changed) for name in LIMITS]
+        self._each = [
+            Control(name, given[name], (Fraction(low), Fraction(high)), title, changed)
+            for name, (low, high, title) in LIMITS.items()
+        ]
 
     def read(self) -> Parameters:
         """Return the parameters; raise `BadInput` if they are none of an oscillator."""
@@ -98,4 +110,37 @@ class Controls:
 
     def shown(self) -> UIElement:
         """Return what is shown of them."""
-        return column([row([control.slider, control.text]) for control in self._each])
+        return listed(self._each)
+
+
+class OwnControls:
+    """All parameters of a model: from 0 to three times the value at first, or around 0."""
+
+    def __init__(self, subject: Subject, changed: Callable[[], None]) -> None:
+        self._path, self._last = subject.loaded.path, subject
+        self._each = [
+            Control(name, value, _around(value), name, changed)
+            for name, value in subject.loaded.values.items()
+        ]
+
+    def read(self) -> Subject:
+        """Return the model at the parameters; raise `BadInput` if it has no system there."""
+        values = {control.name: control.read() for control in self._each}
+        if values != dict(self._last.loaded.values):
+            self._last = Subject(load(self._path, values))
+        return self._last
+
+    def shown(self) -> UIElement:
+        """Return what is shown of them."""
+        return listed(self._each)
+
+
+def listed(controls: Sequence[Control]) -> UIElement:
+    """Return sliders with their texts, below each other."""
+    return column([row([control.slider, control.text]) for control in controls])
+
+
+def _around(value: Fraction) -> tuple[Fraction, Fraction]:
+    """Return the limits of a parameter of which only a value is known."""
+    far = 3 * abs(value) or Fraction(1)
+    return (Fraction(0), far) if value > 0 else (-far, far)

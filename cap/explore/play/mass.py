@@ -1,5 +1,6 @@
 """The orbit of a state: the mass between its walls, its position in time, and its events."""
 
+from abc import abstractmethod
 from typing import Any
 
 import numpy as np
@@ -25,15 +26,34 @@ MARKS = {
 NO_EVENTS: dict[str, list[float]] = {"t": [], "x": []}
 
 
-class Mass:
-    """The panel of one orbit."""
+class Moving:
+    """The panel of one orbit, on which something moves on with the time."""
 
     def __init__(self) -> None:
-        self._orbit: Trajectory | None = None
         self._phase = 0.0
         self.moves = Toggle(label="the mass moves", active=True, width=140, name="moves")
         self.told = PreText(text="", name="events")
         self.told.styles = {"max-height": "220px", "overflow": "auto", "font-size": "11px"}
+
+    @abstractmethod
+    def show(self, p: Any, state: State) -> None:
+        """Show the orbit of a state."""
+
+    @abstractmethod
+    def move(self, seconds: float) -> None:
+        """Let it move on, by so much of the time of the one who looks."""
+
+    @abstractmethod
+    def shown(self) -> UIElement:
+        """Return what is shown of it."""
+
+
+class Mass(Moving):
+    """The panel of one orbit."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._orbit: Trajectory | None = None
         self._line = ColumnDataSource({"t": [], "x": []})
         self._now = ColumnDataSource({"t": [0.0], "x": [0.0], "y": [0.0]}, name="mass")
         self._events = {kind: ColumnDataSource(dict(NO_EVENTS)) for kind in MARKS}

@@ -1,43 +1,75 @@
 """The page of one tab: its parameters, its portrait, its orbit, its proof.
 
+What it is about, the oscillator or a model, is a `World`: it makes the parts of the page.
+
 Nothing that comes from the browser is run: numbers are read exactly, choices are looked up.
 """
 
 import html
 import time
-from typing import Any
+from collections.abc import Callable
+from typing import Any, Protocol
 
 from bokeh.document import Document
 from bokeh.events import PlotEvent, RangesUpdate, Tap
 from bokeh.layouts import column, row
-from bokeh.models import ColumnDataSource, Div, LinearColorMapper
+from bokeh.models import ColumnDataSource, Div, LinearColorMapper, UIElement
 from bokeh.plotting import figure
 
 from cap.errors import BadInput
-from cap.explore.play.controls import Controls
-from cap.explore.play.mass import Mass
-from cap.explore.play.sea import PALETTE, Sea
-from cap.explore.play.theorem import Theorem
+from cap.explore.play.mass import Moving
+from cap.explore.play.sea import PALETTE, Raster
+from cap.explore.play.theorem import WRAPS, Panel
 from cap.floats.diagnostics.grid import Box
 from cap.floats.findings import State
-from cap.parameters import Parameters
 from cap.pictures.style import RED
 
 FILLS, MOVES, TELLS = 150, 50, 100  # milliseconds
-HEAD = """<b>A mass between two walls</b>, x'' = F cos(ωt) - f sgn(x') - μx', v → -ev at l and r.
-The portrait and the orbits are floats, from which nothing is proved; what is proved says so."""
+FLOATS = (
+    "The portrait and the orbits are floats, from which nothing is proved; what is proved says so."
+)
+
+
+class Controlled(Protocol):
+    """The parameters on the page."""
+
+    def read(self) -> Any:
+        """Return what the portrait, orbits and proofs are about; raise `BadInput`."""
+
+    def shown(self) -> UIElement:
+        """Return what is shown of them."""
+
+
+class World(Protocol):
+    """What a page is about: it makes its parts.  ``begin`` is what is explored at first."""
+
+    head: str
+    labels: tuple[str, str]
+    begin: Any
+
+    def controls(self, changed: Callable[[], None]) -> Controlled:
+        """Return the parameters."""
+
+    def sea(self, p: Any, box: Box | None = None) -> Raster:
+        """Return the portrait."""
+
+    def orbit(self) -> Moving:
+        """Return the panel of one orbit."""
+
+    def theorem(self, ask: Callable[[], tuple[Any, State | None]]) -> Panel:
+        """Return the panel of proofs."""
 
 
 class Page:
     """What one tab shows, and what it does."""
 
-    def __init__(self, p: Parameters) -> None:
-        self.p, self.state = p, None
-        self.sea = Sea(p)
+    def __init__(self, world: World) -> None:
+        self.world, self.p, self.state = world, world.begin, None
+        self.sea = world.sea(self.p)
         self._changed = False
         self._box: Box | None = None
-        self.controls = Controls(p, self._noted)
-        self.mass, self.theorem = Mass(), Theorem(self._asked)
+        self.controls = world.controls(self._noted)
+        self.mass, self.theorem = world.orbit(), world.theorem(self._asked)
         self.wrong = Div(text="", styles={"color": RED}, name="wrong", width=310)
         self.ends = Div(text="", width=480, styles={"font-size": "11px"}, name="ends")
         self._image = ColumnDataSource({"image": [], "x": [], "y": [], "dw": [], "dh": []})
@@ -50,10 +82,10 @@ class Page:
 
     def show(self, document: Document) -> None:
         """Put the page into a document, and let it live."""
-        head = Div(text=HEAD, width=800)
+        head = Div(text=f"{self.world.head}<br>{FLOATS}", styles={"max-width": "800px"})
         left = column([self.controls.shown(), self.wrong])
         middle = column([self.portrait, self.ends])
-        above = row([left, middle, self.mass.shown()])
+        above = row([left, middle, self.mass.shown()], styles=WRAPS)  # below each other on a phone
         document.add_root(column([head, above, self.theorem.shown()]))
         document.title = "cap: play"
         document.add_periodic_callback(self._fill, FILLS)
@@ -64,7 +96,7 @@ class Page:
         """End what runs for it."""
         self.theorem.close()
 
-    def _asked(self) -> tuple[Parameters, State | None]:
+    def _asked(self) -> tuple[Any, State | None]:
         """Return what a proof is about."""
         return self.controls.read(), self.state
 
@@ -77,7 +109,7 @@ class Page:
         self._changed = False
         try:
             p = self.controls.read()
-            sea = Sea(p, self._box)
+            sea = self.world.sea(p, self._box)
         except BadInput as error:
             self.wrong.text = html.escape(str(error))
             return
@@ -153,8 +185,8 @@ class Page:
             height=460,
             x_range=(left, right),
             y_range=(low, high),
-            x_axis_label="position x  [length]",
-            y_axis_label="velocity x'  [length / time]  at t = 0 mod T",
+            x_axis_label=self.world.labels[0],
+            y_axis_label=self.world.labels[1],
             tools="box_zoom,wheel_zoom,pan,reset,save,tap",
             title="Portrait: click on a state; zoom in",
             name="portrait",

@@ -7,7 +7,7 @@ import multiprocessing
 import os
 import signal
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from multiprocessing.connection import Connection
 from threading import Thread
@@ -20,6 +20,10 @@ PATIENCE = 1.0  # seconds that a process has to end
 SELDOM = 0.1  # seconds between two words of progress
 
 
+Tell = Callable[[str], None]
+Prove = Callable[[str, dict[str, Any], Tell], Any]  # returns a `cap.Verified`
+
+
 class News(NamedTuple):
     """What a proof tells: ``kind`` is progress, proved, not proved, bad input or failed."""
 
@@ -30,12 +34,18 @@ class News(NamedTuple):
 
 
 class Proof:
-    """The proof of a theorem, which begins at once; ``options`` are those of `prove_theorem`."""
+    """The proof of a theorem, which begins at once.
 
-    def __init__(self, theorem: str, options: Mapping[str, Any]) -> None:
+    ``options`` are those of `prove_theorem`; with ``prove`` those of that function, of a module.
+    """
+
+    def __init__(
+        self, theorem: str, options: Mapping[str, Any], prove: Prove | None = None
+    ) -> None:
         context = multiprocessing.get_context("spawn")
         self._news, theirs = context.Pipe(duplex=False)
-        self._process = context.Process(target=_prove, args=(theirs, theorem, dict(options)))
+        asked = theorem, dict(options), prove or _of_oscillator
+        self._process = context.Process(target=_prove, args=(theirs, *asked))
         self._process.start()
         theirs.close()
 
@@ -69,21 +79,25 @@ class Proof:
         self._process.terminate() if number == "SIGTERM" else self._process.kill()
 
 
-def _prove(pipe: Connection, theorem: str, options: dict[str, Any]) -> None:
+def _prove(pipe: Connection, theorem: str, options: dict[str, Any], prove: Prove) -> None:
     """Prove a theorem, and tell it: what runs in the process."""
     as_worker()
     if hasattr(os, "setsid"):
         os.setsid()
     Thread(target=_with_the_parent, daemon=True).start()
     with suppress(BrokenPipeError):
-        pipe.send(_outcome(theorem, options, _Teller(pipe)))
+        pipe.send(_outcome(theorem, options, prove, _Teller(pipe)))
 
 
-def _outcome(theorem: str, options: dict[str, Any], teller: "_Teller") -> News:
+def _of_oscillator(theorem: str, options: dict[str, Any], tell: Tell) -> Any:
     from cap import interface  # noqa: PLC0415 (slow to load: in this process alone)
 
+    return interface.proved(theorem, options, tell)
+
+
+def _outcome(theorem: str, options: dict[str, Any], prove: Prove, teller: "_Teller") -> News:
     try:
-        proved = interface.proved(theorem, options, teller.tell)
+        proved = prove(theorem, options, teller.tell)
     except BadInput as error:
         return News("bad input", str(error))
     except NotProved as failure:

@@ -4,6 +4,7 @@ A point of the raster has the colour of the last orbit that came by.  The orbits
 part that is looked at, and near the elliptic orbit, if one is found.
 """
 
+from abc import abstractmethod
 from collections.abc import Iterator
 
 import numpy as np
@@ -32,16 +33,16 @@ FIRST_END = 2 + len(ORBITS)
 GOLDEN = 2.399963229728653
 
 
-class Sea:
-    """The portrait at some parameters, seen in a box (default: where the orbits go)."""
+class Raster:
+    """Pixels of a box, in the colours of the orbits that came by last.
 
-    def __init__(self, p: Parameters, box: Box | None = None) -> None:
-        self.p, self.centre = p, elliptic_point(p)
-        self.states = _seeds(p, box or whole(p), self.centre)
-        settled = settle(p, self.states, TRANSIENT, SETTLED)
-        label, self.ends = sort(p, [settled])
-        self.colours = _coloured(label, self.ends)
-        self.box = box or _visited(p, settled.states)
+    ``box``: what is looked at; ``colours`` (N,): those of the orbits.
+    """
+
+    box: Box
+    colours: NDArray[np.uint8]
+
+    def __init__(self) -> None:
         self.raster = np.zeros((SIDE, SIDE), dtype=np.uint8)
         self.done = 0
 
@@ -52,10 +53,55 @@ class Sea:
 
     def fill(self) -> None:
         """Follow all orbits a little further."""
-        found = swarm.follow(self.p, self.states, STEP, every=True).states
-        self._mark(found[:, 1:])
-        self.states = found[:, -1]
+        self._mark(self._followed())
         self.done += STEP
+
+    @abstractmethod
+    def _followed(self) -> Floats:
+        """Return the next states (N, K, 2) of all orbits."""
+
+    @abstractmethod
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Give a colour and words for each end that orbits have."""
+
+    @property
+    @abstractmethod
+    def first(self) -> State:
+        """The state whose orbit is shown first."""
+
+    @abstractmethod
+    def marks(self) -> tuple[list[float], list[float], list[str]]:
+        """Return the states of the cycles that attract, and their colours."""
+
+    def _mark(self, states: Floats) -> None:
+        """Colour the pixels of states (N, K, 2); what is outside the box is left out."""
+        left, right, low, high = self.box
+        colour = np.broadcast_to(self.colours[:, None], states.shape[:2])
+        with np.errstate(invalid="ignore"):
+            a = (states[..., 0] - left) / (right - left) * SIDE
+            b = (states[..., 1] - low) / (high - low) * SIDE
+            inside = (a >= 0) & (a <= SIDE) & (b >= 0) & (b <= SIDE)
+        i, j = (np.minimum(z[inside].astype(int), SIDE - 1) for z in (b, a))
+        self.raster[i, j] = colour[inside]
+
+
+class Sea(Raster):
+    """The portrait at some parameters, seen in a box (default: where the orbits go)."""
+
+    def __init__(self, p: Parameters, box: Box | None = None) -> None:
+        super().__init__()
+        self.p, self.centre = p, elliptic_point(p)
+        self.states = _seeds(p, box or whole(p), self.centre)
+        settled = settle(p, self.states, TRANSIENT, SETTLED)
+        label, self.ends = sort(p, [settled])
+        self.colours = _coloured(label, self.ends)
+        self.box = box or _visited(p, settled.states)
+
+    def _followed(self) -> Floats:
+        """Return the next states (N, K, 2) of all orbits."""
+        found = swarm.follow(self.p, self.states, STEP, every=True).states
+        self.states = found[:, -1]
+        return found[:, 1:]
 
     def lines(self) -> Iterator[tuple[str, str]]:
         """Give a colour and words for each end that orbits have."""
@@ -82,17 +128,6 @@ class Sea:
                     v.append(state[1])
                     colour.append(PALETTE[_colour_of_end(end, k)])
         return x, v, colour
-
-    def _mark(self, states: Floats) -> None:
-        """Colour the pixels of states (N, K, 2); what is outside the box is left out."""
-        left, right, low, high = self.box
-        colour = np.broadcast_to(self.colours[:, None], states.shape[:2])
-        with np.errstate(invalid="ignore"):
-            a = (states[..., 0] - left) / (right - left) * SIDE
-            b = (states[..., 1] - low) / (high - low) * SIDE
-            inside = (a >= 0) & (a <= SIDE) & (b >= 0) & (b <= SIDE)
-        i, j = (np.minimum(z[inside].astype(int), SIDE - 1) for z in (b, a))
-        self.raster[i, j] = colour[inside]
 
 
 def _seeds(p: Parameters, box: Box, centre: State | None) -> Floats:

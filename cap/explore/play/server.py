@@ -14,22 +14,20 @@ from bokeh.document import Document
 from bokeh.server.server import Server
 
 from cap.errors import BadInput
-from cap.explore.play.page import Page
-from cap.floats.engine import swarm
-from cap.parameters import Parameters
+from cap.explore.play.page import Page, World
 
 HERE = "127.0.0.1"
 LEFT, LOOKS = 1000, 500  # milliseconds: after a tab has closed, and between two looks
 
 
-def play(p: Parameters, port: int, *, opens: bool, say: Callable[[str], None]) -> None:
+def play(world: World, port: int, *, opens: bool, say: Callable[[str], None]) -> None:
     """Serve the page until interrupted; port 0 is any that is free.
 
     Raises `BadInput` if the port is taken.
     """
-    swarm.follow(p, [[float(p.l + p.r) / 2, 0.0]], 1)  # compiled, if it was not
+    world.sea(world.begin)  # compiled, if it was not; what cannot be followed is told at once
     pages: set[Page] = set()
-    server = _server(p, port, pages)
+    server = _server(world, port, pages)
     url = f"http://{HERE}:{server.port}/"
     say(f"the page is {url}  (ctrl-C ends it)")
     if opens:
@@ -42,9 +40,9 @@ def play(p: Parameters, port: int, *, opens: bool, say: Callable[[str], None]) -
         server.stop(wait=False)
 
 
-def _server(p: Parameters, port: int, pages: set[Page]) -> Server:
+def _server(world: World, port: int, pages: set[Page]) -> Server:
     def begin(document: Document) -> None:
-        page = Page(p)
+        page = Page(world)
         pages.add(page)
         page.show(document)
 

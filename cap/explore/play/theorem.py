@@ -2,6 +2,7 @@
 
 import base64
 import html
+from abc import abstractmethod
 from collections.abc import Callable
 from typing import Any
 
@@ -10,7 +11,7 @@ from bokeh.models import Button, Checkbox, Div, Select, TextInput, UIElement
 
 from cap.checker.theorems import load
 from cap.errors import BadInput
-from cap.explore.play.prover import News, Proof
+from cap.explore.play.prover import News, Proof, Prove
 from cap.floats.findings import State
 from cap.parameters import Parameters
 from cap.proofs.theorems import THEOREMS
@@ -24,26 +25,32 @@ TITLES = {
     "failed": "The prover failed",
 }
 
-Ask = Callable[[], tuple[Parameters, State | None]]
+WRAPS = {"flex-wrap": "wrap"}  # what does not fit beside stands below
+Ask = Callable[[], tuple[Any, State | None]]
 
 
-class Theorem:
-    """The panel of proofs, one at a time.  ``ask`` gives the parameters, and the state clicked."""
+class Panel:
+    """The panel of proofs, one at a time.  ``ask`` gives what they are about, and a state clicked.
 
-    def __init__(self, ask: Ask) -> None:
+    ``names`` are the theorems, with a word on each; ``example`` of more options.
+    """
+
+    prove_with: Prove | None = None
+
+    def __init__(self, ask: Ask, names: list[tuple[str, str]], example: str) -> None:
         self._ask, self._proof = ask, None
-        names = [(n, f"{n}: {t.summary}") for n, t in THEOREMS.items() if t.group not in NOT_HERE]
-        self.choice = Select(title="Theorem", value="elliptic", options=names, width=480)
+        first = "elliptic" if "elliptic" in dict(names) else names[0][0]
+        self.choice = Select(title="Theorem", value=first, options=names, width=480)
         self.from_click = Checkbox(label="about the orbit near the state clicked", active=False)
         self.more = TextInput(
-            title="more options, as on the command line: digits=40 period=3",
+            title=f"more options, as on the command line: {example}",
             width=480,
             name="more",
         )
         self.begin = Button(label="prove this", button_type="primary", width=120, name="prove")
         self.end = Button(label="stop", width=80, disabled=True, name="stop")
         self.progress = Div(text="", width=260, name="progress")
-        self.result = Div(text="", width=860, name="theorem")
+        self.result = Div(text="", name="theorem", styles={"max-width": "860px"})
         self.begin.on_click(self.prove)
         self.end.on_click(self.stop)
 
@@ -57,7 +64,7 @@ class Theorem:
         except BadInput as error:
             self._finish(News("bad input", str(error)))
             return
-        self._proof = Proof(str(self.choice.value), options)
+        self._proof = Proof(str(self.choice.value), options, self.prove_with)
         self.begin.disabled, self.end.disabled = True, False
         self.result.text, self.progress.text = "", "the prover begins ..."
 
@@ -86,14 +93,12 @@ class Theorem:
         """Return what is shown of it."""
         buttons = row([self.begin, self.end, self.progress])
         asked = column([self.choice, self.from_click, self.more, buttons])
-        return row([asked, self.result])
+        return row([asked, self.result], styles=WRAPS)
 
     def _options(self) -> dict[str, Any]:
         """Return the options of the proof; raise `BadInput` for what may not be asked from here."""
         p, state = self._ask()
-        options: dict[str, Any] = dict(p.strings())
-        if "f" not in load(str(self.choice.value)).PARAMETERS:
-            del options["f"]
+        options = self._about(p)
         if self.from_click.active:
             if state is None:
                 raise BadInput("no state has been clicked on")
@@ -104,6 +109,10 @@ class Theorem:
                 raise BadInput(f"write an option as name=value, none of those above: {word!r}")
             options[name] = value
         return options
+
+    @abstractmethod
+    def _about(self, p: Any) -> dict[str, Any]:
+        """Return the options that say what is explored."""
 
     def _finish(self, news: News) -> None:
         """Show how a proof has ended."""
@@ -118,6 +127,21 @@ class Theorem:
     def _idle(self, words: str) -> None:
         self.begin.disabled, self.end.disabled = False, True
         self.progress.text = words
+
+
+class Theorem(Panel):
+    """The panel of proofs about the oscillator."""
+
+    def __init__(self, ask: Ask) -> None:
+        names = [(n, f"{n}: {t.summary}") for n, t in THEOREMS.items() if t.group not in NOT_HERE]
+        super().__init__(ask, names, "digits=40 period=3")
+
+    def _about(self, p: Parameters) -> dict[str, Any]:
+        """Return the parameters, but those that the theorem varies."""
+        options: dict[str, Any] = dict(p.strings())
+        if "f" not in load(str(self.choice.value)).PARAMETERS:
+            del options["f"]
+        return options
 
 
 def _download(news: News) -> str:

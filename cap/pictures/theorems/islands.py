@@ -11,8 +11,10 @@ from matplotlib.figure import Figure
 from cap.checker.strips.columns import UNIT, columns, lines
 from cap.checker.strips.overlap import Gap, gaps, mirrored
 from cap.checker.theorems.conservative import Conservative
+from cap.checker.theorems.converse import Converse
 from cap.checker.theorems.inventory import Inventory
 from cap.checker.theorems.island import Island
+from cap.checker.tori.rings import offsets
 from cap.checker.tori.written import coefficients
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
@@ -68,6 +70,36 @@ def island(theorem: Island, figure: Figure) -> None:
     heading(
         figure, theorem, f"An island: rotation number $[0; {told}, \\ldots]$ of {claims['map']}"
     )
+
+
+def converse(theorem: Converse, figure: Figure) -> None:
+    """Draw the polygons, and orbits in floats around their center."""
+    claims, p = theorem.claims, system(theorem)
+    scale = np.array([float(p.F / p.omega**2), float(p.F / p.omega)])
+    centre = np.array([middle(claims["x"]), middle(claims["v"])])
+    rings = [centre + 1e-9 * scale * np.array(offsets(words)) for words in claims["rings"]]
+    axes = figure.subplots()
+    out = rings[0][:, 0].max() - centre[0]
+    starts = [(centre[0] + out * (k + 1) / RINGS, centre[1]) for k in range(RINGS)]
+    found = swarm.follow(p, starts, PERIODS, every=True)
+    stopped = found.turned | found.stuck | found.captured
+    for path, stops in zip(found.states, stopped, strict=True):
+        axes.plot(*path.T, ".", ms=1, mew=0, color=ORANGE if stops else GREY, zorder=1)
+    axes.plot([], [], ".", ms=4, color=GREY, label="orbits once a period (floats)")
+    axes.plot([], [], ".", ms=4, color=ORANGE, label="orbits that stop (floats)")
+    for n, ring in enumerate(rings):
+        last = n + 1 == len(rings)
+        label = "no connected set of states around P* whose motions never stop meets these (proved)"
+        look: dict[str, Any] = {"lw": 1.2 if last else 0.7, "label": label if last else None}
+        axes.plot(*np.append(ring, ring[:1], axis=0).T, color=RED, zorder=2, **look)
+    point(axes, claims)
+    low, high = rings[0].min(axis=0), rings[0].max(axis=0)
+    rim = 0.1 * (high - low)
+    axes.set(xlim=(low[0] - rim[0], high[0] + rim[0]), ylim=(low[1] - rim[1], high[1] + rim[1]))
+    plane(axes)
+    figure.legend(loc="outside lower center")
+    area = f"{float(claims['area']):g}"
+    heading(figure, theorem, f"No invariant disk around $P^*$ without stops is larger than {area}")
 
 
 def _curve(theorem: Island, name: str, unit: float) -> Floats:
