@@ -27,7 +27,7 @@ PER_SECOND = 8_000  # digits of functions
 NAMES = ("A", "omega", "g")
 
 
-class Parameters(NamedTuple):
+class Table(NamedTuple):
     """The exact parameters."""
 
     A: Fraction
@@ -57,9 +57,9 @@ class BallCurve(AroundCylinder):
     # fmt: on
 
     @classmethod
-    def parameters(cls, given: dict[str, Any]) -> Parameters:
+    def parameters(cls, given: dict[str, Any]) -> Table:
         """Return the parameters; those of no such ball reject."""
-        p = Parameters(**given)
+        p = Table(**given)
         sized = all(1 / Fraction(MAX_SIZE) <= q <= MAX_SIZE for q in p)
         need(sized, "a parameter is not between 10^-30 and 10^30")
         need(p.A * p.omega**2 < p.g, "A omega^2 < g does not hold")
