@@ -127,7 +127,7 @@ def _covered(g: Planar, sets: Sets, targets: list[list[int]], i: int) -> list[in
 
     def held(which: list[int]) -> bool:
         try:
-            covers(g, source, [Parallelogram(sets[j]) for j in which])
+            covers(g.on(i), source, [Parallelogram(sets[j]) for j in which])
         except Rejected:
             return False
         return True

@@ -97,7 +97,7 @@ class Theorem:
         return proof
 
 
-OWN = ("contacts", "contacts_branch", "map_horseshoe")
+OWN = ("contacts", "contacts_branch", "contact_horseshoe", "map_horseshoe")
 """Theorems about a system of one's own: `cap.command.own`, reached by ``--model``; about a map:
 `cap.command.own_horseshoe`, by ``horseshoe --map``."""
 

@@ -20,7 +20,8 @@ lists these files in the order to read them.  Each begins with the mathematics t
     attracting  what attracts there, a file each: loaded only where a certificate claims it
     strips      launches from wall to wall that go on in vain, level by level
     one_one     the orbits with one hit of each wall per period, in closed form
-    coverings   parallelograms that cover each other under a planar map; entropy without diamonds
+    coverings   parallelograms that cover each other under a planar map, of a half period, given by
+                formulas, or from contact to contact; entropy without diamonds, also in time
     particles   two masses: flights, contacts, periodic orbits, the normal form
     tori        invariant curves: functions on the circle, half periods, the a-posteriori theorem;
                 from outside: segments carried over half periods, polygons around a point

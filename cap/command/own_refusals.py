@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
-PROVED = "of a system of one's own `periodic` and `branch` are proved"
+PROVED = "of a system of one's own `periodic`, `branch` and `horseshoe` are proved"
 
 REASONS: Mapping[str, str] = {
     "capture": "its bounds are those of hits of a wall under dry friction, for one mass",
@@ -25,7 +25,7 @@ REASONS: Mapping[str, str] = {
     "segment": "its orbits touch no wall and are in closed form",
     "conservative": "its areas are those of velocities that never vanish, between two walls",
     "mixed": "its areas are those of one mass between two walls",
-    "horseshoe": "its parallelograms are carried by motions of one mass that never stop",
+    "horseshoe": "name it first: `horseshoe --model FILE`",
     "impulse": "its bound is that of the momentum of one mass under dry friction",
     "symplectic": "its identities are those of collisions of masses",
 }

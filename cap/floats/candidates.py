@@ -10,7 +10,12 @@ from fractions import Fraction
 
 from cap.errors import BadInput
 from cap.floats.coverings import planar
-from cap.floats.coverings.search import Family, families, families_by_cells
+from cap.floats.coverings.search import (
+    Family,
+    families,
+    families_by_cells,
+    families_of_contacts,
+)
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
 from cap.floats.search import periodic, tori
 from cap.floats.search.cycles import Cycle, near
@@ -44,6 +49,7 @@ __all__ = [
     "excursions",
     "families",
     "families_by_cells",
+    "families_of_contacts",
     "fates",
     "formulas",
     "half_period",

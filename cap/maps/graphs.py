@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Places = NDArray[np.int64]
 
-STEPS = 4000
+STEPS, ROUNDS, CLOSE = 4000, 200, 1e-13
 Flags = NDArray[np.bool_]
 
 
@@ -56,10 +56,33 @@ def _power(s: Places, t: Places, inside: Flags, count: int) -> tuple[float, Floa
         then = v + np.bincount(s, weights=v[t], minlength=count)
         growth = float(then.max())
         scaled: Floats = then / growth
-        if k % 20 == 0 and np.abs(scaled - v).max() < 1e-13:
+        if k % 20 == 0 and np.abs(scaled - v).max() < CLOSE:
             break
         v = scaled
     return growth - 1, v
+
+
+def in_time(source: Places, target: Places, times: Floats) -> Floats:
+    """Return the eigenvector of exp(-s times) A with the value 1, for the s where that is largest.
+
+    A step of s is that of Newton's method, with the largest time for the mean, so it never goes
+    too far.
+    """
+    s, v = 0.0, np.ones(len(times))
+    for _ in range(ROUNDS):
+        weights = np.exp(-s * times)[source]
+        for k in range(STEPS):
+            then = v + np.bincount(source, weights=weights * v[target], minlength=len(v))
+            growth = float(then.max())
+            change = float(np.abs(then / growth - v).max())
+            v = then / growth
+            if k % 20 == 0 and change < CLOSE:
+                break
+        step = np.log(growth - 1) / times.max()
+        s += step
+        if abs(step) < CLOSE:
+            break
+    return v
 
 
 def components(source: Places, target: Places, count: int) -> list[list[int]]:

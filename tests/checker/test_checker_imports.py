@@ -27,12 +27,13 @@ ROOMS |= {"impulse": BARE, "mixed": BARE | {"attracting", "folded", "release"}}
 ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
 ROOMS |= {"conservative": BARE | {"strips"}, "contacts": BARE, "contacts_branch": BARE}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}, "horseshoe": BARE | {"coverings"}}
-ROOMS |= {"map_horseshoe": BARE | {"coverings"}}
+ROOMS |= dict.fromkeys(("contact_horseshoe", "map_horseshoe"), BARE | {"coverings"})
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
 ROOMS |= {"island": BARE | {"tori"}, "converse": BARE | {"tori"}}
 ROOMS |= {"particles_stability": FLOW | {"particles"}}
 MORE = {
+    "contacts_branch": {"contacts"},
     "homoclinic": {"saddle"},
     "window": {"attractor"},
     "persistence": {"periodic"},

@@ -37,8 +37,10 @@ def block(page, first):
 
 def of_own(given):
     """Read a command about a system, or a map, of one's own."""
-    if "--map" in given:
-        assert own_horseshoe.Asked.of(own_horseshoe.parser().parse_args(given)).map.image
+    if given[0] == "horseshoe":
+        kind = own_horseshoe.MAP if "--map" in given else own_horseshoe.MODEL
+        asked = own_horseshoe.Asked.of(kind, own_horseshoe.parser(kind).parse_args(given))
+        assert kind.parameters(asked.given)["state"]
     elif given[0] in own.BRANCH:
         assert own_branch.parser().parse_args(given).parameter
     else:

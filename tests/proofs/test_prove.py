@@ -48,6 +48,8 @@ LONG |= {
     "converse",
     "island",
     "island-2",
+    "contact_horseshoe-1",
+    "contact_horseshoe-2",
     "map_horseshoe-1",
     "map_horseshoe-2",
 }  # and what they find depends on rounding in floats

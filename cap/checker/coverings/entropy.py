@@ -24,7 +24,7 @@ from cap.checker.coverings.graph import (
     overlaps,
 )
 from cap.checker.coverings.planar import Planar
-from cap.checker.kernel.citation import cite
+from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
@@ -55,9 +55,9 @@ TOGETHER = Field("together", Whole(1, MOST_SETS), "", "",
 class Coverings(Theorem):
     """Entropy of a planar map, by coverings."""
 
-    HINTS = (SETS, COVERINGS, VECTOR)
+    HINTS: ClassVar[Table] = (SETS, COVERINGS, VECTOR)
     CLAIMS: ClassVar[Table] = (GROWTH, ENTROPY, TOGETHER)
-    CITES = (
+    CITES: ClassVar[tuple[Citation, ...]] = (
         cite(
             "Poincare-Miranda",
             "Miranda, Un'osservazione su un teorema di Brouwer, Boll. Un. Mat. Ital. 3, 1940",
@@ -123,7 +123,7 @@ def confirm_overlaps(sets: list[list[Fraction]], edges: list[list[int]]) -> int:
 
 def confirm_coverings(g: Planar, sets: list[list[Fraction]], edges: list[list[int]], i: int) -> int:
     """Check all coverings by a set; return the number of boxes."""
-    return covers(g, Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
+    return covers(g.on(i), Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
 
 
 _CHECKED = "coverings are checked"

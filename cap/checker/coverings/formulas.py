@@ -18,8 +18,9 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from cap.checker.coverings.planar import Image
-from cap.checker.kernel.doubles import PI, Double, cos_sin, enclosing
+from cap.checker.coverings.planar import Image, Planar
+from cap.checker.coverings.sums import Sum
+from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Maybe, Word
@@ -76,19 +77,15 @@ def _turns(q: Polynomial, state: Sequence[str]) -> bool:
     return all(len(m) == 1 and c.denominator == 1 for m, c in with_one.items())
 
 
-class Map:
+class Map(Planar):
     """The map in doubles."""
 
     def __init__(self, formulas: Formulas) -> None:
         self.torus = formulas.torus
         self.names = *formulas.state, COS, SIN, NUMBER
         (a, b), (c, d) = formulas.rows()
-        self.values = [self._terms(q) for q in (*formulas.image, a, b, c, d)]
+        self.values = [Sum(q, self.names) for q in (*formulas.image, a, b, c, d)]
         self.periodic = any(q.variables & {COS, SIN} for q in formulas.image)
-
-    def _terms(self, q: Polynomial) -> list[tuple[Double, list[int]]]:
-        """Return coefficients, and of the factors the places in ``names``."""
-        return [(enclosing(c), [self.names.index(z) for z in m]) for m, c in q.terms.items()]
 
     def image(self, x: Double, y: Double) -> Image:
         """Enclose the map and its derivative; reject what may be at a cut."""
@@ -96,23 +93,10 @@ class Map:
             need(_within(x) and _within(y), "a state that may be at a cut")
         cos, sin = cos_sin(x) if self.periodic else (x, x)
         known = x, y, cos, sin, PI
-        u, v, a, b, c, d = (_sum(terms, known) for terms in self.values)
+        u, v, a, b, c, d = (value.at(known) for value in self.values)
         if self.torus:
             u, v = _reduced(u), _reduced(v)
         return Image(u, v, ((a, b), (c, d)))
-
-
-def _sum(terms: Sequence[tuple[Double, list[int]]], known: Sequence[Double]) -> Double:
-    """Return a sum of products."""
-    total = _ZERO
-    for product, places in terms:
-        for k in places:
-            product = product * known[k]  # noqa: PLW2901
-        total = total + product
-    return total
-
-
-_ZERO = Double(0.0)
 
 
 def _within(x: Double) -> bool:

@@ -36,7 +36,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from cap.checker.coverings.planar import Image
+from cap.checker.coverings.planar import Image, Planar
 from cap.checker.kernel.doubles import GROWTH, PI, Double, cos_sin, enclosing
 from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.interval import Interval
@@ -46,7 +46,7 @@ _BITS, _STEPS = 80, 30
 _SLACK, _LEAST = 1.25, 2.0**-44  # of the interval T, around a guess
 
 
-class HalfPeriod:
+class HalfPeriod(Planar):
     """sigma, for phi = f/F and walls at -a and a."""
 
     def __init__(self, phi: Fraction, a: Fraction) -> None:

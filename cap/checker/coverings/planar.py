@@ -5,7 +5,8 @@ To add a map: a class with ``image``.  Nothing else in this folder knows which m
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from abc import ABC, abstractmethod
+from typing import NamedTuple
 
 from cap.checker.kernel.doubles import Double
 
@@ -20,8 +21,13 @@ class Image(NamedTuple):
     derivative: tuple[Row, Row]
 
 
-class Planar(Protocol):
+class Planar(ABC):
     """A map g, continuously differentiable where it is defined."""
 
+    def on(self, i: int) -> Planar:  # noqa: ARG002
+        """Return the map as it is looked at on the i-th set, where more may be asked of it."""
+        return self
+
+    @abstractmethod
     def image(self, x: Double, y: Double) -> Image:
         """Enclose g and Dg on a rectangle; reject unless g is defined on a neighbourhood of it."""

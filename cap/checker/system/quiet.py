@@ -119,16 +119,49 @@ def stays_positive(
     if len(pieces) < bool(first) + bool(last):
         raise TooCoarse("a guard is 0 at both ends of a piece")
     for k, piece in enumerate(pieces):
-        on = Piece(flights, h, piece)
-        if first and k == 0:
-            shown, place = on.leaves(flights.start, first, 1), "again just after the start"
-        elif last and k + 1 == len(pieces):
-            shown, place = on.leaves(end, last, -1), "already before the end"
-        else:
-            shown = on.by_chord() or on.by_tangent()
-            place = f"near {float(piece.midpoint().lower):.6g}"
-        if not shown:
-            raise TooCoarse(f"a guard may vanish {place}")
+        at_start, at_end = k == 0, k + 1 == len(pieces)
+        why = _not_positive(flights, h, piece, end, (first * at_start, last * at_end))
+        if why:
+            raise TooCoarse(why)
+
+
+def halved(flights: Flights, h: Watched, end: Interval, zeros: tuple[int, int], most: int) -> int:
+    """Prove the same without cuts; return the number of pieces looked at, at most ``most``.
+
+    Pieces that are not seen to be positive are halved.
+    """
+    first, last = zeros
+    ends = flights.start.lo, end.hi
+    waiting, count = [ends], 0
+    while waiting:
+        a, b = waiting.pop()
+        here = first * (a == ends[0]), last * (b == ends[1])
+        count += 1
+        need(count <= most, "a guard needs too many pieces of a flight")
+        piece = Interval(a, b, end.bits)
+        if all(here) or _not_positive(flights, h, piece, end, here):
+            m = (a + b) >> 1
+            need(flights.start.hi < m < end.lo, "a guard may vanish near the end of a flight")
+            waiting += [(m, b), (a, m)]
+    return count
+
+
+def _not_positive(
+    flights: Flights, h: Watched, piece: Interval, end: Interval, zeros: tuple[int, int]
+) -> str:
+    """Return where on a piece h may vanish, or nothing if it does not.
+
+    On a first piece so many of h, L h vanish at the start, on a last one at the end.
+    """
+    on, (first, last) = Piece(flights, h, piece), zeros
+    if first:
+        shown, place = on.leaves(flights.start, first, 1), "again just after the start"
+    elif last:
+        shown, place = on.leaves(end, last, -1), "already before the end"
+    else:
+        shown = on.by_chord() or on.by_tangent()
+        place = f"near {float(piece.midpoint().lower):.6g}"
+    return "" if shown else f"a guard may vanish {place}"
 
 
 class Piece:

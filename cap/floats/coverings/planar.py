@@ -14,15 +14,19 @@ import numpy as np
 from numba.extending import register_jitable
 from numpy.typing import NDArray
 
+from cap.floats.coverings import contact
+from cap.floats.coverings.contact import contact_map
+from cap.floats.coverings.polynomials import evaluated, terms
 from cap.floats.engine.compiled import announced
 from cap.system.planar import Map
-from cap.system.polynomial import COS, PI, SIN, Polynomial, variable
+from cap.system.polynomial import COS, SIN, Polynomial, variable
+from cap.system.section import Section
 
 Floats = NDArray[np.float64]
 Six = tuple[float, float, float, float, float, float]
 
-HALF_PERIOD, FORMULAS = range(2)
-STEPS, CLOSE = 60, 1e-12
+HALF_PERIOD, FORMULAS, CONTACT = range(3)
+STEPS, CLOSE, PHASES = 60, 1e-12, 16
 FAR = 10.0  # from 0, in each coordinate of a plane: there orbits are given up
 
 
@@ -54,13 +58,22 @@ def formulas(given: Map) -> Planar:
         rows += [q.derivative(y)]
     numbers = [float(given.torus), far]
     for q in (*given.image.values(), *rows):
-        numbers.append(float(len(q.terms)))
-        for monomial, c in q.terms.items():
-            powers = dict(monomial)
-            numbers.append(float(c) * math.pi ** powers.get(PI, 0))
-            numbers += [float(powers.get(name, 0)) for name in (x, y, COS, SIN)]
+        numbers += terms(q, (x, y, COS, SIN))
     size = math.pi if given.torus else 1.0
     return Planar(FORMULAS, np.array(numbers), (-far, far, -far, far), size)
+
+
+def contacts(section: Section, middle: float) -> Planar:
+    """Return the map from contact to contact; phases are within half a period of a middle."""
+    y = contact.constants(section, middle)
+    cut, period = float(y[contact.CUT]), float(y[contact.PERIOD])
+    trial = Planar(CONTACT, y, (0, 0, 0, 0), period / 2)
+    phases = cut + period * (np.arange(PHASES) + 0.5) / PHASES
+    sizes = np.concatenate([sign * 2.0 ** np.arange(-10, 11) for sign in (-1, 1)])
+    points = np.stack(np.meshgrid(phases, sizes), axis=-1).reshape(-1, 2)
+    known = points[np.isfinite(images(trial, points)[:, 0]), 1]
+    low, high = (known.min(), known.max()) if len(known) else (0.0, 0.0)
+    return trial._replace(window=(cut, cut + period, min(2 * low, 0.0), max(2 * high, 0.0)))
 
 
 @register_jitable
@@ -70,6 +83,8 @@ def image(kind: int, y: Floats, x: float, v: float) -> tuple[bool, Six]:
         return _half_period(y[0], y[1], x, v)
     if kind == FORMULAS:
         return _formulas(y, x, v)
+    if kind == CONTACT:
+        return contact_map(y, x, v)
     return _nowhere()
 
 
@@ -84,36 +99,16 @@ def _formulas(y: Floats, x: float, v: float) -> tuple[bool, Six]:
     if not (abs(x) < y[1] and abs(v) < y[1]):
         return _nowhere()
     c, s = math.cos(x), math.sin(x)
-    X, n = _polynomial(y, 2, x, v, c, s)
-    V, n = _polynomial(y, n, x, v, c, s)
-    d0, n = _polynomial(y, n, x, v, c, s)
-    d1, n = _polynomial(y, n, x, v, c, s)
-    d2, n = _polynomial(y, n, x, v, c, s)
-    d3, n = _polynomial(y, n, x, v, c, s)
+    X, n = evaluated(y, 2, x, v, c, s)
+    V, n = evaluated(y, n, x, v, c, s)
+    d0, n = evaluated(y, n, x, v, c, s)
+    d1, n = evaluated(y, n, x, v, c, s)
+    d2, n = evaluated(y, n, x, v, c, s)
+    d3, n = evaluated(y, n, x, v, c, s)
     if y[0] > 0:
         X -= 2 * math.pi * math.floor(X / (2 * math.pi) + 0.5)
         V -= 2 * math.pi * math.floor(V / (2 * math.pi) + 0.5)
     return True, (X, V, d0, d1, d2, d3)
-
-
-@register_jitable
-def _polynomial(y: Floats, n: int, x: float, v: float, c: float, s: float) -> tuple[float, int]:
-    """Return the sum of products that stands from the place n on, and the place after it."""
-    total, count = 0.0, int(y[n])
-    n += 1
-    for _ in range(count):
-        term = y[n]
-        for _ in range(int(y[n + 1])):
-            term *= x
-        for _ in range(int(y[n + 2])):
-            term *= v
-        for _ in range(int(y[n + 3])):
-            term *= c
-        for _ in range(int(y[n + 4])):
-            term *= s
-        total += term
-        n += 5
-    return total, n
 
 
 @register_jitable

@@ -41,16 +41,18 @@ def regions(g: Planar, saddle: Saddle) -> Regions:
     return best[1]
 
 
-def cells(g: Planar, saddle: Saddle) -> Regions:
+def cells(g: Planar, saddle: Saddle, symbols: tuple[int, int] = FIRST) -> Regions:
     """Return the cells of a grid over the least rectangle around a sample: where points of the
     invariant set have no gaps between them, as on an attractor, there are no clusters.
+
+    The sample has words of so many symbols before and after.
     """
     window, one = np.array(g.window), np.zeros((1, 1), dtype=np.int64)
-    sample = Leaves(g, saddle, Regions(one, window, saddle.unstable), *FIRST)
+    sample = Leaves(g, saddle, Regions(one, window, saddle.unstable), *symbols)
     direction = _direction(np.array([piece.T for piece in sample.pieces.values()]))
     points = np.array([piece.z for piece in sample.pieces.values()])
     low, high = points.min(axis=0), points.max(axis=0)
-    rim = RIM * (high - low)
+    rim = np.maximum(RIM * (high - low), 1e-9 * g.size)  # a sample may be one point
     window = np.stack([low - rim, high + rim], axis=1).reshape(-1)
     return Regions(np.arange(GRID**2).reshape(GRID, GRID), window, direction)
 

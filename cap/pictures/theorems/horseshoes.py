@@ -18,16 +18,20 @@ from numpy.typing import NDArray
 
 from cap.checker.coverings.entropy import Coverings
 from cap.checker.coverings.formulas import Formulas
+from cap.checker.system.model import Model
+from cap.checker.theorems.contact_horseshoe import ContactHorseshoe
 from cap.checker.theorems.horseshoe import Horseshoe
 from cap.checker.theorems.map_horseshoe import MapHorseshoe
-from cap.floats.coverings.planar import Planar, formulas, half_period, images
+from cap.floats.coverings.planar import Planar, contacts, formulas, half_period, images
 from cap.floats.coverings.regions import cells, regions
 from cap.floats.coverings.saddles import Saddle, saddles
 from cap.floats.diagnostics.manifold import manifolds
 from cap.pictures.style import BLACK, BLUE, CYCLE, ORANGE, RED, stroboscopic
 from cap.pictures.theorems.parts import heading, system
+from cap.system.model import Guard, Mode, System
 from cap.system.planar import Map
-from cap.system.polynomial import Polynomial
+from cap.system.polynomial import Polynomial, over
+from cap.system.section import Section
 
 LENGTH, SPACING = 4.0, 0.01  # of the curves of a saddle, in natural units
 POINTS, START, ITERATES = 4000, 1e-6, 60  # of an unstable curve of a map: on a side, begun so near
@@ -70,6 +74,22 @@ def map_horseshoe(theorem: MapHorseshoe, figure: Figure) -> None:
     figure.legend(loc="outside lower center", ncols=3, handlelength=1.4)
     words = f"{entropy(theorem)}  (the certificate is VERIFIED)"
     figure.suptitle(f"{words}\n{theorem.p}", fontsize=10)
+
+
+def contact_horseshoe(theorem: ContactHorseshoe, figure: Figure) -> None:
+    """Draw the sets of contacts, with the unstable curve of a saddle of the map between them."""
+    section = section_in_floats(theorem.p, theorem.claims["mode"], theorem.claims["guard"])
+    g = contacts(section, float(theorem.hints["middle"]))
+    axes, saddle = figure.subplots(), nearest(theorem, saddles(g))
+    axes.plot(*unstable(g, saddle).T, color=RED, lw=0.4, alpha=0.6, label="$W^u$ (floats)")
+    draw(theorem, axes, cells(g, saddle), lambda z: z)
+    axes.plot(*saddle.point, **SADDLE)
+    at = f"just before a contact ('{section.guard}' of '{section.mode}')"
+    axes.set(xlabel=f"t modulo {2 * g.size:.6g}", ylabel=f"{section.free} {at}")
+    figure.legend(loc="outside lower center", ncols=3, handlelength=1.4)
+    floor = math.floor(theorem.claims["per_period"] * 10**PLACES) / 10**PLACES
+    words = f"{entropy(theorem)} per contact, {floor:.{PLACES}f} per period"
+    figure.suptitle(f"{words}\n(the certificate is VERIFIED)", fontsize=10)
 
 
 SADDLE: dict[str, Any] = {
@@ -154,6 +174,17 @@ def in_floats(p: Formulas) -> Map:
         {z: as_powers(q.terms) for z, q in zip(p.state, p.image, strict=True)},
         torus=p.torus,
     )
+
+
+def section_in_floats(p: Model, mode: str, guard: str) -> Section:
+    """Return the contacts with a guard as those that floats follow."""
+    given = p.modes[mode].guards[guard]
+    divisor = as_powers(given.divisor.terms)
+    reset = {z: over(as_powers(q.terms), divisor) for z, q in given.reset.items()}
+    contact = Guard(as_powers(given.value.terms), (mode,), reset)
+    field = {z: as_powers(q.terms) for z, q in p.modes[mode].field.items()}
+    frequency = as_powers(p.frequency.terms)
+    return Section(System(p.state, frequency, {mode: Mode(field, {guard: contact})}), mode, guard)
 
 
 def as_powers(terms: Mapping[tuple[str, ...], Fraction]) -> Polynomial:
