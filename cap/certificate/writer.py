@@ -54,10 +54,10 @@ class Rounding:
 
         They are at most 10^-digits max(|lower|, |upper|, unit) apart, or `TooFewDigits` is raised.
         """
-        lower, upper, bits = interval.binary_ends(x)
+        lower, upper, bits = ends = interval.binary_ends(x)
         size = Fraction(max(abs(lower), abs(upper)), 1 << bits)
         places = self.digits + 2 - interval.decade(max(size, unit))
-        a, b = interval.multiples(x, places)
+        a, b = interval.multiples_of(ends, places)
         pair = [interval.fixed(a, places), interval.fixed(b, places)]
         if (b - a) * 10**self.digits > max(abs(a), abs(b), unit * Fraction(10) ** places):
             sets = {"enclosure": f"[{pair[0]}, {pair[1]}]"}

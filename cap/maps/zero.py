@@ -26,6 +26,7 @@ Box = tuple[Ball, ...]
 Rows = Sequence[Sequence[Ball]]
 
 _identity = lru_cache(interval.identity)
+_exactly = lru_cache(maxsize=8)(interval.matrix)
 RESIDUAL = 64  # bits of 1 - C G'
 AGAIN = 3
 
@@ -49,6 +50,12 @@ class Hint:
     def _enclosed(self) -> dict[int, Matrix]:
         return {}
 
+    @cached_property
+    def _doubles(self) -> Matrix | None:
+        """C, if it is one of doubles: then it is exact at any precision."""
+        doubles = all(isinstance(q, float) for row in self.matrix for q in row)
+        return _exactly(self.matrix) if doubles else None
+
     @property
     def point(self) -> Box:
         """m, enclosed."""
@@ -57,6 +64,8 @@ class Hint:
     @property
     def rows(self) -> Matrix:
         """C, enclosed."""
+        if self._doubles is not None:
+            return self._doubles
         bits = interval.working_bits()
         if bits not in self._enclosed:
             self._enclosed[bits] = interval.matrix([[*map(_ball, row)] for row in self.matrix])

@@ -10,8 +10,12 @@ resonance there is no response: then z(t) = X (z, cos wt_0, sin wt_0, 1), with N
 """
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 
 from cap.errors import BadInput
+from cap.sets import interval
+from cap.sets.interval import Matrix
+from cap.system.exponential import enclosed
 from cap.system.flight import Flights, Scalars, flights, response
 from cap.system.model import System
 from cap.system.polynomial import COS, SIN, Polynomial
@@ -19,6 +23,7 @@ from cap.system.tape import Tape, Term
 
 Clock = tuple[Term, Term]
 Generator = list[list[Polynomial]]
+BITS = 64  # where doubles are wanted
 
 
 class Motion:
@@ -46,6 +51,12 @@ class Motion:
             self.response = Flights(system.state, *forced, ())
             places = [*range(n), *([n + 2] if any(M[i][n + 2] for i in range(n)) else [])]
         self.generator = [[M[i][j] for j in places] for i in places]
+
+    @cached_property
+    def in_few_bits(self) -> Matrix:
+        """An enclosure of N, for doubles."""
+        with interval.workprec(BITS):
+            return enclosed(self.generator)
 
     @property
     def inputs(self) -> list[str]:

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from math import cos, pi, sin
 from typing import Any, Protocol
 
-from cap.orbits.motion import Motion
+from cap.orbits.motion import BITS, Motion
 from cap.sets import interval
-from cap.sets.interval import Ball
-from cap.system.exponential import exponential, number
+from cap.sets.interval import Ball, Matrix
+from cap.system.exponential import enclosed, exponential, number
 from cap.system.model import System
 from cap.system.source import Evaluated, Function
 
@@ -38,6 +38,7 @@ class Balls:
     def __init__(self, system: System) -> None:
         self.bits, self._omega = interval.working_bits(), number(system.omega)
         self.period = 2 * interval.pi() * number(system.omega.reciprocal())
+        self._generators = dict[Motion, Matrix]()
 
     def clock(self, t: Ball) -> Clock:
         """Return an enclosure of cos wt and sin wt."""
@@ -46,7 +47,9 @@ class Balls:
 
     def exponential(self, motion: Motion, d: Ball) -> Sequence[Ball]:
         """Return an enclosure of the entries of exp(N d) in the rows of the state."""
-        return exponential(motion.generator, d).entries()[: len(motion.inputs)]
+        if motion not in self._generators:
+            self._generators[motion] = enclosed(motion.generator)
+        return exponential(self._generators[motion], d).entries()[: len(motion.inputs)]
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of balls."""
@@ -66,7 +69,8 @@ class Floats:
 
     def exponential(self, motion: Motion, d: float) -> Sequence[float]:
         """Return the entries of exp(N d)."""
-        rows = exponential(motion.generator, Ball(d)).entries()
+        with interval.workprec(BITS):
+            rows = exponential(motion.in_few_bits, Ball(d)).entries()
         return [float(x) for x in rows[: len(motion.inputs)]]
 
     def of(self, function: Function) -> Evaluated:

@@ -187,7 +187,12 @@ def outward(x: arb, places: int) -> tuple[str, str]:
 
 def multiples(x: arb, places: int) -> tuple[int, int]:
     """Return the nearest integers (lower, upper) whose multiples of 10^-places enclose ``x``."""
-    lower, upper, bits = binary_ends(x)
+    return multiples_of(binary_ends(x), places)
+
+
+def multiples_of(ends: tuple[int, int, int], places: int) -> tuple[int, int]:
+    """Return the nearest integers of `multiples`, for ends as those of `binary_ends`."""
+    lower, upper, bits = ends
     up, down = 10 ** max(places, 0), 10 ** max(-places, 0) << bits
     return lower * up // down, -(-upper * up // down)
 

@@ -12,14 +12,19 @@ from cap.sets.interval import Ball, Matrix
 from cap.system.polynomial import Polynomial
 
 
-def exponential(rows: Sequence[Sequence[Polynomial]], d: Ball) -> Matrix:
-    """Return an enclosure of exp(A t) for all t in d; the entries of A are numbers.
+def enclosed(rows: Sequence[Sequence[Polynomial]]) -> Matrix:
+    """Return an enclosure of a matrix of numbers."""
+    return interval.matrix([[number(q) for q in row] for row in rows])
+
+
+def exponential(A: Matrix, d: Ball) -> Matrix:
+    """Return an enclosure of exp(A t) for all t in d.
 
     With d = m + [-r, r] it is exp(A m) exp(A [-r, r]), which is narrower than exp(A d) at once.
     """
-    A = interval.matrix([[number(q) for q in row] for row in rows])
     middle = interval.point(d)
-    return (A * middle).exp() * (A * (d - middle)).exp()
+    at_middle, aside = (A * middle).exp(), d - middle
+    return at_middle if aside.is_zero() else at_middle * (A * aside).exp()
 
 
 def number(q: Polynomial) -> Ball:

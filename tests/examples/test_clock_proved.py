@@ -12,6 +12,7 @@ from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check, words
 from cap.command.prover import main
+from cap.explore import explorer
 from cap.orbits.itinerary import Contact, Itinerary
 from cap.proofs.contacts import prove
 from cap.system.files import read
@@ -96,3 +97,25 @@ def test_the_command(tmp_path, capsys):
     assert main([*words_, "--orbit", "1.0", "0.5", "--mode", "going"]) == 0
     assert main([*words_, "--period", "2"]) == 2
     assert "nothing depends on the clock" in capsys.readouterr().err
+
+
+def test_a_curve(tmp_path, capsys):
+    """Over the friction the swing stays one that attracts."""
+    out = tmp_path / "curve.json"
+    range_ = ["--parameter", "f", "--range", "1/100", "3/100"]
+    assert main(["branch", "--model", "examples/clock.py", *range_, "--out", str(out)]) == 0
+    assert "there is a connected curve of orbits of an unknown period" in capsys.readouterr().out
+    claims = json.loads(out.read_bytes())["claims"]
+    assert [*map(Fraction, claims["range"])] == [Fraction(1, 100), Fraction(3, 100)]
+    assert {cell["outside"] for cell in claims["cells"]} == {"0"}
+    assert not claims["points"]
+
+
+def test_floats_that_need_a_clock(capsys):
+    """They are refused in a line that says what does it."""
+    clock = "--model", "examples/clock.py"
+    assert explorer.main(["search", *clock]) == 2
+    assert "the period is unknown: `attractor` and `orbit` find it" in capsys.readouterr().err
+    range_ = "--parameter", "f", "--range", "1/100", "3/100"
+    assert explorer.main(["continuation", *clock, *range_]) == 2
+    assert "`cap.prove branch --model` proves the curve" in capsys.readouterr().err

@@ -146,3 +146,12 @@ def test_in_the_plane_it_is_the_other_operator():
         for one, two in zip(problem.operator(hint, box), other, strict=True):
             assert one.overlaps(two)
             assert abs(float(one.rad() / two.rad()) - 1) < 1e-8
+
+
+def test_a_matrix_of_doubles_is_exact_at_any_precision():
+    """Also where the precision is below that of doubles."""
+    with interval.workprec(20):
+        rows = Hint((), ((0.1, 1 / 3), (-1e300, 5e-324))).rows
+        assert [interval.rational(x) for x in rows.entries()] == [
+            Fraction(x) for x in (0.1, 1 / 3, -1e300, 5e-324)
+        ]

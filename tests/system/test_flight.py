@@ -14,7 +14,7 @@ from cap.errors import BadInput
 from cap.flow.model import Functions, Moment, Oscillator
 from cap.parameters import PAPER
 from cap.sets import interval
-from cap.system.exponential import exponential
+from cap.system.exponential import enclosed, exponential
 from cap.system.flight import Scalars, flights, response
 from cap.system.friction import friction, oscillator
 from cap.system.masses import masses
@@ -158,9 +158,8 @@ def test_exponential_of_springs(bits, radius):
         time = Fraction(random.randint(-300, 300), 100)
         with interval.workprec(bits), mpmath.workdps(60):
             exact = [[mpmath.mpf(q.numerator) / q.denominator for q in row] for row in rows]
-            ours = exponential(
-                [[Polynomial.of(q) for q in row] for row in rows], interval.around(time, radius)
-            )
+            A = enclosed([[Polynomial.of(q) for q in row] for row in rows])
+            ours = exponential(A, interval.around(time, radius))
             for part in (-1, 0, 1):
                 t = time + part * radius * Fraction(999, 1000)
                 number = mpmath.mpf(t.numerator) / t.denominator
@@ -177,7 +176,7 @@ def test_whole_spring():
     system = spring(omega=Fraction(2), damping=Fraction(0))
     d = Fraction(7, 10)
     with interval.workprec(100), mpmath.workdps(40):
-        moved = exponential(system.matrix("fly"), interval.ball(d))
+        moved = exponential(enclosed(system.matrix("fly")), interval.ball(d))
         start = [interval.ball(q) for q in (Fraction(1, 2), Fraction(1, 3), 1, 0, 1)]
         x = interval.total(moved[0, j] * start[j] for j in range(5))
         t = mpmath.mpf(d.numerator) / d.denominator

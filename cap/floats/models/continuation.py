@@ -89,7 +89,10 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     if parameter is None or range is None:
         raise BadInput("say what varies, between which values: --parameter NAME --range A B")
     if subject.system.autonomous:
-        raise BadInput("only orbits of models with a clock are followed over a parameter")
+        raise BadInput(
+            "without a clock the period is unknown; floats follow no such orbit over a parameter: "
+            "`cap.prove branch --model` proves the curve"
+        )
     low, high = map(float, range)
     subject.at(parameter, range[0])  # it is a parameter
     value = float(subject.loaded.values[parameter])

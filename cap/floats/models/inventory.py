@@ -80,7 +80,7 @@ def inventory(
     """Search for orbits of a period; nothing that is found is all that there is."""
     runner = runner or Runner()
     if subject.system.autonomous:
-        raise BadInput("without a clock the period is unknown: `orbit` finds it")
+        raise BadInput("without a clock the period is unknown: `attractor` and `orbit` find it")
     pair = subject.named(plane) if plane else subject.plane()
     met = search(subject.system, period, runner.tell)
     others = [f"{n} that attract have the period {p} T" for p, n in sorted(met.periods.items())]
