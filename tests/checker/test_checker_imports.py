@@ -30,11 +30,14 @@ ROOMS |= {"inventory": BARE | {"flow", "one_one"}, "horseshoe": BARE | {"coverin
 ROOMS |= dict.fromkeys(("contact_horseshoe", "map_horseshoe"), BARE | {"coverings"})
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
-ROOMS |= {"island": BARE | {"tori"}, "converse": BARE | {"tori"}}
+ROOMS |= dict.fromkeys(("island", "islands", "converse"), BARE | {"tori"})
+ROOMS |= {"ball_curve": BARE - {"system"} | {"tori"}}
+ROOMS |= {"map_curve": BARE | {"coverings", "tori"}}
 ROOMS |= {"particles_stability": FLOW | {"particles"}}
 MORE = {
     "contacts_branch": {"contacts"},
     "homoclinic": {"saddle"},
+    "islands": {"island"},
     "window": {"attractor"},
     "persistence": {"periodic"},
 }
