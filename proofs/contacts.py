@@ -134,8 +134,7 @@ def checked(
 ) -> dict[str, Any]:
     """Return the certificate with cuts, of this shape, so fine that the checker accepts it."""
     for _ in range(ATTEMPTS):
-        shown = [{g: [*map(_decimal, at[1:-1])] for g, at in leg.items()} for leg in cuts]
-        certificate["hints"]["cuts"] = shape(shown)
+        certificate["hints"]["cuts"] = shape(shown(cuts))
         try:
             check(writer.dumps(certificate).encode(), lambda _step: None)
         except TooCoarse as reason:
@@ -147,6 +146,11 @@ def checked(
         else:
             return certificate
     raise NotProved("checker", f"the independent checker rejects the certificate: {rejection}")
+
+
+def shown(cuts: Cuts) -> list[dict[str, list[str]]]:
+    """Return the cuts of legs as a certificate has them."""
+    return [{g: [*map(_decimal, at[1:-1])] for g, at in leg.items()} for leg in cuts]
 
 
 def _halved(times: Times) -> Times:
@@ -282,10 +286,10 @@ def legs(prover: Prover, box: Box, reasons: Sequence[Reason]) -> Cuts:
     for leg in prover.legs(box):
         begin, end = (Fraction(float(at.time)) for at in (leg.start, leg.end))
         cut = [r for r in reasons if r.leg == leg.number and r.lemma == "B"]
-        found.append({r.guard: [begin, *map(_decimal_of, r.cuts), end] for r in cut})
+        found.append({r.guard: [begin, *map(decimal_of, r.cuts), end] for r in cut})
     return found
 
 
-def _decimal_of(cut: float) -> Fraction:
+def decimal_of(cut: float) -> Fraction:
     """Return the decimal that a double stands for."""
     return Fraction(round(cut * 10**PLACES), 10**PLACES)

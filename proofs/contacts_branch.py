@@ -9,22 +9,27 @@ contacts, with a guess.  If the lemmas below succeed, then
        the unit circle, and none on it;
  (iii) on explicit short pieces a multiplier passes -1, or two that are not real pass the unit
        circle, or p turns back and a multiplier is 1: a function changes its sign there.  That such
-       a point is a bifurcation of a certain type is not claimed.
+       a point is a bifurcation of a certain type is not claimed;
+ (iv)  where an end is proved to be a graze: the curve goes on to an orbit of which one leg touches
+       the zero of a guard at one time, and nothing else happens until there.
 
-Proof.  `cap.orbits.cells` (i), `cap.orbits.quiet` (ii), `cap.orbits.branch` (iii).
+Proof.  `cap.orbits.cells` (i), `cap.orbits.quiet` (ii), `cap.orbits.branch` (iii),
+`cap.orbits.graze` (iv).
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
 from cap.certificate import writer
 from cap.certificate.writer import Rounding
 from cap.checker.theorems import load
-from cap.errors import BadInput
+from cap.errors import BadInput, NotProved
 from cap.orbits.branch import FINE, Branch, Follower, Point, Shown, Tell
 from cap.orbits.cells import SHIFT, Cell, Cells, wider
 from cap.orbits.curve import Curve
+from cap.orbits.graze import Graze, Grazer
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.periodic import Prover
 from cap.proofs import contacts
@@ -55,20 +60,36 @@ def prove(
             around = tuple(curve.expanded(box))
             return contacts.legs(prover, around, prover.reasons(around))
 
-        found = Follower(Cells(curve), ends, quiet, tell).branch(guess)
-        certificate = {
+        follower = Follower(Cells(curve), ends, quiet, tell)
+        found = follower.branch(guess)
+        grazes, why = _grazes(Grazer(follower, prover), found)
+        certificate: dict[str, Any] = {
             "format": writer.FORMAT,
             "theorem": "contacts_branch",
             "parameters": parameters,
             "digits": str(DIGITS),
-            "claims": claims(itinerary, found),
-            "hints": hints(found),
+            "claims": claims(itinerary, found, grazes),
+            "hints": hints(found, grazes),
             "cites": list(load("contacts_branch").CITES),
             "provenance": writer.provenance(BITS),
         }
         tell("checking", None)
         cuts = [leg for shown in found.cells for leg in shown.legs]
-        return contacts.checked(certificate, cuts, _by_cell(len(itinerary.contacts))), found.ends
+        for graze, hint in zip(grazes, certificate["hints"]["grazes"], strict=True):
+            box = tuple(curve.expanded(graze.piece.wider))
+            hint["cuts"] = contacts.shown(contacts.legs(prover, box, graze.reasons))
+        return contacts.checked(certificate, cuts, _by_cell(len(itinerary.contacts))), why
+
+
+def _grazes(grazer: Grazer, found: Branch[Legs]) -> tuple[list[Graze], tuple[str, str]]:
+    """Return the grazes at the ends, and why it ends where it has none."""
+    grazes, why, cells = [], list(found.ends), [shown.cell for shown in found.cells]
+    for side in (0, 1):
+        if why[side]:
+            with suppress(NotProved):
+                grazes.append(grazer.graze(cells, last=side == 1))
+                why[side] = ""
+    return grazes, (why[0], why[1])
 
 
 def _by_cell(count: int) -> Any:
@@ -76,7 +97,7 @@ def _by_cell(count: int) -> Any:
     return lambda cuts: [cuts[k : k + count] for k in range(0, len(cuts), count)]
 
 
-def claims(itinerary: Itinerary, found: Branch[Legs]) -> dict[str, Any]:
+def claims(itinerary: Itinerary, found: Branch[Legs], grazes: Sequence[Graze]) -> dict[str, Any]:
     """Return what is claimed of a curve."""
     values = [_parameter(shown.cell, s) for shown in found.cells for s in shown.cell.line.ends]
     turns = [interval.outward(p.cell.box[-1], DIGITS) for p in found.points if p.kind == "fold"]
@@ -90,6 +111,7 @@ def claims(itinerary: Itinerary, found: Branch[Legs]) -> dict[str, Any]:
         "range": [_decimal(low), _decimal(high)],
         "cells": [_cell(*each) for each in zip(found.cells, found.counts, strict=True)],
         "points": [_point(point) for point in found.points],
+        "grazes": [_graze(graze) for graze in grazes],
     }
 
 
@@ -126,7 +148,23 @@ def _point(point: Point) -> dict[str, Any]:
     }
 
 
-def hints(found: Branch[Legs]) -> dict[str, Any]:
+def _graze(graze: Graze) -> dict[str, Any]:
+    rounding, (a, b) = Rounding(DIGITS), graze.time
+    with interval.workprec(FINE):
+        time = interval.around((a + b) / 2, (b - a) / 2)
+    return {
+        "cell": str(graze.inside),
+        "piece": _shape(graze.piece),
+        "leg": str(graze.leg + 1),
+        "guard": graze.guard,
+        "window": [_decimal(t) for t in map(contacts.decimal_of, graze.window)],
+        "short": _shape(graze.short),
+        "at": rounding.pair(graze.short.box[-1]),
+        "time": rounding.pair(time),
+    }
+
+
+def hints(found: Branch[Legs], grazes: Sequence[Graze]) -> dict[str, Any]:
     """Return what the checker need not search, but the cuts."""
     return {
         "bits": str(BITS),
@@ -134,6 +172,15 @@ def hints(found: Branch[Legs]) -> dict[str, Any]:
         "preconditioners": [_matrix(shown.cell) for shown in found.cells],
         "cuts": [],
         "points": [_matrix(point.cell) for point in found.points],
+        "grazes": [
+            {
+                "piece": _matrix(graze.piece),
+                "cuts": [],
+                "short": _matrix(graze.short),
+                "narrow": [_decimal(t) for t in graze.time],
+            }
+            for graze in grazes
+        ],
     }
 
 

@@ -30,10 +30,20 @@ def clock():
     return prove(Itinerary(system, [Contact(*names) for names in TURN]), guess, ends)
 
 
+def pair():
+    """Return the curve of an impact pair, to where it touches an end once more."""
+    ends = Fraction("0.17"), Fraction("0.19")
+    system = moving(lambda s: read("examples/harvester.py", {"s": s}), "s", ends, ["free"])
+    contacts = [Contact("free", end, "free") for end in ("top", "bottom")]
+    guess = [-0.01301, 0.09178, 0.57762, 1.45939, -0.09178, -0.44429, 0.18357]
+    return prove(Itinerary(system, contacts), guess, ends)
+
+
 CASES = {
     "fold": lambda: ball(ENDS, [0.1, 0.1, -3.14159, 1.0525]),
     "flip": lambda: ball(FLIP, [0.8, 1.1, -3.14159, 1.525]),
     "clock": clock,
+    "graze": pair,
 }
 
 

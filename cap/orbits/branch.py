@@ -100,14 +100,14 @@ class Follower(Generic[Legs]):
         The first has an orbit in common with the cell that is ``beside`` it.
         """
         found, last = list[Shown[Legs]](), beside.cell if beside else None
-        along = self._unknown(v)
+        along = self.unknown(v)
         s, part = _exactly(z[along]) if along == self.size else _rounded(z[along]), FIRST
         while len(found) < MOST:
             self.tell("following the branch", None)
             if self._is_over(s if along == self.size else _exactly(z[self.size]), v[self.size]):
                 return found, ""
-            new = self._unknown(v)
-            begin = s if new == along else self._begin(found[-1].cell, s, new)
+            new = self.unknown(v)
+            begin = s if new == along else self.begin(found[-1].cell, s, new)
             end = self._end(new, begin, v[new], part)
             try:
                 shown = self._shown(z, v, new, (begin, end))
@@ -129,7 +129,7 @@ class Follower(Generic[Legs]):
             part = min(part * GROWTH, LONG) if clear else part
         return found, f"after {MOST} cells"
 
-    def _unknown(self, v: Any) -> int:
+    def unknown(self, v: Any) -> int:
         """Return along which unknown a cell goes: the parameter, if the curve is not too steep."""
         return self.size if abs(v[self.size]) > STEEP * max(abs(v)) else int(np.argmax(abs(v)))
 
@@ -141,7 +141,7 @@ class Follower(Generic[Legs]):
         """Return whether it is known how many multipliers are outside, or that these stay so."""
         return outside(cell.multipliers) is not None or self._steady(cell)
 
-    def _begin(self, cell: Cell, s: Fraction, new: int) -> Fraction:
+    def begin(self, cell: Cell, s: Fraction, new: int) -> Fraction:
         """Return where a cell along another unknown begins: somewhat before the last one ends."""
         inward = s + (cell.line.middle - s) / 5
         w = [float(x) for x in cell.line.at(interval.ball(inward - cell.line.middle))]
@@ -229,7 +229,7 @@ class Follower(Generic[Legs]):
         middle = round(s, PLACES)
         low, high = cell.line.ends
         ends = max(middle - 2 * unit, low), min(middle + 2 * unit, high)
-        short = self.cells.prove(self._fine(cell.line, ends))
+        short = self.cells.prove(self.fine(cell.line, ends))
         if not cell.holds(short, ends[0]) or not cell.holds(short, ends[1]):
             raise NotProved("point", "it is not certain to be on the curve")
         signs = [self.sign(kind, short, end) for end in ends]
@@ -252,25 +252,24 @@ class Follower(Generic[Legs]):
         """Return an enclosure of a test function."""
         box = cell.at(s)
         if kind == "fold":
-            return self._rate(box, cell.line.along)
+            return self.rates(box, cell.line.along)[self.size]
         e = self.cells.multipliers(box)
         return _at_minus_one(e) if kind == "flip" else _of_pairs(e)
 
-    def _rate(self, box: Box, along: int) -> Ball:
-        """Return an enclosure of dp/ds."""
+    def rates(self, box: Box, along: int) -> list[Ball]:
+        """Return an enclosure of dw/ds."""
         curve, size = self.cells.curve, self.size
         rows = curve.rows(curve.blocks(box, self.cells.balls))
         others = [k for k in range(size + 1) if k != along]
         A = interval.matrix([[row[k] for k in others] for row in rows])
         b = interval.column([-row[along] for row in rows])
         try:
-            rates = A.solve(b).entries()
+            rates: list[Ball] = A.solve(b).entries()
         except ZeroDivisionError:
             raise NotProved("point", "F' may be singular along the curve") from None
-        value: Ball = rates[others.index(size)]
-        return value
+        return [*rates[:along], interval.ONE, *rates[along:]]
 
-    def _fine(self, line: Line, ends: tuple[Fraction, Fraction]) -> Line:
+    def fine(self, line: Line, ends: tuple[Fraction, Fraction]) -> Line:
         """Return a line through a point of the curve that is known to many digits."""
         middle, along, size = (ends[0] + ends[1]) / 2, line.along, self.size
         others = [k for k in range(size + 1) if k != along]
@@ -297,7 +296,7 @@ class Follower(Generic[Legs]):
         """Return where the test function changes its sign, by the secant method; a guess."""
 
         def value(s: Fraction) -> Fraction:
-            line = self._fine(cell.line, (s, s))
+            line = self.fine(cell.line, (s, s))
             exact = Cell(line, (), (interval.ZERO,) * (self.size + 1), [])
             return interval.midpoint(self._value(kind, exact, s))
 

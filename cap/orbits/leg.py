@@ -123,7 +123,7 @@ class Watch:
 
     def __init__(self, system: System, mode: str, guard: str, motion: Motion) -> None:
         self.motion, q = motion, [f"q{i}" for i in range(len(system.state))]
-        h = system.guard(mode, guard).value
+        self._system, h = system, system.guard(mode, guard).value
         rate = system.lie(mode, h)
         self._towers = h, rate, system.lie(mode, rate)
         self._tape = tape = Tape()
@@ -157,6 +157,13 @@ class Watch:
     def at(self) -> Function:
         """h at a place."""
         return Function(self._place, [self._of(self._towers[0], along=False)])
+
+    @cached_property
+    def gradient(self) -> Function:
+        """The derivatives of h by the state at a place."""
+        h = self._towers[0]
+        rows = [self._of(h.derivative(z), along=False) for z in self._system.state]
+        return Function(self._place, rows)
 
     @cached_property
     def rate(self) -> Function:

@@ -12,7 +12,7 @@
    and 0.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -160,8 +160,13 @@ class Prover:
         E = zero.residual(hint, interval.matrix(equations.rows(blocks)))
         return zero.contracted(hint, value, E, box), blocks
 
-    def reasons(self, box: Box) -> list[Reason]:
-        """Prove that nothing else happens on the orbits whose contacts lie in a box."""
+    def reasons(
+        self, box: Box, windows: Mapping[tuple[int, str], tuple[float, float]] | None = None
+    ) -> list[Reason]:
+        """Prove that nothing else happens on the orbits whose contacts lie in a box.
+
+        In the window of a leg and a guard nothing is proved of it.
+        """
         found, vanishing = list[Reason](), self.itinerary.vanishing
         for leg in self.legs(box):
             mode = self.itinerary.contacts[leg.number].to
@@ -172,7 +177,9 @@ class Prover:
                 zeros = vanishing[leg.number][name]
                 along = Along(leg, name, watch, zeros, name == following)
                 if self._pieces:
-                    found.append(reason(along, lemma, None, self.equations.kinds.longest(mode)))
+                    longest = self.equations.kinds.longest(mode)
+                    window = (windows or {}).get((leg.number, name))
+                    found.append(reason(along, lemma, None, longest, window))
                 else:
                     found.append(reason(along, lemma, self._minima_of(mode, name)))
         return found

@@ -18,14 +18,19 @@ PLACES = 10  # decimals of a cut
 Cut = float | None  # None: the end of the leg
 
 
-def cuts_of(along: Along, longest: float = float("inf")) -> list[float]:
+def cuts_of(
+    along: Along, longest: float = float("inf"), window: tuple[float, float] | None = None
+) -> list[float]:
     """Prove that h > 0 between the ends of a leg; return the times at which it was cut.
 
-    No piece is longer than ``longest``.
+    No piece is longer than ``longest``.  One of them may be a window, in which nothing is proved.
     """
     cuts: list[float] = []
     first, last = float(along.leg.start.time), float(along.leg.end.time)
     stack: list[tuple[Cut, Cut, int]] = [(None, None, 0)]
+    if window:
+        stack = [(window[1], None, 0), (None, window[0], 0)]
+        cuts = [window[1]]
     while stack:
         a, b, depth = stack.pop()
         begin, end = first if a is None else a, last if b is None else b
@@ -38,7 +43,7 @@ def cuts_of(along: Along, longest: float = float("inf")) -> list[float]:
                 raise _failed(along, middle)
         elif b is not None:
             cuts.append(b)
-    return cuts
+    return sorted(cuts)
 
 
 def _failed(along: Along, time: float) -> Exception:

@@ -37,8 +37,11 @@ def reason(
     lemma: Lemma,
     minima: Sequence[Minimum] | None,
     longest: float = float("inf"),
+    window: tuple[float, float] | None = None,
 ) -> Reason:
     """Prove that a guard is positive between the ends of a leg; no piece is longer than this.
+
+    In a window nothing is proved.
 
     Raises `NotProved` with the leg, the guard, a time, and the guard then.
     """
@@ -49,7 +52,7 @@ def reason(
         _end(along)
         return Reason(number, name, "M")
     if minima is None:
-        return Reason(number, name, "B", tuple(cuts_of(along, longest)))
+        return Reason(number, name, "B", tuple(cuts_of(along, longest, window)))
     if not along.vanishing:
         along.positive(along.at(along.leg.start), along.leg.start.time)
     _end(along)

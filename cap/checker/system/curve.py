@@ -16,8 +16,8 @@ an analytic function of s.
 *One curve.*  If for an end of one cell the zero there lies among the w of another cell, it is the
 other's zero at its s: the two pieces have a point in common.
 
-*Where p turns.*  Along a cell p' = dp/ds solves A w' = -(the derivative of F by s), one of the
-unknowns being p.
+*Rates.*  Along a cell w' = dw/ds solves A w' = -(the derivative of F by s), and is 1 along s.
+Where p' changes its sign p turns.
 """
 
 from __future__ import annotations
@@ -257,7 +257,11 @@ class Curve:
         return sum(parts[1:], parts[0])
 
     def rate(self, steps: Sequence[Step], along: int) -> Interval:
-        """Return dp/ds, where s is not p."""
+        """Return dp/ds."""
+        return self.rates(steps, along)[self.size]
+
+    def rates(self, steps: Sequence[Step], along: int) -> Box:
+        """Return dw/ds."""
         zero = self.equations.pi.integer(0)
         others = [k for k in range(self.size + 1) if k != along]
         rows = [
@@ -266,5 +270,6 @@ class Curve:
         ]
         found = solved(rows)
         if found is None:
-            raise Rejected("dp/ds is not found: F' may be singular")
-        return found[others.index(self.size)]
+            raise Rejected("dw/ds is not found: F' may be singular")
+        found.insert(along, zero.integer(1))
+        return found

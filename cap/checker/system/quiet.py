@@ -109,17 +109,24 @@ def stays_positive(
     end: Interval,
     cuts: Sequence[Fraction],
     zeros: tuple[int, int] = (0, 0),
+    window: Interval | None = None,
 ) -> None:
     """Prove that a guard stays positive until each flight ends, at a time in ``end``.
 
     So many of h, L h, ... vanish at the start and at the end, 0 to 2 of them, as ``zeros`` says.
+    One of the pieces may be a window, in which nothing is proved.
     """
     first, last = zeros
     pieces = _pieces(flights.start, end, cuts)
+    if window:
+        inner = any(_is(piece, window) for piece in pieces[1:-1])
+        need(inner, "the window is none of the pieces of its leg")
     if len(pieces) < bool(first) + bool(last):
         raise TooCoarse("a guard is 0 at both ends of a piece")
     for k, piece in enumerate(pieces):
         at_start, at_end = k == 0, k + 1 == len(pieces)
+        if window and _is(piece, window):
+            continue
         why = _not_positive(flights, h, piece, end, (first * at_start, last * at_end))
         if why:
             raise TooCoarse(why)
@@ -206,6 +213,10 @@ class Piece:
         other = self.b if first else self.a
         concave = self.concave and self.flights.over(self.h.h, other).is_positive()
         return (rate + fall).is_positive() or concave
+
+
+def _is(piece: Interval, window: Interval) -> bool:
+    return (piece.lo, piece.hi) == (window.lo, window.hi)
 
 
 def _pieces(start: Interval, end: Interval, cuts: Sequence[Fraction]) -> list[Interval]:

@@ -224,8 +224,18 @@ class Contacts(Theorem):
             self.leg(zero, steps[k], k, cuts[k])
         self.step("on each leg all guards of its mode are positive between the contacts")
 
-    def leg(self, zero: list[Interval], step: Step, k: int, cuts: Cuts) -> None:
-        """Prove that nothing else happens between a contact and the next one."""
+    def leg(
+        self,
+        zero: list[Interval],
+        step: Step,
+        k: int,
+        cuts: Cuts,
+        windows: Mapping[str, Interval] | None = None,
+    ) -> None:
+        """Prove that nothing else happens between a contact and the next one.
+
+        In the window of a guard nothing is proved of it.
+        """
         contact = self.orbit.contacts[k]
         mode, guards = contact.to, watched(self.p, contact.to)
         zeros = vanishing(self.p, contact.mode, contact.guard, contact.to)
@@ -237,7 +247,7 @@ class Contacts(Theorem):
         for key, h in guards.items():
             ends = zeros[key], int(key == self.orbit.following(k).guard)
             if key in cuts:
-                stays_positive(flights, h, end, cuts[key], ends)
+                stays_positive(flights, h, end, cuts[key], ends, (windows or {}).get(key))
             else:
                 others = tuple(guards[other] for other in cuts)
                 need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")

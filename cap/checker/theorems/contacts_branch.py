@@ -25,6 +25,12 @@ its guards.
    - *fold*: along an unknown that is not p, dp/ds changes its sign: p has an extremum between, and
      where dp/ds = 0 the derivative of F by the other unknowns is singular, so that 1 is a
      multiplier.
+5. *Grazes.*  One more cell, which has a point in common with one of the cells.  On it a guard h of
+   a leg has one least value m in a window of times, monotone along the cell, and is positive on the
+   leg outside of the window; all else is quiet (``graze``).  m vanishes for one s, between the ends
+   of a short cell.  The common point is an orbit: m > 0 there, and so between it and the graze.  So
+   all zeros of F from it on are orbits, until at that s the flight touches h = 0 at one time, where
+   L h = 0 < L^2 h; beyond it h < 0 in the leg, and they are none.
 """
 
 from __future__ import annotations
@@ -55,11 +61,14 @@ from cap.checker.kernel.theorem import BITS
 from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Cell, Curve, Line
 from cap.checker.system.given import GUARDS, STATES, told
-from cap.checker.system.passage import Contact
+from cap.checker.system.graze import drift, inside, sign, turns, window
+from cap.checker.system.legs import Leg
+from cap.checker.system.passage import Contact, Step
+from cap.checker.system.quiet import watched
 from cap.checker.system.stability import outside
 from cap.checker.theorems.contacts import CONTACTS, CUTS, MOST_BITS, PERIODS, UNKNOWNS, Contacts
 
-CELLS, POINTS = 5000, 100
+CELLS, POINTS, GRAZES = 5000, 100, 2
 PLACES = 12  # decimals of what is printed of the parameter
 WORK, EQUATIONS = 1 << 24, 1 << 24
 
@@ -80,6 +89,17 @@ _POINT = {
     "outside": [Whole(0, STATES), Whole(0, STATES)],
 }
 _MATRIX = Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS)
+_LEGS = Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS)
+_GRAZE = {
+    "cell": Whole(0, CELLS),
+    "piece": _POINT["short"],
+    "leg": Whole(1, CONTACTS),
+    "guard": name,
+    "window": [number, number],
+    "short": _POINT["short"],
+    "at": Quantity(),
+    "time": Quantity(),
+}
 
 
 class ContactsBranch(Contacts):
@@ -91,10 +111,14 @@ class ContactsBranch(Contacts):
         Field("fine", Whole(64, MOST_BITS), "", "", "precision of the short cells"),
         Field("preconditioners", Many(_MATRIX, 1, CELLS), "", "C",
               "of each cell, in units 2^-48"),
-        Field("cuts", Many(Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), 1, CELLS),
-              "", "", "of each cell, as those of an orbit"),
+        Field("cuts", Many(_LEGS, 1, CELLS), "", "", "of each cell, as those of an orbit"),
         Field("points", Many(_MATRIX, 0, POINTS), "", "",
               "the preconditioner of the short cell of each point"),
+        Field("grazes", Many({"piece": _MATRIX, "cuts": _LEGS, "short": _MATRIX,
+                              "narrow": [number, number]}, 0, GRAZES), "", "",
+              "of each graze: the preconditioner of its piece, the cuts on it, two of which are the "
+              "ends of the window, the preconditioner of its short cell, and between what "
+              "times the guard is least on this"),
     )
     CLAIMS: ClassVar[Table] = (
         Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
@@ -109,6 +133,10 @@ class ContactsBranch(Contacts):
               "short pieces of the cell of this number, counted from 0, on which a multiplier is "
               "-1, or two are on the unit circle, or the parameter turns; where it is then; how "
               "many multipliers are outside at both ends"),
+        Field("grazes", Many(_GRAZE, 0, GRAZES), "", "",
+              "pieces that go on from the cell of this number to where the leg after a contact, "
+              "counted from 1, touches the zero of a guard, in a window of times; a short part of "
+              "the piece, the parameter and the time of the touch"),
     )
     CITES = (
         cite("Krawczyk", NEUMAIER,
@@ -131,12 +159,14 @@ class ContactsBranch(Contacts):
         for key in ("preconditioners", "cuts"):
             need(len(hints[key]) == cells, f"hints.{key} is not a list of {cells}")
         need(len(hints["points"]) == points, f"hints.points is not a list of {points}")
-        need(all(len(legs) == count for legs in hints["cuts"]), "a cell has not a leg a contact")
         size = len(claims["cells"][0]["centre"])
-        pieces = sum(len(at) + 1 for legs in hints["cuts"] for leg in legs for at in leg.values())
+        need(len(hints["grazes"]) == len(claims["grazes"]), "hints.grazes are not those of claims")
+        shown = [*hints["cuts"], *(graze["cuts"] for graze in hints["grazes"])]
+        need(all(len(legs) == count for legs in shown), "a cell has not a leg a contact")
+        pieces = sum(len(at) + 1 for legs in shown for leg in legs for at in leg.values())
         work = hints["bits"] * (size // count + 3) * pieces
         need(work <= WORK, "bits x variables x pieces of legs are more than 2^24")
-        entries = (cells + points) * size**2 * count
+        entries = (cells + points + 2 * len(claims["grazes"])) * size**2 * count
         need(entries <= EQUATIONS, "cells x unknowns^2 x contacts are more than 2^24")
 
     def prove(self) -> None:
@@ -158,14 +188,15 @@ class ContactsBranch(Contacts):
         e = [self.quiet(k, cell) for k, cell in enumerate(self.cells)]
         self.step("on each leg all guards of its mode are positive between the contacts")
         self.counted(e)
-        self.reaches(self.points())
+        self.fine = Curve(Equations(self.orbit, self.hints["fine"]))
+        self.reaches(self.points(), self.grazes())
 
-    def reaches(self, short: list[Cell]) -> None:
+    def reaches(self, short: list[Cell], grazes: list[tuple[Cell, Fraction]]) -> None:
         """Prove that the parameter takes all values of the range: there are ends beyond it."""
         low, high = self.claims["range"]
         need(low < high, "claims.range is not in order")
-        every = (*self.cells, *short)
-        ends = [(cell.line, s, cell.at(s)[-1]) for cell in every for s in cell.line.ends]
+        every = [(cell, s) for cell in (*self.cells, *short) for s in cell.line.ends]
+        ends = [(cell.line, s, cell.at(s)[-1]) for cell, s in (*every, *grazes)]
         last = self.curve.size
         least = any(s <= low if c.along == last else p.upper <= low for c, s, p in ends)
         most = any(s >= high if c.along == last else p.lower >= high for c, s, p in ends)
@@ -202,21 +233,80 @@ class ContactsBranch(Contacts):
 
     def points(self) -> list[Cell]:
         """Prove what happens at the points; return their short cells."""
-        fine, found = Curve(Equations(self.orbit, self.hints["fine"])), list[Cell]()
+        fine, found = self.fine, list[Cell]()
         for k, (point, C) in enumerate(
             zip(self.claims["points"], self.hints["points"], strict=True)
         ):
             need(point["cell"] < len(self.cells), f"point {k} is on no cell")
             short, on = fine.cell(_line(point["short"]), C), self.cells[point["cell"]]
-            bits = self.hints["bits"]
-            ends = [(s, [x.with_bits(bits) for x in short.at(s)]) for s in short.line.ends]
-            lies = all(on.holds(short.line, s, w) for s, w in ends)
-            need(lies, f"point {k} is not certain to be on its cell")
+            need(self.lies(short, on), f"point {k} is not certain to be on its cell")
             self.compare(f"points[{k}].at", point["at"], short.box[-1])
             self.happens(k, point, fine, short)
             found.append(short)
         self.step("each point lies on its cell, and what is claimed happens there")
         return found
+
+    def lies(self, short: Cell, on: Cell) -> bool:
+        """Return whether the zeros at both ends of a short cell are certainly on a cell."""
+        bits = self.hints["bits"]
+        ends = [(s, [x.with_bits(bits) for x in short.at(s)]) for s in short.line.ends]
+        return all(on.holds(short.line, s, w) for s, w in ends)
+
+    def grazes(self) -> list[tuple[Cell, Fraction]]:
+        """Prove where orbits graze; return the short cells, with their ends that are orbits."""
+        found = list[tuple[Cell, Fraction]]()
+        for k, graze in enumerate(self.claims["grazes"]):
+            hints, where = self.hints["grazes"][k], f"graze {k}"
+            need(graze["cell"] < len(self.cells), f"{where} is on no cell")
+            piece = self.curve.cell(_line(graze["piece"]), hints["piece"])
+            joined = self.cells[graze["cell"]].meets(piece)
+            need(joined, f"the piece of {where} is not certain to be one curve with its cell")
+            self.approaches(graze, hints["cuts"], piece)
+            short = self.fine.cell(_line(graze["short"]), hints["short"])
+            need(self.lies(short, piece), f"{where} is not certain to be on its piece")
+            self.compare(f"grazes[{k}].at", graze["at"], short.box[-1])
+            found.append((short, self.touch(k, graze, hints["narrow"], short)))
+        self.step(
+            "at each graze the guard touches zero, and on one side of it nothing else happens"
+        )
+        return found
+
+    def approaches(self, graze: dict[str, Any], cuts: Any, piece: Cell) -> None:
+        """Prove that on a piece one guard alone may vanish, whose least value is monotone."""
+        j, box = graze["leg"] - 1, piece.box
+        need(j < len(self.orbit.contacts), "a graze is on no leg")
+        steps, zeros = self.curve.steps(box), self.curve.expanded(box)
+        guards = watched(self.p, self.orbit.contacts[j].to)
+        need(graze["guard"] in cuts[j], "there are no cuts of the guard that is grazed")
+        at = window(graze["window"], self.hints["bits"])
+        for i, each in enumerate(cuts):
+            self.leg(zeros, steps[i], i, each, {graze["guard"]: at} if i == j else None)
+        h = guards[graze["guard"]]
+        turns(self.flights(self.curve, zeros, steps[j], j), h, self.equations.end(zeros, j), at)
+        rates = self.curve.rates(steps, piece.line.along)
+        change = drift(self.curve, box, rates, j, at, h.h)
+        need(not change.contains_zero(), "the least value of a guard may not be monotone")
+
+    def touch(self, k: int, graze: dict[str, Any], ends: Any, short: Cell) -> Fraction:
+        """Prove that the guard touches zero on a short cell; return the end that is an orbit."""
+        (a, b), j, fine = graze["window"], graze["leg"] - 1, self.fine
+        need(a <= ends[0] and ends[1] <= b, f"the narrow window of graze {k} is not in its window")
+        narrow = window(ends, self.hints["fine"])
+        self.compare(f"grazes[{k}].time", graze["time"], narrow)
+        h, signs = watched(self.p, self.orbit.contacts[j].to)[graze["guard"]], list[int]()
+        box = short.box
+        inside(self.flights(fine, fine.expanded(box), fine.steps(box)[j], j), h, narrow)
+        for s in short.line.ends:
+            w = short.at(s)
+            signs.append(sign(self.flights(fine, fine.expanded(w), fine.steps(w)[j], j), h, narrow))
+        need(sorted(signs) == [-1, 1], f"graze {k}: the guard is not certain to touch zero")
+        return short.line.ends[signs.index(1)]
+
+    def flights(self, curve: Curve, zeros: list[Interval], step: Step, j: int) -> Leg:
+        """Return the flights of a leg."""
+        after = dict(zip(self.p.state, step.after, strict=True))
+        start = curve.equations.start(zeros, j)
+        return Leg(self.p, self.orbit.contacts[j].to, start, after)
 
     def happens(self, k: int, point: dict[str, Any], fine: Curve, short: Cell) -> None:
         """Prove what is claimed of one point."""
@@ -258,7 +348,7 @@ class ContactsBranch(Contacts):
             f"falls through 0, and no others: {names}; {p} takes on it all values in "
             f"{between}; on each piece, in a box around a line, there is for each value of "
             f"one unknown no other orbit with these contacts{''.join(self.counts())}"
-            f"{''.join(self.told_points())}"
+            f"{''.join(self.told_points())}{''.join(self.told_grazes())}"
         )
 
     def counts(self) -> Iterator[str]:
@@ -292,6 +382,20 @@ class ContactsBranch(Contacts):
                 f"; for an orbit on piece {point['cell']} with {p} in {at} "
                 f"{self.KINDS[point['kind']]}: {before} outside the unit circle on one side, "
                 f"{after} on the other"
+            )
+
+    def told_grazes(self) -> Iterator[str]:
+        """Give where orbits graze."""
+        p = self.p.state[-1]
+        for graze in self.claims["grazes"]:
+            mode = self.claims["contacts"][graze["leg"] - 1]["to"]
+            yield (
+                f"; from piece {graze['cell']} on the curve goes on, by one more piece, to exactly one "
+                f"graze on it, with {p} in {graze['at']}: there, at t in {graze['time']}, after "
+                f"contact {graze['leg']}, '{graze['guard']}' of '{mode}' touches 0, its first "
+                f"derivative along the flight 0 and its second positive, and no guard vanishes elsewhere but at the contacts; "
+                f"until there it is one of such orbits, just beyond it the guard is negative in "
+                f"between"
             )
 
 

@@ -53,6 +53,11 @@ def branch(theorem: ContactsBranch, figure: Figure) -> None:
             label = f"{point['kind']} at {name} = {number(point['at'], 12)}"
             axes.plot(at, place, marker, ms=6.5, mfc=colour, mec=BLACK, mew=0.8, ls="none",
                       label=label, zorder=3)  # fmt: skip
+        for graze in claims["grazes"]:
+            label = f"graze at {name} = {number(graze['at'], 12)}"
+            place = float(graze["short"]["centre"][row])
+            axes.plot(middle(graze["at"]), place, "D", ms=5.5, mfc="white", mec=BLACK, mew=0.8,
+                      ls="none", label=label, zorder=3)  # fmt: skip
         axes.set_ylabel(words)
     panels[-1].set_xlabel(f"parameter {name}")
     handles, labels = panels[0].get_legend_handles_labels()

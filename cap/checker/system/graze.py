@@ -1,0 +1,84 @@
+"""A guard that comes to touch zero within a leg, along a piece of a curve of zeros of F.
+
+On a cell (``curve``), for each s, let h be a guard of the mode of a leg along its flight.  In the
+*window* [a, b], which lies within the leg, let L^2 h > 0 and L h(a) < 0 < L h(b): there is one time
+tau in it with L h = 0, and h is least there.  By the implicit function theorem tau is analytic in
+s, and so is the least value m(s) = h(tau(s), s), whose derivative is that of h by s at a fixed
+time, as L h(tau) = 0.  Let this vanish for no time in the window and no s: m is monotone.
+
+*Where m = 0.*  On a *short* cell, whose ends lie among the w of the cell, let L h < 0 < L h at the
+ends of a narrow window [c, d] in the window, so that it contains tau.  As h is convex,
+
+    h(c) + L h(c) (d - c) <= m <= h(c).
+
+If the left side is positive at one end of the short cell and h(c) negative at the other one, m
+vanishes for one s of the cell, which lies in the short one.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import need
+from cap.checker.system.curve import Box, Curve
+from cap.checker.system.evaluation import Values
+from cap.checker.system.legs import Leg, dot
+from cap.checker.system.model import CLOCK, PI
+from cap.checker.system.polynomial import Polynomial
+from cap.checker.system.quiet import Watched
+
+
+def turns(flights: Leg, h: Watched, end: Interval, window: Interval) -> None:
+    """Prove that h has one least value in the window, which lies within the leg."""
+    need(flights.start.is_before(window) and window.is_before(end), "a window is not in its leg")
+    need(flights.over(h.bend, window).is_positive(), "a guard may not be convex in the window")
+    inside(flights, h, window)
+
+
+def inside(flights: Leg, h: Watched, window: Interval) -> None:
+    """Prove that L h changes its sign from one end of a window to the other."""
+    a, b = _ends(window)
+    falls, rises = -flights.over(h.rate, a), flights.over(h.rate, b)
+    need(falls.is_positive() and rises.is_positive(), "a guard may not turn in the window")
+
+
+def sign(flights: Leg, h: Watched, narrow: Interval) -> int:
+    """Return the sign of the least value of h, which is taken in a window, or 0 if not certain."""
+    a, b = _ends(narrow)
+    above = flights.over(h.h, a)
+    least = above + flights.over(h.rate, a) * (b - a)
+    return 1 if least.is_positive() else -1 if (-above).is_positive() else 0
+
+
+def drift(curve: Curve, box: Box, rates: Box, k: int, window: Interval, h: Polynomial) -> Interval:
+    """Return the derivative of h by s at the times of a window on the k-th leg.
+
+    ``rates`` is w' on the box.
+    """
+    equations, model = curve.equations, curve.equations.model
+    z, moved, here = curve.expanded(box), curve.expanded(rates), equations.places(k)[0]
+    n, passage, start = equations.n, equations.passages[k], equations.start(z, k)
+    clock = passage.flights.clock
+    begin, q = clock(start), z[here + 1 : here + n + 1]
+    step = passage.step(begin, q, clock(window), window - start)
+    by = moved[here : here + n + 1]
+    if equations.autonomous and not k:
+        by = [start.integer(0), *by[1:]]  # the first contact is at the time 0
+    known = dict(zip(model.state, (x.value for x in step.arrival), strict=True))
+    known |= {**dict(zip(CLOCK, clock(window), strict=True)), PI: passage.flights.pi}
+    values = Values(known, start.integer(1))
+    gradient = [values.of(h.derivative(name)) for name in model.state]
+    return dot(gradient, [dot(x.derivatives(n + 2)[:-1], by) for x in step.arrival])
+
+
+def window(ends: tuple[Fraction, Fraction], bits: int) -> Interval:
+    """Return a window."""
+    need(ends[0] < ends[1], "the ends of a window are not in order")
+    return Interval.enclosing(*ends, bits)
+
+
+def _ends(window: Interval) -> tuple[Interval, Interval]:
+    """Return the ends of a window."""
+    lo, hi, bits = window.lo, window.hi, window.bits
+    return Interval(lo, lo, bits), Interval(hi, hi, bits)
