@@ -116,8 +116,8 @@ class ContactsBranch(Contacts):
               "the preconditioner of the short cell of each point"),
         Field("grazes", Many({"piece": _MATRIX, "cuts": _LEGS, "short": _MATRIX,
                               "narrow": [number, number]}, 0, GRAZES), "", "",
-              "of each graze: the preconditioner of its piece, the cuts on it, two of which are the "
-              "ends of the window, the preconditioner of its short cell, and between what "
+              "of each graze: the preconditioner of its piece, the cuts on it, two of which are "
+              "the ends of the window, the preconditioner of its short cell, and between what "
               "times the guard is least on this"),
     )
     CLAIMS: ClassVar[Table] = (
@@ -390,12 +390,12 @@ class ContactsBranch(Contacts):
         for graze in self.claims["grazes"]:
             mode = self.claims["contacts"][graze["leg"] - 1]["to"]
             yield (
-                f"; from piece {graze['cell']} on the curve goes on, by one more piece, to exactly one "
-                f"graze on it, with {p} in {graze['at']}: there, at t in {graze['time']}, after "
-                f"contact {graze['leg']}, '{graze['guard']}' of '{mode}' touches 0, its first "
-                f"derivative along the flight 0 and its second positive, and no guard vanishes elsewhere but at the contacts; "
-                f"until there it is one of such orbits, just beyond it the guard is negative in "
-                f"between"
+                f"; from piece {graze['cell']} on the curve goes on, by one more piece, to exactly "
+                f"one graze on it, with {p} in {graze['at']}: there, at t in {graze['time']}, "
+                f"after contact {graze['leg']}, '{graze['guard']}' of '{mode}' touches 0, its "
+                f"first derivative along the flight 0 and its second positive, and no guard "
+                f"vanishes elsewhere but at the contacts; until there it is one of such orbits, "
+                f"just beyond it the guard is negative in between"
             )
 
 
