@@ -131,17 +131,17 @@ class BallCurve(AroundCylinder):
 
 _BALL = (
     "a ball, y'' = -{g}, that bounces elastically on a table at {A} sin({omega} t): in the plane "
-    "of the phase omega t of an impact, modulo 2 pi, and of the speed v > 0 after it, relative to "
-    "the table, the map to the next impact has an invariant analytic curve that goes around once, "
-    "on which it is conjugate to a rotation; between two impacts on it the table oscillates "
-    "{turns} + alpha times on average, alpha = {alpha} (dist(k alpha, Z) >= {diophantine}/k for k "
-    "= 1, 2, ...); in the coordinates omega t and v^2 omega^2/(2 g^2) the curve is within "
+    "of the phase omega t of an impact, modulo 2 pi, and of the speed v > 0 after it, relative to"
+    " the table, the map to the next impact has an invariant analytic curve that goes around "
+    "once, on which it is conjugate to a rotation; between two impacts on it the table oscillates"
+    " {turns} + alpha times on average, alpha = {alpha} (dist(k alpha, Z) >= {diophantine}/k for "
+    "k = 1, 2, ...); in the coordinates omega t and v^2 omega^2/(2 g^2) the curve is within "
     "{distance} of the trigonometric polynomial of the certificate; on it {low} <= v <= {high}; "
     "motions that start below the curve stay below it, forward and backward: if v < {low} after "
     "one impact, then v <= {high} after all, and if v > {high} after one, then v >= {low} after "
-    "all; below it a motion goes from v = {u} to v >= {u_end} in {u_impacts} impacts, and above it "
-    "one from v = {w} to v <= {w_end} in {w_impacts}: so no invariant curve that goes around once lies "
-    "in {u} <= v < {u_end} or in {w_end} < v <= {w}"
+    "all; below it a motion goes from v = {u} to v >= {u_end} in {u_impacts} impacts, and above "
+    "it one from v = {w} to v <= {w_end} in {w_impacts}: so no invariant curve that goes around "
+    "once lies in {u} <= v < {u_end} or in {w_end} < v <= {w}"
 )
 
 THEOREM = BallCurve
