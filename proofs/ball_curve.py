@@ -9,23 +9,29 @@ and let α be a quadratic irrational, n >= 0.  If the lemmas succeed, then
        trigonometric polynomial in (ωt, v²ω²/(2g²)), on which it is conjugate to a rotation; the
        table oscillates n + α times between two impacts, on average;
  (ii)  on it v lies between explicit bounds: so no motion goes from speeds below the first to speeds
-       above the second, or back, whenever.
+       above the second, or back, whenever;
+ (iii) an explicit motion below the curve goes from v = u to v >= u', and one above it from v = w to
+       v <= w': so no invariant curve that goes around once lies in u <= v < u' or w' < v <= w.
 
-Proof.  docs/invariant-curve-proof.md, with `cap.tori.bouncing`; `cap.proofs.cylinder`.
+Proof.  docs/invariant-curve-proof.md, with `cap.tori.bouncing`; `cap.proofs.cylinder`; (iii) Lemma
+2: such a curve separates the cylinder, and both motions would cross it.
 """
 
 from fractions import Fraction
-from math import pi
+from math import ceil, floor, pi
 from typing import Any, NamedTuple
 
-from cap.errors import BadInput
-from cap.floats.candidates import spanning
+from cap.errors import BadInput, NotProved
+from cap.floats.candidates import passage, spanning
 from cap.proofs.cylinder import Sought, bounds, checked, proved
 from cap.runner import Runner
 from cap.sets import interval
 from cap.sets.fourier import Circle
-from cap.tori.bouncing import Bouncing
+from cap.tori.bouncing import Bouncing, impact
 from cap.tori.rotation import Quadratic
+
+BITS = 128 + 8 * passage.IMPACTS  # of motions
+PLACES = 6  # decimals of the speed at the end
 
 
 class Table(NamedTuple):
@@ -67,9 +73,38 @@ def prove(table: Table, q: Quadratic, whole: int, runner: Runner) -> dict[str, A
     with interval.workprec(at.bits):
         speeds = ((2 * w).sqrt() * interval.ball(scale) for w in (found.low, found.high))
         claims = {**found.claims, "turns": str(whole), "speeds": bounds(*speeds)}
-    content = claims, found.hints
+    runner.tell("motions that come near the curve are looked for", None)
+    low, high = (Fraction(text) for text in claims["speeds"])
+    claims["rise"] = lemma_2_passage(table, passage.rising(float(a), float(low / scale)), 1)
+    claims["fall"] = lemma_2_passage(table, passage.falling(float(a), float(high / scale)), -1)
+    content = claims, {**found.hints, "bits": str(BITS)}
     certificate: dict[str, Any] = checked("ball_curve", as_parameters(table), content, runner)
     return certificate
+
+
+def lemma_2_passage(table: Table, starts: list[passage.Start], sign: int) -> dict[str, str]:
+    """*Statement.* The motion from a start has, after so many impacts, at least a speed.
+
+    At most, if ``sign`` is -1.  *Computed.* The motion of each start, impact by impact, in balls of
+    `BITS` bits; the one that gains most is returned.
+    """
+    scale, found = table.g / table.omega, []
+    with interval.workprec(BITS):
+        a, to = interval.ball(table.a), Fraction(10) ** PLACES
+        for start in starts:
+            first = Fraction(start.speed)
+            t, v = interval.ball(Fraction(start.phase)), interval.ball(first)
+            for n in range(passage.IMPACTS):
+                t, v = impact(a, t, v)
+                ends = interval.ends(v * interval.ball(scale))
+                last = Fraction(floor(ends[0] * to) if sign > 0 else ceil(ends[1] * to)) / to
+                found.append((last / (first * scale), last, n + 1, start))
+    best = max if sign > 0 else min
+    ratio, last, count, start = best(found, key=lambda each: each[0])
+    if not sign * (ratio - 1) > 0:
+        raise NotProved("motion", "none found goes far", {"ratio": interval.ball(ratio)})
+    speed = str(Fraction(start.speed) * scale)
+    return {"phase": start.phase, "speed": speed, "impacts": str(count), "to": str(last)}
 
 
 def as_parameters(table: Table) -> dict[str, str]:

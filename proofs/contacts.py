@@ -223,6 +223,11 @@ def terms(q: Polynomial, where: str, degree: int = DEGREE) -> list[list[str]]:
 
 def claims(orbit: PeriodicOrbit, digits: int) -> dict[str, Any]:
     """Return what is claimed of an orbit."""
+    return orbit_claims(orbit, digits) | unstable(orbit)
+
+
+def orbit_claims(orbit: PeriodicOrbit, digits: int) -> dict[str, Any]:
+    """Return what is claimed of an orbit, but for its stability."""
     contacts = orbit.contacts
     return {
         "contacts": [contact._asdict() for contact in orbit.itinerary.contacts],
@@ -233,10 +238,10 @@ def claims(orbit: PeriodicOrbit, digits: int) -> dict[str, Any]:
                 _places(orbit, orbit.hint.centre), _places(orbit, orbit.reach), strict=True
             )
         ],
-        "times": [_pair(t, digits) for t, _ in contacts],
-        "states": [[_pair(x, digits) for x in q] for _, q in contacts],
-        "symmetric": [_pair(x, digits) for x in orbit.symmetric],
-    } | unstable(orbit)
+        "times": [pair(t, digits) for t, _ in contacts],
+        "states": [[pair(x, digits) for x in q] for _, q in contacts],
+        "symmetric": [pair(x, digits) for x in orbit.symmetric],
+    }
 
 
 def unstable(orbit: PeriodicOrbit) -> dict[str, str]:
@@ -255,7 +260,7 @@ def unstable(orbit: PeriodicOrbit) -> dict[str, str]:
     return {}
 
 
-def _pair(x: Ball, digits: int) -> Pair:
+def pair(x: Ball, digits: int) -> Pair:
     """Return decimals that enclose x, and what a looser arithmetic finds."""
     room = abs(x).max(interval.ONE) * interval.ball(Fraction(1, 10 ** (digits + 2)))
     return Rounding(digits).pair(x + interval.symmetric(interval.upper(room)))

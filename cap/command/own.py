@@ -1,7 +1,8 @@
-"""The command ``cap.prove periodic --model FILE``: orbits of a system of one's own.
+"""The commands ``cap.prove periodic --model FILE`` and ``elliptic --model FILE``: orbits of a
+system of one's own.
 
 Candidates are found by the float engine of the model, or come from a state; each is proved by its
-contacts (`cap.proofs.contacts`).
+contacts (`cap.proofs.contacts`), and its twist if asked for (`cap.proofs.contact_elliptic`).
 """
 
 import argparse
@@ -21,13 +22,15 @@ from cap.errors import BadInput, NotProved
 from cap.floats.models.periodic import Closed, Met, near, search
 from cap.option import integer
 from cap.parameters import exact
-from cap.proofs import contacts
+from cap.proofs import contact_elliptic, contacts
 from cap.system.files import assigned, read
 from cap.system.model import System
 from cap.words import printable, quoted, say
 
 BRANCH = ("branch", "contacts_branch")
 HORSESHOE = ("horseshoe", "contact_horseshoe")
+PERIODIC = ("periodic", "contacts")
+ELLIPTIC = ("elliptic", "contact_elliptic")
 LONGEST = 120  # characters of a name
 
 
@@ -38,11 +41,11 @@ def main(words: Sequence[str]) -> int:
         return own_branch.main(words)
     if named in HORSESHOE:
         return own_horseshoe.main(words)
-    options = parser().parse_args([protected(word) for word in words])
+    options = parser(named).parse_args([protected(word) for word in words])
     progress = Progress()
 
     def run() -> int:
-        if options.theorem not in ("periodic", "contacts"):
+        if options.theorem not in (*PERIODIC, *ELLIPTIC):
             raise BadInput(own_refusals.why(options.theorem))
         asked = Asked.of(options)
         if options.table is None:
@@ -57,21 +60,37 @@ def main(words: Sequence[str]) -> int:
     return answered(run, progress)
 
 
-def parser() -> Parser:
-    """Return the parser of this command."""
+PROVERS = {"contacts": contacts.prove, "contact_elliptic": contact_elliptic.prove}
+ABOUT = {
+    "periodic": "Prove periodic orbits of a system of your own by their contacts: that there "
+    "is one near each candidate, which contacts it has and that it has no others, and its "
+    "multipliers.  FILE.py has a function of the parameters that returns a cap.System (see "
+    "docs/own-system.md); it may be FILE.json, which runs nothing.  The certificate holds "
+    "the system: `python -m cap.verify` needs no FILE.py.  Orbits that rest after infinitely "
+    "many contacts are not proved.",
+    "elliptic": "Prove elliptic periodic orbits of a system of your own, with a state of two "
+    "variables and a clock, where flights and contacts preserve area: the orbit with its contacts, "
+    "as `periodic` does, its angle, no resonance of order at most four, and its twist, which is "
+    "not zero: by Moser's theorem there are invariant curves around it, and it is stable.  FILE "
+    "and certificate are as for `periodic --model`.",
+}
+EXAMPLES = {
+    "periodic": "Examples: python -m cap.prove periodic --model examples/ball.py --set A=6/5,e=1/2 "
+    "--all;  python -m cap.prove periodic --model examples/ball.py --orbit 2.0 -2.6 "
+    "--mode fly --out /tmp",
+    "elliptic": "Example: python -m cap.prove elliptic --model examples/ball.py --set A=2/5,e=1",
+}
+
+
+def parser(named: str = "periodic") -> Parser:
+    """Return the parser of these commands."""
+    theorem = "elliptic" if named in ELLIPTIC else "periodic"
     p = Parser(
-        prog=f"{program('cap.prove')} periodic --model FILE",
-        description="Prove periodic orbits of a system of your own by their contacts: that there "
-        "is one near each candidate, which contacts it has and that it has no others, and its "
-        "multipliers.  FILE.py has a function of the parameters that returns a cap.System (see "
-        "docs/own-system.md); it may be FILE.json, which runs nothing.  The certificate holds "
-        "the system: `python -m cap.verify` needs no FILE.py.  Orbits that rest after infinitely "
-        "many contacts are not proved.",
-        epilog="Examples: python -m cap.prove periodic --model examples/ball.py --set A=6/5,e=1/2 "
-        "--all;  python -m cap.prove periodic --model examples/ball.py --orbit 2.0 -2.6 "
-        "--mode fly --out /tmp",
+        prog=f"{program('cap.prove')} {theorem} --model FILE",
+        description=ABOUT[theorem],
+        epilog=EXAMPLES[theorem],
     )
-    p.add_argument("theorem", metavar="periodic", help="what is proved")
+    p.add_argument("theorem", metavar=theorem, help="what is proved")
     own_branch.add_common(p)
     p.add_argument("--all", action="store_true", help="prove every orbit that is found")
     p.add_argument(
@@ -105,6 +124,7 @@ def parser() -> Parser:
 class Asked:
     """What is asked for; all of it makes sense."""
 
+    theorem: str
     system: System
     name: str
     periods: int
@@ -125,8 +145,8 @@ class Asked:
         if options.mode is not None and (not state or options.mode not in system.modes):
             raise BadInput(f"--mode is that of --orbit: one of {', '.join(system.modes)}")
         alone = options.all or state or options.period != "1"
-        if options.table is not None and alone:
-            raise BadInput("--table goes with none of --all, --orbit, --period")
+        if options.table is not None and (alone or options.theorem in ELLIPTIC):
+            raise BadInput("--table goes with none of --all, --orbit, --period, elliptic")
         if options.table is None and (options.journal or options.jobs != "1"):
             raise BadInput("--jobs and --journal go with --table")
         if system.autonomous and options.period != "1":
@@ -137,9 +157,11 @@ class Asked:
             raise BadInput("--all goes neither with --orbit nor with one file as --out")
         stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
         told = [f"{key}={value}" for key, value in sorted(values.items())]
+        theorem = ELLIPTIC[1] if options.theorem in ELLIPTIC else PERIODIC[1]
         return cls(
+            theorem,
             system,
-            "-".join(["contacts", Path(stem).stem, *told]),
+            "-".join([theorem, Path(stem).stem, *told]),
             integer(options.period, "period", (1, 64)),
             options.all,
             state,
@@ -155,7 +177,7 @@ class Asked:
         at = [f"{name}={q:.6g}" for name, q in zip(("t", *self.system.state), orbit.guess)]  # noqa: B905
         told = "-".join([self.name, *at]).replace("/", "_")
         if len(told) > LONGEST:
-            told = f"contacts-{sha256(told.encode()).hexdigest()[:16]}"
+            told = f"{self.theorem}-{sha256(told.encode()).hexdigest()[:16]}"
         return self.out / f"{told}.json"
 
 
@@ -166,6 +188,8 @@ def _run(asked: Asked, progress: Progress) -> int:
     else:
         writable_into(asked.out, ".json")
     contacts.as_parameters(asked.system)
+    if asked.theorem in ELLIPTIC:
+        contact_elliptic.refuse(asked.system)
     orbits, lines = _found(asked, progress)
     for orbit in orbits if asked.out.suffix != ".json" else ():
         _free(asked.path(orbit), orbit)
@@ -191,14 +215,27 @@ def _found(asked: Asked, progress: Progress) -> tuple[list[Closed], list[str]]:
             f"(a state near one can be given with --orbit){also}"
         )
     count = len(met.orbits)
-    chosen = met.orbits if asked.every else met.orbits[:1]
+    wanted = _elliptic(met.orbits) if asked.theorem in ELLIPTIC else met.orbits
+    chosen = wanted if asked.every else wanted[:1]
     which = "all" if asked.every else "the first" if count > 1 else "it"
+    which += " that is elliptic" if asked.theorem in ELLIPTIC and count > 1 else ""
     heading = (
         f"Found {count} orbit{'s' if count > 1 else ''} (those that attract first); "
         f"proving {which}:"
     )
     listed = [f"  {k}  {orbit.shown()}" for k, orbit in enumerate(met.orbits, 1)]
     return chosen, [heading, *listed, *(f"Besides, {line}." for line in _others(met))]
+
+
+def _elliptic(orbits: Sequence[Closed]) -> list[Closed]:
+    """Return the elliptic ones; raise `BadInput`, with the reason, if there are none."""
+    wanted = [orbit for orbit in orbits if orbit.elliptic]
+    if not wanted:
+        lost = contact_elliptic.why_not(orbits[0].itinerary)
+        reason = lost or orbits[0].shown()
+        count = f"{len(orbits)} orbit{'s that were' if len(orbits) > 1 else ' that was'} found"
+        raise BadInput(f"none of the {count} is elliptic: {reason}")
+    return wanted
 
 
 def _others(met: Met) -> Iterable[str]:
@@ -224,10 +261,10 @@ def _proved(asked: Asked, orbit: Closed, progress: Progress) -> int:
     progress.tell("proving", None)
     path = asked.path(orbit)
     try:
-        proved = contacts.prove(orbit.itinerary, orbit.guess, asked.digits)
+        proved = PROVERS[asked.theorem](orbit.itinerary, orbit.guess, asked.digits)
     except NotProved as failure:
         progress.clear()
-        say(f"NOT PROVED (contacts, {printable(orbit.shown())}).  {failure}", sys.stderr)
+        say(f"NOT PROVED ({asked.theorem}, {printable(orbit.shown())}).  {failure}", sys.stderr)
         return 1
     progress.clear()
     told = report.theorem(proved, columns(sys.stdout) or report.WIDTH)

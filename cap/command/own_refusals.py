@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
-PROVED = "of a system of one's own `periodic`, `branch` and `horseshoe` are proved"
+PROVED = "of a system of one's own `periodic`, `elliptic`, `branch` and `horseshoe` are proved"
 
 REASONS: Mapping[str, str] = {
     "capture": "its bounds are those of hits of a wall under dry friction, for one mass",
@@ -13,7 +13,6 @@ REASONS: Mapping[str, str] = {
     "entropies": "its map of an interval begins where dry friction releases one mass",
     "window": "its map of an interval begins where dry friction releases one mass",
     "cascade": "its map of an interval begins where dry friction releases one mass",
-    "elliptic": "its twist needs derivatives of third order, which are not written for any system",
     "effective_stability": "its motions are those whose velocity never vanishes, of one mass",
     "island": "its invariant curve is one of the map over half a period, of one mass",
     "homoclinic": "its curves are those of a saddle of the map over one period, of one mass",

@@ -17,7 +17,7 @@ from cap.floats.coverings.search import (
     families_of_contacts,
 )
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
-from cap.floats.search import periodic, spanning, tori
+from cap.floats.search import passage, periodic, spanning, tori
 from cap.floats.search.cycles import Cycle, near
 from cap.floats.search.homoclinic import Excursion, Saddle, excursions
 from cap.floats.search.orbits import from_hit_times, search
@@ -56,6 +56,7 @@ __all__ = [
     "lighter",
     "non_sticking",
     "particles",
+    "passage",
     "releasing",
     "releasing_again",
     "saddles",

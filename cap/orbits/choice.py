@@ -19,10 +19,9 @@ def without_choice(prover: Prover, box: Box) -> None:
             if other != to and not _is_closed(prover, leg, other):
                 reason = (
                     f"after contact {leg.number + 1} ('{guard}') the mode '{other}' may be open "
-                    f"as '{to}' is: which one motions near the orbit go on in is not decided, so "
-                    "that it attracts is not proved"
+                    f"as '{to}' is: which one motions near the orbit go on in is not decided"
                 )
-                raise NotProved("attracts", reason, {"t": leg.start.time})
+                raise NotProved("choice", reason, {"t": leg.start.time})
 
 
 def _is_closed(prover: Prover, leg: Leg, mode: str) -> bool:

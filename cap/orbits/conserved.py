@@ -40,3 +40,19 @@ def _factor_of(system: System, contact: Contact) -> Fraction | None:
     if not c or not k or set(area.terms) != {()}:
         return None
     return k * area.terms[()] / c
+
+
+def why_lost(itinerary: Itinerary) -> str:
+    """Return in words why it is not known that a round preserves area, of a state of two."""
+    system = itinerary.system
+    for contact in itinerary.contacts:
+        field = system.modes[contact.to].field
+        divergence = sum((field[z].derivative(z) for z in system.state), ZERO)
+        if divergence:
+            return f"flights of the mode {contact.to} do not preserve area: they have a divergence"
+        factor = _factor_of(system, contact)
+        if factor is None:
+            return f"{contact.guard} of {contact.mode} is not found to preserve area"
+        if factor != 1:
+            return f"{contact.guard} of {contact.mode} multiplies area by {factor}"
+    return "area is preserved"

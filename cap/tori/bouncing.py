@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.errors import NotProved
+from cap.sets import interval
 from cap.sets.fourier import Circle, FourierModel, perturbed, root
 from cap.sets.interval import Ball, ComplexBall
 from cap.tori.approximate import model, rounded
@@ -25,6 +26,7 @@ from cap.tori.newton import shortened
 HALF_I = ComplexBall(0, Ball((1, -1)))
 ROUGH = 20  # decimal places of reciprocals
 STEPS = 3  # of Newton's method for hints, with reciprocals in doubles
+POLISHED = 60  # steps of Newton's method for one flight
 
 
 class Flight(NamedTuple):
@@ -107,6 +109,43 @@ class Bouncing:
         pairs = [rounded(u, n) for u, n in zip(self.flight, digits, strict=True)]
         words = {name: w for name, (_, w) in zip(Flight._fields, pairs, strict=True)}
         return {"flight": words}, Bouncing(self.circle, self.a, Flight(*(u for u, _ in pairs)))
+
+
+def impact(a: Ball, t: Ball, v: Ball) -> tuple[Ball, Ball]:
+    """Return the phase and the speed after the next impact of the motions from these states.
+
+    Newton's method with intervals: the time s > 0 is in S if m - h(m)/h'(S) lies in S > 0.  Raises
+    `NotProved`.
+    """
+    m = _polished(a, interval.point(t), interval.point(v))
+    cos, sin = a * t.cos(), a * t.sin()
+    value = sin + (v + cos) * m - m * m / 2 - a * (t + m).sin()
+    width = interval.upper(abs(2 * value / v))
+    s = m
+    for _ in range(3):
+        wide = m + interval.symmetric(2 * width)
+        s = m - value / (v + cos - wide - a * (t + wide).cos())
+        if wide > 0 and interval.subset(s, wide):
+            later = t + s
+            return later, s - v - cos + a * later.cos()
+        width *= 8
+    raise NotProved("motion", "an impact is not certain", {"phase": t, "speed": v, "time": s})
+
+
+def _polished(a: Ball, t: Ball, v: Ball) -> Ball:
+    """Return a point near the time of flight from a state, by Newton's method from the right."""
+    cos, sin = a * t.cos(), a * t.sin()
+    up = v + cos
+    s = interval.point(up + (up * up + 4 * a).sqrt())
+    small = interval.upper(abs(s)) * interval.rounding() * 16
+    for _ in range(POLISHED):
+        step = interval.point(
+            (sin + up * s - s * s / 2 - a * (t + s).sin()) / (up - s - a * (t + s).cos())
+        )
+        s = interval.point(s - step)
+        if not abs(step) > small:
+            break
+    return s
 
 
 def _whole(u: FourierModel) -> FourierModel:

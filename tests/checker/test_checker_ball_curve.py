@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from cap.checker.kernel.certificate import read
+from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.ball_curve import BallCurve
 from cap.checker.verdict import seconds, words
@@ -31,7 +32,7 @@ def bumped(text, mode, by):
 
 def test_it_is_verified():
     """All steps; the schema describes it; the sentence has the numbers claimed."""
-    assert len(verify(GOOD)) == 5
+    assert len(verify(GOOD)) == 7
     fits_the_schema(GOOD)
     said = words(read(encode(GOOD)))
     low, high = CLAIMS["speeds"]
@@ -41,6 +42,8 @@ def test_it_is_verified():
         "1 + alpha times",
         "[0;1,(1)]",
         f"if v < {low} after one impact, then v <= {high} after all",
+        f"in {CLAIMS['rise']['impacts']} impacts",
+        f"v <= {decimal(Fraction(CLAIMS['fall']['to']))} in {CLAIMS['fall']['impacts']}: so",
     ):
         assert part in said
 
@@ -62,6 +65,17 @@ LIES = {
     "time": ("hints", "flight", "time", "0 0", "contraction"),
     "later": ("hints", "flight", "later", "0 0", "contraction"),
     "degree": ("hints", "degree", "8", "too many"),
+    "few bits": ("hints", "bits", "64", "may take no time"),
+    "another phase": ("claims", "rise", "phase", "1/3", "at the end may be lower"),
+    "another start": ("claims", "rise", "speed", "4", "at the end may be lower"),
+    "a start on the curve": ("claims", "rise", "speed", "38/5", "not start below"),
+    "a start at rest": ("claims", "rise", "speed", "0", "not positive"),
+    "fewer impacts": ("claims", "rise", "impacts", "3", "at the end may be lower"),
+    "no rise": ("claims", "rise", "to", "4", "not claimed to rise"),
+    "from another phase": ("claims", "fall", "phase", "3", "at the end may be higher"),
+    "from the curve": ("claims", "fall", "speed", "38/5", "not start above"),
+    "in fewer": ("claims", "fall", "impacts", "3", "at the end may be higher"),
+    "no fall": ("claims", "fall", "to", "1000", "not claimed to fall"),
 }
 
 
@@ -97,6 +111,13 @@ def test_bounds_are_moved():
     rejected(changed(GOOD, "claims", "speeds", 1, str(high - Fraction(1, 10**6))), "higher")
 
 
+@pytest.mark.parametrize(("side", "by", "why"), [("rise", 1, "lower"), ("fall", -1, "higher")])
+def test_ends_are_moved(side, by, why):
+    """A motion comes no nearer to the curve than it does."""
+    farther = Fraction(CLAIMS[side]["to"]) + Fraction(by, 10**5)
+    rejected(changed(GOOD, "claims", side, "to", str(farther)), f"at the end may be {why}")
+
+
 @pytest.mark.parametrize(
     ("name", "value", "why"),
     [
@@ -122,7 +143,7 @@ def test_restitution_is_no_parameter():
 
 def test_the_time():
     """It is said before."""
-    assert seconds(encode(GOOD)) == 0
+    assert seconds(encode(GOOD)) == 1
     large = changed(changed(GOOD, "hints", "degree", "20000"), "hints", "places", "60")
     assert seconds(encode(large)) > 50
 

@@ -26,6 +26,7 @@ ROOMS |= dict.fromkeys(("attractor", "cascade", "entropies", "window"), FLOW | {
 ROOMS |= {"impulse": BARE, "mixed": BARE | {"attracting", "folded", "release"}}
 ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
 ROOMS |= {"conservative": BARE | {"strips"}, "contacts": BARE, "contacts_branch": BARE}
+ROOMS |= {"contact_elliptic": BARE | {"maps"}}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}, "horseshoe": BARE | {"coverings"}}
 ROOMS |= dict.fromkeys(("contact_horseshoe", "map_horseshoe"), BARE | {"coverings"})
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
@@ -35,6 +36,7 @@ ROOMS |= {"ball_curve": BARE - {"system"} | {"tori"}}
 ROOMS |= {"map_curve": BARE | {"coverings", "tori"}}
 ROOMS |= {"particles_stability": FLOW | {"particles"}}
 MORE = {
+    "contact_elliptic": {"contacts"},
     "contacts_branch": {"contacts"},
     "homoclinic": {"saddle"},
     "islands": {"island"},

@@ -17,7 +17,6 @@ def prove(*words, given=HENON):
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(reason="a defect: the sample of the invariant set is one point, none is found")
 def test_from_a_file_to_a_certificate(tmp_path, capsys):
     """Near a full horseshoe short words are enough for most of log 2; no other file is replaced."""
     words = "--set", "a=5", "--effort", "2", "--sets", "disjoint", "--out", tmp_path

@@ -42,10 +42,14 @@ from cap.checker.kernel.jet import Jet, RealJet
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.substitution import substituted
 
-NORMAL_FORM = (
-    "in a complex coordinate z around it, with dx^dv = (i/2) dz^dz^- there (so that positive "
-    "angles turn from x to v), Phi is z -> z exp(i (Theta + tau_1 |z|^2)) + O(|z|^4)"
-)
+
+def told_form(x: str = "x", v: str = "v") -> str:
+    """Return the normal form of Phi in words, with the names of its coordinates."""
+    return (
+        f"in a complex coordinate z around it, with d{x}^d{v} = (i/2) dz^dz^- there (so that "
+        f"positive angles turn from {x} to {v}), Phi is z -> z exp(i (Theta + tau_1 |z|^2)) + "
+        "O(|z|^4)"
+    )
 
 
 class EllipticFrame(NamedTuple):

@@ -26,7 +26,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from cap.checker.kernel.citation import NEUMAIER, cite
+from cap.checker.kernel.citation import NEUMAIER, Citation, cite
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
@@ -75,34 +75,48 @@ UNKNOWNS = CONTACTS * (STATES + 1)
 Cuts = Mapping[str, Sequence[Fraction]]
 
 
+# fmt: off
+ORBIT_HINTS: Table = (
+    BITS,
+    Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
+          "time and state near those of each contact, in the box"),
+    Field("preconditioner", Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
+          "near F'(m)^-1, in units 2^-48"),
+    Field("cuts", Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), "", "",
+          "for the leg after each contact, by guard of its mode, the cuts of Lemma B"),
+)
+ORBIT: Table = (
+    Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
+          "the guards that come to zero in one round, in order, and the modes that follow"),
+    Field("periods", Whole(1, PERIODS), "", "p", "the periods of the clock in one round"),
+    Field("box", Many(Many(region, 2, STATES + 1), 1, CONTACTS), "", "",
+          "of the times and states just before the contacts: a set that contains exactly one "
+          "zero of F"),
+    Field("times", Many(Quantity(), 1, CONTACTS), "time", "t_k", "of the contacts"),
+    Field("states", Many(Many(Quantity(), 1, STATES), 1, CONTACTS), "state", "q_k",
+          "just before the contacts"),
+    Field("symmetric", Many(Quantity(), 1, STATES), "multipliers", "e_j",
+          "elementary symmetric functions of the multipliers: their sum, ..., their product"),
+)
+KRAWCZYK = cite("Krawczyk", NEUMAIER,
+     ("smooth", "F is real analytic on the box: guards are polynomials, resets rational "
+      "functions, flights exponentials", "box"),
+     ("inclusion", "K(box) lies in the interior of the box", "box"))
+# fmt: on
+
+
 class Contacts(Theorem):
     """A periodic orbit with these contacts."""
 
     PARAMETERS: ClassVar[dict[str, Any]] = SYSTEM
     # fmt: off
     HINTS: ClassVar[Table] = (
-        BITS,
-        Field("centre", Many(Many(number, 2, STATES + 1), 1, CONTACTS), "", "m",
-              "time and state near those of each contact, in the box"),
-        Field("preconditioner", Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS), "", "C",
-              "near F'(m)^-1, in units 2^-48"),
-        Field("cuts", Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS), "", "",
-              "for the leg after each contact, by guard of its mode, the cuts of Lemma B"),
+        *ORBIT_HINTS,
         Field("reach", Maybe(Many(Many(number, 2, STATES + 1), 1, CONTACTS)), "", "r",
               "how far from those of the orbit time and state at each contact may be in the basin"),
     )
     CLAIMS: ClassVar[Table] = (
-        Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
-              "the guards that come to zero in one round, in order, and the modes that follow"),
-        Field("periods", Whole(1, PERIODS), "", "p", "the periods of the clock in one round"),
-        Field("box", Many(Many(region, 2, STATES + 1), 1, CONTACTS), "", "",
-              "of the times and states just before the contacts: a set that contains exactly one "
-              "zero of F"),
-        Field("times", Many(Quantity(), 1, CONTACTS), "time", "t_k", "of the contacts"),
-        Field("states", Many(Many(Quantity(), 1, STATES), 1, CONTACTS), "state", "q_k",
-              "just before the contacts"),
-        Field("symmetric", Many(Quantity(), 1, STATES), "multipliers", "e_j",
-              "elementary symmetric functions of the multipliers: their sum, ..., their product"),
+        *ORBIT,
         Field("unstable", Maybe(Whole(0, STATES)), "", "",
               "how many multipliers lie outside the circle of this radius; none lies on it"),
         Field("radius", Maybe(number), "", "r", "of this circle around 0, if it is not 1"),
@@ -115,12 +129,7 @@ class Contacts(Theorem):
               "clock: q) and z* that of the orbit, |W (z - z*)| becomes at most kappa times "
               "that in a round, if it was at most 1"),
     )
-    CITES = (
-        cite("Krawczyk", NEUMAIER,
-             ("smooth", "F is real analytic on the box: guards are polynomials, resets rational "
-              "functions, flights exponentials", "box"),
-             ("inclusion", "K(box) lies in the interior of the box", "box")),
-    )
+    CITES: ClassVar[tuple[Citation, ...]] = (KRAWCZYK,)
     # fmt: on
     units: Mapping[str, Fraction] = {}
 
@@ -150,6 +159,19 @@ class Contacts(Theorem):
 
     def prove(self) -> None:
         """Prove the theorem."""
+        zero, steps = self.located()
+        box, near = self.basin(zero) if "basin" in self.claims else (zero, steps)
+        self.nothing_else(box, near, self.hints["cuts"])
+        multipliers = self.seen(zero, steps)
+        if "kind" in self.claims:
+            self.elliptic(multipliers)
+        self.count(multipliers)
+        if self.claims.get("unstable") == 0 and "radius" not in self.claims:
+            self.no_choice(box, near)
+        self.step("times, states and multipliers are those claimed")
+
+    def located(self) -> tuple[list[Interval], list[Step]]:
+        """Prove that F has one zero in the box; return what encloses it, and its steps."""
         contacts = [Contact(**contact) for contact in self.claims["contacts"]]
         self.orbit = Round(self.p, contacts, self.claims["periods"])
         self.orbit.confirm()
@@ -159,18 +181,23 @@ class Contacts(Theorem):
         same = len(self.hints["preconditioner"]) == self.equations.size
         need(same, f"there are not {self.equations.size} unknowns")
         zero = self.zero()
-        steps = self.equations.steps(zero)
-        box, near = self.basin(zero) if "basin" in self.claims else (zero, steps)
-        self.nothing_else(box, near, self.hints["cuts"])
+        return zero, self.equations.steps(zero)
+
+    def seen(self, zero: list[Interval], steps: list[Step]) -> list[Interval]:
+        """Compare the times, states and multipliers with the claims; return these."""
         step = self.equations.n + 1
         each = [zero[k : k + step] for k in range(0, len(zero), step)]
         self.confirm(times=[z[0] for z in each], states=[z[1:] for z in each])
         multipliers = symmetric(self.derivative(steps), self.equations.n)
         self.confirm(symmetric=multipliers)
-        self.count(multipliers)
-        if self.claims.get("unstable") == 0 and "radius" not in self.claims:
-            self.no_choice(box, near)
-        self.step("times, states and multipliers are those claimed")
+        return multipliers
+
+    def elliptic(self, multipliers: list[Interval]) -> None:
+        """Prove that two multipliers, not real, lie on the unit circle."""
+        one = product_of_two(self.p, self.orbit.contacts) == 1
+        need(one and not self.p.autonomous, "the product of the multipliers is not found to be 1")
+        two = multipliers[0].magnitude().is_before(multipliers[0].integer(2))
+        need(two, "the sum of the multipliers may be 2 or more in size")
 
     def basin(self, zero: list[Interval]) -> tuple[list[Interval], list[Step]]:
         """Prove that the basin is contracted; return boxes of its contacts, with their steps."""
@@ -199,13 +226,6 @@ class Contacts(Theorem):
         need(given or "radius" not in self.claims, "claims.radius is one of nothing")
         need(1 <= radius <= 2, "claims.radius is not between 1 and 2")
         scaled = [x.scaled(1 / radius ** (k + 1)) for k, x in enumerate(multipliers)]
-        if "kind" in self.claims:
-            one = product_of_two(self.p, self.orbit.contacts) == 1
-            need(
-                one and not self.p.autonomous, "the product of the multipliers is not found to be 1"
-            )
-            two = multipliers[0].magnitude().is_before(multipliers[0].integer(2))
-            need(two, "the sum of the multipliers may be 2 or more in size")
         certain = not given or outside(scaled) == self.claims["unstable"]
         need(certain, "claims.unstable is not certain to be the number of these multipliers")
 
@@ -255,6 +275,10 @@ class Contacts(Theorem):
 
     def words(self) -> str:
         """Return the theorem in one line."""
+        return f"{self.told_orbit()}{self.stability()}"
+
+    def told_orbit(self) -> str:
+        """Return the orbit in words."""
         claims = self.claims
         contacts = ", ".join(
             f"'{c['guard']}' of '{c['mode']}' at t in {t}"
@@ -274,7 +298,7 @@ class Contacts(Theorem):
             f"contacts in one round, at each of which the guard falls through 0, and no others: "
             f"{contacts} (values just before a contact); {alone} the only one with these contacts "
             f"whose (t, {', '.join(self.p.state)}) at them lie in {box}; the elementary symmetric "
-            f"functions of its {numbers} (sum, ..., product) are in {sums}{self.stability()}"
+            f"functions of its {numbers} (sum, ..., product) are in {sums}"
         )
 
     def stability(self) -> str:

@@ -20,18 +20,17 @@ from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, First, Maybe, Quantity, Word, bound
-from cap.checker.maps.fixed_point import Point, contains
+from cap.checker.maps.fixed_point import Point
 from cap.checker.maps.non_sticking import KRAWCZYK, NonSticking
 from cap.checker.maps.normal_form import (
-    NORMAL_FORM,
-    EllipticFrame,
     elliptic_frame,
     in_complex_coordinate,
+    told_form,
     twists,
 )
+from cap.checker.maps.resonances import ROTATION, confirm_rotation, rotation, without_zero
 
 ORDERS = ("3", "5", "7", "9")
-RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
 
 
 def coefficients(order: int, velocity: int = 0) -> dict[str, Any]:
@@ -51,12 +50,7 @@ class Elliptic(NonSticking):
     )
     CLAIMS = (
         *NonSticking.CLAIMS,
-        Field("rotation_angle", Quantity(), "Theta, from x to v", r"\Theta",
-              "with its sign, in (-pi, pi)"),
-        Field("rotation_number", Quantity(), "rotation number |Theta|/2pi", r"|\Theta|/2\pi",
-              "|Theta|/(2 pi), without sign, in (0, 1/2)"),
-        Field("resonance_distances", dict.fromkeys(RESONANCES, Quantity()), "distance to", "",
-              "|rotation_number - p/q| for all p/q in [0, 1/2] with q <= 4, positive"),
+        *ROTATION,
         Field("taylor", {"x": coefficients(9), "v": coefficients(9, 1)}, "", "",
               "of dx^i dv^j in that component of Phi(P* + (dx, dv)), 2 <= i + j <= order"),
         Field("twist", Quantity("R^-2 omega^-1"), "tau_1 per |z|^2", r"\tau_1",
@@ -96,7 +90,7 @@ class Elliptic(NonSticking):
         """Prove ellipticity, the absence of low resonances, the twist, and the remainder."""
         x, v = orbit.x.box, orbit.v.box
         frame = elliptic_frame([[w.coefficients[1, 0], w.coefficients[0, 1]] for w in (x, v)])
-        self.rotation(frame)
+        self.confirm(**rotation(frame, self.pi()))
         taylor = {"x": self.taylor(orbit.x), "v": self.taylor(orbit.v)}
         self.confirm(taylor=taylor)
         self.step("the Taylor coefficients of Phi at P* contain what is computed")
@@ -106,17 +100,6 @@ class Elliptic(NonSticking):
         self.ellipticity()
         self.remainder(fixed_point)
 
-    def rotation(self, frame: EllipticFrame) -> None:
-        """Compare the rotation angle and its distances from the resonances."""
-        angle = frame.angle.magnitude() / (self.pi() * 2)
-        self.confirm(
-            rotation_angle=frame.angle,
-            rotation_number=angle,
-            resonance_distances={
-                name: (angle - self.number(q)).magnitude() for name, q in RESONANCES.items()
-            },
-        )
-
     def taylor(self, component: Centred) -> dict[str, Interval]:
         """Return the Taylor coefficients of a component of Phi at P*."""
         powers = [(i, n - i) for n in range(2, self.orbit_order + 1) for i in range(n + 1)]
@@ -124,19 +107,12 @@ class Elliptic(NonSticking):
 
     def ellipticity(self) -> None:
         """Check what the numbers claimed must satisfy."""
-        claims, below_pi = self.claims, self.pi().lower
-        trace, angle, number = (claims[k] for k in ("trace", "rotation_angle", "rotation_number"))
+        trace = self.claims["trace"]
         need(trace.lower > -2 and trace.upper < 2, "the trace is not in (-2, 2)")
-        within = angle.lower > -below_pi and angle.upper < below_pi
-        need(within, "the rotation angle is not in (-pi, pi)")
-        need(not contains(angle, 0), "the rotation angle does not exclude 0")
-        half = Fraction(1, 2)
-        need(number.lower > 0 and number.upper < half, "the rotation number is not in (0, 1/2)")
-        distances = claims["resonance_distances"].values()
-        need(all(d.lower > 0 for d in distances), "a resonance distance is not positive")
+        confirm_rotation(self.claims, self.pi().lower)
         self.step("P* is elliptic, without resonance of order at most four")
         for name in ("twist", "twist_action"):
-            need(not contains(claims[name], 0), f"{name} does not exclude 0")
+            need(without_zero(self.claims[name]), f"{name} does not exclude 0")
         self.step("the first twist is not zero")
 
     def remainder(self, fixed_point: Point) -> None:
@@ -167,7 +143,7 @@ class Elliptic(NonSticking):
         """Return the theorem in one line."""
         return self.statement(
             "the fixed point is elliptic with trace in {trace}, and has no resonance of order at "
-            f"most four: {NORMAL_FORM}, with Theta in {{rotation_angle}}, the rotation number "
+            f"most four: {told_form()}, with Theta in {{rotation_angle}}, the rotation number "
             "|Theta|/(2 pi) in {rotation_number}, and tau_1 in {twist}, that is, in {twist_action} "
             "per action |z|^2/2; so tau_1 is not zero: hence (Moser) the fixed point is stable, "
             "and every neighbourhood of it contains invariant closed curves around it"

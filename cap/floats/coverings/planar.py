@@ -27,7 +27,8 @@ Six = tuple[float, float, float, float, float, float]
 
 HALF_PERIOD, FORMULAS, CONTACT = range(3)
 STEPS, CLOSE, PHASES = 60, 1e-12, 16
-FAR = 10.0  # from 0, in each coordinate of a plane: there orbits are given up
+FAR = 10.0  # from 0, in each coordinate of a plane: there orbits are given up, at first
+GRID, STAY, BESIDE = 300, 4, 1.25  # of points; steps before and after; times what stays
 
 
 class Planar(NamedTuple):
@@ -48,7 +49,10 @@ def half_period(phi: float, a: float) -> Planar:
 
 
 def formulas(given: Map) -> Planar:
-    """Return a map given by formulas; its ``size`` is that of the torus, or 1."""
+    """Return a map given by formulas; its ``size`` is that of the torus, or 1.
+
+    On a plane orbits are given up a little beyond those that stay for some steps.
+    """
     far = math.pi if given.torus else FAR
     x, y = given.state
     cos, sin = variable(COS), variable(SIN)
@@ -60,7 +64,24 @@ def formulas(given: Map) -> Planar:
     for q in (*given.image.values(), *rows):
         numbers += terms(q, (x, y, COS, SIN))
     size = math.pi if given.torus else 1.0
-    return Planar(FORMULAS, np.array(numbers), (-far, far, -far, far), size)
+    g = Planar(FORMULAS, np.array(numbers), (-far, far, -far, far), size)
+    return g if given.torus else _narrowed(g)
+
+
+def _narrowed(g: Planar) -> Planar:
+    """Return a map of a plane that gives up orbits where none stays."""
+    far = g.constants[1]
+    axis = np.linspace(-far, far, GRID)
+    start = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2)
+    orbit = [start]
+    for _ in range(2 * STAY):
+        orbit.append(images(g, orbit[-1])[:, :2])
+    stays = orbit[STAY][np.isfinite(orbit[-1]).all(axis=1)]
+    least = min(far, BESIDE * float(np.abs(stays).max(initial=0)))
+    if not 0 < least < far / BESIDE:
+        return g
+    narrow = np.concatenate([g.constants[:1], [least], g.constants[2:]])
+    return _narrowed(g._replace(constants=narrow, window=(-least, least, -least, least)))
 
 
 def contacts(section: Section, middle: float) -> Planar:

@@ -54,6 +54,12 @@ class Closed(NamedTuple):
         """Whether a multiplier is 1 up to rounding: a fold, or one of a family of orbits."""
         return bool(np.abs(self.multipliers - 1).min() < SAME)
 
+    @property
+    def elliptic(self) -> bool:
+        """Whether the multipliers are two on the unit circle up to rounding, not real."""
+        z = self.multipliers
+        return z.size == 2 and bool(z.imag.all() and np.abs(np.abs(z) - 1).max() < SAME)
+
     def shown(self) -> str:
         """Return it in a line."""
         first = self.itinerary.contacts[0]

@@ -12,9 +12,10 @@ from matplotlib.figure import Figure
 
 from cap.checker.system.model import COS, PI, SIN, Model
 from cap.checker.system.polynomial import Polynomial
+from cap.checker.theorems.contact_elliptic import ContactElliptic
 from cap.checker.theorems.contacts import Contacts
 from cap.floats.findings import Floats
-from cap.pictures.style import BLACK, CYCLE, GREY
+from cap.pictures.style import BLACK, CYCLE, GREY, RED
 from cap.pictures.theorems.parts import middle, number
 from cap.pictures.times import mark
 
@@ -51,6 +52,24 @@ def contacts(theorem: Contacts, figure: Figure) -> None:
     handles, labels = axes[shown[0]].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=4)
     figure.suptitle(_words(theorem), fontsize=10)
+
+
+def elliptic(theorem: ContactElliptic, figure: Figure) -> None:
+    """Draw the same, with the fixed point of the map, where the twist is known."""
+    contacts(theorem, figure)
+    claims = theorem.claims
+    plane = next(axes for axes in figure.axes if axes.get_xlabel() == theorem.p.state[0])
+    x, v = (middle(q) for q in claims["point"])
+    plane.plot(
+        x, v, "*", color=RED, ms=9, ls="none", label=f"at t = {float(claims['phase']):g} (proved)"
+    )
+    plane.legend(loc="best", fontsize=8)
+    figure.suptitle(
+        "An elliptic periodic orbit, with invariant curves around it  (the certificate is "
+        f"VERIFIED)\nrotation number {number(claims['rotation_number'])}, twist "
+        f"{number(claims['twist'])}",
+        fontsize=10,
+    )
 
 
 def times(theorem: Contacts) -> tuple[Floats, Floats]:
