@@ -202,8 +202,9 @@ def captures(u: float, up: float, down: float, e: float, size: float) -> bool:
     h'' is -up while h grows, -down while it falls.  They do if they end within `SOON`, or if h
     stays below the rounding errors of its terms, whose ``size`` is given.
     """
-    if not (up > 0 and down > 0 and u >= 0):
-        return False
+    still = u * u < FLAT * up * size
+    if not (up > 0 and down > 0 and u >= 0 and (u < SOON * up or still)):
+        return False  # u/up is less than what is left
     root = math.sqrt(down / up)
     ratio, left = e * root, u * (1 + 1 / root) / up
-    return ratio < 1 and (left < SOON * (1 - ratio) or u * u < FLAT * up * size)
+    return ratio < 1 and (left < SOON * (1 - ratio) or still)
