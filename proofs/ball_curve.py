@@ -11,10 +11,15 @@ and let α be a quadratic irrational, n >= 0.  If the lemmas succeed, then
  (ii)  on it v lies between explicit bounds: so no motion goes from speeds below the first to speeds
        above the second, or back, whenever;
  (iii) an explicit motion below the curve goes from v = u to v >= u', and one above it from v = w to
-       v <= w': so no invariant curve that goes around once lies in u <= v < u' or w' < v <= w.
+       v <= w': so no invariant curve that goes around once lies in u <= v < u' or w' < v <= w;
+ (iv)  of the invariant curves that go around once, above the one motion or through it, the greatest
+       lower bound of max v is at least u', and at most the upper bound of (ii); of those below the
+       other or through it, the least upper bound of min v is at most w', and at least the lower.
 
 Proof.  docs/invariant-curve-proof.md, with `cap.tori.bouncing`; `cap.proofs.cylinder`; (iii) Lemma
-2: such a curve separates the cylinder, and both motions would cross it.
+2: such a curve separates the cylinder, and both motions would cross it.  (iv) The vertical line
+through the last state of the one motion meets each such curve there or above; so does that of the
+other one there or below; the curve of (i) is one of either kind.
 """
 
 from fractions import Fraction

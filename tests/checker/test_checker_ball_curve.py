@@ -44,6 +44,8 @@ def test_it_is_verified():
         f"if v < {low} after one impact, then v <= {high} after all",
         f"in {CLAIMS['rise']['impacts']} impacts",
         f"v <= {decimal(Fraction(CLAIMS['fall']['to']))} in {CLAIMS['fall']['impacts']}: so",
+        f"max v lies in [{decimal(Fraction(CLAIMS['rise']['to']))}, {high}]",
+        f"min v in [{low}, {decimal(Fraction(CLAIMS['fall']['to']))}]",
     ):
         assert part in said
 
@@ -96,6 +98,15 @@ def test_speeds_have_a_sign():
     """The other root of v² = 2w: the ball would be below the table."""
     flight = FLIGHT | {k: negated(FLIGHT[k]) for k in ("speed", "inverse")}
     rejected(changed(GOOD, "hints", "flight", flight), "may not be positive")
+
+
+def test_the_curve_is_above_the_table(monkeypatch):
+    """Where its lower bound is 0 or less, v is not known to be positive."""
+    theorem = BallCurve(read(encode(GOOD)), lambda _: None)
+    for low in (Fraction(0), Fraction(-1)):
+        monkeypatch.setattr(theorem, "curve", lambda _, low=low: (low, Fraction(30)))
+        with pytest.raises(Rejected, match="may not be positive on the curve"):
+            theorem.prove()
 
 
 def test_flights_take_time():

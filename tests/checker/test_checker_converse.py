@@ -14,6 +14,7 @@ from cap.checker.kernel.certificate import read
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.converse import Converse, flights, pieces
+from cap.checker.tori import segments
 from cap.checker.tori.rings import Ring, offsets
 from cap.checker.tori.segments import Segment, Sense
 from cap.checker.verdict import words
@@ -215,16 +216,40 @@ def test_guards_of_a_segment():
     ):
         with pytest.raises(Rejected, match=why):
             sense.begin(z)
-    for sense, z in (
-        (forward, Segment(0.1, 0.54, 0.3, 0.3)),
-        (forward, Segment(-0.9, 1.0, 0.0, 0.0)),
-        (forward, Segment(0.1, -0.1, 0.0, 0.0)),
-        (forward, Segment(0.1, 0.1, 0.0, 0.0)),
-        (backward, Segment(-0.1, 3.0, 0.0, 0.0)),
-        (backward, Segment(-0.1, 0.2, 0.0, 0.0)),
+    for sense, z, why in (
+        (forward, Segment(0.1, 0.54, 0.3, 0.3), "a speed at a hit"),
+        (forward, Segment(-0.9, 1.0, 0.0, 0.0), "second wall"),
+        (forward, Segment(0.1, -0.1, 0.0, 0.0), "not one with a positive"),
+        (forward, Segment(-0.4, 0.1, 0.0, 0.0), "no hit is found"),
+        (forward, Segment(0.8, 0.2, 0.05, 0.05), "a hit may be elsewhere"),
+        (backward, Segment(-0.1, 3.0, 0.0, 0.0), "second wall"),
+        (backward, Segment(-0.1, 0.2, 0.0, 0.0), "not be in"),
+        (backward, Segment(0.4, 1.0, 0.3, -0.3), "a hit may be elsewhere"),
     ):
-        with pytest.raises(Rejected):
+        with pytest.raises(Rejected, match=why):
             sense.after(z)
+    at_rest = Segment(1.0, 0.0, 0.0, 0.0)
+    with pytest.raises(Rejected, match="no hit is found"):
+        forward._hit(at_rest, at_rest.ranges()[1], 0.0)
+
+
+def test_guards_of_axes_and_of_the_arccosine():
+    """A derivative that is 0; numbers so far apart that Newton's step leaves the guess."""
+    zero = Double(0.0), Double(0.0)
+    with pytest.raises(Rejected, match="no number"):
+        segments._axis(zero, 1.0, zero, 1.0)
+    assert segments._arccos(Double(0.98, 0.006)).rad > 0
+    with pytest.raises(Rejected, match="arccosine"):
+        segments._arccos(Double(0.98, 0.008))
+
+
+def test_a_centre_that_may_be_outside():
+    """P* is known so roughly that the first ring may not be around it."""
+    theorem = Converse(read(encode(GOOD)), lambda _: None)
+    assert len(theorem.rings()) == 2
+    theorem.hints["radius"] = Fraction(1, 10)
+    with pytest.raises(Rejected, match="may not be inside of a ring"):
+        theorem.rings()
 
 
 def test_each_condition_of_a_stop():

@@ -12,7 +12,15 @@ from pathlib import Path
 from cap.files import replacing
 
 STORED = Path(__file__).with_name("accepted.json")
-LONG = ("conservative.json", "horseshoe-1.json", "mixed.json", "persistence.json")
+LONG = (
+    "conservative.json",
+    "converse.json",
+    "horseshoe-1.json",
+    "island-2.json",
+    "islands.json",
+    "mixed.json",
+    "persistence.json",
+)
 
 
 def known(name: str, data: bytes) -> bool:

@@ -141,7 +141,10 @@ _BALL = (
     "one impact, then v <= {high} after all, and if v > {high} after one, then v >= {low} after "
     "all; below it a motion goes from v = {u} to v >= {u_end} in {u_impacts} impacts, and above "
     "it one from v = {w} to v <= {w_end} in {w_impacts}: so no invariant curve that goes around "
-    "once lies in {u} <= v < {u_end} or in {w_end} < v <= {w}"
+    "once lies in {u} <= v < {u_end} or in {w_end} < v <= {w}; of all invariant curves that go "
+    "around once, above the first motion or through it, the greatest lower bound of max v lies in "
+    "[{u_end}, {high}], and of those below the second or through it, the least upper bound of "
+    "min v in [{low}, {w_end}]"
 )
 
 THEOREM = BallCurve

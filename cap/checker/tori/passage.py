@@ -12,6 +12,11 @@ h(m)/h'(m) if h'(m) < 0, as h is concave.
 smoothness.  It separates the cylinder, and the map, which keeps both ends, keeps both parts.  If
 the curve lay in u <= v < w, a motion with v = u after one impact would be below or on it, and one
 with v >= w above it: so no motion is both, forward or backward.
+
+*The first curve.*  Let a motion that comes to v >= w lie below the curve, or on it.  The vertical
+line through this state meets the curve there or above: so max v >= w on each such curve, and on a
+proved one max v is at most the upper bound there.  Of curves below a motion, in the same way, min v
+is at most the speed that it falls to.
 """
 
 from __future__ import annotations
