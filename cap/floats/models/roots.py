@@ -157,7 +157,7 @@ def first_of(along: Function) -> Function:
         fall = parabola(h, h1, h2)
         late = min(LATE * fall, D)
         if h2 + third * late < 0 and below(h, h1, h2, third, late):
-            return root(a, rates, 0.0, late, fall)  # concave there: one zero
+            return float(root(a, rates, 0.0, late, fall))  # concave there: one zero
         t, step = 0.0, min(D, max(EARLY * fall, SHORTEST))
         while t < D:
             length, falls = min(step, D - t), False
@@ -168,7 +168,7 @@ def first_of(along: Function) -> Function:
                 length *= 0.5
             end = min(t + length, D)
             if falls and below(h, h1, h2, third, end - t):
-                return root(a, rates, t, end, t + parabola(h, h1, h2))
+                return float(root(a, rates, t, end, t + parabola(h, h1, h2)))
             if end >= D and not falls:
                 return math.inf
             n, n1, n2 = along(a, rates, end)
