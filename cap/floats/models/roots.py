@@ -17,7 +17,9 @@ from numba import njit
 Tuple = tuple[float, ...]
 Function = Callable[..., Any]
 ROUNDS, SHORTEST, CLOSE = 100, 1e-12, 2e-16
+C3, C4, C5, C6, C7, C8, C9, C10, C11, C12 = (1 / math.factorial(k) for k in range(3, 13))
 SOON, FLAT = 1e-6, 1e-14
+EARLY, LATE = 0.75, 1.25  # of the time in which a parabola falls: where to look first
 
 
 @njit(error_model="numpy", nogil=True)
@@ -25,8 +27,8 @@ def imaginary(_: float, y: float) -> tuple[float, float]:
     """Return R(i y), its parts with full relative precision."""
     q = y * y
     if q < 0.25:
-        even = q * q / 24 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90 * (1 - q / 132))))
-        return even, -y * q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110))))
+        even = q * q * (C4 - q * (C6 - q * (C8 - q * (C10 - q * C12))))
+        return even, -y * q * (C3 - q * (C5 - q * (C7 - q * (C9 - q * C11))))
     return math.cos(y) - 1 + q / 2, math.sin(y) - y
 
 
@@ -69,9 +71,13 @@ def steepest(a: Tuple, rates: Tuple, D: float) -> float:
 
 @njit(error_model="numpy", nogil=True)
 def parabola(h: float, h1: float, h2: float) -> float:
-    """Return when h + h1 d + h2 d^2/2 falls to zero, inf if it does not."""
+    """Return when h + h1 d + h2 d^2/2 >= 0 next falls to zero at d > 0, inf if it does not."""
     q = h1 * h1 - 2 * h * h2
-    return 2 * h / (-h1 + math.sqrt(q)) if h1 < 0 and q > 0 else math.inf
+    if not q > 0:
+        return math.inf
+    if h1 < 0:
+        return 2 * h / (-h1 + math.sqrt(q))
+    return (h1 + math.sqrt(q)) / -h2 if h2 < 0 else math.inf
 
 
 @njit(error_model="numpy", nogil=True)
@@ -86,6 +92,12 @@ def positive(h: float, h1: float, h2: float, third: float, s: float) -> bool:
 def falling(h1: float, h2: float, third: float, s: float) -> bool:
     """Return whether h' < 0 on [0, s], if |h'''| <= third."""
     return h1 < 0 and h1 + h2 * s / 2 < 0 and h1 + h2 * s + third * s * s / 2 < 0
+
+
+@njit(error_model="numpy", nogil=True)
+def below(h: float, h1: float, h2: float, third: float, s: float) -> bool:
+    """Return whether h < 0 at s, if |h'''| <= third."""
+    return h + s * (h1 + s * (h2 / 2 + s * third / 6)) < 0
 
 
 def _named(function: Function, along: Function) -> Function:
@@ -142,7 +154,11 @@ def first_of(along: Function) -> Function:
         if a[0] <= 0 and (h1 < 0 or (h1 == 0 and h2 < 0)):
             return 0.0
         third = steepest(a, rates, D)
-        t, step = 0.0, D
+        fall = parabola(h, h1, h2)
+        late = min(LATE * fall, D)
+        if h2 + third * late < 0 and below(h, h1, h2, third, late):
+            return float(root(a, rates, 0.0, late, fall))  # concave there: one zero
+        t, step = 0.0, min(D, max(EARLY * fall, SHORTEST))
         while t < D:
             length, falls = min(step, D - t), False
             while length > SHORTEST and not positive(h, h1, h2, third, length):
@@ -151,6 +167,8 @@ def first_of(along: Function) -> Function:
                     break
                 length *= 0.5
             end = min(t + length, D)
+            if falls and below(h, h1, h2, third, end - t):
+                return float(root(a, rates, t, end, t + parabola(h, h1, h2)))
             if end >= D and not falls:
                 return math.inf
             n, n1, n2 = along(a, rates, end)
@@ -184,8 +202,9 @@ def captures(u: float, up: float, down: float, e: float, size: float) -> bool:
     h'' is -up while h grows, -down while it falls.  They do if they end within `SOON`, or if h
     stays below the rounding errors of its terms, whose ``size`` is given.
     """
-    if not (up > 0 and down > 0 and u >= 0):
-        return False
-    ratio = e * math.sqrt(down / up)
-    left = u * (1 / up + 1 / math.sqrt(up * down))
-    return ratio < 1 and (left < SOON * (1 - ratio) or u * u < FLAT * up * size)
+    still = u * u < FLAT * up * size
+    if not (up > 0 and down > 0 and u >= 0 and (u < SOON * up or still)):
+        return False  # u/up is less than what is left
+    root = math.sqrt(down / up)
+    ratio, left = e * root, u * (1 + 1 / root) / up
+    return ratio < 1 and (left < SOON * (1 - ratio) or still)

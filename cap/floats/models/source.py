@@ -128,8 +128,10 @@ class Source:
         yield "    if best < 0:"
         yield "        break"
         yield "    t += D"
-        yield "    angle = begin + w * t"
-        yield "    c, s = math.cos(angle), math.sin(angle)"
+        yield "    turned = w * D"  # the clock: from its angle at the begin of each period
+        yield "    p, q = imaginary(0.0, turned)"
+        yield "    p, q = p + 1 - turned * turned / 2, q + turned"
+        yield "    c, s = c * p - s * q, s * p + c * q"
         for g, (word, guard) in enumerate(guards.items()):
             yield f"    {'if' if g == 0 else 'elif'} best == {g}:  # {word}"
             yield from (f"        {line}" for line in self._event(name, word, guard))
