@@ -11,7 +11,7 @@ from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.ball_curve import BallCurve
 from cap.checker.verdict import seconds, words
-from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
@@ -147,9 +147,10 @@ def test_other_balls(name, value, why):
     rejected(changed(GOOD, "parameters", name, value), why)
 
 
-def test_restitution_is_no_parameter():
-    """What loses energy has no such curve."""
-    rejected({**GOOD, "parameters": GOOD["parameters"] | {"e": "1"}}, "unknown fields")
+@pytest.mark.parametrize("loss", [{"e": "1"}, *SMALL_LOSSES])
+def test_losses_are_no_parameters(loss):
+    """What loses energy, be it a billionth at each impact, has no such curve."""
+    rejected({**GOOD, "parameters": GOOD["parameters"] | loss}, "unknown fields")
 
 
 def test_the_time():

@@ -19,7 +19,7 @@ from cap.checker.tori.rings import Ring, offsets
 from cap.checker.tori.segments import Segment, Sense
 from cap.checker.verdict import words
 from cap.floats.search.tori import HalfPeriod
-from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, rejected, verify
 
 ROOT = Path(__file__).parents[2]
 GOOD = json.loads((ROOT / "tests/certificates/accept/converse_small.json").read_text())
@@ -100,7 +100,8 @@ def test_enclosures_are_moved():
 def test_other_parameters():
     """No friction is refused; losses are no parameters; at others there is no such ring."""
     rejected(changed(GOOD, "parameters", "f", "0"), "0 < f")
-    rejected({**GOOD, "parameters": GOOD["parameters"] | {"mu": "0"}}, "unknown fields")
+    for loss in ({"mu": "0"}, *SMALL_LOSSES):
+        rejected({**GOOD, "parameters": GOOD["parameters"] | loss}, "unknown fields")
     with pytest.raises(Rejected):
         verify(changed(GOOD, "parameters", "f", "2/5"))
 

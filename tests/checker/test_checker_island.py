@@ -8,15 +8,16 @@ import numpy as np
 import pytest
 
 from cap.checker.kernel.certificate import read
+from cap.checker.kernel.fourier import Circle
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.island import Island
 from cap.checker.tori import between, rotation
-from cap.checker.tori.half_period import Motion, States, cells
+from cap.checker.tori.half_period import Hit, Motion, States, cells
 from cap.checker.tori.invariant_curve import Near, Sizes, near
-from cap.checker.tori.written import coefficients
+from cap.checker.tori.written import coefficients, function
 from cap.checker.verdict import words
-from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
@@ -81,6 +82,12 @@ LIES = {
     "Diophantine": ("claims", "diophantine", "0.06", "Diophantine"),
     "Diophantine zero": ("claims", "diophantine", "0", "not positive"),
     "Diophantine negative": ("claims", "diophantine", "-1", "not positive"),
+    "the other lift": (
+        "claims",
+        "rotation_number",
+        {"head": ["1", "2", *CLAIMS["rotation_number"]["head"][1:]], "period": ["1"]},
+        "y0",
+    ),
     "winding": ("claims", "winding", "1" if CLAIMS["winding"] == "-1" else "-1", "other way"),
     "sigma": ("claims", "map", "sigma", "hit for each|leave|inside"),
     "a frame": ("hints", "frame", "x", bumped(HINTS["frame"]["x"], 1, 10**21), "1/2|y0|twist"),
@@ -137,7 +144,7 @@ def test_other_parameters(parameter):
         verify(changed(GOOD, "parameters", parameter, value))
 
 
-@pytest.mark.parametrize("loss", [{"e": "1"}, {"mu": "0"}, {"e": "999999999999/1000000000000"}])
+@pytest.mark.parametrize("loss", [{"e": "1"}, {"mu": "0"}, *SMALL_LOSSES])
 def test_losses_are_no_parameters(loss):
     """The theorem has none: what contracts area has no such curve, and no inequality sees it."""
     rejected({**GOOD, "parameters": GOOD["parameters"] | loss}, "unknown fields")
@@ -181,6 +188,15 @@ def test_what_is_no_polynomial(text):
     """Integers in pairs, the first one real."""
     with pytest.raises(Rejected):
         coefficients(text)
+
+
+def test_coefficients_are_bounded():
+    """Before anything is computed with them."""
+    circle = Circle(8, Fraction(1, 10), 30)
+    assert function(circle, f"{10**36} 0", 1).mean == 10**36
+    for words_of, unit in ((f"{10**36 + 1} 0", 1), (f"1 0,0 {-(10**36)}", 2)):
+        with pytest.raises(Rejected, match="larger than"):
+            function(circle, words_of, unit)
 
 
 ORBITS = {"centre": ["0.28695976", "0.28695977"]}
@@ -318,6 +334,20 @@ def test_rotation_numbers():
         assert gamma < worst + Fraction(1, 10**15)
 
 
+@pytest.mark.parametrize("t", [-0.1, 3.2])
+def test_hits_of_functions_are_in_the_half_period(t):
+    """A root before the start, or after the end, is none, though the speed there is positive."""
+    motion, circle, v = Motion(Fraction(2, 5), Fraction(1), 160), Circle(8, Fraction(1, 10), 40), 3
+
+    def constant(value):
+        return circle.constant(Interval.enclosing(Fraction(value), Fraction(value), 160))
+
+    x = 1 - (v * t + 1 - np.cos(t) - t * t / 5)
+    hit = Hit.of(constant(t), constant(1 / (v + np.sin(t) - 2 * t / 5)))
+    with pytest.raises(Rejected, match=r"not be in \(0, pi\)"):
+        motion.passage(hit, constant(float(x)), constant(v))
+
+
 def test_states_stop_or_not():
     """Boxes in which motions stop, hit twice, or are beyond a wall are refused."""
     motion = Motion(Fraction(2, 5), Fraction(1), 96)
@@ -377,6 +407,26 @@ def test_a_curve_that_does_not_wind_around_the_point():
     low, high = (Interval.enclosing(q, q + 2, 96) for q in (0, 1))
     with pytest.raises(Rejected, match="may meet"):
         island.disks(low, high)
+    island.half_periods = 1
+    with pytest.raises(Rejected, match="own image by sigma"):
+        island.disks(low, high)
+
+
+def test_a_curve_that_may_not_be_embedded(monkeypatch):
+    """Its first harmonic must be larger than the distance, whatever is known of its winding."""
+    island = Island(read(encode(GOOD)), lambda _: None)
+    K = island.polynomials()[0]
+    place = [island.number_at(Fraction(q)) for q in HINTS["middle"]]
+    monkeypatch.setattr(island, "stretch", lambda: Fraction(0))
+    island.around(K, Near(Fraction(1, 1000), Fraction(0)), (place[0], place[1]))
+    with pytest.raises(Rejected, match="embedded"):
+        island.around(K, Near(Fraction(1), Fraction(0)), (place[0], place[1]))
+
+
+def test_work_is_bounded():
+    """Degree times places."""
+    large = altered("hints", "degree", "4096")
+    rejected(changed(large, "hints", "places", "101"), "degree times places")
 
 
 def test_the_sentence():

@@ -10,7 +10,7 @@ from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.islands import Islands
 from cap.checker.verdict import seconds, words
-from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import accepted, malformed
 
 ROOT = Path(__file__).parents[2]
@@ -62,12 +62,14 @@ def test_enclosures_are_moved(n, name):
 
 
 def test_lies():
-    """Two disks where there is one; another centre; a curve of another rotation number."""
+    """Two disks where there is one; another centre; another rotation number; losses."""
     rejected(listed(FIRST, SECOND | {"disks": "2"}), "own image")
     other = {"centre": ["0.2", "0.3"]}
     rejected(listed(FIRST | {"orbits": other}, SECOND), "may be equal")
     golden = {"head": ["3"], "period": ["1"]}
     assert not accepted(listed(FIRST | {"rotation_number": golden}, SECOND))
+    for loss in SMALL_LOSSES:
+        rejected({**GOOD, "parameters": GOOD["parameters"] | loss}, "unknown fields")
 
 
 def test_what_is_cited():
