@@ -234,10 +234,11 @@ class Follower(Generic[Legs]):
             raise NotProved("point", f"no change of sign is certain: {kind}")
         counts = [outside(self.cells.multipliers(short.at(end))) for end in ends]
         before, after = counts
-        if kind == "pair" and (before is None or after is None):
-            raise NotProved("point", "multipliers may be on the unit circle beside it")
-        if kind == "pair" and abs(before - after) != 2:
-            raise NotProved("point", "no pair of multipliers crosses the unit circle")
+        if kind == "pair":
+            if before is None or after is None:
+                raise NotProved("point", "multipliers may be on the unit circle beside it")
+            if abs(before - after) != 2:
+                raise NotProved("point", "no pair of multipliers crosses the unit circle")
         return Point(kind, number, short, (before, after))
 
     def sign(self, kind: str, cell: Cell, s: Fraction) -> int:
