@@ -36,6 +36,7 @@ from cap.proofs import contacts
 from cap.proofs.contacts import Cuts as Legs
 from cap.sets import interval
 from cap.sets.interval import exact_decimal as _decimal
+from cap.system.symmetry import Symmetry
 
 BITS, DIGITS = 96, 20
 
@@ -108,11 +109,19 @@ def claims(itinerary: Itinerary, found: Branch[Legs], grazes: Sequence[Graze]) -
     return {
         "contacts": [contact._asdict() for contact in itinerary.contacts],
         "periods": str(itinerary.periods),
+        **_symmetry(itinerary.symmetry),
         "range": [_decimal(low), _decimal(high)],
         "cells": [_cell(*each) for each in zip(found.cells, found.counts, strict=True)],
         "points": [_point(point) for point in found.points],
         "grazes": [_graze(graze) for graze in grazes],
     }
+
+
+def _symmetry(found: Symmetry | None) -> dict[str, Any]:
+    """Return what is claimed of a symmetry, if the orbits have one."""
+    if found is None:
+        return {}
+    return {"symmetry": {"signs": [str(s) for s in found.signs], "modes": dict(found.modes)}}
 
 
 def _parameter(cell: Cell, s: Fraction) -> tuple[Fraction, Fraction]:
@@ -139,13 +148,14 @@ def _cell(shown: Shown[Legs], count: int | None) -> dict[str, Any]:
 
 
 def _point(point: Point) -> dict[str, Any]:
-    return {
+    shown = {
         "kind": point.kind,
         "cell": str(point.inside),
         "short": _shape(point.cell),
         "at": Rounding(DIGITS).pair(point.cell.box[-1]),
-        "outside": [str(count) for count in point.outside],
     }
+    clear = None not in point.outside
+    return {**shown, "outside": [str(n) for n in point.outside]} if clear else shown
 
 
 def _graze(graze: Graze) -> dict[str, Any]:

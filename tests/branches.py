@@ -10,6 +10,7 @@ from cap.orbits.itinerary import Contact, Itinerary
 from cap.proofs.contacts_branch import prove
 from cap.system.files import read
 from cap.system.moving import moving
+from cap.system.symmetry import symmetries
 
 ENDS = Fraction("1.045"), Fraction("1.06")
 FLIP = Fraction("1.5"), Fraction("1.55")
@@ -39,7 +40,17 @@ def pair():
     return prove(Itinerary(system, contacts), guess, ends)
 
 
+def symmetric(range_=("0.465", "0.467")):
+    """Return the curve of symmetric orbits of the oscillator over its friction."""
+    ends = Fraction(range_[0]), Fraction(range_[1])
+    system = moving(lambda f: read("examples/oscillator.py", {"f": f}), "f", ends, ["right"])
+    (found,) = symmetries(system, ["f"])
+    contacts = [Contact("right", "wall", "left")]
+    return prove(Itinerary(system, contacts, 1, found), [0.8, 1, 1.07, 0.466], ends)
+
+
 CASES = {
+    "pitchfork": symmetric,
     "fold": lambda: ball(ENDS, [0.1, 0.1, -3.14159, 1.0525]),
     "flip": lambda: ball(FLIP, [0.8, 1.1, -3.14159, 1.525]),
     "clock": clock,

@@ -17,6 +17,7 @@ from cap.command.progress import Progress, answered
 from cap.errors import BadInput, NotProved
 from cap.floats.models.periodic import Closed, near, search
 from cap.option import integer
+from cap.orbits.halves import half
 from cap.orbits.itinerary import Itinerary
 from cap.parameters import exact
 from cap.proofs import contacts_branch
@@ -53,8 +54,9 @@ def parser() -> Parser:
         description="Prove a curve of periodic orbits of a system of your own over a range of a "
         "parameter: it exists, in pieces on which it is the only one, nothing else happens on its "
         "orbits, how many multipliers are outside the unit circle, and where one passes -1, two "
-        "pass the circle elsewhere, the curve turns back, or ends in a graze, to 20 digits.  The "
-        "parameter must stand in guards, resets or constant forces.",
+        "pass the circle elsewhere, the curve turns back, or ends in a graze, to 20 digits; with "
+        "--symmetric through pitchforks.  The parameter must stand in guards, resets or constant "
+        "forces.",
         epilog="Example: python -m cap.prove branch --model examples/ball.py --parameter A "
         "--range 1 3 --set e=1/2",
     )
@@ -67,6 +69,12 @@ def parser() -> Parser:
         nargs=2,
         metavar=("LOW", "HIGH"),
         help="its least and greatest value; the curve begins at the value of --set or of the model",
+    )
+    p.add_argument(
+        "--symmetric",
+        action="store_true",
+        help="the orbits that a symmetry takes into themselves half a period later: their curve "
+        "goes on through pitchforks, where the map of half a round has the multiplier -1",
     )
     p.add_argument(
         "--out",
@@ -107,6 +115,8 @@ def _run(options: argparse.Namespace, progress: Progress) -> int:
     system = moving(at, name, (low, high), begun)
     itinerary = Itinerary(system, orbit.itinerary.contacts, orbit.itinerary.periods)
     guess = [*orbit.guess, float(start)]
+    if options.symmetric:
+        itinerary, guess = _halved(itinerary, orbit, guess)
     try:
         proved, ends = contacts_branch.prove(itinerary, guess, (low, high), progress.tell)
     except NotProved as failure:
@@ -128,6 +138,22 @@ def _run(options: argparse.Namespace, progress: Progress) -> int:
     return 0
 
 
+def _halved(
+    whole: Itinerary, orbit: Closed, guess: Sequence[float]
+) -> tuple[Itinerary, list[float]]:
+    """Return half a round of a symmetric orbit, and its guess; the parameter is its last number."""
+    step = len(orbit.guess) // len(whole.contacts)
+    places = range(0, len(orbit.guess), step)
+    states = [x for k in places for x in (*orbit.guess[k : k + step], guess[-1])]
+    found = half(whole, states, whole.system.state[-1:])
+    if found is None:
+        raise BadInput(
+            "this orbit is not symmetric: no symmetry of the system, by signs of the variables, "
+            "takes it into itself half a period later (choose another with --orbit)"
+        )
+    return found, [*orbit.guess[: step * len(found.contacts)], guess[-1]]
+
+
 def _path(options: argparse.Namespace, values: Mapping[str, str]) -> Path:
     """Return where the certificate goes."""
     out: Path = options.out
@@ -138,6 +164,7 @@ def _path(options: argparse.Namespace, values: Mapping[str, str]) -> Path:
     stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
     told = [f"{key}={value}" for key, value in sorted(values.items())]
     words = ["contacts_branch", Path(stem).stem, options.parameter, *options.range, *told]
+    words += ["symmetric"] if options.symmetric else []
     path = out / f"{'-'.join(words).replace('/', '_')}.json"
     if path.exists():
         raise BadInput(f"there is a file at {quoted(path)}: name one with --out FILE.json")

@@ -6,6 +6,7 @@ circle and turns of the curve, is then enclosed in cells of the length 4e-24 (`P
 """
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import combinations
@@ -43,13 +44,13 @@ class Point(NamedTuple):
 
     A multiplier passes -1 ("flip"), two pass the unit circle elsewhere ("pair"), or the curve turns
     back ("fold"): the sign of the test function changes.  So many multipliers are outside the unit
-    circle at both ends.
+    circle at both ends, None if this is not clear: where area is preserved they are on it.
     """
 
     kind: str
     inside: int
     cell: Cell
-    outside: tuple[int, int]
+    outside: tuple[int | None, int | None]
 
 
 @dataclass
@@ -204,12 +205,8 @@ class Follower(Generic[Legs]):
             ends = [self._tests(cell, s) for s in cell.line.ends]
             for kind in ends[0]:
                 if ends[0][kind] * ends[1][kind] < 0:
-                    try:
-                        with interval.workprec(FINE):
-                            yield self._point(kind, k, cell)
-                    except NotProved as r:
-                        print(kind, k, r)
-                        continue
+                    with suppress(NotProved), interval.workprec(FINE):
+                        yield self._point(kind, k, cell)
 
     def _tests(self, cell: Cell, s: Fraction) -> dict[str, float]:
         """Return the test functions in doubles."""
@@ -237,10 +234,11 @@ class Follower(Generic[Legs]):
             raise NotProved("point", f"no change of sign is certain: {kind}")
         counts = [outside(self.cells.multipliers(short.at(end))) for end in ends]
         before, after = counts
-        if before is None or after is None:
-            raise NotProved("point", "multipliers may be on the unit circle beside it")
-        if kind == "pair" and abs(before - after) != 2:
-            raise NotProved("point", "no pair of multipliers crosses the unit circle")
+        if kind == "pair":
+            if before is None or after is None:
+                raise NotProved("point", "multipliers may be on the unit circle beside it")
+            if abs(before - after) != 2:
+                raise NotProved("point", "no pair of multipliers crosses the unit circle")
         return Point(kind, number, short, (before, after))
 
     def sign(self, kind: str, cell: Cell, s: Fraction) -> int:

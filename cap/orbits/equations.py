@@ -8,6 +8,10 @@ each.  With R_k the reset, and the flight in the mode after it,
 where the contact after the last is the first one, p periods of the clock later.  No contact is
 located and no flight is long, so nothing wraps as it does where a period is one map.
 
+*With a symmetry* S (`cap.orbits.itinerary`) the last flight begins p/2 periods before its contact,
+at S R_K, with the other signs of cos and sin, and ends at the first contact: what follows is about
+the map to half a round later, and back by S.
+
 *Without a clock* orbits may begin at any time: the first contact is at the time 0, and its unknown
 t_0 is the period, at which it comes again.
 
@@ -51,7 +55,13 @@ class Equations:
     def __init__(self, itinerary: Itinerary, kinds: Kinds | None = None) -> None:
         self.itinerary = itinerary
         self.kinds = kinds = kinds or Kinds(itinerary.system)
-        self.legs = [kinds.leg(contact) for contact in itinerary.contacts]
+        symmetry = itinerary.symmetry
+        self.legs = [
+            kinds.leg(contact, itinerary.flown(k), symmetry.signs)
+            if symmetry and itinerary.is_moved(k)
+            else kinds.leg(contact)
+            for k, contact in enumerate(itinerary.contacts)
+        ]
         self.n, count = len(itinerary.system.state), len(self.legs)
         step = self.n + 1
         self.size = step * count
@@ -97,23 +107,32 @@ class Equations:
 
     def _arguments(self, z: Unknowns, of: Numbers) -> Iterator[tuple[Any, Place, list[Any]]]:
         """Yield each leg with the places of its unknowns and its inputs."""
-        clocks = {place.here: of.clock(self.start(z, place)) for place in self.places}
+        clocks = {place.here: of.clock(self.time(z, place)) for place in self.places}
         for leg, place in zip(self.legs, self.places, strict=True):
-            t0, t1 = self.start(z, place), self.end(z, place, of)
+            t0, t1 = self.start(z, place, of), self.end(z, place, of)
             q = z[place.here + 1 : place.here + self.n + 1]
             arguments = [t0, *clocks[place.here], *q, t1, *clocks[place.there]]
             if leg.motion.generator:
                 arguments += of.exponential(leg.motion, t1 - t0)
             yield leg, place, arguments
 
-    def start(self, z: Unknowns, place: Place) -> Any:
+    def time(self, z: Unknowns, place: Place) -> Any:
         """Return the time of a contact."""
         return z[place.here] * 0 if self.autonomous and not place.here else z[place.here]
+
+    def start(self, z: Unknowns, place: Place, of: Numbers) -> Any:
+        """Return the time at which the flight after a contact begins."""
+        t = self.time(z, place)
+        return t - of.period * self.itinerary.periods / 2 if self.is_moved(place) else t
+
+    def is_moved(self, place: Place) -> bool:
+        """Return whether a symmetry moves back the flight after a contact."""
+        return place.wraps and self.itinerary.symmetry is not None
 
     def end(self, z: Unknowns, place: Place, of: Numbers) -> Any:
         """Return the time of the next contact."""
         t = z[place.there]
-        later = place.wraps and not self.autonomous
+        later = place.wraps and not self.autonomous and not self.is_moved(place)
         return t + of.period * self.itinerary.periods if later else t
 
 

@@ -98,7 +98,7 @@ class Grazer:
         """Give the guards on the legs, but those that fall."""
         prover, itinerary = self.prover, self.prover.itinerary
         for leg in prover.legs(tuple(self.curve.expanded(w))):
-            mode = itinerary.contacts[leg.number].to
+            mode = itinerary.flown(leg.number)
             following = itinerary.following(leg.number).guard
             for name, lemma in prover.equations.kinds.lemmas(mode).items():
                 if not isinstance(lemma, Falls):
@@ -199,7 +199,8 @@ class Grazer:
         at, leg = equations.places[place.leg], equations.legs[place.leg]
         n, start, clock = equations.n, along.leg.start, of.clock(times)
         q = z[at.here + 1 : at.here + n + 1]
-        arguments = [start.time, *start.clock, *q, times, *clock]
+        contact = of.clock(equations.time(z, at))
+        arguments = [start.time, *contact, *q, times, *clock]
         if leg.motion.generator:
             arguments += of.exponential(leg.motion, times - start.time)
         flat, state = of.of(leg.slope)(*arguments), of.of(leg.value)(*arguments)[1:]

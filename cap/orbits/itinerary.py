@@ -5,6 +5,10 @@ made them so, and no flight since then moved them.  With these, a guard h or its
 L² h may vanish just after a contact by an identity of polynomials, because the reset makes them
 zero, or a multiple of the guard that has come to zero.  That, and no enclosure, decides what starts
 at zero.
+
+*With a symmetry* S (`cap.system.symmetry`) the contacts are those of half a round of a symmetric
+orbit: the contact after the last one is the image of the first, an odd number of half periods
+later.  The flight to it is looked at as S *moves it back*, in the mode of the first contact.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,6 +19,7 @@ from typing import NamedTuple
 from cap.errors import BadInput
 from cap.system.model import System
 from cap.system.polynomial import COS, SIN, Polynomial
+from cap.system.symmetry import Symmetry
 
 Facts = Mapping[str, Polynomial]
 MOST = 3  # derivatives looked at
@@ -30,11 +35,15 @@ class Contact(NamedTuple):
 
 @dataclass(frozen=True)
 class Itinerary:
-    """The contacts of one round, in order, after which ``periods`` of the clock have passed."""
+    """The contacts of one round, in order, after which ``periods`` of the clock have passed.
+
+    With a symmetry they are those of half a round.
+    """
 
     system: System
     contacts: Sequence[Contact]
     periods: int = 1
+    symmetry: Symmetry | None = None
 
     def __post_init__(self) -> None:
         modes = self.system.modes
@@ -42,32 +51,56 @@ class Itinerary:
             raise BadInput(f"the parameters {list(self.system.parameters)} have no values: use .at")
         if not self.contacts or self.periods < 1:
             raise BadInput("an itinerary has a contact and takes a period, at least")
+        if self.symmetry and self.periods % 2 == 0:
+            raise BadInput("a symmetric orbit has an odd number of periods")
         for k, contact in enumerate(self.contacts):
             mode, guard, to = contact
             if mode not in modes or guard not in modes[mode].guards:
                 raise BadInput(f"contact {k + 1}: there is no guard {guard} of a mode {mode}")
             if to not in modes[mode].guards[guard].to:
                 raise BadInput(f"contact {k + 1}: {guard} does not lead from {mode} to {to}")
-            if self.following(k).mode != to:
+            if self.following(k).mode != self.flown(k):
                 raise BadInput(f"contact {k + 1} leads to {to}, the next is in another mode")
 
     def following(self, k: int) -> Contact:
-        """Return the contact after the k-th, counted from 0."""
+        """Return the contact after the k-th, counted from 0; after the last it is the first."""
         return self.contacts[(k + 1) % len(self.contacts)]
+
+    def is_moved(self, k: int) -> bool:
+        """Return whether the flight after the k-th contact is looked at as S moves it back."""
+        return self.symmetry is not None and k + 1 == len(self.contacts)
+
+    def flown(self, k: int) -> str:
+        """Return the mode of the flight after the k-th contact."""
+        to = self.contacts[k].to
+        return self.symmetry.modes[to] if self.symmetry and self.is_moved(k) else to
 
     @cached_property
     def vanishing(self) -> list[dict[str, int]]:
         """For each contact and guard of the mode after it: how many of h, L h, .. vanish there."""
         facts: Facts = {}
-        for contact in self.contacts:  # one round, to know what the first contact begins with
-            facts = self._moved(contact, self._reset(contact, facts))
+        for k, contact in enumerate(self.contacts):  # to know what the first contact begins with
+            facts = self._back(k, self._moved(contact, self._reset(contact, facts)))
         found = []
-        for contact in self.contacts:
+        for k, contact in enumerate(self.contacts):
             after = self._reset(contact, facts)
-            guards = self.system.modes[contact.to].guards
-            found.append({name: self._order(contact, name, facts) for name in guards})
-            facts = self._moved(contact, after)
+            guards = self.system.modes[self.flown(k)].guards
+            found.append({name: self._order(contact, self._image(k, name), facts)
+                          for name in guards})  # fmt: skip
+            facts = self._back(k, self._moved(contact, after))
         return found
+
+    def _image(self, k: int, name: str) -> str:
+        """Return the guard of the mode after a contact that this one is on the flight."""
+        moved = self.symmetry if self.is_moved(k) else None
+        return moved.guards[self.flown(k), name] if moved else name
+
+    def _back(self, k: int, facts: Facts) -> Facts:
+        """Return facts as the flight after a contact has them at its end."""
+        if self.symmetry is None or not self.is_moved(k):
+            return facts
+        signs = dict(zip(self.system.state, self.symmetry.signs, strict=True))
+        return {z: value * signs[z] for z, value in facts.items()}
 
     def zeros_in(self, k: int, mode: str, name: str) -> int:
         """Return how many of h, L h, .. of a guard of any mode vanish after the k-th contact.

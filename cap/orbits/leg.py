@@ -17,6 +17,7 @@ from cap.system.polynomial import Polynomial
 from cap.system.source import Function
 from cap.system.tape import Gradient, Tape, Term, gradients
 
+Signs = tuple[int, ...] | None
 START, END = ("t0", "c0", "s0"), ("t1", "c1", "s1")
 
 
@@ -25,7 +26,7 @@ class Kinds:
 
     def __init__(self, system: System) -> None:
         self.system = system
-        self._legs = dict[Contact, Leg]()
+        self._legs = dict[tuple[Contact, Signs], Leg]()
         self._motions = dict[str, Motion]()
         self._watches = dict[tuple[str, str], Watch]()
         self._lemmas = dict[str, dict[str, Lemma]]()
@@ -36,11 +37,15 @@ class Kinds:
         """Whether the clock occurs nowhere in the system."""
         return self.system.autonomous
 
-    def leg(self, contact: Contact) -> "Leg":
-        """Return the functions of the legs that begin with such a contact."""
-        if contact not in self._legs:
-            self._legs[contact] = Leg(self.system, contact, self.motion(contact.to))
-        return self._legs[contact]
+    def leg(self, contact: Contact, mode: str | None = None, signs: Signs = None) -> "Leg":
+        """Return the functions of the legs that begin with such a contact.
+
+        With ``signs`` a symmetry moves the flight back, into a ``mode``.
+        """
+        key = contact, signs
+        if key not in self._legs:
+            self._legs[key] = Leg(self.system, contact, self.motion(mode or contact.to), signs)
+        return self._legs[key]
 
     def watch(self, mode: str, guard: str) -> "Watch":
         """Return the functions of a guard along the flights of a mode."""
@@ -71,9 +76,15 @@ class Kinds:
 
 
 class Leg:
-    """The guard at the start, the state after the reset and that on arrival, with derivatives."""
+    """The guard at the start, the state after the reset and that on arrival, with derivatives.
 
-    def __init__(self, system: System, contact: Contact, motion: Motion) -> None:
+    If a symmetry moves the flight back, the state after the reset and the clock at the begin of the
+    flight have its ``signs``, and t0 is earlier than the contact; the clock given is the contact's.
+    """
+
+    def __init__(
+        self, system: System, contact: Contact, motion: Motion, signs: Signs = None
+    ) -> None:
         self.motion, self._system, tape = motion, system, Tape()
         self._q = [f"q{i}" for i in range(len(system.state))]
         self.inputs = [*START, *self._q, *END, *motion.inputs]
@@ -84,6 +95,9 @@ class Leg:
         self._tape = tape
         self._h = of.value(system.guard(contact.mode, contact.guard).value, before)
         self._after = [of.value(reset[z], before) for z in system.state]
+        if signs:
+            self._after = [q if s > 0 else -q for q, s in zip(self._after, signs, strict=True)]
+            start = -start[0], -start[1]
         reached = motion.arrival(self._after, start, t1 - t0, end)
         self._reached = [reached[z] for z in system.state]
 

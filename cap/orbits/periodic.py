@@ -169,7 +169,7 @@ class Prover:
         """
         found, vanishing = list[Reason](), self.itinerary.vanishing
         for leg in self.legs(box):
-            mode = self.itinerary.contacts[leg.number].to
+            mode = self.itinerary.flown(leg.number)
             following = self.itinerary.following(leg.number).guard
             in_order(leg)
             for name, lemma in self.equations.kinds.lemmas(mode).items():
@@ -187,17 +187,16 @@ class Prover:
     def legs(self, box: Box) -> list[Leg]:
         """Return the legs of the orbits whose contacts lie in a box."""
         equations, of, n = self.equations, self.balls, self.equations.n
-        starts = [equations.start(box, place) for place in equations.places]
-        clocks = {
-            place.here: of.clock(t) for place, t in zip(equations.places, starts, strict=True)
-        }
+        clocks = {place.here: of.clock(equations.time(box, place)) for place in equations.places}
         found = []
         for k, (leg, place) in enumerate(zip(equations.legs, equations.places, strict=True)):
             here, there, _ = place
             before = box[here + 1 : here + n + 1]
             after = of.of(leg.after)(*clocks[here], *before)
             end = End(equations.end(box, place, of), clocks[there], box[there + 1 : there + n + 1])
-            found.append(Leg(k, End(starts[k], clocks[here], after), end, of))
+            cos, sin = clocks[here]
+            begin = (-cos, -sin) if equations.is_moved(place) else (cos, sin)
+            found.append(Leg(k, End(equations.start(box, place, of), begin, after), end, of))
         return found
 
     def _minima_of(self, mode: str, name: str) -> list[Minimum] | None:

@@ -127,9 +127,22 @@ def test_a_branch_from_a_file(tmp_path, capsys):
     check(out.read_bytes(), lambda _: None)
 
 
+def test_a_branch_of_symmetric_orbits(tmp_path, capsys):
+    """That of the oscillator goes on through its pitchfork."""
+    out = tmp_path / "symmetric.json"
+    words = ("--model", "examples/oscillator.py", "--parameter", "f", "--set", "f=0.466")
+    words += ("--range", "0.465", "0.467", "--orbit", "0.25", "0.72", "--mode", "right")
+    assert main(["branch", *words, "--symmetric", "--out", str(out)]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "symmetric orbits of period 1 x 2 pi/omega" in said
+    assert "a multiplier is -1, of the orbit 1" in said
+    check(out.read_bytes(), lambda _: None)
+
+
 @pytest.mark.parametrize(
     ("words", "why"),
     [
+        (("--range", "1", "2", "--symmetric"), "this orbit is not symmetric"),
         (("--range", "2", "1"), "--range is LOW HIGH, LOW below HIGH"),
         (("--range", "2", "3"), "the curve begins at A = 6/5, which is not inside of the range"),
         (("--range", "1", "2", "--parameter", "B"), "has no parameter B: there are A, e, g"),

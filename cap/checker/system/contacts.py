@@ -9,6 +9,12 @@ where the contact after the last one is the first, p periods of the clock later.
 P(t_(k+1)) + exp(N d) y, d = t_(k+1) - t_k, y = (z - P, 1)(t_k) (``legs``); its derivative in d is
 exp(N d) N y.  All derivatives are by t_k, q_k, t_(k+1), which have the indices 0, 1, ..., n, n + 1.
 
+*With a symmetry* S (``symmetry``) the contacts are those of half a round, which takes p/2 periods,
+p odd: the contact after the last one is the image of the first.  S takes the flight to it to one in
+the mode of the first contact, from S R at the time t_K - p T/2 to the first contact itself, with
+the other signs of cos and sin at its begin.  So F, its derivatives and all that follows are those
+of half a round, followed by S; the multipliers of the orbit are the squares of those found.
+
 *Without a clock*, where cos and sin occur nowhere, orbits may be moved in time: the first contact
 is at the time 0, and t_0 is the period, at which it comes again.  Then (t, q) after a round is (t_0
 + a function of q_0, a function of q_0): the latter's derivative has n - 1 multipliers, and 0.
@@ -42,6 +48,8 @@ from cap.checker.kernel.rejection import need
 from cap.checker.system.legs import dot
 from cap.checker.system.model import Guard, Model
 from cap.checker.system.passage import Clock, Contact, Jet, Step, passage
+from cap.checker.system.quiet import vanishing
+from cap.checker.system.symmetry import Symmetry
 
 SHIFT, AGAIN = 48, 3
 Ends = tuple[Fraction, Fraction]
@@ -49,21 +57,31 @@ Matrix = list[list[Interval]]
 
 
 class Round(NamedTuple):
-    """A system, the contacts of one round, in order, and the periods of the clock that it takes."""
+    """A system, the contacts of one round, in order, and the periods of the clock that it takes.
+
+    With a symmetry they are those of half a round.
+    """
 
     model: Model
     contacts: Sequence[Contact]
     periods: int
+    symmetry: Symmetry | None = None
 
     def confirm(self) -> None:
         """Reject what is no sequence of contacts of the system."""
         modes = self.model.modes
+        if self.symmetry:
+            need(self.periods % 2 == 1, "a symmetric orbit has an even number of periods")
+            need(not self.model.autonomous, "a symmetry is one of half a period: there is no clock")
+            self.symmetry.confirm(self.model)
+            known = all(contact.to in self.symmetry.modes for contact in self.contacts)
+            need(known, "a contact leads to a mode that is none")
         for k, (mode, guard, to) in enumerate(self.contacts):
             known = mode in modes and guard in modes[mode].guards
             need(known, f"contact {k + 1}: there is no guard {guard} of a mode {mode}")
             leads = to in modes[mode].guards[guard].to
             need(leads, f"contact {k + 1}: {guard} does not lead to the mode {to}")
-            goes_on = self.following(k).mode == to
+            goes_on = self.following(k).mode == self.flown(k)
             need(goes_on, f"contact {k + 1}: the next contact is in another mode than {to}")
 
     def guard(self, k: int) -> Guard:
@@ -71,8 +89,26 @@ class Round(NamedTuple):
         return self.model.modes[self.contacts[k].mode].guards[self.contacts[k].guard]
 
     def following(self, k: int) -> Contact:
-        """Return the contact after the k-th."""
+        """Return the contact after the k-th; that after the last is the first."""
         return self.contacts[(k + 1) % len(self.contacts)]
+
+    def is_moved(self, k: int) -> bool:
+        """Return whether the flight after the k-th contact is looked at as S moves it back."""
+        return self.symmetry is not None and k + 1 == len(self.contacts)
+
+    def flown(self, k: int) -> str:
+        """Return the mode of the flight after the k-th contact."""
+        to = self.contacts[k].to
+        return self.symmetry.modes[to] if self.symmetry and self.is_moved(k) else to
+
+    def zeros(self, k: int) -> Mapping[str, int]:
+        """Return how many of h, L h of the guards on that flight vanish at its begin."""
+        mode, guard, to = self.contacts[k]
+        found = vanishing(self.model, mode, guard, to)
+        if self.symmetry and self.is_moved(k):
+            images = self.symmetry.guards(self.model, self.flown(k))
+            return {key: found[image] for key, image in images.items()}
+        return found
 
 
 class Equations:
@@ -82,7 +118,15 @@ class Equations:
         self.orbit, self.bits, self.model = orbit, bits, orbit.model
         self.n = len(orbit.model.state)
         self.size = (self.n + 1) * len(orbit.contacts)
-        self.passages = [passage(orbit.model, contact, bits) for contact in orbit.contacts]
+        self.passages = [
+            passage(
+                orbit.model,
+                contact._replace(to=orbit.flown(k)),
+                bits,
+                tuple(orbit.symmetry.signs) if orbit.symmetry and orbit.is_moved(k) else None,
+            )
+            for k, contact in enumerate(orbit.contacts)
+        ]
         self.omega, self.pi = self.passages[0].flights.omega, pi(bits)
         self.period = self.pi * 2 / self.omega
         self.autonomous = orbit.model.autonomous
@@ -97,14 +141,23 @@ class Equations:
         return here, (here + self.n + 1) % self.size
 
     def start(self, z: Sequence[Interval], k: int) -> Interval:
-        """Return the time of the k-th contact."""
+        """Return the time at which the flight after the k-th contact begins.
+
+        It is that of the contact, unless a symmetry moves it back.
+        """
+        if self.orbit.is_moved(k):
+            return z[self.places(k)[0]] - self.period * self.orbit.periods / 2
         return z[0].integer(0) if self.autonomous and not k else z[self.places(k)[0]]
 
     def end(self, z: Sequence[Interval], k: int) -> Interval:
         """Return the time of the contact after the k-th."""
         here, there = self.places(k)
-        later = there <= here and not self.autonomous
+        later = there <= here and not self.autonomous and not self.orbit.is_moved(k)
         return z[there] + self.period * self.orbit.periods if later else z[there]
+
+    def turned(self, k: int, clock: Clock) -> Clock:
+        """Return the clock at the k-th contact from that at the begin of the flight after it."""
+        return (-clock[0], -clock[1]) if self.orbit.is_moved(k) else clock
 
     def steps(self, z: Sequence[Interval]) -> list[Step]:
         """Return the steps over a box of unknowns."""
@@ -123,12 +176,12 @@ class Equations:
     def _places(
         self, z: Sequence[Interval]
     ) -> Iterator[tuple[Clock, Sequence[Interval], Clock, Interval]]:
-        """Give for each leg the clock and the state at its start, the clock at its end, and d.
+        """Give for each leg the clock and the state at its contact, the clock at its end, and d.
 
         A whole number of periods later the clock is the same.
         """
         count = len(self.orbit.contacts)
-        clocks = [self._clock(self.start(z, k)) for k in range(count)]
+        clocks = [self.turned(k, self._clock(self.start(z, k))) for k in range(count)]
         for k in range(count):
             (here, _), t = self.places(k), self.start(z, k)
             clock = clocks[k], clocks[(k + 1) % count]

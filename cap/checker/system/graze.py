@@ -61,7 +61,7 @@ def drift(curve: Curve, box: Box, rates: Box, k: int, window: Interval, h: Polyn
     n, passage, start = equations.n, equations.passages[k], equations.start(z, k)
     clock = passage.flights.clock
     begin, q = clock(start), z[here + 1 : here + n + 1]
-    step = passage.step(begin, q, clock(window), window - start)
+    step = passage.step(equations.turned(k, begin), q, clock(window), window - start)
     by = moved[here : here + n + 1]
     if equations.autonomous and not k:
         by = [start.integer(0), *by[1:]]  # the first contact is at the time 0

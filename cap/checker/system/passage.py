@@ -5,7 +5,8 @@ n + 1, the guard is h(q, t), the state after the contact R(q, t), and that on ar
 
     P(t') + exp(N d) y,      d = t' - t,  y = (R - P, 1)(t)        (``legs``),
 
-whose derivative in d is exp(N d) N y.
+whose derivative in d is exp(N d) N y.  If a symmetry S (``symmetry``) moves the flight back, S R
+stands for R in it, and cos wt and sin wt have the other signs at its begin.
 """
 
 from __future__ import annotations
@@ -47,15 +48,22 @@ class Step(NamedTuple):
 
 
 @lru_cache(maxsize=512)
-def passage(model: Model, contact: Contact, bits: int) -> Passage:
-    """Return the passage after a contact at a precision; it is kept."""
-    return Passage(model, contact, bits)
+def passage(
+    model: Model, contact: Contact, bits: int, signs: tuple[int, ...] | None = None
+) -> Passage:
+    """Return the passage after a contact at a precision; it is kept.
+
+    With the ``signs`` of a symmetry its flight is moved back, into the mode that the contact has.
+    """
+    return Passage(model, contact, bits, signs)
 
 
 class Passage:
     """The formulas above, written once, for intervals."""
 
-    def __init__(self, model: Model, contact: Contact, bits: int) -> None:
+    def __init__(
+        self, model: Model, contact: Contact, bits: int, signs: tuple[int, ...] | None = None
+    ) -> None:
         self.model, self.n = model, len(model.state)
         self.event = model.modes[contact.mode].guards[contact.guard]
         self.flights = flights(model, contact.to, bits)
@@ -65,6 +73,9 @@ class Passage:
         state = [Slope(x, {i: one}) for i, x in enumerate(q, start=1)]
         begin, last = self._clock(start, 0), self._clock(end, n + 1)
         guard, after = self._contact(self.event, [*begin, *state])
+        if signs:
+            after = [-x if s < 0 else x for x, s in zip(after, signs, strict=True)]
+            begin = [-x for x in begin]
         motion = list(self.flights.inputs(tape, range(n), 1))
         arrival = self._arrival(motion, after, begin, last)
         without = len(tape.given) - len(motion[1]) * len(motion[1][0])

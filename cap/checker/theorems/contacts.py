@@ -256,9 +256,8 @@ class Contacts(Theorem):
 
         In the window of a guard nothing is proved of it.
         """
-        contact = self.orbit.contacts[k]
-        mode, guards = contact.to, watched(self.p, contact.to)
-        zeros = vanishing(self.p, contact.mode, contact.guard, contact.to)
+        mode, zeros = self.orbit.flown(k), self.orbit.zeros(k)
+        guards = watched(self.p, mode)
         start, end = self.equations.start(zero, k), self.equations.end(zero, k)
         need(start.is_before(end), f"leg {k + 1}: the contacts are not in order")
         need(cuts.keys() <= guards.keys(), f"leg {k + 1}: cuts of a guard that its mode has not")

@@ -4,6 +4,11 @@ The last variable of the state is the parameter p: nothing moves it, so the syst
 p.  The orbits are given by their contacts, as in ``contacts``; so is what is meant by F, a leg, and
 its guards.
 
+*With a symmetry* (``symmetry``), which is confirmed by algebra, the contacts are those of half a
+round, and F is that of symmetric orbits: p/2 periods later their states are the images of what they
+were.  The multipliers are those of the map to half a round later, followed by S; those of the orbit
+are their squares.
+
 1. *Cells.*  On each of them F has one zero for each value of one unknown, in an explicit box around
    a line, and those of a cell and of the next one are one curve (``curve``).
 2. *Nothing else happens*: over all zeros of a cell each leg is quiet, as in ``contacts``.  So all
@@ -16,7 +21,7 @@ its guards.
    number outside is the same on all of the cell: that on a cell next to it, with which it has an
    orbit in common.
 4. *Points.*  A short cell on one of the cells, at the ends of which a function has opposite signs,
-   so that it is 0 between them; ``outside`` counts multipliers at both ends.
+   so that it is 0 between them; ``outside``, if it is given, counts multipliers at both ends.
    - *flip*: the product of all 1 + multiplier, 1 + e_1 + e_2 + ...: one is -1;
    - *pair*: the counts differ by two, and neither 1 + e_1 + ... nor 1 - e_1 + e_2 - ... vanishes on
      the short cell, so that 1 and -1 are no multipliers there.  Those that are real, or inside or
@@ -60,12 +65,13 @@ from cap.checker.kernel.shapes import (
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Cell, Curve, Line
-from cap.checker.system.given import GUARDS, STATES, told
+from cap.checker.system.given import GUARDS, MODES, STATES, told
 from cap.checker.system.graze import drift, inside, sign, turns, window
 from cap.checker.system.legs import Leg
 from cap.checker.system.passage import Contact, Step
 from cap.checker.system.quiet import watched
 from cap.checker.system.stability import outside
+from cap.checker.system.symmetry import Symmetry
 from cap.checker.theorems.contacts import CONTACTS, CUTS, MOST_BITS, PERIODS, UNKNOWNS, Contacts
 
 CELLS, POINTS, GRAZES = 5000, 100, 2
@@ -86,7 +92,7 @@ _POINT = {
     "cell": Whole(0, CELLS),
     "short": {key: _CELL[key] for key in ("along", "ends", "centre", "slope", "reach")},
     "at": Quantity(),
-    "outside": [Whole(0, STATES), Whole(0, STATES)],
+    "outside": Maybe([Whole(0, STATES), Whole(0, STATES)]),
 }
 _MATRIX = Many(Many(Integer(40), 2, UNKNOWNS), 2, UNKNOWNS)
 _LEGS = Many(Named(Many(number, 0, CUTS), GUARDS), 1, CONTACTS)
@@ -122,8 +128,13 @@ class ContactsBranch(Contacts):
     )
     CLAIMS: ClassVar[Table] = (
         Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
-              "the guards that come to zero in one round, in order, and the modes that follow"),
+              "the guards that come to zero in one round, in order, and the modes that follow; "
+              "with a symmetry those of half a round"),
         Field("periods", Whole(1, PERIODS), "", "p", "the periods of the clock in one round"),
+        Field("symmetry", Maybe({"signs": Many(Integer(1), 1, STATES),
+                                 "modes": Named(name, MODES)}), "", "",
+              "of the system: the sign of each variable, and the image of each mode; the states of "
+              "the orbits p/2 periods later are the images of what they were"),
         Field("range", [number, number], "", "", "between these all values of the parameter occur"),
         Field("cells", Many(_CELL, 1, CELLS), "", "",
               "pieces of the curve, in order, of which only one unknown is free: times and states "
@@ -173,7 +184,7 @@ class ContactsBranch(Contacts):
         """Prove the theorem."""
         Curve.confirm(self.p)
         self.orbit = Round(self.p, [Contact(**c) for c in self.claims["contacts"]],
-                           self.claims["periods"])  # fmt: skip
+                           self.claims["periods"], self.symmetry())  # fmt: skip
         self.orbit.confirm()
         self.equations = Equations(self.orbit, self.hints["bits"])
         once = not self.equations.autonomous or self.claims["periods"] == 1
@@ -190,6 +201,15 @@ class ContactsBranch(Contacts):
         self.counted(e)
         self.fine = Curve(Equations(self.orbit, self.hints["fine"]))
         self.reaches(self.points(), self.grazes())
+
+    def symmetry(self) -> Symmetry | None:
+        """Return the symmetry that is claimed; it leaves the parameter as it is."""
+        given = self.claims.get("symmetry")
+        if given is None:
+            return None
+        need(all(abs(s) == 1 for s in given["signs"]), "a sign of the symmetry is none")
+        need(given["signs"][-1] == 1, "the symmetry changes the parameter")
+        return Symmetry(given["signs"], given["modes"])
 
     def reaches(self, short: list[Cell], grazes: list[tuple[Cell, Fraction]]) -> None:
         """Prove that the parameter takes all values of the range: there are ends beyond it."""
@@ -276,7 +296,7 @@ class ContactsBranch(Contacts):
         j, box = graze["leg"] - 1, piece.box
         need(j < len(self.orbit.contacts), "a graze is on no leg")
         steps, zeros = self.curve.steps(box), self.curve.expanded(box)
-        guards = watched(self.p, self.orbit.contacts[j].to)
+        guards = watched(self.p, self.orbit.flown(j))
         need(graze["guard"] in cuts[j], "there are no cuts of the guard that is grazed")
         at = window(graze["window"], self.hints["bits"])
         for i, each in enumerate(cuts):
@@ -293,7 +313,7 @@ class ContactsBranch(Contacts):
         need(a <= ends[0] and ends[1] <= b, f"the narrow window of graze {k} is not in its window")
         narrow = window(ends, self.hints["fine"])
         self.compare(f"grazes[{k}].time", graze["time"], narrow)
-        h, signs = watched(self.p, self.orbit.contacts[j].to)[graze["guard"]], list[int]()
+        h, signs = watched(self.p, self.orbit.flown(j))[graze["guard"]], list[int]()
         box = short.box
         inside(self.flights(fine, fine.expanded(box), fine.steps(box)[j], j), h, narrow)
         for s in short.line.ends:
@@ -306,16 +326,17 @@ class ContactsBranch(Contacts):
         """Return the flights of a leg."""
         after = dict(zip(self.p.state, step.after, strict=True))
         start = curve.equations.start(zeros, j)
-        return Leg(self.p, self.orbit.contacts[j].to, start, after)
+        return Leg(self.p, self.orbit.flown(j), start, after)
 
     def happens(self, k: int, point: dict[str, Any], fine: Curve, short: Cell) -> None:
         """Prove what is claimed of one point."""
         steps = [fine.steps(short.at(s)) for s in short.line.ends]
         e = [fine.multipliers(step) for step in steps]
-        counted = [outside(each) for each in e] == point["outside"]
+        counted = "outside" not in point or [outside(each) for each in e] == point["outside"]
         need(counted, f"point {k}: not so many multipliers are certain to be outside at its ends")
         kind, along = point["kind"], short.line.along
         if kind == "pair":
+            need("outside" in point, f"point {k}: nothing is counted at its ends")
             before, after = point["outside"]
             need(abs(before - after) == 2, f"point {k}: the counts do not differ by two")
             over = fine.multipliers(fine.steps(short.box))
@@ -343,12 +364,44 @@ class ContactsBranch(Contacts):
         between = f"[{_decimal(low, ceil)}, {_decimal(high, floor)}]"
         return (
             f"the system with the {told(self.p)}; its variable {p} is a parameter, which nothing "
-            f"moves; there is a connected curve of orbits of {period}, {len(claims['cells'])} "
-            f"analytic pieces, each with these contacts in one round, at each of which the guard "
-            f"falls through 0, and no others: {names}; {p} takes on it all values in "
-            f"{between}; on each piece, in a box around a line, there is for each value of "
-            f"one unknown no other orbit with these contacts{''.join(self.counts())}"
+            f"moves; there is a connected curve of {self.orbits()} of {period}, "
+            f"{len(claims['cells'])} analytic pieces, each with these contacts in {self.part()}, "
+            f"at each of which the guard falls through 0, and no others{self.mirrored()}: {names}; "
+            f"{p} takes on it all values in {between}; on each piece, in a box around a line, "
+            f"there is for each value of one unknown no other {self.orbits()[:-1]} with these "
+            f"contacts{self.squares()}{''.join(self.counts())}"
             f"{''.join(self.told_points())}{''.join(self.told_grazes())}"
+        )
+
+    def orbits(self) -> str:
+        """Return what the orbits are called."""
+        return "symmetric orbits" if "symmetry" in self.claims else "orbits"
+
+    def part(self) -> str:
+        """Return of what the contacts are."""
+        return "half a round" if "symmetry" in self.claims else "one round"
+
+    def mirrored(self) -> str:
+        """Return in words what is symmetric of the orbits."""
+        if "symmetry" not in self.claims:
+            return ""
+        given, names = self.claims["symmetry"], self.p.state
+        signs = [("-" if s < 0 else "") + z for s, z in zip(given["signs"], names, strict=True)]
+        modes = ", ".join(f"'{m}' to '{k}'" for m, k in given["modes"].items())
+        half = Fraction(self.claims["periods"], 2)
+        return (
+            f", with their images in the other half: {half} x 2 pi/omega later the state is "
+            f"({', '.join(signs)}) of what it was, its mode the image under {modes}, a symmetry "
+            f"of the system"
+        )
+
+    def squares(self) -> str:
+        """Return in words what the multipliers are."""
+        if "symmetry" not in self.claims:
+            return ""
+        return (
+            "; multipliers are here those of the map to the state half a round later, as the "
+            "symmetry takes it back: those of the orbit are their squares"
         )
 
     def counts(self) -> Iterator[str]:
@@ -377,11 +430,14 @@ class ContactsBranch(Contacts):
         p = self.p.state[-1]
         for point in self.claims["points"]:
             at: Enclosure = point["at"]
-            before, after = point["outside"]
+            counts = ""
+            if "outside" in point:
+                before, after = point["outside"]
+                counts = f": {before} outside the unit circle on one side, {after} on the other"
+            squared = "symmetry" in self.claims and point["kind"] == "flip"
             yield (
                 f"; for an orbit on piece {point['cell']} with {p} in {at} "
-                f"{self.KINDS[point['kind']]}: {before} outside the unit circle on one side, "
-                f"{after} on the other"
+                f"{self.KINDS[point['kind']]}{', of the orbit 1' * squared}{counts}"
             )
 
     def told_grazes(self) -> Iterator[str]:

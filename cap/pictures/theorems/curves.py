@@ -5,6 +5,7 @@ pixel, unless they are drawn.
 """
 
 import math
+from collections.abc import Sequence
 from itertools import groupby
 from typing import Any
 
@@ -25,15 +26,19 @@ LOOKS: dict[str, tuple[str, str]] = {
 COLOURS = (BLUE, RED, GREY)  # none outside the unit circle, some, not said
 WIDTHS = (2.0, 1.2, 1.2)
 PIXEL = 1 / 600  # of what is shown
+VARIES = 1e-6  # of a variable's size
 PLACES = 5  # of the range, rounded inwards
 
 
 def branch(theorem: ContactsBranch, figure: Figure) -> None:
-    """Draw the time of the first contact, and the first variable then, over the parameter."""
+    """Draw the time of the first contact, and a variable then that varies, over the parameter."""
     claims, p = theorem.claims, theorem.p
     cells, name = claims["cells"], p.state[-1]
     time = "period" if p.autonomous else "time"
-    rows = [(0, f"{time} of the first contact"), (1, f"{p.state[0]} just before it")]
+    varied = varying(cells, len(p.state) - 1)
+    rows = [(0, f"{time} of the first contact"), (varied, f"{p.state[varied - 1]} just before it")]
+    symmetric = "symmetric " if "symmetry" in claims else ""
+    kinds = {"flip": "multiplier -1 of half a round"} if symmetric else {}
     panels = figure.subplots(len(rows), 1, sharex=True)
     for axes, (row, words) in zip(panels, rows, strict=True):
         named = set[str]()
@@ -50,7 +55,9 @@ def branch(theorem: ContactsBranch, figure: Figure) -> None:
         for point in claims["points"]:
             marker, colour = LOOKS[point["kind"]]
             at, place = middle(point["at"]), float(point["short"]["centre"][row])
-            label = f"{point['kind']} at {name} = {number(point['at'], 12)}"
+            label = (
+                f"{kinds.get(point['kind'], point['kind'])} at {name} = {number(point['at'], 12)}"
+            )
             axes.plot(at, place, marker, ms=6.5, mfc=colour, mec=BLACK, mew=0.8, ls="none",
                       label=label, zorder=3)  # fmt: skip
         for graze in claims["grazes"]:
@@ -65,10 +72,19 @@ def branch(theorem: ContactsBranch, figure: Figure) -> None:
     low, high = claims["range"]
     shown = math.ceil(low * 10**PLACES) / 10**PLACES, math.floor(high * 10**PLACES) / 10**PLACES
     figure.suptitle(
-        f"A curve of periodic orbits, {len(cells)} pieces, on which {name} takes all values in "
-        f"[{shown[0]:g}, {shown[1]:g}]\n(the certificate is VERIFIED)",
+        f"A curve of {symmetric}periodic orbits, {len(cells)} pieces, on which {name} takes all "
+        f"values in [{shown[0]:g}, {shown[1]:g}]\n(the certificate is VERIFIED)",
         fontsize=10,
     )
+
+
+def varying(cells: Sequence[dict[str, Any]], count: int) -> int:
+    """Return the first of so many variables that is seen to vary at the first contact, or 1."""
+    for row in range(1, count + 1):
+        places = [float(cell["centre"][row]) for cell in cells]
+        if max(places) - min(places) > VARIES * max(map(abs, places)):
+            return row
+    return 1
 
 
 def told(outside: int | None, count: int) -> str:
