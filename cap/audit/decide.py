@@ -9,7 +9,7 @@ from functools import partial
 from cap.audit import cache, ledger, tables
 from cap.audit.claim import Claim
 from cap.audit.dependencies import digest
-from cap.audit.means import stored
+from cap.audit.means import accepted, stored
 from cap.audit.means.need import steps
 from cap.audit.means.written import exists
 from cap.audit.tables import Row
@@ -17,6 +17,7 @@ from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import BadInput, NotProved
 
 Progress = Callable[[str], None]
+Part = tuple[dict[str, Verdict], dict[str, str]]  # verdicts, and the certificates noted meanwhile
 
 
 def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
@@ -80,8 +81,9 @@ def all_decided(
     parts = _parts(asked)
     done = _one_by_one if jobs == 1 else partial(_at_once, jobs=jobs)
     found: dict[str, Verdict] = {}
-    for verdicts in done(parts, progress, fresh):
+    for verdicts, notes in done(parts, progress, fresh):
         found |= verdicts
+        accepted.give(notes)
     return {each.id: found[each.id] for each in asked}
 
 
@@ -94,9 +96,7 @@ def _parts(asked: list[Claim]) -> list[list[str]]:
     return [*together.values(), *([each.id] for each in asked if not isinstance(each, Row))]
 
 
-def _one_by_one(
-    parts: list[list[str]], progress: Progress, fresh: bool
-) -> Iterator[dict[str, Verdict]]:
+def _one_by_one(parts: list[list[str]], progress: Progress, fresh: bool) -> Iterator[Part]:
     left = sum(map(len, parts))
     for part in parts:
         progress(f"{left} claims to decide; {part[0]}")
@@ -104,9 +104,7 @@ def _one_by_one(
         left -= len(part)
 
 
-def _at_once(
-    parts: list[list[str]], progress: Progress, fresh: bool, jobs: int
-) -> Iterator[dict[str, Verdict]]:
+def _at_once(parts: list[list[str]], progress: Progress, fresh: bool, jobs: int) -> Iterator[Part]:
     """Decide on processes; an interrupt reaches this one only."""
     ignore = signal.SIGINT, signal.SIG_IGN
     with ProcessPoolExecutor(jobs, initializer=signal.signal, initargs=ignore) as executor:
@@ -125,6 +123,7 @@ def _at_once(
             raise
 
 
-def _by_ids(names: list[str], fresh: bool) -> dict[str, Verdict]:
+def _by_ids(names: list[str], fresh: bool) -> Part:
     """Decide claims by their ids, which any process knows."""
-    return {name: decided(ledger.claims()[name], fresh=fresh) for name in names}
+    verdicts = {name: decided(ledger.claims()[name], fresh=fresh) for name in names}
+    return verdicts, accepted.taken()

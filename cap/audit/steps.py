@@ -1,6 +1,6 @@
 """Steps that are data: lines of algebra, each a definition, or what has to hold.
 
-    positive = "F f omega"               symbols: positive numbers, real ones, or any
+    positive = "F f omega"               symbols: positive numbers, real ones, integers, or any
     real = "t"
     steps = '''
     rate = diff(F*cos(omega*t), t)       a name for an expression of sympy
@@ -34,7 +34,12 @@ from cap.sets.interval import Ball
 
 Given = Mapping[str, Any]
 Words = Mapping[str, object]  # by their names
-SYMBOLS = {"positive": {"positive": True}, "real": {"real": True}, "any": {}}
+SYMBOLS = {
+    "positive": {"positive": True},
+    "real": {"real": True},
+    "integer": {"integer": True},
+    "any": {},
+}
 _DEFINES = re.compile(r"(\w+) = (.+)")
 _HOLDS = re.compile(r"(.+) (==|!=|<|>) (.+)")
 _CLAIMED = re.compile(r"(?<![\w.])[a-z]+(?:-\d+)?(?:\.\w+)+")

@@ -107,6 +107,27 @@ def test_processes_decide_the_same(own_cache):
     assert len(heard) == 2 * len(FEW)
 
 
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_certificates_accepted_by_processes_are_recorded(tmp_path, monkeypatch, jobs):
+    """What a process notes while it decides reaches the one that records."""
+    claim = ledger.claims()[FEW[0]]
+
+    def decide():
+        accepted.note(accepted.LONG[0], b"{}")
+        return confirmed("yes", "")
+
+    monkeypatch.setitem(ledger.claims(), claim.id, with_function(claim, decide))
+    monkeypatch.setattr(accepted, "STORED", tmp_path / "accepted.json")
+    accepted._stored.cache_clear()
+    try:
+        all_decided([ledger.claims()[claim.id]], print, jobs=jobs, fresh=True)
+        accepted.record()
+        assert accepted.known(accepted.LONG[0], b"{}")
+    finally:
+        accepted._stored.cache_clear()
+        accepted._NEW.clear()
+
+
 def test_changes_are_noticed():
     """Another verdict, strength or finding; what is new, undecided, or gone."""
     name = FEW[0]

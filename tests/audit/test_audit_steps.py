@@ -2,6 +2,7 @@
 
 import tomllib
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,10 @@ import pytest
 from cap.audit import given, steps
 from cap.audit.decide import decided
 from cap.audit.filled import filled
+from cap.audit.means import stored
+from cap.audit.papers.mixed_dynamics.claims import persistence
 from cap.audit.verdict import Outcome, Strength
+from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 
 pytest_plugins = ["audit_fixtures"]
@@ -131,16 +135,74 @@ def test_what_makes_no_step_is_read(example):
     assert verdict.strength is Strength.READ
 
 
+CLAIMS = Path(steps.__file__).parent / "papers/mixed_dynamics/claims"
+
+
+def data_of(group):
+    """Return what is common to a group of claims, and the claims by the ends of their ids."""
+    data = tomllib.loads((CLAIMS / f"{group}.toml").read_text(encoding="utf-8"))
+    return data.get("common", {}), {each["id"].partition(".")[2]: each for each in data["claim"]}
+
+
 def test_claims_on_stops_rest_on_the_equation():
     """With the friction in the other direction none of them is decided."""
-    path = Path(steps.__file__).parent / "papers/mixed_dynamics/claims/stops.toml"
-    data = tomllib.loads(path.read_text(encoding="utf-8"))
-    claims = [each for each in data["claim"] if "right" in each.get("steps", "")]
+    common, every = data_of("stops")
+    claims = [each for each in every.values() if "right" in each.get("steps", "")]
     assert len(claims) >= 5
-    common = data["common"]
     wrong = {**common, "steps": common["steps"].replace("force - f*s", "force + f*s")}
     assert wrong != common
     for each in claims:
         steps.made(common, each)
         with pytest.raises(NotProved):
             steps.made(wrong, each)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [("rising = q", "rising = 1 - q"), ("falling = 2 - q", "falling = q - 1")]
+)
+def test_claims_on_the_lift_rest_on_the_wave(old, new):
+    """With one of its branches turned around none of them is decided."""
+    common, claims = data_of("lifting")
+    wrong = {**common, "steps": common["steps"].replace(old, new)}
+    assert wrong != common
+    for name in ("lift-is-unique", "signs-at-a-crossing", "walls-of-the-cover"):
+        steps.made(common, claims[name])
+        with pytest.raises(NotProved):
+            steps.made(wrong, claims[name])
+
+
+@pytest.mark.parametrize(
+    ("group", "name", "old", "new"),
+    [
+        ("strobe", "three-types", "- f*s", "+ f*s"),
+        ("strobe", "three-types", "A1 = -F", "A1 = F"),
+        ("strobe", "forward-invariance", "cos(omega*t)", "cos(omega*t/2)"),
+        ("birkhoff", "separated-from-zero", "branch.twist_zeros.0", "branch.f_end"),
+        ("birkhoff", "separated-from-zero", "1/20000", "1/40000"),
+    ],
+)
+def test_other_data_decide_nothing(group, name, old, new):
+    """The equation turned around, another constant or period, another value of f."""
+    common, claims = data_of(group)
+    steps.made(common, claims[name])
+    assert old in claims[name]["steps"]
+    with pytest.raises(NotProved):
+        steps.made(common, claims[name], {"steps": claims[name]["steps"].replace(old, new)})
+
+
+def test_another_orbit_does_not_persist(monkeypatch):
+    """P* must be the one that is continued, without the eigenvalue 1, and must not stop."""
+    true = stored.stored("elliptic.json")
+    assert persistence.persistence_of_the_orbit()["boxes"] > 1
+    third = Enclosure(Fraction(1, 3), Fraction(2, 3), ("1/3", "2/3"))
+    negative = Enclosure(Fraction(-1), Fraction(1), ("-1", "1"))
+    two = Enclosure(Fraction(1), Fraction(2), ("1", "2"))
+    for name, other in (("x", third), ("v", third), ("trace", two), ("least_speed", negative)):
+        wrong = true._replace(claims={**true.claims, name: other})
+        monkeypatch.setattr(
+            persistence,
+            "stored",
+            lambda name, wrong=wrong: wrong if name == "elliptic.json" else stored.stored(name),
+        )
+        with pytest.raises(NotProved):
+            persistence.persistence_of_the_orbit()

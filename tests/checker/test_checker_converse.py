@@ -301,8 +301,27 @@ def test_the_ratio_to_the_curve():
     for name in ("x", "v"):
         (a, b), (c, d) = (map(Fraction, each["claims"][name]) for each in (curve, STORED))
         assert max(a, c) <= min(b, d)
+        middle, radius = curve["hints"]["middle"], Fraction(curve["hints"]["radius"])
+        at = Fraction(middle["xv".index(name)])  # Krawczyk: one fixed point so near
+        assert at - radius < c
+        assert d < at + radius
     m, M = Fraction(curve["claims"]["area"][0]), Fraction(STORED["claims"]["area"])
     assert Fraction(93, 100) < m / M < 1
+
+
+def test_where_the_orbit_is_its_own_image():
+    """Half a period and the symmetry, about the point of an island, which is smaller."""
+    stored = json.loads((ROOT / "certificates/converse-2.json").read_text())
+    given = json.loads((ROOT / "certificates/islands.json").read_text())["claims"]["islands"]
+    f = Fraction(stored["parameters"]["f"])
+    island = next(each for each in given if Fraction(each["f"]) == f)
+    assert island["map"] == stored["claims"]["map"] == "sigma"
+    for name in ("x", "v"):
+        (a, b), (c, d) = (map(Fraction, each[name]) for each in (island, stored["claims"]))
+        assert max(a, c) <= min(b, d)
+    assert Fraction(island["area"][0]) < Fraction(stored["claims"]["area"])
+    said = words(read(encode(stored)))
+    assert "the map sigma over half a period" in said
 
 
 def test_the_curve_is_inside_of_the_rings():

@@ -334,17 +334,24 @@ def test_rotation_numbers():
         assert gamma < worst + Fraction(1, 10**15)
 
 
-@pytest.mark.parametrize("t", [-0.1, 3.2])
-def test_hits_of_functions_are_in_the_half_period(t):
-    """A root before the start, or after the end, is none, though the speed there is positive."""
-    motion, circle, v = Motion(Fraction(2, 5), Fraction(1), 160), Circle(8, Fraction(1, 10), 40), 3
+@pytest.mark.parametrize(
+    ("t", "v", "why"),
+    [
+        (-0.1, 3.0, r"not be in \(0, pi\)"),
+        (3.2, 3.0, r"not be in \(0, pi\)"),
+        (2.9, 0.5, "speed at a hit may not be positive"),
+    ],
+)
+def test_what_is_no_hit_of_functions(t, v, why):
+    """Roots before the start, or after the end, or where the mass comes back."""
+    motion, circle = Motion(Fraction(2, 5), Fraction(1), 160), Circle(8, Fraction(1, 10), 40)
 
     def constant(value):
         return circle.constant(Interval.enclosing(Fraction(value), Fraction(value), 160))
 
     x = 1 - (v * t + 1 - np.cos(t) - t * t / 5)
     hit = Hit.of(constant(t), constant(1 / (v + np.sin(t) - 2 * t / 5)))
-    with pytest.raises(Rejected, match=r"not be in \(0, pi\)"):
+    with pytest.raises(Rejected, match=why):
         motion.passage(hit, constant(float(x)), constant(v))
 
 
@@ -366,19 +373,26 @@ def test_states_stop_or_not():
     for state, why in (
         (("0.6", "0.3", "0.001"), "velocity may vanish"),
         (("-0.9", "1", "0.001"), "hit the left wall"),
+        (("0.1", "0.1", "0.001"), "elsewhere"),
+        (("1.5", "0.5", "0.001"), "state may be outside"),
+        (("0.1", "-0.5", "0.001"), "state may be outside"),
+        (("0.1", "0.05", "0.2"), "state may be outside"),
+        (("0.1", "0.3", "0.01"), r"not be in \(0, pi\)"),
+        (("-0.5", "0.01", "0.001"), "no hit is found"),
+        (("0.6", "0.2", "0.1"), "speed at a hit"),
     ):
         with pytest.raises(Rejected, match=why):
             after(*state)
-    for state in (
-        ("0.1", "0.2", "0.001"),
-        ("0.1", "0.54", "0.4"),
-        ("1.5", "0.5", "0.001"),
-        ("0.1", "-0.5", "0.001"),
-        ("0.1", "3", "0.001"),
-        ("-0.9", "0.3", "0.01"),
-    ):
+    for state in (("0.1", "0.54", "0.4"), ("0.1", "3", "0.001"), ("-0.9", "0.3", "0.01")):
         with pytest.raises(Rejected):
             after(*state)
+
+
+@pytest.mark.parametrize("t", [float("nan"), float("inf")])
+def test_guesses_are_numbers(t):
+    """Doubles that are none are refused."""
+    with pytest.raises(Rejected, match="no hit is found"):
+        Motion(Fraction(2, 5), Fraction(1), 96).number(t)
 
 
 def test_a_guess_of_the_hit_is_not_trusted(monkeypatch):

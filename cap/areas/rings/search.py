@@ -26,7 +26,8 @@ from cap.runner import Runner
 COLUMNS, ROWS = 2048, 300
 FIRST, LATER = 40, 60  # half periods, for the first ring and for others
 ROOM = 0.5  # the part of a cell that goes out with its point
-BEYOND, CLOSE = 0.65, 0.01  # how far out the first ring is looked for; later ones, beyond the last
+BEYOND = 0.65, 1.0, 1.5, 2.5  # how far out of the curve the first ring is looked for
+CLOSE = 0.01  # how far out of the ring before another one is
 TILT = 1e-2
 BLOCK = 64  # columns in a task
 BITS = 64  # of a mask
@@ -86,15 +87,18 @@ class Level:
     states: Floats
     proved: dict[tuple[int, int, int], Way] = field(default_factory=dict)
 
-    def ring(self, edges: Floats) -> tuple[Integers, list[Way]] | None:
-        """Return the rows of the least ring that is proved, with ways; ``edges`` of that before."""
+    def ring(self, edges: Floats, most: float) -> tuple[Integers, list[Way]] | None:
+        """Return the rows of the least ring that is proved, with ways; ``edges`` of that before.
+
+        None if there is none of so little size: with each link given up rings only grow.
+        """
         area = self.radii**2
         links = np.zeros((*area.shape, 2 * JUMP + 1), np.bool_)
         link(self.forward, self.backward, JUMP, links)
         prove = partial(self._way, laws(self.island.alpha, self.island.a), edges)
         for _ in range(TRIES):
             rows = ring(area, links, TILT)
-            if rows is None:
+            if rows is None or _size(self.radii[np.arange(len(rows)), rows]) > most:
                 return None
             places = [*zip(range(len(rows)), rows, np.roll(rows, -1) - rows + JUMP, strict=True)]
             keys = [(int(i), int(j), int(m)) for i, j, m in places]
@@ -130,30 +134,29 @@ class Level:
 def rings(island: Island, runner: Runner, tell: Callable[[str], None]) -> list[Ring]:
     """Return rings, each inside of the one before, as long as this is worth it."""
     found: list[Ring] = []
-    before: Floats | None = None
-    edges = np.zeros((0, 2))
-    while True:
-        level = grid(island, before, runner, f"ring {len(found) + 1}: orbits are followed")
-        tell(f"ring {len(found) + 1}: edges are proved")
-        next_one = level.ring(edges)
-        if next_one is None:
-            break
-        rows, ways = next_one
-        new = _ring(level, rows, ways)
-        if found and new.area > WORTH * found[-1].area:
-            break
-        found.append(new)
-        tell(f"ring {len(found)}: the area inside is {float(new.area):.6g} F²/ω³")
+    before: Floats | None = None  # radii of the last ring
+    edges, most = np.zeros((0, 2)), math.inf
+    outers = [island.curve * (1 + beyond) for beyond in BEYOND]
+    while outers:
+        name = f"ring {len(found) + 1}"
+        level = grid(island, outers.pop(0), before, runner, f"{name}: orbits are followed")
+        tell(f"{name}: edges are proved")
+        proved = level.ring(edges, most)
+        if proved is None:
+            continue
+        rows, ways = proved
+        found.append(_ring(level, rows, ways))
+        tell(f"{name}: the area inside is {float(found[-1].area):.6g} F²/ω³")
         before = level.radii[np.arange(len(rows)), rows]
         edges = level.states[np.arange(len(rows)), rows]
+        most, outers = WORTH * _size(before), [before * (1 + CLOSE)]
     if not found:
         raise NotProved("Lemma 2", "no ring around P* was found from which all motions stop")
     return found
 
 
-def grid(island: Island, before: Floats | None, runner: Runner, words: str) -> Level:
-    """Return the grid inside of a ring, with what is out after how many half periods."""
-    outer = island.curve * (1 + BEYOND) if before is None else before * (1 + CLOSE)
+def grid(island: Island, outer: Floats, before: Floats | None, runner: Runner, words: str) -> Level:
+    """Return the grid up to ``outer``, with what stops, or is out of a ring, after which times."""
     part = np.linspace(0, 1, ROWS)
     radii = island.curve[:, None] + (outer - island.curve)[:, None] * part
     angle = 2 * math.pi * np.arange(COLUMNS) / COLUMNS
@@ -178,6 +181,11 @@ def grid(island: Island, before: Floats | None, runner: Runner, words: str) -> L
 
     runner.map(follow, tasks, words)
     return Level(island, radii, found[0], found[1], states)
+
+
+def _size(radii: Floats) -> float:
+    """Return the area inside a ring of radii at equal angles, in some unit."""
+    return float(radii @ np.roll(radii, -1))
 
 
 def _ring(level: Level, rows: Integers, ways: list[Way]) -> Ring:

@@ -34,6 +34,18 @@ def note(name: str, data: bytes) -> None:
         _NEW[name] = _digest(data)
 
 
+def taken() -> dict[str, str]:
+    """Return what was noted in this process, and forget it: another one records it."""
+    found = dict(_NEW)
+    _NEW.clear()
+    return found
+
+
+def give(notes: dict[str, str]) -> None:
+    """Note what another process took."""
+    _NEW.update(notes)
+
+
 def record() -> None:
     """Store what was noted."""
     if _NEW:

@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from cap.audit.means.algebra import same, symbols
-from cap.audit.means.balls import inner, pair
+from cap.audit.means.balls import inner
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
@@ -50,14 +50,6 @@ def remainder_in_action() -> None:
     r, eps = symbols("r epsilon")  # a remainder of degree 4 in z, |z| = r
     change = sp.expand((r + eps * r**4) ** 2 / 2 - r**2 / 2)
     need(sp.Poly(change, r).monoms()[-1] == (5,), "I changes at another order")
-
-
-def separated_from_zero() -> Words:
-    zeros = stored("branch.json").claims["twist_zeros"]
-    near = min(zeros, key=lambda each: abs(each.lower - Fraction(2, 5)))
-    gap = near.upper - Fraction(2, 5)
-    need(0 < gap < Fraction(1, 30000), "no zero is near", gap=float(gap))
-    return {"near": pair(near, 9)}
 
 
 def order_needed_for_the_twist() -> None:
