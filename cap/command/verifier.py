@@ -40,7 +40,7 @@ def main(words: Sequence[str]) -> int:
     if options.formal and (options.explain or options.latex):
         commands.error("--formal goes with neither --explain nor --latex")
     if options.formal and sys.platform == "win32":
-        commands.error("--formal keeps Coq within limits that Windows does not set: use it elsewhere")
+        commands.error("--formal limits the time of Coq, which Windows cannot: use it elsewhere")
     if options.formal:
         try:
             from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)
