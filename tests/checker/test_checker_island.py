@@ -12,7 +12,7 @@ from cap.checker.kernel.fourier import Circle
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.island import Island
-from cap.checker.tori import between, rotation
+from cap.checker.tori import between, invariant_curve, rotation
 from cap.checker.tori.half_period import Hit, Motion, States, cells
 from cap.checker.tori.invariant_curve import Near, Sizes, near
 from cap.checker.tori.written import coefficients, function
@@ -312,6 +312,7 @@ def test_each_inequality():
         ("tm", "1/10000000000000000000000000000000"): "dT|y0",
         ("tm", 0): "dT",
         ("tm", -1): "dT",
+        ("eps", "1e-3"): "c4",
         ("eps", "1e-6"): "y0",
         ("M", "1e60"): "y0|dT",
         ("rho", "1/1000000000000"): "y0",
@@ -319,6 +320,31 @@ def test_each_inequality():
     }.items():
         with pytest.raises(Rejected, match=why):
             near(good._replace(**{change[0]: exact(change[1])}))
+
+
+@pytest.mark.parametrize(
+    ("passes", "why"),
+    [
+        ([(1, 1), (1, 1), (3, 1)], r"RK <= R\* may fail"),
+        ([(1, 1), (1, 1), (1, 3)], r"s <= s\* may fail"),
+        ([(1, 1), (13, 1), (1, 1)], r"R\* <= r/4 may fail"),
+    ],
+)
+def test_what_is_assumed_is_shown(monkeypatch, passes, why):
+    """R* and s*, twice what the formulas gave before, are bounds of what they give then."""
+    exact = lambda q: Interval.enclosing(Fraction(q), Fraction(q), 400)  # noqa: E731
+    sizes = Sizes(*map(exact, ("1e-40", 1, 100, "1/100", 100, 50, 1, 100, "1/10", 1)))
+    given = iter([tuple(map(exact, each)) for each in passes])
+    monkeypatch.setattr(invariant_curve, "bounds", lambda *_: next(given))
+    with pytest.raises(Rejected, match=why):
+        near(sizes)
+
+
+@pytest.mark.parametrize("tm", [0, -1])
+def test_a_twist_that_may_vanish(monkeypatch, tm):
+    """Its mean value must not be 0."""
+    monkeypatch.setattr(invariant_curve, "twist", lambda *_: (UNIT, tm))
+    rejected(GOOD, "the mean twist may vanish")
 
 
 def test_rotation_numbers():
