@@ -17,6 +17,7 @@ from cap.errors import BadInput
 from cap.floats.engine import swarm
 from cap.floats.masses.particles import Particles, Unresolved
 from cap.floats.masses.particles import follow as follow_masses
+from cap.floats.models import source
 from cap.floats.models.engine import OUTSIDE, Engine
 from cap.floats.models.identities import split
 from cap.floats.models.source import MANY
@@ -222,3 +223,16 @@ def test_code_that_is_kept_is_that_of_its_own_system(tmp_path):
 
     (kept,) = counts("impact_oscillator")
     assert counts("den_hartog", "impact_oscillator")[1:] == [kept]
+
+
+@pytest.mark.slow
+def test_two_ways_to_the_next_event(monkeypatch):
+    """Lemma C's times of the clock give the same events as bisection."""
+    system = oscillator(PAPER)
+    states = np.random.default_rng(3).uniform([-1, -1], [1, 1], size=(500, 2))
+    fast = Engine(system).follow(states, periods=2)
+    monkeypatch.setattr(source, "least_angle", lambda _: None)
+    slow = Engine(system).follow(states, periods=2)
+    assert "clocked_I((" not in source.Source(system).text
+    assert (fast.counts == slow.counts).all()
+    assert np.abs(fast.states - slow.states).max() < 1e-9

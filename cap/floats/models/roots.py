@@ -18,6 +18,7 @@ Tuple = tuple[float, ...]
 Function = Callable[..., Any]
 ROUNDS, SHORTEST, CLOSE = 100, 1e-12, 2e-16
 C3, C4, C5, C6, C7, C8, C9, C10, C11, C12 = (1 / math.factorial(k) for k in range(3, 13))
+C13, C14 = C12 / 13, C12 / 13 / 14
 SOON, FLAT = 1e-6, 1e-14
 EARLY, LATE = 0.75, 1.25  # of the time in which a parabola falls: where to look first
 
@@ -37,10 +38,9 @@ def real(x: float, _: float) -> tuple[float, float]:
     """Return R(x) with full relative precision, and 0."""
     if abs(x) >= 0.5:
         return math.expm1(x) - x - x * x / 2, 0.0
-    total = 1.0
-    for k in range(14, 3, -1):
-        total = 1 + x / k * total
-    return x * x * x / 6 * total, 0.0
+    low = C3 + x * (C4 + x * (C5 + x * (C6 + x * (C7 + x * C8))))
+    q = x * x * x
+    return q * (low + q * q * (C9 + x * (C10 + x * (C11 + x * (C12 + x * (C13 + x * C14)))))), 0.0
 
 
 @njit(error_model="numpy", nogil=True)
@@ -193,6 +193,31 @@ def decreasing_of(along: Function) -> Function:
         return math.inf if h > 0 else root(a, rates, 0.0, D, parabola(a[0], a[1], a[2]))
 
     return _named(decreasing, along)
+
+
+@lru_cache
+def clocked_of(along: Function) -> Function:
+    """Return the function `clocked` for guards of one kind (Lemma C of `cap.system.lemmas`)."""
+    root = root_of(along)
+
+    def clocked(a: Tuple, rates: Tuple, D: float, least: float, period: float) -> float:
+        """Return when h comes to zero in [0, D], inf if it does not.
+
+        h is least at the time ``least`` > 0, and periods later; between them it rises, then falls,
+        or it falls, as after the last one.
+        """
+        if a[0] <= 0 and (a[1] < 0 or (a[1] == 0 and a[2] < 0)):
+            return 0.0
+        low, fall = 0.0, parabola(a[0], a[1], a[2])
+        while least < D:
+            h, _, _ = along(a, rates, least)
+            if h <= 0:
+                return float(root(a, rates, low, least, fall))
+            low, fall, least = least, math.inf, least + period
+        h, _, _ = along(a, rates, D)
+        return math.inf if h > 0 else float(root(a, rates, low, D, fall))
+
+    return _named(clocked, along)
 
 
 @njit(error_model="numpy", nogil=True)

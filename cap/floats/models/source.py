@@ -8,9 +8,11 @@ never decided by a tolerance.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
+import mpmath
 import numpy as np
 
 from cap.floats.models.identities import (
@@ -22,13 +24,14 @@ from cap.floats.models.identities import (
     split,
 )
 from cap.floats.models.spectrum import Exponential, Floats, exponential, number
-from cap.system.lemmas import Falls, lemmas
+from cap.system.lemmas import Clocked, Falls, Lemma, clock_part, lemmas
 from cap.system.model import Guard, System
 from cap.system.polynomial import COS, ONE, PI, SIN, ZERO, Polynomial, Quotient
 
 SIMULTANEOUS, NO_MODE, MANY = 1, 2, 4
 """Bits of flags: two events within `CLOSE`; no mode after an event; too many events in a period."""
-CLOSE, NEGATIVE = 1e-13, -1e-9
+CLOSE, NEGATIVE, SOON = 1e-13, -1e-9, 1e-6
+SOLVERS = "first", "decreasing", "clocked"
 KINDS = {"I": "imaginary", "R": "real", "C": "remainder"}  # of rates z, and their R(z d)
 HEAD = f'''"""Made from a model by `cap.floats.models.source`."""
 
@@ -36,10 +39,10 @@ import math
 
 from numba import njit
 
-from cap.floats.models.roots import captures, decreasing_of, first_of, imaginary, real
-from cap.floats.models.roots import remainder
+from cap.floats.models.roots import captures, clocked_of, decreasing_of, first_of
+from cap.floats.models.roots import imaginary, real, remainder
 
-TURN, CLOSE, NEGATIVE = 2 * math.pi, {CLOSE}, {NEGATIVE}
+TURN, CLOSE, NEGATIVE, SOON = 2 * math.pi, {CLOSE}, {NEGATIVE}, {SOON}
 SIMULTANEOUS, NO_MODE, MANY = {SIMULTANEOUS}, {NO_MODE}, {MANY}
 '''
 FOLLOW = '''
@@ -115,8 +118,7 @@ class Source:
         yield f"    rates = ({', '.join(rates)},)"
         found, places = lemmas(self.system, name), list(guards)
         for word, lemma in found.items():  # a guard after those that it falls with
-            solver = "decreasing" if isinstance(lemma, Falls) else "first"
-            yield from self._next(E, name, word, places.index(word), solver)
+            yield from self._next(E, name, word, places.index(word), lemma)
         yield "    d = D"
         for j in range(len(E.rates)):
             x, y = rates[2 * j : 2 * j + 2]
@@ -128,16 +130,26 @@ class Source:
         yield "    if best < 0:"
         yield "        break"
         yield "    t += D"
+        omega = float(number(self.system.omega))
+        turning = next((j for j, z in enumerate(E.rates) if z == 1j * omega), None)
         yield "    turned = w * D"  # the clock: from its angle at the begin of each period
-        yield "    p, q = imaginary(0.0, turned)"
+        cosine = "imaginary(0.0, turned)" if turning is None else f"u{turning}, v{turning}"
+        yield f"    p, q = {cosine}"
         yield "    p, q = p + 1 - turned * turned / 2, q + turned"
         yield "    c, s = c * p - s * q, s * p + c * q"
         for g, (word, guard) in enumerate(guards.items()):
             yield f"    {'if' if g == 0 else 'elif'} best == {g}:  # {word}"
             yield from (f"        {line}" for line in self._event(name, word, guard))
 
-    def _next(self, E: Exponential, mode: str, word: str, g: int, solver: str) -> Iterator[str]:
+    def _next(self, E: Exponential, mode: str, word: str, g: int, lemma: Lemma) -> Iterator[str]:
         """Yield the code that asks when a guard comes to zero, before D."""
+        least = least_angle(lemma)
+        solver, more = "decreasing" if isinstance(lemma, Falls) else "first", ""
+        if least is not None:
+            solver, more = "clocked", ", ahead / w, span"
+            yield f"    ahead = {self._number(least)} - begin - w * t"
+            yield f"    while ahead < (SOON if zeros & {3 << 3 * g} == {3 << 3 * g} else 0.0):"
+            yield "        ahead += TURN"
         row, curved = split(self.system, mode, word)
         rows, h = E.rows(row), self.system.guard(mode, word).value
         for order in ORDERS:
@@ -147,7 +159,7 @@ class Source:
             yield f"    if zeros & {1 << (3 * g + order)}:"
             yield f"        a{order} = 0.0"
         parts = [self._dot(row, self._y) for row in rows[3:]]
-        yield f"    d = {solver}_{kinds(E)}((a0, a1, a2, {', '.join(parts)}), rates, D)"
+        yield f"    d = {solver}_{kinds(E)}((a0, a1, a2, {', '.join(parts)}), rates, D{more})"
         yield "    if d <= D + CLOSE and best >= 0 and abs(d - D) <= CLOSE:"
         yield "        flags[o] |= SIMULTANEOUS"
         yield "    if d < D:"
@@ -266,6 +278,21 @@ class Source:
         return f"{HEAD}{''.join(self._along.values())}{FOLLOW}{body}\n"
 
 
+def least_angle(lemma: Lemma) -> float | None:
+    """Return the angle of the clock in [0, 2 pi) at which a guard is least, by Lemma C.
+
+    inf if it is nowhere least, None if the lemma does not tell: see `cap.orbits.minima`.
+    """
+    part = clock_part(lemma) if isinstance(lemma, Clocked) and lemma.order == 1 else None
+    if part is None or not all(q.is_number for q in part):
+        return None
+    a, b, c = map(number, part)
+    size = mpmath.hypot(a, b)
+    if not size > abs(c):
+        return math.inf
+    return float((mpmath.atan2(b, a) - mpmath.acos(-c / size)) % (2 * mpmath.pi))
+
+
 def kinds(E: Exponential) -> str:
     """Return a letter for each rate: imaginary, real or complex."""
     return "".join("R" if not z.imag else "C" if z.real else "I" for z in E.rates)
@@ -289,5 +316,5 @@ def along(kinds: str) -> str:
         ]
     body = "".join(f"    {line}\n" for line in [*lines, "return h, h1, h2"])
     head = f'\n\n@njit(error_model="numpy", nogil=True)\ndef along_{kinds}(a, rates, d):\n'
-    solvers = [f"{name}_{kinds} = {name}_of(along_{kinds})" for name in ("first", "decreasing")]
+    solvers = [f"{name}_{kinds} = {name}_of(along_{kinds})" for name in SOLVERS]
     return "\n".join([head + body, "", *solvers, ""])
