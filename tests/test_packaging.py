@@ -1,5 +1,6 @@
 """What other packagers read says the same as `pyproject.toml`; the article cites what it lists."""
 
+import importlib.util
 import re
 import tomllib
 from pathlib import Path
@@ -47,3 +48,21 @@ def test_the_article():
     assert set(re.findall(r"@(\w+)", text.partition("# Summary")[2])) == set(listed)
     for heading in ("Summary", "Statement of need", "State of the field", "References"):
         assert f"\n# {heading}\n" in text
+
+
+def test_what_a_release_needs():
+    """A version without .dev, its heading among the changes, a tree without other changes."""
+    path = ROOT / "packaging/release.py"
+    spec = importlib.util.spec_from_file_location("release", path)
+    assert spec is not None
+    assert spec.loader is not None
+    release = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(release)
+    assert release.version() == cap.__version__
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    first = changes.partition("\n## ")[2].partition("\n")[0]
+    assert release.refusals("0.1.0", changes, "") == []
+    assert "is no release" in release.refusals("0.2.0.dev0", changes, "")[0]
+    assert "no heading 9.9.9" in release.refusals("9.9.9", changes, "")[0]
+    assert "not committed" in release.refusals("0.1.0", changes, " M README.md")[0]
+    assert ("not yet released" in first) == (".dev" in cap.__version__)

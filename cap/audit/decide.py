@@ -9,9 +9,11 @@ from functools import partial
 from cap.audit import cache, ledger, tables
 from cap.audit.claim import Claim
 from cap.audit.dependencies import digest
+from cap.audit.given import as_in_the_erratum
 from cap.audit.means import accepted, stored
 from cap.audit.means.need import steps
 from cap.audit.means.written import exists
+from cap.audit.steps import Steps
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import BadInput, NotProved
@@ -62,6 +64,7 @@ def _of_a_table(row: Row, fresh: bool) -> Verdict:
     """Return the verdict on a row; its table is computed once, and the cache keeps the table."""
     try:
         tables.rows(row.table, fresh=fresh)
+        as_in_the_erratum(row.id, Steps())
         return row.decide()
     except NotProved as failure:
         return _undecided(str(failure))

@@ -5,13 +5,16 @@ not repaired by them: what may be cited instead of it is in ``statements.toml``.
 """
 
 import difflib
+import re
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from cap.audit import subject
 from cap.audit.manuscript import Manuscript
 from cap.audit.subject import cached
+from cap.audit.syntax import faults
 from cap.errors import BadInput
 
 
@@ -19,22 +22,29 @@ from cap.errors import BadInput
 class Change:
     """What is in the text so many times, what takes its place, and the claims that say why.
 
-    ``formula``: a piece ``tex`` of what is new, and what it ``is`` in the names of the steps of the
-    first claim; more names may be declared beside them.  The claim is decided only if they agree.
+    ``formula``, one or several: a piece ``tex`` of what is new, and what it ``is``, or ``steps``
+    that hold for it, in the names of the steps of the first claim: see `cap.audit.steps`.  The
+    claim is decided only if they agree.
     """
 
     claims: tuple[str, ...]
     old: str
     new: str
     times: int = 1
-    formula: dict[str, str] = field(default_factory=dict, hash=False)
+    formula: tuple[dict[str, str], ...] = field(default=(), hash=False)
 
 
 @cached
 def changes() -> tuple[Change, ...]:
     """Return all changes, in the order of the paper."""
     found = tomllib.loads(subject.file("errata.toml").read_text(encoding="utf-8"))["change"]
-    return tuple(Change(**each | {"claims": tuple(each["claims"])}) for each in found)
+    return tuple(map(_change, found))
+
+
+def _change(entry: dict[str, Any]) -> Change:
+    formula = entry.get("formula", [])
+    several = formula if isinstance(formula, list) else [formula]
+    return Change(**{**entry, "claims": tuple(entry["claims"]), "formula": tuple(several)})
 
 
 def of(claim: str) -> list[Change]:
@@ -55,7 +65,19 @@ def corrected(manuscript: Manuscript) -> Manuscript:
 
 
 def patch(path: Path) -> str:
-    """Return the changes of a TeX file as ``git apply`` and ``patch -p1`` take them."""
+    """Return the changes of a TeX file as ``git apply`` and ``patch -p1`` take them.
+
+    Raises `BadInput` if one does not fit, or if the new text has a fault that the old one has not.
+    """
     old = Manuscript.read(path)
-    before, after = (each.text.splitlines(keepends=True) for each in (old, corrected(old)))
+    new = corrected(old)
+    known = {_unplaced(each) for each in faults(old.text)}
+    if wrong := [each for each in faults(new.text) if _unplaced(each) not in known]:
+        raise BadInput(f"the corrected text would be no TeX: {'; '.join(wrong)}")
+    before, after = (each.text.splitlines(keepends=True) for each in (old, new))
     return "".join(difflib.unified_diff(before, after, f"a/{path.name}", f"b/{path.name}"))
+
+
+def _unplaced(fault: str) -> str:
+    """Return a fault without its line, which a change may move."""
+    return re.sub(r"^line \d+: ", "", fault)

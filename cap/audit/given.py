@@ -71,24 +71,24 @@ def _decided(
 ) -> Verdict:
     """Return what a function decides; its words are put where ``found`` and ``evidence`` ask."""
     done = function()
-    _as_in_the_erratum(entry, steps.Steps())
+    as_in_the_erratum(entry["id"], steps.Steps())
     return done if isinstance(done, Verdict) else _verdict(entry, done or {})
 
 
 def _derived(entry: Given, common: Given) -> Verdict:
     """Return the verdict that follows when all steps hold, or from the rule that it names."""
     done = steps.made(common, entry)
-    _as_in_the_erratum(entry, done)
+    as_in_the_erratum(entry["id"], done)
     rule = steps.RULES.get(entry["verdict"])
     verdict = rule(done, entry["stated"]) if rule else entry["verdict"]
     return _verdict({**entry, "verdict": verdict}, done.names)
 
 
-def _as_in_the_erratum(entry: Given, done: steps.Steps) -> None:
+def as_in_the_erratum(name: str, done: steps.Steps) -> None:
     """Compare the formulas of the changes that a claim asks for with what was derived."""
-    for each in errata.of(entry["id"]):
-        if each.formula and each.claims[0] == entry["id"]:
-            done.agrees(each.formula, each.new)
+    for each in errata.of(name):
+        for formula in each.formula if each.claims[0] == name else ():
+            done.agrees(formula, each.new)
 
 
 def _verdict(entry: Given, words: Mapping[str, object]) -> Verdict:

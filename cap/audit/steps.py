@@ -41,6 +41,7 @@ SYMBOLS = {
     "any": {},
 }
 _DEFINES = re.compile(r"(\w+) = (.+)")
+_DECIMAL = re.compile(r"-?\d+\.\d+")
 _HOLDS = re.compile(r"(.+) (==|!=|<|>) (.+)")
 _CLAIMED = re.compile(r"(?<![\w.])[a-z]+(?:-\d+)?(?:\.\w+)+")
 
@@ -105,14 +106,24 @@ class Steps:
         return bool(sp.factor(sp.simplify(value)).is_positive)
 
     def agrees(self, formula: Given, text: str) -> None:
-        """Raise `NotProved` unless a formula of a text is what it should be."""
-        self.make(formula)
+        """Raise `NotProved` unless a formula of a text is what it should be.
+
+        Names are declared, or defined in ``where``.  It is equal to what it ``is``, to its last
+        digit if it is a number; ``steps`` hold, in which it is called ``it``.
+        """
+        self.make({**formula, "steps": formula.get("where", "")})
         need(formula["tex"] in text, "the formula is not in the text of the erratum")
-        printed, derived = tex.expression(formula["tex"], self.names), self._read(formula["is"])
-        need(
-            printed == derived or algebra.same(printed, derived),
-            f"the erratum has another formula: {printed} for {derived}",
-        )
+        need("is" in formula or "steps" in formula, "the formula is compared with nothing")
+        self.names["it"] = printed = tex.meaning(formula["tex"], self.names)
+        self.make({"steps": formula.get("steps", "")})
+        if "is" not in formula:
+            return
+        derived = self._read(formula["is"])
+        if _DECIMAL.fullmatch(formula["tex"]):
+            same = balls.compared(formula["tex"], self.enclosed(derived)) is Outcome.CONFIRMED
+        else:
+            same = bool(printed == derived) or algebra.same(printed, derived)
+        need(same, f"the erratum has another formula: {printed} for {derived}")
 
     def enclosed(self, value: Any) -> Ball:
         """Return an enclosure of a number."""

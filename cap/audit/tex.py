@@ -1,7 +1,9 @@
 """Formulas of a TeX file as expressions of sympy: sums, products, powers, fractions, functions.
 
 A product needs no sign, and a function takes what follows it up to the next sum or function:
-\\cos\\omega t is cos(omega t).  Of names `_*`, `_-` and `_n` are dropped: v_- is v.
+\\cos\\omega t is cos(omega t).  Of names `_*`, `_-` and `_n` are dropped: v_- is v; f_{\\rm sc} is
+f_sc, \\dot x is xdot, and e is Euler's number where it is no other name.  Formulas with commas, or
+with ±, are lists.
 """
 
 import re
@@ -11,8 +13,9 @@ from typing import Any
 from cap.audit.means.lazy import sympy as sp
 from cap.errors import NotProved
 
-_TOKEN = re.compile(r"\\mathrm\{sech\}|\\[A-Za-z]+|\d+(?:\.\d+)?|[A-Za-z]|[-+/^_{}()|*]")
-_SKIP = re.compile(r"\\[,;!]|\\(?:bigl|bigr|left|right|cdot)(?![A-Za-z])|[\s&]|\{\\rm ([a-z]+)\}")
+_WHOLE = r"\\mathrm\{sech\}|_\{\\rm [a-z]+\}|\\dot +[a-z]"
+_TOKEN = re.compile(_WHOLE + r"|\\[A-Za-z]+|\d+(?:\.\d+)?|[A-Za-z]|[-+/^_{}()|*,]")
+_SKIP = re.compile(r"\\[,;! ]|\\(?:bigl|bigr|left|right|cdot|phantom\{-\})(?![A-Za-z])|[\s&]")
 _FUNCTIONS = {
     **{f"\\{name}": name for name in ("sin", "cos", "sinh", "cosh")},
     "\\arccos": "acos",
@@ -30,16 +33,32 @@ _DROPPED = "*", "-", "n"
 def expression(text: str, names: Mapping[str, Any]) -> Any:
     """Return the expression that a formula means; `NotProved` if it is not understood."""
     reader = _Reader(text, names)
-    value = reader.sum()
+    values = [reader.sum()]
+    while reader.next() == ",":
+        reader.take()
+        values.append(reader.sum())
     if reader.tokens:
         raise NotProved("tex", f"this is not understood: {' '.join(reader.tokens)}")
-    return value
+    return values[0] if len(values) == 1 else values
+
+
+def meaning(text: str, names: Mapping[str, Any]) -> Any:
+    """Return what a formula means, in which each part between commas may have one ±."""
+    parts = [
+        part.replace("\\pm", sign)
+        for part in (text.split(",\\ ") if "\\pm" in text else [text])
+        for sign in ("+-" if "\\pm" in part else "+")
+    ]
+    return expression(parts[0] if len(parts) == 1 else ",".join(parts), names)
 
 
 class _Reader:
     def __init__(self, text: str, names: Mapping[str, Any]) -> None:
-        self.tokens: list[str] = _TOKEN.findall(_SKIP.sub(" ", text))
-        self.names, self.bars = {"pi": sp.pi, **names}, 0
+        left = _SKIP.sub(" ", text)
+        if unknown := _TOKEN.sub("", left).split():
+            raise NotProved("tex", f"this is not understood: {' '.join(unknown)}")
+        self.tokens: list[str] = _TOKEN.findall(left)
+        self.names, self.bars = {"pi": sp.pi, "e": sp.E, **names}, 0
 
     def next(self) -> str:
         return self.tokens[0] if self.tokens else ""
@@ -60,7 +79,7 @@ class _Reader:
         if self.next() in ("+", "-"):
             return -self.product() if self.take() == "-" else self.product()
         value = self.power()
-        while self.next() not in ("", "+", "-", ")", "}") and not (
+        while self.next() not in ("", "+", "-", ")", "}", ",") and not (
             self.bars and self.next() == "|"
         ):
             if self.next() == "/":
@@ -89,12 +108,21 @@ class _Reader:
             self.tokens.insert(0, sign)
             return self.bracket(sign)
         if sign in _FRACTIONS:
-            return self.group() / self.group()
+            return self.fraction()
         if sign in _FUNCTIONS:
             return getattr(sp, _FUNCTIONS[sign])(self.argument())
         if sign[0].isdigit():
             return sp.Rational(sign)
+        if sign.startswith("\\dot "):
+            return self.name(f"{sign[-1]}dot")
         return self.name(sign.removeprefix("\\"))
+
+    def fraction(self) -> Any:
+        r"""Read what follows \frac: two groups, or two digits."""
+        if self.next() == "{":
+            return self.group() / self.group()
+        digits = self.take()
+        return sp.Rational(int(digits[:1]), int(digits[1:]))
 
     def bracket(self, opening: str) -> Any:
         self.bars += opening == "|"
@@ -115,6 +143,8 @@ class _Reader:
             self.take()
             below = self.take()
             name += "" if below in _DROPPED else below
+        elif self.next().startswith("_{"):
+            name += f"_{self.take()[6:-1]}"
         name = "lam" if name == "lambda" else name
         if name not in self.names:
             raise NotProved("tex", f"{name} has no meaning here")

@@ -64,14 +64,15 @@ def compared(printed: str, value: Ball) -> Outcome:
     made()
     number = Decimal(printed)
     exponent = number.as_tuple().exponent
-    distance = abs(value - interval.ball(Fraction(number)))
-    unit = interval.ball(Fraction(Decimal(1).scaleb(exponent if isinstance(exponent, int) else 0)))
-    if distance <= unit / 2:
-        return Outcome.CONFIRMED
-    if unit / 2 < distance <= unit:
-        return Outcome.IMPRECISE
-    if distance > unit:
-        return Outcome.CORRECTED
+    last = Fraction(Decimal(1).scaleb(exponent if isinstance(exponent, int) else 0))
+    with precisely():
+        units = abs(value - interval.ball(Fraction(number))) / interval.ball(last)
+        if 2 * units <= 1:
+            return Outcome.CONFIRMED
+        if 2 * units > 1 and units <= 1:
+            return Outcome.IMPRECISE
+        if units > 1:
+            return Outcome.CORRECTED
     raise NotProved("number", f"whether {printed} is right is undecided", {"value": value})
 
 
