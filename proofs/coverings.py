@@ -113,26 +113,35 @@ def lemma_1_coverings(g: Planar, sets: Sets, found: Family, runner: Runner) -> l
     *Computed.* Each covering, by subdivision and the mean value form; those that are not proved are
     left out.
     """
-    targets: list[list[int]] = [[] for _ in sets]
+    tasks = [Task(i, numbers, {}) for i, numbers in enumerate(sets)]
     for i, j in zip(found.source.tolist(), found.target.tolist(), strict=True):
-        targets[i].append(j)
-    work = partial(_covered, g, sets, targets)
-    proved = runner.map(work, range(len(sets)), "coverings are proved", processes=True)
-    return [(i, j) for i, held in enumerate(proved) for j in held]
+        tasks[i].targets[j] = sets[j]
+    work = partial(_covered, g)
+    proved = runner.map(work, tasks, "coverings are proved", processes=True)
+    return [(task.number, j) for task, held in zip(tasks, proved, strict=True) for j in held]
 
 
-def _covered(g: Planar, sets: Sets, targets: list[list[int]], i: int) -> list[int]:
+class Task(NamedTuple):
+    """A set with its number, and those that it seems to cover, by theirs."""
+
+    number: int
+    source: list[Fraction]
+    targets: dict[int, list[Fraction]]
+
+
+def _covered(g: Planar, task: Task) -> list[int]:
     """Return the sets that a set covers, proved."""
-    source = Parallelogram(sets[i])
+    source = Parallelogram(task.source)
 
     def held(which: list[int]) -> bool:
         try:
-            covers(g.on(i), source, [Parallelogram(sets[j]) for j in which])
+            covers(g.on(task.number), source, [Parallelogram(task.targets[j]) for j in which])
         except Rejected:
             return False
         return True
 
-    return targets[i] if held(targets[i]) else [j for j in targets[i] if held([j])]
+    every = list(task.targets)
+    return every if held(every) else [j for j in every if held([j])]
 
 
 def lemma_2_no_diamond(sets: Sets, edges: list[Edge], *, disjoint: bool) -> tuple[Part, list[Edge]]:

@@ -33,7 +33,7 @@ from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, Many, Table, Whole
 from cap.checker.kernel.theorem import Theorem
 
-MOST_SETS, MOST_TARGETS = 6000, 12
+MOST_SETS, MOST_TARGETS = 12_000, 12
 SETS = Field(
     "sets", Many([number] * 6, 1, MOST_SETS), "", "",
     "parallelograms c + p a + q b, |p|, |q| <= 1, each as the coordinates of c, a, b",

@@ -1,5 +1,10 @@
 # ruff: noqa: PLR0913, PLR0917 (compiled functions take arrays, not records)
-"""What one covering asks for: how far its source must reach, and how thick its target must be."""
+"""What one covering asks for: how far its source must reach, and how thick its target must be.
+
+A few coverings carry much of the entropy.  So what is asked for is bounded between the points that
+are looked at, too, and near where the map is not defined a covering is given up, before it breaks
+others of its source.
+"""
 
 from typing import Any
 
@@ -8,7 +13,9 @@ from numba.extending import register_jitable
 
 from cap.floats.coverings.planar import image
 
-MARGIN = 0.04
+MARGIN = 0.01
+INNER, ACROSS, FINE = 5, 5, 9  # points that are looked at, in one direction
+ROOM = 0.035  # of a parallelogram, beyond it, where the map has to be defined
 FAIL = 1e3  # the score of a covering that cannot hold
 
 
@@ -47,25 +54,56 @@ def _solved(
 
 @register_jitable
 def asked(kind: Any, y: Any, frames: Any, U: Any, W: Any, i: Any, j: Any, most: Any) -> Any:
-    """Return what one covering asks for: the ends of U of the source, of W of the target."""
-    low, high, least, largest = np.inf, -np.inf, np.inf, -np.inf
+    """Return what one covering asks for: the ends of U of the source, of W of the target.
+
+    Between two of the points that are looked at a function is as far beyond them as a parabola is.
+    """
+    ends, inner = np.empty((ACROSS, 2)), np.empty((ACROSS, INNER))
     size = U[j, 1] - U[j, 0]
     close = 1e-9 * size + 1e-15
-    for r in range(3):
-        w = W[i, 0] + (W[i, 1] - W[i, 0]) * r / 2
-        for s in range(5):
-            goal = U[j, 0] + size * (s - 1) / 2
+    for r in range(ACROSS):
+        w = W[i, 0] + (W[i, 1] - W[i, 0]) * r / (ACROSS - 1)
+        for s in range(INNER + 2):
+            goal = U[j, 0] + size * (s - 1) / (INNER - 1)
             if s == 0:
                 goal = U[j, 0] - MARGIN * size
-            elif s == 4:
+            elif s == INNER + 1:
                 goal = U[j, 1] + MARGIN * size
             known, u, Q = _solved(kind, y, frames[i], frames[j], goal, w, 0.0, close)
             if not known or abs(u) > most:
-                return False, low, high, least, largest
-            low, high = min(low, u), max(high, u)
-            if 0 < s < 4:
-                least, largest = min(least, Q), max(largest, Q)
-    return True, low, high, least, largest
+                return False, 0.0, 0.0, 0.0, 0.0
+            if 0 < s <= INNER:
+                inner[r, s - 1] = Q
+            else:
+                ends[r, min(s, 1)] = u
+    far = _bend(ends) / 8
+    thick = (_bend(inner) + _bend(inner.T)) / 8
+    low, high = ends.min() - far, ends.max() + far
+    known = _known(kind, y, frames[i], min(low, U[i, 0]), max(high, U[i, 1]), W[i])
+    return known, low, high, inner.min() - thick, inner.max() + thick
+
+
+@register_jitable
+def _known(kind: Any, y: Any, frame: Any, low: Any, high: Any, W: Any) -> Any:
+    """Return whether the map is defined on the edges of a parallelogram, and a little beyond."""
+    beyond, wider = ROOM * (high - low), ROOM * (W[1] - W[0])
+    for r in range(FINE):
+        w = W[0] - wider + (W[1] - W[0] + 2 * wider) * r / (FINE - 1)
+        for u in (low - beyond, high + beyond):
+            known, _, _, _ = _seen(kind, y, frame, frame, u, w)
+            if not known:
+                return False
+    return True
+
+
+@register_jitable
+def _bend(values: Any) -> Any:
+    """Return the largest second difference along the first axis."""
+    most = 0.0
+    for k in range(1, values.shape[0] - 1):
+        for s in range(values.shape[1]):
+            most = max(most, abs(values[k - 1, s] - 2 * values[k, s] + values[k + 1, s]))
+    return most
 
 
 @register_jitable
@@ -74,16 +112,16 @@ def score(kind: Any, y: Any, frames: Any, U: Any, W: Any, i: Any, j: Any) -> Any
     worst = -1.0
     middle, half = (U[j, 0] + U[j, 1]) / 2, (U[j, 1] - U[j, 0]) / 2
     centre, thick = (W[j, 0] + W[j, 1]) / 2, (W[j, 1] - W[j, 0]) / 2
-    for r in range(5):
-        w = W[i, 0] + (W[i, 1] - W[i, 0]) * r / 4
+    for r in range(FINE):
+        w = W[i, 0] + (W[i, 1] - W[i, 0]) * r / (FINE - 1)
         one, P, _, _ = _seen(kind, y, frames[i], frames[j], U[i, 0], w)
         other, R, _, _ = _seen(kind, y, frames[i], frames[j], U[i, 1], w)
         P, R = (P - middle) / half, (R - middle) / half
         if not (one and other) or P * R > 0:
             return FAIL
         worst = max(worst, 1 - min(abs(P), abs(R)))
-        for s in range(5):
-            goal = U[j, 0] + half * s / 2
+        for s in range(FINE):
+            goal = U[j, 0] + 2 * half * s / (FINE - 1)
             known, _, Q = _solved(kind, y, frames[i], frames[j], goal, w, 0.0, 1e-9 * half + 1e-15)
             if not known:
                 return FAIL
