@@ -15,7 +15,7 @@ from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, reje
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/ball_curve_small.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/ball_curve_small.json").read_text("utf-8"))
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
 CURVE, FLIGHT = CLAIMS["curve"], HINTS["flight"]
 UNIT = 10 ** int(HINTS["places"])
@@ -51,13 +51,13 @@ def test_it_is_verified():
 
 
 LIES = {
-    "t": ("claims", "curve", "first", bumped(CURVE["first"], 1, LITTLE), "y0|twist"),
-    "w": ("claims", "curve", "second", bumped(CURVE["second"], 0, LITTLE), "y0|twist"),
+    "t": ("claims", "curve", "first", bumped(CURVE["first"], 1, LITTLE), "y0|c4|twist"),
+    "w": ("claims", "curve", "second", bumped(CURVE["second"], 0, LITTLE), "y0|c4|twist"),
     "the error": ("claims", "distance", "0." + 40 * "0" + "1", "farther"),
-    "rotation": ("claims", "rotation_number", "head", ["2"], "y0|Diophantine"),
+    "rotation": ("claims", "rotation_number", "head", ["2"], "y0|c4|Diophantine"),
     "Diophantine": ("claims", "diophantine", "0.39", "Diophantine"),
-    "turns": ("claims", "turns", "2", "y0|twist"),
-    "no turns": ("claims", "turns", "0", "y0|twist"),
+    "turns": ("claims", "turns", "2", "y0|c4|twist"),
+    "no turns": ("claims", "turns", "0", "y0|c4|twist"),
     "frame": ("hints", "frame", "second", bumped(HINTS["frame"]["second"], 0, 10**20), "1/2|y0"),
     "no reach": ("hints", "reach", "0", "reach is not"),
     "a large reach": ("hints", "reach", "1", "contraction|larger than 1"),
@@ -132,9 +132,9 @@ def test_ends_are_moved(side, by, why):
 @pytest.mark.parametrize(
     ("name", "value", "why"),
     [
-        ("A", "1/31", "y0|twist|farther|contraction"),
-        ("omega", "2001/1000", "y0|twist|farther|contraction"),
-        ("g", "3001/1000", "y0|twist|farther|contraction"),
+        ("A", "1/31", "y0|c4|twist|farther|contraction"),
+        ("omega", "2001/1000", "y0|c4|twist|farther|contraction"),
+        ("g", "3001/1000", "y0|c4|twist|farther|contraction"),
         ("A", "0", "10"),
         ("A", "-1/30", "10"),
         ("g", "-3", "10"),

@@ -12,7 +12,7 @@ from cap.checker.kernel.fourier import Circle
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.island import Island
-from cap.checker.tori import between, rotation
+from cap.checker.tori import between, invariant_curve, rotation
 from cap.checker.tori.half_period import Hit, Motion, States, cells
 from cap.checker.tori.invariant_curve import Near, Sizes, near
 from cap.checker.tori.written import coefficients, function
@@ -21,7 +21,7 @@ from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, reje
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/island_small.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/island_small.json").read_text("utf-8"))
 _QUOTIENTS = "rotation_number"
 UNIT = 10 ** int(GOOD["hints"]["places"])
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
@@ -52,21 +52,21 @@ LIES = {
         "curve",
         "x",
         bumped(CLAIMS["curve"]["x"], 2, UNIT // 10**6),
-        "y0|twist",
+        "y0|c4|twist",
     ),
     "a coefficient of v": (
         "claims",
         "curve",
         "v",
         bumped(CLAIMS["curve"]["v"], 1, -UNIT // 10**6),
-        "y0|twist",
+        "y0|c4|twist",
     ),
     "a mean value": (
         "claims",
         "curve",
         "x",
         bumped(CLAIMS["curve"]["x"], 0, UNIT // 10**6),
-        "y0|twist",
+        "y0|c4|twist",
     ),
     "the error": ("claims", "distance", "0." + 40 * "0" + "1", "farther"),
     "no error": ("claims", "distance", "0", "farther"),
@@ -76,7 +76,7 @@ LIES = {
         "rotation_number",
         "head",
         [*GOOD["claims"]["rotation_number"]["head"], *["1"] * 17, "2"],
-        "y0",
+        "y0|c4",
     ),
     "period": ("claims", "rotation_number", "period", ["2"], "y0"),
     "Diophantine": ("claims", "diophantine", "0.06", "Diophantine"),
@@ -86,7 +86,7 @@ LIES = {
         "claims",
         "rotation_number",
         {"head": ["1", "2", *CLAIMS["rotation_number"]["head"][1:]], "period": ["1"]},
-        "y0",
+        "y0|c4",
     ),
     "winding": ("claims", "winding", "1" if CLAIMS["winding"] == "-1" else "-1", "other way"),
     "sigma": ("claims", "map", "sigma", "hit for each|leave|inside"),
@@ -312,6 +312,7 @@ def test_each_inequality():
         ("tm", "1/10000000000000000000000000000000"): "dT|y0",
         ("tm", 0): "dT",
         ("tm", -1): "dT",
+        ("eps", "1e-3"): "c4",
         ("eps", "1e-6"): "y0",
         ("M", "1e60"): "y0|dT",
         ("rho", "1/1000000000000"): "y0",
@@ -319,6 +320,31 @@ def test_each_inequality():
     }.items():
         with pytest.raises(Rejected, match=why):
             near(good._replace(**{change[0]: exact(change[1])}))
+
+
+@pytest.mark.parametrize(
+    ("passes", "why"),
+    [
+        ([(1, 1), (1, 1), (3, 1)], r"RK <= R\* may fail"),
+        ([(1, 1), (1, 1), (1, 3)], r"s <= s\* may fail"),
+        ([(1, 1), (13, 1), (1, 1)], r"R\* <= r/4 may fail"),
+    ],
+)
+def test_what_is_assumed_is_shown(monkeypatch, passes, why):
+    """R* and s*, twice what the formulas gave before, are bounds of what they give then."""
+    exact = lambda q: Interval.enclosing(Fraction(q), Fraction(q), 400)  # noqa: E731
+    sizes = Sizes(*map(exact, ("1e-40", 1, 100, "1/100", 100, 50, 1, 100, "1/10", 1)))
+    given = iter([tuple(map(exact, each)) for each in passes])
+    monkeypatch.setattr(invariant_curve, "bounds", lambda *_: next(given))
+    with pytest.raises(Rejected, match=why):
+        near(sizes)
+
+
+@pytest.mark.parametrize("tm", [0, -1])
+def test_a_twist_that_may_vanish(monkeypatch, tm):
+    """Its mean value must not be 0."""
+    monkeypatch.setattr(invariant_curve, "twist", lambda *_: (UNIT, tm))
+    rejected(GOOD, "the mean twist may vanish")
 
 
 def test_rotation_numbers():

@@ -18,7 +18,7 @@ from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/map_curve_small.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/map_curve_small.json").read_text("utf-8"))
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
 UNIT = 10 ** int(HINTS["places"])
 
@@ -44,16 +44,16 @@ def test_it_is_verified():
 CURVE, FRAME = CLAIMS["curve"], HINTS["frame"]
 LITTLE = UNIT // 10**4
 LIES = {
-    "x": ("claims", "curve", "first", bumped(CURVE["first"], 1, LITTLE), "y0|twist"),
-    "y": ("claims", "curve", "second", bumped(CURVE["second"], 0, LITTLE), "y0|twist"),
+    "x": ("claims", "curve", "first", bumped(CURVE["first"], 1, LITTLE), "y0|c4|twist"),
+    "y": ("claims", "curve", "second", bumped(CURVE["second"], 0, LITTLE), "y0|c4|twist"),
     "the error": ("claims", "distance", "0." + 40 * "0" + "1", "farther"),
     "no error": ("claims", "distance", "0", "farther"),
-    "rotation": ("claims", "rotation_number", "head", ["2"], "y0|Diophantine"),
-    "period": ("claims", "rotation_number", "period", ["2"], "y0|Diophantine"),
+    "rotation": ("claims", "rotation_number", "head", ["2"], "y0|c4|Diophantine"),
+    "period": ("claims", "rotation_number", "period", ["2"], "y0|c4|Diophantine"),
     "Diophantine": ("claims", "diophantine", "0.39", "Diophantine"),
     "Diophantine zero": ("claims", "diophantine", "0", "not positive"),
     "a wrong lift": (
-        "claims", "curve", "second", bumped(CURVE["second"], 0, round(2 * pi * UNIT)), "y0|twist"
+        "claims", "curve", "second", bumped(CURVE["second"], 0, round(2 * pi * UNIT)), "y0|c4|twist"
     ),
     "a frame": ("hints", "frame", "second", bumped(FRAME["second"], 0, 10**20), "1/2|y0"),
     "no reach": ("hints", "reach", "0", "reach is not"),
@@ -112,10 +112,10 @@ def test_maps():
     torus = {k: v for k, v in GOOD["parameters"].items() if k != "torus"}
     assert len(verify(GOOD | {"parameters": torus})) == 6
     near = [f"{Fraction(3, 10) + Fraction(1, 10**9)}", "sin"]
-    rejected(image([X, Y, near], [Y, near]), "y0|farther")
-    rejected(image([X, ["2", "y"], ["3/5", "sin"]], [Y, KICK]), "y0|farther|twist")
-    rejected(image([X, ["-1", "y"], ["-3/10", "sin"]], [Y, KICK]), "y0|farther|twist|may")
-    rejected(image([X, Y, ["1"], KICK], [Y, KICK]), "y0|farther|twist")
+    rejected(image([X, Y, near], [Y, near]), "y0|c4|farther")
+    rejected(image([X, ["2", "y"], ["3/5", "sin"]], [Y, KICK]), "y0|c4|farther|twist")
+    rejected(image([X, ["-1", "y"], ["-3/10", "sin"]], [Y, KICK]), "y0|c4|farther|twist|may")
+    rejected(image([X, Y, ["1"], KICK], [Y, KICK]), "y0|c4|farther|twist")
     rejected(image([X, KICK], [Y, KICK]), "b y")
     rejected(image([X], [Y, KICK]), "not twist")
     drift = ["1/1000000000"]

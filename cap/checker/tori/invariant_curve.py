@@ -171,8 +171,8 @@ def bounds(sizes: Sizes, R_star: Interval, s_star: Interval) -> tuple[Interval, 
         + M * Y.square() * 8 / r.square()
     )
     y0 = C * eps * 16 / delta.square().square()
-    need((y0 * 2).hi <= one.lo, "y0 <= 1/2 may fail")
     need((n * eps * 4 / (e * delta)).hi <= one.lo, "c4 <= 1/2 may fail")
+    need((y0 * 2).hi <= one.lo, "y0 <= 1/2 may fail")
     return Y * eps * 8 / (delta.square() * 7), Y * eps * 4 / (e * delta * delta.square() * 3)
 
 
