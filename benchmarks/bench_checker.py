@@ -25,4 +25,4 @@ def checked(benchmark, certificate):
 @pytest.mark.parametrize("path", sorted(STORED.glob("*.json")), ids=lambda path: path.stem)
 def test_stored(benchmark, path):
     """Every stored certificate."""
-    checked(benchmark, json.loads(path.read_text()))
+    checked(benchmark, json.loads(path.read_text("utf-8")))

@@ -146,7 +146,7 @@ def refused(text: str, library: Path) -> str:
 def law_refused(old: str, new: str, place: Path) -> str:
     """Return the file of the library that does not compile with a false definition, or nothing."""
     home = Path(proofs.__file__).with_name("formal")
-    statement = (home / "Statement.v").read_text()
+    statement = (home / "Statement.v").read_text("utf-8")
     assert statement.count(old) >= 1, old
     for file in (*home.glob("*.v"), home / "Makefile"):
         shutil.copy(file, place)
@@ -160,7 +160,7 @@ def hole_refused(kind: str, before: str, proof: str, text: str, place: Path) -> 
     file = place / "Checked.v"
     stated = re.compile(rf"(Theorem {kind}_checked .*?Proof\.).*?(Qed\.)", re.DOTALL)
     file.write_text(
-        stated.sub(rf"{before.format(kind=kind)}\1 {proof} \2", file.read_text(), count=1)
+        stated.sub(rf"{before.format(kind=kind)}\1 {proof} \2", file.read_text("utf-8"), count=1)
     )
     made = coq.run(["make", "library"], place)
     assert not made.status, made

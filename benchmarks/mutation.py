@@ -155,7 +155,7 @@ def baseline(file: Path) -> None:
     Of tests that were noted before only those are run of which the file is newer.
     """
     known = {"lines": {}, "seconds": {}, "forged": {}}
-    noted = json.loads(file.read_text()) if file.exists() else {"failed": "none was run"}
+    noted = json.loads(file.read_text("utf-8")) if file.exists() else {"failed": "none was run"}
     known |= {} if noted["failed"] else noted
     since = 0.0 if noted["failed"] else file.stat().st_mtime
     found = [p for q in TESTS for p in sorted((ROOT / "tests").rglob(q))]
@@ -175,7 +175,7 @@ def baseline(file: Path) -> None:
 def attempt(mutant: Mutant, path: Path, chosen: dict[str, float], forged: dict, work: Path) -> None:
     """Run the chosen tests on a mutant, and write the one that fails."""
     resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
-    text = mutant.source(path.read_text())
+    text = mutant.source(path.read_text("utf-8"))
     compiling(lambda name, _: text if name == mutant.module else None)
     try:
         failed = Runner(forged, chosen).run_in_order()
@@ -191,14 +191,14 @@ class Trials:
         self.work, self.budget, self.verdicts = work, budget, work / "verdicts.jsonl"
         work.mkdir(parents=True, exist_ok=True)
         os.waitpid(forked(lambda: baseline(work / "tests.json")), 0)
-        known = json.loads((work / "tests.json").read_text())
+        known = json.loads((work / "tests.json").read_text("utf-8"))
         if known["failed"]:
             sys.exit(f"a test fails without a mutant: {known['failed']}")
         self.seconds, self.forged, self.lines = known["seconds"], known["forged"], known["lines"]
         self.kills: dict[str, Counter[str]] = defaultdict(Counter)
         self.by = dict[str, str]()  # the test that caught a mutant, or nothing
         if self.verdicts.exists():
-            for name, by in map(json.loads, self.verdicts.read_text().splitlines()):
+            for name, by in map(json.loads, self.verdicts.read_text("utf-8").splitlines()):
                 self.note(name, by)
 
     def note(self, name: str, by: str) -> None:
@@ -241,7 +241,7 @@ class Trials:
         """Wait for one mutant, and write its verdict."""
         pid, status = os.wait()
         file = self.work / str(pid)
-        by = file.read_text() if file.exists() else f"status {status}"  # an alarm, no memory
+        by = file.read_text("utf-8") if file.exists() else f"status {status}"  # an alarm, no memory
         file.unlink(missing_ok=True)
         self.write(running.pop(pid), by)
 

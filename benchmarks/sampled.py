@@ -39,7 +39,7 @@ def drawn(
 
 def unnoticed() -> set[str]:
     """Return the names of the mutants that no test can or need notice."""
-    lines = (Path(__file__).parent / "equivalent.txt").read_text().splitlines()
+    lines = (Path(__file__).parent / "equivalent.txt").read_text("utf-8").splitlines()
     return {line for line in lines if line and not line.startswith("#")}
 
 

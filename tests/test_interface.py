@@ -31,7 +31,7 @@ def elliptic():
 def test_it_is_what_the_command_proves(elliptic, tmp_path, capsys):
     """The same certificate as of `cap.prove`, but for its provenance, and the same words."""
     assert prove.main(["elliptic", "--f", "2/5", "--out", str(tmp_path)]) == 0
-    written = json.loads((tmp_path / "elliptic.json").read_text())
+    written = json.loads((tmp_path / "elliptic.json").read_text("utf-8"))
     proved = dict(elliptic.certificate)
     assert {**written, "provenance": {}} == {**proved, "provenance": {}}
     assert elliptic.report() in capsys.readouterr().out

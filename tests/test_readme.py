@@ -18,7 +18,7 @@ def test_it_is_short():
 
 def test_the_theorem():
     """The digits of the theorem's table are those certified, none rounded up."""
-    text = (ROOT / "certificates/elliptic.json").read_text()
+    text = (ROOT / "certificates/elliptic.json").read_text("utf-8")
     digits = [
         line.removesuffix(" |").rpartition("| ")[2]
         for line in README.splitlines()
@@ -69,7 +69,7 @@ def test_the_citation():
 
 def test_the_workflow():
     """The server runs the same scripts, at every minor version from the oldest that is allowed."""
-    workflow = (ROOT / ".github/workflows/ci.yml").read_text()
+    workflow = (ROOT / ".github/workflows/ci.yml").read_text("utf-8")
     assert "- run: bash .ci/run\n" in workflow
     assert all(f" .ci/{script.name}" in workflow for script in (ROOT / ".ci").iterdir())
     with (ROOT / "pyproject.toml").open("rb") as file:

@@ -165,11 +165,11 @@ def test_the_journal_is_gone_on_with(tmp_path):
     """What it holds is not computed again, not even undecided cells."""
     journal = tmp_path / "journal"
     found = run(runner=Runner(journal=journal))
-    first, *lines = journal.read_text().splitlines()
+    first, *lines = journal.read_text("utf-8").splitlines()
     assert json.loads(first) == {"journal of": "signs"}
     assert len(lines) >= len(found)
     assert run(forbidden, Runner(journal=journal)) == found
-    assert journal.read_text().splitlines() == [first, *lines]
+    assert journal.read_text("utf-8").splitlines() == [first, *lines]
     with ThreadPoolExecutor(2) as executor:
         assert run(forbidden, Runner(executor=executor, journal=journal)) == found
 
@@ -179,11 +179,11 @@ def test_a_journal_that_was_cut_short(tmp_path, keep):
     """At any character: the whole lines are used, the rest is removed and computed again."""
     whole, journal = tmp_path / "whole", tmp_path / "cut"
     found = run(runner=Runner(journal=whole))
-    text = whole.read_text()
+    text = whole.read_text("utf-8")
     journal.write_text(text[:keep])
     assert run(runner=Runner(journal=journal)) == found
-    assert sorted(journal.read_text().splitlines()) == sorted(text.splitlines())
-    for line in journal.read_text().splitlines():
+    assert sorted(journal.read_text("utf-8").splitlines()) == sorted(text.splitlines())
+    for line in journal.read_text("utf-8").splitlines():
         json.loads(line)
 
 
@@ -198,10 +198,10 @@ def test_the_journal_of_something_else(tmp_path):
     """It is left as it is."""
     journal = tmp_path / "journal"
     run(runner=Runner(journal=journal), key="one")
-    before = journal.read_text()
+    before = journal.read_text("utf-8")
     with pytest.raises(BadInput, match="something else"):
         run(runner=Runner(journal=journal), key="other")
-    assert journal.read_text() == before
+    assert journal.read_text("utf-8") == before
 
 
 @pytest.mark.parametrize(
@@ -233,7 +233,7 @@ def test_files_that_are_no_journal(tmp_path, text):
     with pytest.raises(BadInput) as caught:
         run(runner=Runner(journal=journal))
     assert "\n" not in str(caught.value)
-    assert journal.read_text() == text
+    assert journal.read_text("utf-8") == text
 
 
 def test_a_journal_that_is_no_text(tmp_path):
@@ -281,7 +281,7 @@ def test_interruption(tmp_path, error, threads):
 
 def _lines(journal):
     """Return the lines of a journal but for the first."""
-    return journal.read_text().splitlines()[1:]
+    return journal.read_text("utf-8").splitlines()[1:]
 
 
 def test_what_has_not_begun_is_cancelled():

@@ -192,4 +192,4 @@ def test_commands(render):
 
 def test_ci():
     """CI runs the tutorial."""
-    assert "python docs/tutorial.py --check" in (DOCS.parent / ".ci/run").read_text()
+    assert "python docs/tutorial.py --check" in (DOCS.parent / ".ci/run").read_text("utf-8")

@@ -52,8 +52,8 @@ SEVERAL = 4  # units in a cell of a table
 def main(words: Sequence[str]) -> int:
     """Write the files, or check them; return the exit status."""
     stale, checked = [], "--check" in words
-    for path, content in ((SCHEMA, schema_text()), (PAGE, page(PAGE.read_text()))):
-        if path.read_text() != content:
+    for path, content in ((SCHEMA, schema_text()), (PAGE, page(PAGE.read_text("utf-8")))):
+        if path.read_text("utf-8") != content:
             stale.append(path.name)
             if not checked:
                 with replacing(path) as file:

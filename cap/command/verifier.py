@@ -39,6 +39,8 @@ def main(words: Sequence[str]) -> int:
         commands.error("the following arguments are required: FILE")
     if options.formal and (options.explain or options.latex):
         commands.error("--formal goes with neither --explain nor --latex")
+    if options.formal and sys.platform == "win32":
+        commands.error("--formal limits the time of Coq, which Windows cannot: use it elsewhere")
     if options.formal:
         try:
             from cap.command import formal  # noqa: PLC0415 (the checker needs none of it)

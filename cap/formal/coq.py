@@ -110,14 +110,14 @@ def _compiled(home: Path, tell: Callable[[str, float | None], None]) -> Path:
     answer = run(["make", "-j2", "library"], home, heard)
     if answer.status:
         raise NotProved("library", "it does not compile", {"Coq": last_words(answer)})
-    (home / _RECORD).write_text("\n".join(_digests(home).values()))
+    (home / _RECORD).write_text("\n".join(_digests(home).values()), "utf-8")
     return home
 
 
 def _forget(home: Path) -> None:
     """Remove what was not compiled here from these sources: make goes by times, which may lie."""
     record = home / _RECORD
-    compiled = set(record.read_text().splitlines()) if record.exists() else set[str]()
+    compiled = set(record.read_text("utf-8").splitlines()) if record.exists() else set[str]()
     for product, digest in _digests(home).items():
         if digest not in compiled:
             product.unlink(missing_ok=True)
@@ -154,7 +154,7 @@ def _scratch() -> Iterator[Path]:
 
 def _file(text: str, place: Path, *options: str) -> Answer:
     """Run Coq on a text."""
-    (place / "Certified.v").write_text(text)
+    (place / "Certified.v").write_text(text, "utf-8")
     return run([*COMMAND, *options, "Certified.v"], place)
 
 

@@ -133,7 +133,7 @@ def test_the_paper(run, tmp_path, monkeypatch, elsewhere):
     path = tmp_path / "paper.tex"
     path.write_text(r"\section{One}\label{sec:intro}")
     assert run("--paper", str(path))[0] == 1
-    usual = subject.file("labels.json").read_text()
+    usual = subject.file("labels.json").read_text("utf-8")
     elsewhere("labels.json").write_text(usual)
     status, _, err = run("--paper", str(path), "--record")
     assert (status, err.startswith("error: not once in ")) == (2, True)

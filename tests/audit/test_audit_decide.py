@@ -187,7 +187,7 @@ def test_recording(elsewhere):
     assert len(day) == len("2026-01-01")
     assert program.startswith("cap ")
     path = subject.file("recorded.json")
-    path.write_text(path.read_text().replace("refuted", "disputed"))
+    path.write_text(path.read_text("utf-8").replace("refuted", "disputed"))
     subject.forget()
     assert recorded.recorded().keys() == {first}
 

@@ -137,7 +137,7 @@ def test_certificates_are_checked():
 
 def test_certificates_are_not_believed(tmp_path, monkeypatch):
     """The checker rejects one that was changed."""
-    text = (stored.FOLDER / "capture.json").read_text()
+    text = (stored.FOLDER / "capture.json").read_text("utf-8")
     (tmp_path / "false.json").write_text(text.replace('"capture r"', '"capture l"'))
     monkeypatch.setattr(stored, "FOLDER", tmp_path)
     with pytest.raises(NotProved, match=r"the checker rejects false\.json"):

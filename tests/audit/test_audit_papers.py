@@ -42,7 +42,7 @@ def test_the_ledger_of_the_tables(tables):
     wrong = {n for n, each in recorded.recorded().items() if each.outcome is not Outcome.CONFIRMED}
     assert wrong == {name for names in shared.values() for name in names}
     for name, each in claims.items():
-        text = (deciding.DATA / f"{each.where}.csv").read_text()
+        text = (deciding.DATA / f"{each.where}.csv").read_text("utf-8")
         assert text.count(f"\n{quotes.quote(name)}\n") == 1
 
 
@@ -58,7 +58,7 @@ def test_recording_lists_no_figures(tables, elsewhere, capsys):
     """Rows of figures belong to the paper that has them."""
     stored = elsewhere("recorded.json")
     assert command.main(["--of", "church_fortin", "--only", FEW[1], "--record"]) == 0
-    assert FEW[1] in stored.read_text()
+    assert FEW[1] in stored.read_text("utf-8")
     assert not subject.file("tables.json").exists()
 
 

@@ -79,7 +79,7 @@ def test_a_table_is_computed_once(table):
 def test_rows_that_are_not_listed_decide_nothing(table):
     """A row more, or another number of the paper: it has to be looked at, and recorded."""
     path = subject.file("tables.json")
-    listed = json.loads(path.read_text())
+    listed = json.loads(path.read_text("utf-8"))
     listed[LABEL][0][1] = "1.6"
     path.write_text(json.dumps(listed))
     subject.forget()

@@ -61,7 +61,7 @@ def test_a_patch_is_one_for_git(tmp_path, monkeypatch):
     (tmp_path / "erratum.patch").write_text(errata.patch(path))
     for words in (["apply", "--check", "erratum.patch"], ["apply", "erratum.patch"]):
         subprocess.run(["git", *words], cwd=tmp_path, check=True)  # noqa: S607 (whose git is there)
-    assert path.read_text() == "before\n\\[\n" + change.new + "\n\\]\nafter\n"
+    assert path.read_text("utf-8") == "before\n\\[\n" + change.new + "\n\\]\nafter\n"
     with pytest.raises(BadInput, match="in the file 0 times, not 1"):
         errata.patch(path)
 

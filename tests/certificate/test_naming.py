@@ -88,7 +88,7 @@ def test_the_same_again(capsys, tmp_path):
     assert (tmp_path / "saddle.json").read_bytes() == before
     _, out, _ = proving(capsys, "saddle", "--digits", "12", "--out", str(tmp_path))
     assert "(replaced;" in out
-    assert json.loads((tmp_path / "saddle.json").read_text())["digits"] == "12"
+    assert json.loads((tmp_path / "saddle.json").read_text("utf-8"))["digits"] == "12"
     check((tmp_path / "saddle.json").read_bytes(), lambda _step: None)
 
 

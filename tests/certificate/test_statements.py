@@ -39,7 +39,7 @@ STORED = ROOT / "certificates"
 
 def stored(name):
     """Return a stored certificate."""
-    return json.loads((STORED / f"{name}.json").read_text())
+    return json.loads((STORED / f"{name}.json").read_text("utf-8"))
 
 
 def told(certificate):

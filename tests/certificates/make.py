@@ -23,7 +23,10 @@ STORED = HERE.parent.parent / "certificates"
 
 def load(name):
     """Return a stored certificate, without its provenance."""
-    return {**json.loads((STORED / name).read_text()), "provenance": {"cap": "a test certificate"}}
+    return {
+        **json.loads((STORED / name).read_text("utf-8")),
+        "provenance": {"cap": "a test certificate"},
+    }
 
 
 def put(kind, name, certificate, *changes):

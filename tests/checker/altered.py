@@ -26,7 +26,7 @@ def encode(certificate):
 @cache
 def schema():
     """Return the JSON Schema of certificates, which is one itself: that is looked at once."""
-    described = json.loads(SCHEMA.read_text())
+    described = json.loads(SCHEMA.read_text("utf-8"))
     kind = jsonschema.validators.validator_for(described)
     kind.check_schema(described)
     return kind(described)

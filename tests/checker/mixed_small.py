@@ -55,7 +55,7 @@ def counted(theorem, places):
 @cache
 def _small():
     """Return the certificate, as text, its theorem, and the fates of places."""
-    certificate = {**json.loads(STORED.read_text()), "provenance": {}}
+    certificate = {**json.loads(STORED.read_text("utf-8")), "provenance": {}}
     hints = certificate["hints"]
     tree = pruned(iter(hints["places"]["tree"]), SHALLOW)
     hints["places"] = {"level": str(SHALLOW), "tree": tree}

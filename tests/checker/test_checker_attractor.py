@@ -27,7 +27,7 @@ from checker.tampered import accepted
 
 pytestmark = pytest.mark.usefixtures("releases_computed_once")
 
-STORED = json.loads((Path(__file__).parents[2] / "certificates/attractor.json").read_text())
+STORED = json.loads((Path(__file__).parents[2] / "certificates/attractor.json").read_text("utf-8"))
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, reje
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/ball_curve_small.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/ball_curve_small.json").read_text("utf-8"))
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
 CURVE, FLIGHT = CLAIMS["curve"], HINTS["flight"]
 UNIT = 10 ** int(HINTS["places"])

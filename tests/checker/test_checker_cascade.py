@@ -19,7 +19,7 @@ from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
 pytestmark = pytest.mark.usefixtures("releases_computed_once")
 
-STORED = json.loads((Path(__file__).parents[2] / "certificates/cascade-1.json").read_text())
+STORED = json.loads((Path(__file__).parents[2] / "certificates/cascade-1.json").read_text("utf-8"))
 
 
 def shortened(number):

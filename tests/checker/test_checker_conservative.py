@@ -34,7 +34,7 @@ from cap.parameters import PAPER
 from checker.altered import changed, encode, fits_the_schema, rejected
 
 FILE = Path(__file__).parents[1] / "certificates/accept/conservative_by_three_flights.json"
-CERTIFICATE = json.loads(FILE.read_text())
+CERTIFICATE = json.loads(FILE.read_text("utf-8"))
 F, R = enclosing(Fraction(2, 5)), Double(2.0)
 CEILING = [Fraction(CERTIFICATE["hints"]["ceiling"][k]) for k in ("height", "phase", "level")]
 NAN = Double(math.nan)

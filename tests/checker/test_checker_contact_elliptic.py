@@ -19,7 +19,9 @@ from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
 STORED = Path(__file__).parents[2] / "certificates"
-BALL, SPRING = (json.loads((STORED / f"contact_elliptic-{n}.json").read_text()) for n in (1, 2))
+BALL, SPRING = (
+    json.loads((STORED / f"contact_elliptic-{n}.json").read_text("utf-8")) for n in (1, 2)
+)
 FAR = "1/10000"
 
 
@@ -92,7 +94,7 @@ def test_a_twist_that_may_vanish(monkeypatch):
 
 def test_area_that_is_lost():
     """An orbit of a ball that loses speed, with all else told as if it were elliptic."""
-    lossy = json.loads((STORED / "contacts-1.json").read_text())
+    lossy = json.loads((STORED / "contacts-1.json").read_text("utf-8"))
     told = {key: lossy["claims"][key] for key in BALL["claims"].keys() & lossy["claims"].keys()}
     hints = {key: lossy["hints"][key] for key in BALL["hints"]}
     given = BALL | {"parameters": lossy["parameters"], "claims": BALL["claims"] | told}

@@ -17,7 +17,7 @@ from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.contacts_of_a_ball import CHAOS, system
 
 FILES = sorted((Path(__file__).parents[2] / "certificates").glob("contact_horseshoe-*.json"))
-STORED = {path.stem: json.loads(path.read_text()) for path in FILES}
+STORED = {path.stem: json.loads(path.read_text("utf-8")) for path in FILES}
 TINY = Fraction(1, 10**8)
 
 

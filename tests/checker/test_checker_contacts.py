@@ -42,7 +42,7 @@ def middle(x):
 
 def located(name):
     """Return a stored certificate's system and its contacts, and the system for floats."""
-    certificate = json.loads((STORED / f"{name}.json").read_text())
+    certificate = json.loads((STORED / f"{name}.json").read_text("utf-8"))
     *five, masses = certificate["parameters"].values()
     five, masses = tuple(map(Fraction, five)), tuple(map(Fraction, masses))
     M = Mechanics(Parameters(*five, masses=masses), BITS)
@@ -122,7 +122,7 @@ def test_the_third_order_in_floats(tori):
 
 def product_of_single_orbits():
     """Return two equal masses on the orbits of `elliptic` and its mirror image, as contacts."""
-    one = json.loads((STORED / "elliptic.json").read_text())["claims"]
+    one = json.loads((STORED / "elliptic.json").read_text("utf-8"))["claims"]
     x, v = (float(one[k][0]) for k in "xv")
     system = Particles(PAPER, (Fraction(1),) * 2)
     alone = follow(Particles(PAPER, (Fraction(1),)), [x], [v], np.pi)

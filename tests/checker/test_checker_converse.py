@@ -22,8 +22,8 @@ from cap.floats.search.tori import HalfPeriod
 from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, rejected, verify
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/converse_small.json").read_text())
-STORED = json.loads((ROOT / "certificates/converse.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/converse_small.json").read_text("utf-8"))
+STORED = json.loads((ROOT / "certificates/converse.json").read_text("utf-8"))
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
 ORIGIN = Fraction(0), Fraction(0)
 SQUARE = [(10**8, 10**8), (-(10**8), 10**8), (-(10**8), -(10**8)), (10**8, -(10**8))]
@@ -295,7 +295,7 @@ def test_pieces_cover_an_edge():
 
 def test_the_ratio_to_the_curve():
     """The largest invariant disk around P*: from below and from above, about one point."""
-    curve = json.loads((ROOT / "certificates/island-2.json").read_text())
+    curve = json.loads((ROOT / "certificates/island-2.json").read_text("utf-8"))
     assert curve["parameters"] == STORED["parameters"]
     assert curve["claims"]["map"] == STORED["claims"]["map"]
     for name in ("x", "v"):
@@ -311,8 +311,8 @@ def test_the_ratio_to_the_curve():
 
 def test_where_the_orbit_is_its_own_image():
     """Half a period and the symmetry, about the point of an island, which is smaller."""
-    stored = json.loads((ROOT / "certificates/converse-2.json").read_text())
-    given = json.loads((ROOT / "certificates/islands.json").read_text())["claims"]["islands"]
+    stored = json.loads((ROOT / "certificates/converse-2.json").read_text("utf-8"))
+    given = json.loads((ROOT / "certificates/islands.json").read_text("utf-8"))["claims"]["islands"]
     f = Fraction(stored["parameters"]["f"])
     island = next(each for each in given if Fraction(each["f"]) == f)
     assert island["map"] == stored["claims"]["map"] == "sigma"

@@ -26,7 +26,9 @@ from checker.altered import changed, encode, fits_the_schema, rejected
 
 pytestmark = pytest.mark.usefixtures("releases_computed_once")
 
-STORED = json.loads((Path(__file__).parents[2] / "certificates/entropies-1.json").read_text())
+STORED = json.loads(
+    (Path(__file__).parents[2] / "certificates/entropies-1.json").read_text("utf-8")
+)
 WITH_CYCLE = 1  # a piece
 
 

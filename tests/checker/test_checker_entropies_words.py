@@ -26,7 +26,7 @@ STORED = Path(__file__).parents[2] / "certificates/entropies-1.json"
 )
 def test_the_least_and_the_largest_entropy(bounds, least, most):
     """Of those that are positive the least lower end; of all the largest upper end."""
-    certificate = copy.deepcopy(json.loads(STORED.read_text()))
+    certificate = copy.deepcopy(json.loads(STORED.read_text("utf-8")))
     pieces = [piece for strip in certificate["claims"]["strips"] for piece in strip["pieces"]]
     for piece in pieces:
         piece["entropy"] = ["0.4", "0.5"]

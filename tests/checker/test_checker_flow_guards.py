@@ -155,7 +155,7 @@ def test_a_line_beyond_an_arc_is_not_crossed_more_sharply(r):
 
 def test_a_speed_is_not_negative(monkeypatch):
     """Its square is large enough; but nothing has at most this speed."""
-    certificate = json.loads(FILE.read_text())
+    certificate = json.loads(FILE.read_text("utf-8"))
     monkeypatch.setattr("cap.checker.theorems.conservative.descends", lambda *_: 0)
     monkeypatch.setattr(World, "prove", lambda *_: None)
     speed = certificate["claims"]["speed"]

@@ -27,7 +27,7 @@ BITS = 128
 
 def first_point():
     """Return the stored certificate with its first point only."""
-    whole = json.loads(PATH.read_text())
+    whole = json.loads(PATH.read_text("utf-8"))
     for part, key in (("claims", "points"), ("hints", "orbits")):
         whole[part][key] = whole[part][key][:1]
     return whole

@@ -28,7 +28,7 @@ from cap.parameters import PAPER
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
 FILE = Path(__file__).parents[2] / "certificates/horseshoe-2.json"
-CERTIFICATE = json.loads(FILE.read_text())
+CERTIFICATE = json.loads(FILE.read_text("utf-8"))
 SETS, EDGES = CERTIFICATE["hints"]["sets"], CERTIFICATE["hints"]["coverings"]
 SIGMA = HalfPeriod(Fraction(2, 5), Fraction(1))
 

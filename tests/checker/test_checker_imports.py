@@ -83,7 +83,7 @@ def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem, tmp_path):
     """
     known = sorted((*STORED.glob("*.json"), *OWN.glob("*.json")))
     path = next(p for p in known if p.stem.split("-")[0] == theorem)
-    lie = changed(json.loads(path.read_text()), "cites", ["nothing"])
+    lie = changed(json.loads(path.read_text("utf-8")), "cites", ["nothing"])
     path = tmp_path / path.name
     path.write_text(json.dumps(lie))
     modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
@@ -125,7 +125,7 @@ CLAIMED = {
 def test_what_is_claimed_to_attract_is_loaded_only_then(name, tmp_path):
     """Each of them adds the files that are listed, and no others: of sinks nothing is read where
     none is claimed."""
-    lie = json.loads((STORED / "mixed.json").read_text())
+    lie = json.loads((STORED / "mixed.json").read_text("utf-8"))
     claims = lie["claims"]
     if CLAIMED[name]:
         claims[name] = CLAIMED[name]

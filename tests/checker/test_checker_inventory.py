@@ -30,7 +30,7 @@ BITS = 80
 @pytest.fixture(scope="module")
 def inventory():
     """Return the stored certificate."""
-    return json.loads((STORED / "inventory.json").read_text())
+    return json.loads((STORED / "inventory.json").read_text("utf-8"))
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +99,7 @@ def test_every_number(inventory, without_launches):
 
 def test_what_bounds_the_least_speed(inventory):
     """The two integrations by parts, on the paper's orbit; what they give holds for it."""
-    claims = json.loads((STORED / "elliptic.json").read_text())["claims"]
+    claims = json.loads((STORED / "elliptic.json").read_text("utf-8"))["claims"]
     t, u = ([float(Fraction(q[0])) for q in claims[name]] for name in ("hit_times", "hit_speeds"))
     alpha, rho = 0.4, 2.0
     once = twice = 0.0
@@ -152,7 +152,7 @@ def test_every_parameter(inventory, without_launches):
 
 def test_the_tree():
     """No leaf can be left out, added, merged with another, or left open and not told."""
-    inventory = json.loads((STORED / "inventory-2.json").read_text())
+    inventory = json.loads((STORED / "inventory-2.json").read_text("utf-8"))
     tree, flights = inventory["hints"]["tree"], inventory["hints"]["flights"]
     first = tree.index(".")
     late = tree[:first] + "?" + tree[first + 1 :]

@@ -22,7 +22,7 @@ F, OMEGA = Fraction(3), Fraction(2)
 
 def rescaled(length, speed):
     """Return the stored certificate at other F and omega, with fixed points in these units."""
-    certificate = json.loads(STORED.read_text())
+    certificate = json.loads(STORED.read_text("utf-8"))
     scale, parameters = F / OMEGA**2, certificate["parameters"]
     certificate["parameters"] = parameters | {
         "F": str(F * Fraction(parameters["F"])),

@@ -21,7 +21,7 @@ from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, reje
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/island_small.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/island_small.json").read_text("utf-8"))
 _QUOTIENTS = "rotation_number"
 UNIT = 10 ** int(GOOD["hints"]["places"])
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]

@@ -14,7 +14,7 @@ from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, reje
 from checker.tampered import accepted, malformed
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/islands_small.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/islands_small.json").read_text("utf-8"))
 FIRST, SECOND = GOOD["claims"]["islands"]
 
 

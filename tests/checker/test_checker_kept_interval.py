@@ -30,7 +30,7 @@ def distances(low, high):
 @pytest.mark.slow
 def test_the_interval_of_the_stored_certificate():
     """It is taken into itself; moved by a little, or made a little shorter, it is not."""
-    low, high = json.loads(STORED.read_text())["claims"]["attractor"]["interval"]
+    low, high = json.loads(STORED.read_text("utf-8"))["claims"]["attractor"]["interval"]
     into_itself(Y, distances(low, high))
     for lie in ((low, "-0.45"), ("-0.76", high), ("-0.70", "-0.33"), ("-0.9", "0.9")):
         with pytest.raises(Rejected, match="releases may leave their interval"):

@@ -20,7 +20,7 @@ WINDOW = ["1", "2"]
 
 def stored(name):
     """Return a stored certificate."""
-    return json.loads((STORED / f"{name}.json").read_text())
+    return json.loads((STORED / f"{name}.json").read_text("utf-8"))
 
 
 def read_parameters(value):

@@ -18,7 +18,7 @@ from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
 
 ROOT = Path(__file__).parents[2]
-GOOD = json.loads((ROOT / "tests/certificates/accept/map_curve_small.json").read_text())
+GOOD = json.loads((ROOT / "tests/certificates/accept/map_curve_small.json").read_text("utf-8"))
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]
 UNIT = 10 ** int(HINTS["places"])
 

@@ -35,7 +35,7 @@ HENON = {
 """A full horseshoe: the map of Hénon at a = 6, b = 3/10, with two strips."""
 
 FILES = sorted((Path(__file__).parents[2] / "certificates").glob("map_horseshoe-*.json"))
-STORED = {path.stem: json.loads(path.read_text()) for path in FILES}
+STORED = {path.stem: json.loads(path.read_text("utf-8")) for path in FILES}
 
 
 def test_it_is_verified():

@@ -206,7 +206,7 @@ CHANGES = "F", "f", "l", "r", "e", "mu", "omega"
 @pytest.mark.parametrize("file", ["elliptic", "periodic-7"])
 def test_a_certificate_is_about_its_own_system(another, file, name):
     """With a constant of the model changed by 1e-9 it is rejected."""
-    certificate = json.loads((STORED / f"{file}.json").read_text())
+    certificate = json.loads((STORED / f"{file}.json").read_text("utf-8"))
 
     def altered(omega, constants):
         if name == "omega":

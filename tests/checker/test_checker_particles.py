@@ -23,7 +23,7 @@ HIDDEN = "cap.checker.kernel.theorem.Theorem.compare"
 
 def stored(name):
     """Return a stored certificate."""
-    return json.loads((STORED / name).read_text())
+    return json.loads((STORED / name).read_text("utf-8"))
 
 
 @pytest.fixture(scope="module", params=["particles.json", "particles_saddle.json"])

@@ -30,7 +30,7 @@ TINY = Fraction(1, 10**9)
 @pytest.fixture(scope="module")
 def limits():
     """Return the certificate at the paper's parameters."""
-    return json.loads(STORED.read_text())
+    return json.loads(STORED.read_text("utf-8"))
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -31,7 +31,7 @@ BITS = 250
 @pytest.fixture(scope="module")
 def sink():
     """Return the stored certificate."""
-    return json.loads(STORED.read_text())
+    return json.loads(STORED.read_text("utf-8"))
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -27,7 +27,7 @@ BITS = 160
 @pytest.fixture(scope="module")
 def stored():
     """Return the stored certificate."""
-    return json.loads(STORED.read_text())
+    return json.loads(STORED.read_text("utf-8"))
 
 
 @pytest.fixture(scope="module")

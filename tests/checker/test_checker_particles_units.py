@@ -25,7 +25,7 @@ def times(value, unit):
 
 def rescaled():
     """Return the stored certificate at other parameters."""
-    certificate = json.loads(STORED.read_text())
+    certificate = json.loads(STORED.read_text("utf-8"))
     p, claims, hints = (certificate[name] for name in ("parameters", "claims", "hints"))
     for name, unit in (("F", F), ("f", F), ("omega", OMEGA), ("l", LENGTH), ("r", LENGTH)):
         p[name] = times(p[name], unit)
@@ -60,7 +60,7 @@ def test_a_saddle_in_other_units():
     """It is verified; what has a unit is not the same number as before."""
     certificate = rescaled()
     verify(certificate)
-    stored = json.loads(STORED.read_text())["claims"]
+    stored = json.loads(STORED.read_text("utf-8"))["claims"]
     for name in ("x", "hit_times", "least_speeds", "closing_speeds"):
         lie = changed(certificate, "claims", name, stored[name])
         rejected(lie, "does not contain|not increasing|not before")

@@ -122,7 +122,7 @@ def test_a_patch_that_stops():
 
 def slices(level):
     """Yield a thin slice of each cell above a level, with its world and level."""
-    hints = json.loads(FILE.read_text())["hints"]
+    hints = json.loads(FILE.read_text("utf-8"))["hints"]
     top = Ceiling(*(enclosing(Fraction(hints["ceiling"][k])) for k in ("height", "phase", "level")))
     world = World(F, R, top, lines(hints["lines"]), columns(hints["forward"]))
     for j, runs in enumerate(world.columns):

@@ -20,7 +20,7 @@ STORED = Path(__file__).parents[2] / "certificates"
 @pytest.fixture(scope="module", params=["segment.json", "segment-2.json"])
 def segment(request):
     """Return a stored certificate: without losses, and with both."""
-    return json.loads((STORED / request.param).read_text())
+    return json.loads((STORED / request.param).read_text("utf-8"))
 
 
 def velocity(parameters):
@@ -125,7 +125,7 @@ def test_the_basin(segment):
 def test_the_first_turn():
     """Where F is much larger than f the first turn limits the basin, not the period."""
     parameters = {"F": "1", "omega": "1", "f": "11/20", "l": "-40", "r": "40", "e": "1", "mu": "0"}
-    stored = json.loads((STORED / "segment.json").read_text())
+    stored = json.loads((STORED / "segment.json").read_text("utf-8"))
     rejected(stored | {"parameters": parameters}, "stick")
 
 

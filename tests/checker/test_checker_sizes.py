@@ -50,7 +50,7 @@ MIXED = {
 
 def stored(path):
     """Return a certificate."""
-    return json.loads((ROOT / path).read_text())
+    return json.loads((ROOT / path).read_text("utf-8"))
 
 
 def mixed():

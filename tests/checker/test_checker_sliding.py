@@ -20,7 +20,7 @@ STORED = Path(__file__).parents[2] / "certificates"
 @pytest.fixture(scope="module", params=["sliding.json", "sliding-2.json"])
 def sliding(request):
     """Return a stored certificate: the second mass is the lighter one, or the heavier one."""
-    return json.loads((STORED / request.param).read_text())
+    return json.loads((STORED / request.param).read_text("utf-8"))
 
 
 def exact(text):

@@ -20,7 +20,7 @@ def test_the_multiplier_is_minus_one_at_the_pitchfork():
     """The closed form of theorem `pitchfork` and the zero here are in common intervals."""
     (point,) = certificate("pitchfork")["claims"]["points"]
     low, high = map(Fraction, point["at"])
-    a, b = map(Fraction, json.loads(PITCHFORK.read_text())["claims"]["f"])
+    a, b = map(Fraction, json.loads(PITCHFORK.read_text("utf-8"))["claims"]["f"])
     assert low < a < b < high
     assert high - low < Fraction(1, 10**20)
     assert point["kind"] == "flip"

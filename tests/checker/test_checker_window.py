@@ -20,7 +20,7 @@ from checker.altered import changed, encode, fits_the_schema, rejected
 pytestmark = pytest.mark.usefixtures("releases_computed_once")
 
 STORED, ZERO = (
-    json.loads((Path(__file__).parents[2] / "certificates" / name).read_text())
+    json.loads((Path(__file__).parents[2] / "certificates" / name).read_text("utf-8"))
     for name in ("window-1.json", "window-2.json")
 )
 

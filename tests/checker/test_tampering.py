@@ -80,7 +80,7 @@ def enclosures(certificate):
 @by_name
 def test_every_end_of_every_claim(path):
     """An end moved onto the other, or far out, is rejected."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     survivors = []
     for trail in enclosures(good):
         here, there = get(good, trail), get(good, (*trail[:-1], 1 - trail[-1]))
@@ -93,7 +93,7 @@ def test_every_end_of_every_claim(path):
 @by_name
 def test_the_box(path):
     """A box without P*, too large, inverted, or touching a wall or v = 0 is rejected."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     for axis, walls in (("x", ("l", "r")), ("v", (None, None))):
         lower, upper = (Fraction(end) for end in good["claims"]["box"][axis])
         bounds = [Fraction(good["parameters"][w]) if w else Fraction(0) for w in walls]
@@ -118,7 +118,7 @@ def test_the_box(path):
 @by_name
 def test_the_remainder(path):
     """A smaller bound, a larger or empty disk, another degree are rejected."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     if "remainder" not in good["claims"]:
         return
     claim = good["claims"]["remainder"]
@@ -140,7 +140,7 @@ def test_the_remainder(path):
 @by_name
 def test_the_parameters(path):
     """The claims hold at no other parameters, however near."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     for name, value in good["parameters"].items():
         for change in (
             Fraction(1, 100),
@@ -155,7 +155,7 @@ def test_the_parameters(path):
 @by_name
 def test_the_hints(path):
     """Hints far off prove nothing.  (A window a little wider is as good: hints are not claims.)"""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     hints = good["hints"]
     for trail in leaves(hints):
         value = Fraction(get(hints, trail))
@@ -168,7 +168,7 @@ def test_the_hints(path):
 @by_name
 def test_what_is_cited(path):
     """No word of what is cited can be changed, no hypothesis dropped, no discharge moved."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     for trail in leaves(good["cites"]):
         assert rejected(changed(good, ("cites", *trail), "x")), trail
     for cited, theorem in enumerate(good["cites"]):
@@ -181,7 +181,7 @@ def test_what_is_cited(path):
 @by_name
 def test_fields_removed_added_or_of_another_type(path):
     """Unknown and missing fields, numbers that are not strings, and other types are errors."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     for trail in [(key,) for key in good] + [
         (part, key) for part in ("claims", "hints", "parameters") for key in good[part]
     ]:
@@ -198,7 +198,7 @@ def test_fields_removed_added_or_of_another_type(path):
 
 def test_one_theorem_is_not_the_other():
     """A saddle is not elliptic by name, nor the converse; a certificate states its own theorem."""
-    stored = {path.stem: json.loads(path.read_text()) for path in CERTIFICATES}
+    stored = {path.stem: json.loads(path.read_text("utf-8")) for path in CERTIFICATES}
     assert rejected({**stored["saddle"], "theorem": "elliptic"})
     assert rejected({**stored["elliptic"], "theorem": "saddle"})
     mixed = {**stored["elliptic"], "claims": stored["elliptic-2"]["claims"]}
@@ -208,5 +208,5 @@ def test_one_theorem_is_not_the_other():
 @by_name
 def test_provenance_is_ignored(path):
     """Who made a certificate, when and how long it took does not matter."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     assert not rejected({**good, "provenance": {"made by": "somebody", "seconds": "0"}})

@@ -42,7 +42,7 @@ each = {"orbit": of(FIXED_POINTS), "quick": of(QUICK), "capture": of(CAPTURES)}
 
 def load(path):
     """Return a stored certificate; of that of persistence, with many cells, two by two of them."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     if "range" in good["claims"]:
         claim, hints = good["claims"]["range"], good["hints"]
         width = len(claim["mu"]) - 1

@@ -19,12 +19,12 @@ def test_from_parameters_to_a_certificate(tmp_path, capsys):
     assert "bounces elastically" in capsys.readouterr().out
     (path,) = tmp_path.glob("*.json")
     assert path.name == "ball_curve-A=1_20.json"
-    low, high = map(float, json.loads(path.read_text())["claims"]["speeds"])
+    low, high = map(float, json.loads(path.read_text("utf-8"))["claims"]["speeds"])
     assert 1.88 < low < 1.9
     assert 1.98 < high < 2
     other = tmp_path / "other.json"
     assert prove("--ball", "A=1/40,omega=2,g=2", "--out", other) == 0
-    speeds = map(float, json.loads(other.read_text())["claims"]["speeds"])
+    speeds = map(float, json.loads(other.read_text("utf-8"))["claims"]["speeds"])
     assert list(speeds) == pytest.approx([low, high], abs=1e-6)
     path.write_text("{}")
     assert prove("--ball", "A=1/20", "--out", tmp_path) == 2

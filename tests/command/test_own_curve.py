@@ -23,7 +23,7 @@ def test_from_a_file_to_a_certificate(tmp_path, capsys):
     assert "or back" in said
     (path,) = tmp_path.glob("*.json")
     assert path.name == "map_curve-standard-K=1_5.json"
-    low, high = map(float, json.loads(path.read_text())["claims"]["bounds"])
+    low, high = map(float, json.loads(path.read_text("utf-8"))["claims"]["bounds"])
     assert 2.2 < low < 2.4 < high < 2.7
     path.write_text("{}")
     assert prove(*words) == 2

@@ -24,7 +24,7 @@ def test_from_a_file_to_a_certificate(tmp_path, capsys):
     assert "one-sided subshift" in capsys.readouterr().out.replace("\n  ", " ")
     (path,) = tmp_path.glob("*.json")
     assert path.name == "map_horseshoe-henon-a=5.json"
-    claims = json.loads(path.read_text())["claims"]
+    claims = json.loads(path.read_text("utf-8"))["claims"]
     assert float(claims["entropy"]) > 0.69
     assert claims["together"] == "1"
     path.write_text("{}")
@@ -126,7 +126,7 @@ def test_from_a_system_to_a_certificate(tmp_path, capsys):
     assert "one-sided subshift" in capsys.readouterr().out.replace("\n  ", " ")
     (path,) = tmp_path.glob("*.json")
     assert path.name == "contact_horseshoe-ball-A=3_4-e=1.json"
-    claims = json.loads(path.read_text())["claims"]
+    claims = json.loads(path.read_text("utf-8"))["claims"]
     assert float(claims["entropy"]) > 0.25
     assert float(claims["per_period"]) > 0.1
     path.write_text("{}")

@@ -46,7 +46,7 @@ def test_links_to_folders(pages, tmp_path):
     page = tmp_path / "page.md"
     led = pages.LINK.sub(lambda found: pages._led(page, found), "[b](books) [c](c.md#d) [e](#f)")
     assert led == "[b](books/index.md) [c](c.md#d) [e](#f)"
-    assert "[a.ipynb](a.ipynb)" in (tmp_path / "books/index.md").read_text()
+    assert "[a.ipynb](a.ipynb)" in (tmp_path / "books/index.md").read_text("utf-8")
 
 
 def test_the_navigation_names_pages_that_there_are():

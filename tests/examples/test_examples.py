@@ -59,7 +59,7 @@ def test_it_is_a_system(name):
     system = read(EXAMPLES / f"{name}.py")
     assert form.loads(form.dumps(system)) == system
     assert not system.parameters
-    assert "\nKnown: " in (EXAMPLES / f"{name}.py").read_text()
+    assert "\nKnown: " in (EXAMPLES / f"{name}.py").read_text("utf-8")
 
 
 def test_they_are_those_of_the_tests():

@@ -109,7 +109,7 @@ def test_what_is_rejected_is_not_drawn(tmp_path, monkeypatch, capsys):
     """The verdict has the reason of the checker; there is no file, and the status is 1."""
     monkeypatch.setattr(theorems, "drawn", None)
     lie = changed(
-        json.loads((STORED / "homoclinic.json").read_text()),
+        json.loads((STORED / "homoclinic.json").read_text("utf-8")),
         "claims",
         "points",
         0,

@@ -207,7 +207,7 @@ def test_a_failure_leaves_the_old_file(tmp_path, monkeypatch):
     path.write_text("old")
     monkeypatch.setattr("csv.writer", lambda _: (_ for _ in ()).throw(KeyboardInterrupt))
     assert tiny("orbit", "--out", str(path)) == INTERRUPTED
-    assert path.read_text() == "old"
+    assert path.read_text("utf-8") == "old"
     assert [each.name for each in tmp_path.iterdir()] == ["orbit.csv"]
 
 

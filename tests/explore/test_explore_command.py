@@ -85,7 +85,7 @@ def test_an_interrupt_while_a_picture_is_written(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(command, "figure", stopping)
     status = command.run("all", [tmp_path], lambda _words, _part: None, quick=True)
     assert status == INTERRUPTED
-    assert "## fig:cover" in (tmp_path / "comparison.md").read_text()
+    assert "## fig:cover" in (tmp_path / "comparison.md").read_text("utf-8")
     assert {path.name for path in tmp_path.iterdir()} == {"cover.png", "cover.pdf", "comparison.md"}
 
 

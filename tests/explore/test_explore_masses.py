@@ -49,7 +49,7 @@ def test_data_and_picture(name, tmp_path, capsys):
     assert files[0].stat().st_size > 3000
     data = load(files[1])
     assert data["masses"].tolist() == ["1", "9/10"]
-    head, *lines = files[2].read_text().splitlines()
+    head, *lines = files[2].read_text("utf-8").splitlines()
     assert head.endswith("masses = 1 9/10")
     names, *rows = csv.reader(lines)
     assert names[:2] in (["t", "x_1"], ["orbit", "period"], ["x_1", "x_2"])

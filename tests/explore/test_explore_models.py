@@ -47,8 +47,8 @@ def test_an_orbit(capsys, tmp_path):
     assert found["words"].tolist() == ["top", "bottom"]
     assert [found["walls"][k]["place"][0] for k in (0, 1)] == [0.25, -0.25]
     assert np.abs(found["states"][:, 0]).max() == pytest.approx(0.25)
-    assert files[2].read_text().startswith("# model = ")
-    assert files[0].read_text().count("<path") > 10
+    assert files[2].read_text("utf-8").startswith("# model = ")
+    assert files[0].read_text("utf-8").count("<path") > 10
 
 
 @pytest.mark.parametrize(

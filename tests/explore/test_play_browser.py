@@ -140,7 +140,7 @@ def clicked_on_the_portrait(driver, dx, dy):
 
 def proofs_of(process):
     """Return the processes that a server has begun, and that still run."""
-    told = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
+    told = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text("utf-8")
     names = {int(n): Path(f"/proc/{n}/cmdline") for n in told.split()}
     return [n for n, path in names.items() if b"spawn_main" in path.read_bytes()]
 
@@ -325,8 +325,8 @@ def session(address, origin):
 def test_it_listens_to_this_machine_alone(server):
     """On 127.0.0.1, and on no other address."""
     port = urlsplit(server[1]).port
-    rows = [line.split() for line in Path("/proc/net/tcp").read_text().splitlines()[1:]]
+    rows = [line.split() for line in Path("/proc/net/tcp").read_text("utf-8").splitlines()[1:]]
     listening = [row[1] for row in rows if row[3] == "0A" and row[1].endswith(f":{port:04X}")]
     assert listening == [f"0100007F:{port:04X}"]
     six = Path("/proc/net/tcp6")
-    assert not six.exists() or f":{port:04X} 0000" not in six.read_text()
+    assert not six.exists() or f":{port:04X} 0000" not in six.read_text("utf-8")

@@ -19,7 +19,7 @@ WEAK = replace(PAPER, f=Fraction("1/5"))
 
 def test_before_it_doubles():
     """A cycle of 9 T that nearly doubles is not taken for one of 18 T, to which it never comes."""
-    claims = json.loads((ROOT / "certificates/cascade-1.json").read_text())["claims"]
+    claims = json.loads((ROOT / "certificates/cascade-1.json").read_text("utf-8"))["claims"]
     p = replace(PAPER, f=Fraction("0.38599"))
     assert p.f > Fraction(claims["parameters"][1][1])
     found = attractors(p, points=3, transient=3000).found

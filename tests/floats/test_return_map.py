@@ -61,7 +61,7 @@ def test_windows():
 
 def test_the_least_period_counts():
     """On both sides of where period 3 doubles to 6, which the stored cascade proves."""
-    stored = json.loads((ROOT / "certificates/cascade-1.json").read_text())
+    stored = json.loads((ROOT / "certificates/cascade-1.json").read_text("utf-8"))
     doubling = float(stored["claims"]["parameters"][0][0])
     for f, period in (("0.3866", 6), ("0.3874", 6), ("0.38745", 3), ("0.3876", 3)):
         assert (float(f) < doubling) == (period == 6)

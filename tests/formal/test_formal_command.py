@@ -186,7 +186,7 @@ def test_what_was_compiled_of_other_sources_is_compiled_again(home, installed):
     def compiled():
         (home / "told").write_text("")
         with coq.library(lambda *_: None):
-            return (home / "told").read_text().split()
+            return (home / "told").read_text("utf-8").split()
 
     assert compiled() == ["Checked.v", "Statement.v"]
     assert compiled() == []
@@ -217,13 +217,13 @@ def test_ctrl_c_ends_coq_too(installed, home, tmp_path):
     command = [sys.executable, "-c", FORMALLY, str(home.with_name("__init__.py")), ELLIPTIC]
     with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
         deadline = time.monotonic() + 30
-        while not (tmp_path / "pid").exists() or not (tmp_path / "pid").read_text().strip():
+        while not (tmp_path / "pid").exists() or not (tmp_path / "pid").read_text("utf-8").strip():
             assert time.monotonic() < deadline
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
         assert process.wait(30) == 130
         assert process.stderr.read() == "interrupted; nothing half-written\n"
-    pid = int((tmp_path / "pid").read_text())
+    pid = int((tmp_path / "pid").read_text("utf-8"))
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)
 

@@ -56,7 +56,9 @@ def sources():
 def test_no_file_weakens_what_coq_checks():
     """All commands of all files are known, and no word is of those that weaken."""
     assert len(sources()) > 40
-    assert {file.name: found for file in sources() if (found := objections(file.read_text()))} == {}
+    assert {
+        file.name: found for file in sources() if (found := objections(file.read_text("utf-8")))
+    } == {}
 
 
 @pytest.mark.parametrize(
@@ -87,14 +89,14 @@ def test_no_file_weakens_what_coq_checks():
 )
 def test_a_line_that_weakens_is_found(line):
     """At the end of a good file, such a line is an objection."""
-    good = (HOME / "Moser.v").read_text()
+    good = (HOME / "Moser.v").read_text("utf-8")
     assert objections(good) == []
     assert objections(f"{good}\n{line}\n")
 
 
 def test_every_file_is_compiled_with_the_options_of_this_package():
     """One command, in the Makefile, without any option that weakens; no other file has options."""
-    makefile = (HOME / "Makefile").read_text()
+    makefile = (HOME / "Makefile").read_text("utf-8")
     assert f"\nCOQC = {' '.join(coq.COMMAND)} -Q . Cap\n" in makefile
     assert re.findall(r"^\t.*COQC.*$", makefile, re.MULTILINE) == ["\t$(COQC) $<"]
     assert len(re.findall(r"\bcoqc\b", makefile)) == 1

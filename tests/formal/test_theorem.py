@@ -89,7 +89,7 @@ def test_the_theorem_is_stated_in_the_words_of_the_statement_alone(orbit):
 
 def test_the_fields_are_those_of_the_library(orbit):
     """The theorem has the fields that Statement.v declares, and the data the same, in its order."""
-    source = (STORED.parent / "proofs/formal/Statement.v").read_text()
+    source = (STORED.parent / "proofs/formal/Statement.v").read_text("utf-8")
     shared, own = (
         re.findall(
             r"(\w+) :>? \w+",

@@ -141,7 +141,7 @@ def test_cells_agree_if_one_image_lies_in_the_other_box():
 @pytest.fixture(scope="module")
 def claims():
     """The claims of the stored certificate."""
-    return json.loads(STORED.read_text())["claims"]
+    return json.loads(STORED.read_text("utf-8"))["claims"]
 
 
 def cells(claims):

@@ -103,7 +103,7 @@ def test_crossings_are_those_of_the_certificate(saddle):
     """Both proofs find the same orbit: from the certified point one arrives at this one."""
     curves = [saddle.curve(which, Fraction(1, 20), 12) for which in (0, 1)]
     pair = Pair(saddle.osc, PAPER, *curves)
-    claim = json.loads(CERTIFICATE.read_text())["claims"]["points"][0]
+    claim = json.loads(CERTIFICATE.read_text("utf-8"))["claims"]["points"][0]
     met = pair.meeting(MEETING, 7, Fraction(1, 10**9))
     assert met.angle > 20
     state = tuple(interval.ball(Fraction(claim[z][0])) for z in ("x", "v"))

@@ -186,7 +186,9 @@ def test_over_taylor_models():
 @pytest.mark.parametrize("side", [1, -1])
 def test_the_stored_certificates(side):
     """At f = 2/5, both orbits: trace, rotation angle with its sign, and twist."""
-    stored = json.loads((STORED / ("elliptic.json" if side > 0 else "elliptic-2.json")).read_text())
+    stored = json.loads(
+        (STORED / ("elliptic.json" if side > 0 else "elliptic-2.json")).read_text("utf-8")
+    )
     claims = stored["claims"]
     with interval.workprec(BITS):
 
@@ -218,7 +220,7 @@ def test_units_of_the_twist():
     proof = elliptic.prove(Setting(p, Start(cycle.x, cycle.v, cycle.events), 12))
     low, high = map(Fraction, proof(Fraction(1, 2))["claims"]["twist"])
     (one, other) = map(
-        Fraction, json.loads((STORED / "elliptic.json").read_text())["claims"]["twist"]
+        Fraction, json.loads((STORED / "elliptic.json").read_text("utf-8"))["claims"]["twist"]
     )
     unit = omega**3 / F**2
     assert low <= other * unit

@@ -84,7 +84,7 @@ def test_a_billiard_with_four_variables():
 
 def two_masses():
     """Return the system, contacts and guess of the stored certificate of two masses."""
-    data = json.loads(Path("certificates/particles.json").read_text())
+    data = json.loads(Path("certificates/particles.json").read_text("utf-8"))
     words, centre = data["claims"]["itinerary"], data["hints"]["centre"]
     p = replace(PAPER, f=Fraction(data["parameters"]["f"]))
     rows, names = [], {"hit r": "hit r", "hit l": "hit l"}

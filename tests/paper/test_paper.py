@@ -246,12 +246,12 @@ def test_the_command_writes_a_picture_or_a_table(tmp_path, capsys):
     printed = capsys.readouterr().out
     assert "## fig:cover" in printed
     assert "| what | paper | ours | agrees? |" in printed
-    assert picture.read_text().startswith("<?xml")
+    assert picture.read_text("utf-8").startswith("<?xml")
     with table.open(newline="") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
     assert rows[0] == ["what", "paper", "ours", "agrees", "reason"]
     assert len(rows) == 6
-    assert text.read_text().startswith("A number agrees")
+    assert text.read_text("utf-8").startswith("A number agrees")
 
 
 def test_the_data_of_a_picture_can_be_read_again(tmp_path, capsys):
@@ -298,7 +298,7 @@ def test_an_interrupt_keeps_what_is_done(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(command, "figure", stopping)
     assert command.run("all", [tmp_path], lambda _words, _part: None) == command.INTERRUPTED
     assert "interrupted in fig:sali" in capsys.readouterr().err
-    assert "fig:cover" in (tmp_path / "comparison.md").read_text()
+    assert "fig:cover" in (tmp_path / "comparison.md").read_text("utf-8")
     assert not (tmp_path / "sali.png").exists()
 
 

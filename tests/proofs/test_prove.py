@@ -39,7 +39,8 @@ def test_elliptic_proves_writes_and_says_so(capsys, tmp_path):
 
 
 COMMANDS = dict(
-    line.split(maxsplit=1) for line in (ROOT / "certificates/COMMANDS").read_text().splitlines()
+    line.split(maxsplit=1)
+    for line in (ROOT / "certificates/COMMANDS").read_text("utf-8").splitlines()
 )
 # to prove them takes the better part of a minute, or minutes; their provers have tests of their own
 LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persistence"}
@@ -94,11 +95,11 @@ def test_every_stored_certificate_is_reproduced(name, capsys, tmp_path, monkeypa
 
     The checker is not asked about the same bytes again: `.ci/run` verifies all stored certificates.
     """
-    stored = json.loads((ROOT / "certificates" / name).read_text())
+    stored = json.loads((ROOT / "certificates" / name).read_text("utf-8"))
     known = dumps({**stored, "provenance": {}})
     monkeypatch.setattr(theorems, "check", lambda *a: None if a[0] == known.encode() else check(*a))
     assert proving(capsys, *COMMANDS[name].split(), "--out", str(tmp_path / name))[0] == 0
-    new = json.loads((tmp_path / name).read_text())
+    new = json.loads((tmp_path / name).read_text("utf-8"))
     assert dumps({**new, "provenance": {}}) == known
 
 
@@ -131,7 +132,7 @@ def test_two_proofs_give_the_same_bytes(words, tmp_path):
 @pytest.mark.parametrize("path", smallest_first((ROOT / "certificates").glob("*.json")))
 def test_certificates_satisfy_the_schema(path):
     """The JSON Schema describes every stored certificate, and refuses unknown fields and floats."""
-    good = json.loads(path.read_text())
+    good = json.loads(path.read_text("utf-8"))
     schema().validate(good)
     for bad in ({**good, "extra": "1"}, {**good, "digits": 30}, {**good, "claims": {}}):
         assert not schema().is_valid(bad)
@@ -262,7 +263,7 @@ def test_a_file_that_the_checker_rejects_is_not_kept(capsys, tmp_path, spoil):
     """Only a certificate that verifies is left alone as unchanged."""
     path = tmp_path / "c.json"
     proving(capsys, "saddle", "--out", str(path))
-    path.write_text(spoil(path.read_text()))
+    path.write_text(spoil(path.read_text("utf-8")))
     status, out, _ = proving(capsys, "saddle", "--out", str(path))
     assert status == 0
     assert "unchanged" not in out
@@ -278,7 +279,7 @@ def test_other_units(capsys, tmp_path, length, omega):
     path = tmp_path / "one.json"
     words += ["--l", str(-scale), "--r", str(scale), "--out", str(path), "--order", "3"]
     assert proving(capsys, "elliptic", *words)[0] == 0
-    lower, upper = json.loads(path.read_text())["claims"]["twist"]
+    lower, upper = json.loads(path.read_text("utf-8"))["claims"]["twist"]
     unit = scale**2 * w
     assert Fraction(lower) * unit < Fraction("0.113477977036708622736396099064")
     assert Fraction(upper) * unit > Fraction("0.113477977036708622736396099063")

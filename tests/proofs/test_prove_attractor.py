@@ -22,7 +22,7 @@ from cap.release.trap import critical_points, trap
 from cap.release.unimodal import turning
 from cap.sets.interval import Ball
 
-STORED = json.loads((Path(__file__).parents[2] / "certificates/attractor.json").read_text())[
+STORED = json.loads((Path(__file__).parents[2] / "certificates/attractor.json").read_text("utf-8"))[
     "claims"
 ]
 

@@ -20,7 +20,7 @@ from cap.release import doubling
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-CLAIMS = json.loads((Path(__file__).parents[2] / "certificates/cascade-1.json").read_text())[
+CLAIMS = json.loads((Path(__file__).parents[2] / "certificates/cascade-1.json").read_text("utf-8"))[
     "claims"
 ]
 

@@ -13,7 +13,7 @@ from cap.orbits.conserved import why_lost
 from cap.proofs import contact_elliptic
 from cap.system.files import read
 
-ELLIPTIC = json.loads(Path("certificates/elliptic.json").read_text())["claims"]
+ELLIPTIC = json.loads(Path("certificates/elliptic.json").read_text("utf-8"))["claims"]
 
 
 def orbit(file, mode, state, values=(), periods=1):
@@ -98,8 +98,8 @@ def test_the_command(capsys, tmp_path):
     assert main([*words, "--orbit", "4.1011", "-1.5708", "--out", str(tmp_path)]) == 0
     (path,) = tmp_path.iterdir()
     assert path.name.startswith("contact_elliptic-ball-A=2_5-e=1-t=1.5708")
-    kept = json.loads(Path("certificates/contact_elliptic-1.json").read_text())
-    assert json.loads(path.read_text())["claims"] == kept["claims"]
+    kept = json.loads(Path("certificates/contact_elliptic-1.json").read_text("utf-8"))
+    assert json.loads(path.read_text("utf-8"))["claims"] == kept["claims"]
     assert "tau_1 per |z|^2" in capsys.readouterr().out
 
 

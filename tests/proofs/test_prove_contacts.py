@@ -46,7 +46,7 @@ def test_accepted(name):
 
 def test_the_same_bytes_again():
     """The certificate that is kept is proved again, but for its provenance; the schema fits it."""
-    kept = json.loads(Path("tests/certificates/own/contacts.json").read_text())
+    kept = json.loads(Path("tests/certificates/own/contacts.json").read_text("utf-8"))
     new = certificate("spring")
     assert dumps({**new, "provenance": {}}) == dumps({**kept, "provenance": {}})
     schema().validate(kept)
@@ -85,7 +85,7 @@ def test_claims_overlap_those_of_the_stored_certificates(name, stored):
     """Times, and the trace, are those that the theorems of one mass and of two claim."""
     claims = certificate(name)["claims"]
     path = {"elliptic": "elliptic", "two masses": "particles"}[name]
-    known = json.loads(Path(f"certificates/{path}.json").read_text())["claims"]
+    known = json.loads(Path(f"certificates/{path}.json").read_text("utf-8"))["claims"]
     pairs = list(zip(claims["times"], known["hit_times"], strict=True))
     if stored:
         pairs.append((claims["symmetric"][0], known[stored]))

@@ -37,7 +37,7 @@ def test_a_coarse_ring(capsys, tmp_path):
         path = tmp_path / f"{k}.json"
         status, out, err = proving(capsys, "converse", *words, "--digits", "12", "--out", str(path))
         assert status == 0, out + err
-        areas.append(Fraction(json.loads(path.read_text())["claims"]["area"]))
+        areas.append(Fraction(json.loads(path.read_text("utf-8"))["claims"]["area"]))
     assert Fraction(1, 1000) < areas[0] < Fraction(17, 10_000)
     assert areas[1] * 8 / 9 == pytest.approx(float(areas[0]), rel=1e-2)
 

@@ -20,9 +20,9 @@ from cap.release.passage import words
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-CLAIMS = json.loads((Path(__file__).parents[2] / "certificates/entropies-1.json").read_text())[
-    "claims"
-]
+CLAIMS = json.loads(
+    (Path(__file__).parents[2] / "certificates/entropies-1.json").read_text("utf-8")
+)["claims"]
 
 
 def in_the_middle(low, high, near):

@@ -87,7 +87,7 @@ def test_periodic_orbits(capsys, tmp_path, name):
     status, out, err = proving(capsys, "periodic", *words, "--digits", "10", "--out", str(path))
     assert (status, err) == (0, "")
     check(path.read_bytes(), lambda _step: None)
-    certificate = json.loads(path.read_text())
+    certificate = json.loads(path.read_text("utf-8"))
     claims, p = certificate["claims"], parameters(certificate)
     assert claims["type"] == kind
     out = flowing(out)
@@ -161,7 +161,7 @@ def _basin(p, claims, z):
 @pytest.mark.parametrize("name", ["periodic-1", "periodic-4", "periodic-7", "persistence"])
 def test_thirty_digits_of_stored_orbits(name):
     """Their thirtieth digits are those of Newton's method in mpmath."""
-    certificate = json.loads((STORED / f"{name}.json").read_text())
+    certificate = json.loads((STORED / f"{name}.json").read_text("utf-8"))
     claims, p = certificate["claims"], parameters(certificate)
     with workdps(60):
         z, events, J = newton(
@@ -192,7 +192,7 @@ def test_captures(capsys, tmp_path, name):
     status, out, err = proving(capsys, "capture", *CAPTURES[name], "--out", str(path))
     assert (status, err) == (0, "")
     check(path.read_bytes(), lambda _step: None)
-    certificate = json.loads(path.read_text())
+    certificate = json.loads(path.read_text("utf-8"))
     claims, p, random = certificate["claims"], parameters(certificate), seeded(8)
     out = flowing(out)
     assert flowing(told(certificate)) in out
@@ -236,7 +236,7 @@ def test_a_periodic_orbit_with_captures(capsys, tmp_path, digits):
     words = ("--F", "2", "--e", "1/10", "--orbit", "-.2915", "1.4118", "--digits", digits)
     status, _, err = proving(capsys, "periodic", *words, "--out", str(path))
     assert (status, err) == (0, "")
-    claims = json.loads(path.read_text())["claims"]
+    claims = json.loads(path.read_text("utf-8"))["claims"]
     assert claims["type"] == "superstable"
     assert [word for word in claims["itinerary"] if "capture" in word] == ["capture r", "capture l"]
     assert claims["determinant"] == ["0", "0"]
@@ -258,7 +258,7 @@ def test_captures_at_the_times_of_exact_orbits(capsys, tmp_path, words, state):
     path = tmp_path / "c.json"
     words = (*words, "--orbit", *state, "--digits", "10")
     assert proving(capsys, "periodic", *words, "--out", str(path))[0] == 0
-    certificate = json.loads(path.read_text())
+    certificate = json.loads(path.read_text("utf-8"))
     claims, p = certificate["claims"], parameters(certificate)
     with workdps(30):
         x, v = (sum(map(Fraction, claims[key])) / 2 for key in "xv")
@@ -281,7 +281,7 @@ def test_captures_in_other_units(capsys, tmp_path, words, latest):
     """Walls far away for the forcing; a wall that is pressed for a short time only."""
     path = tmp_path / "c.json"
     assert proving(capsys, "capture", *words, "--out", str(path))[0] == 0
-    claims = json.loads(path.read_text())["claims"]
+    claims = json.loads(path.read_text("utf-8"))["claims"]
     assert 0 < Fraction(claims["accumulation_time"][1]) < latest
     assert Fraction(claims["ratio"]) < 1
 
@@ -303,7 +303,7 @@ def test_persistence_at_other_losses(capsys, tmp_path, monkeypatch, epsilon, mu)
     path = tmp_path / "c.json"
     words = ("--epsilon", epsilon, "--mu", mu, "--digits", "10", "--out", str(path))
     assert proving(capsys, "persistence", *words)[0] == 0
-    claims = json.loads(path.read_text())["claims"]
+    claims = json.loads(path.read_text("utf-8"))["claims"]
     assert Fraction(claims["basin"]["contraction"]) < 1
     assert Fraction(claims["range"]["epsilon"][-1]) >= Fraction(epsilon)
     assert Fraction(claims["range"]["mu"][-1]) >= Fraction(mu)
@@ -315,7 +315,7 @@ def test_a_restitution_that_is_a_binary_number(capsys, tmp_path, e):
     path = tmp_path / "c.json"
     words = ("--e", e, "--orbit", "-0.7", "0.6", "--digits", "10", "--out", str(path))
     assert proving(capsys, "periodic", *words)[0] == 0
-    claims = json.loads(path.read_text())["claims"]
+    claims = json.loads(path.read_text("utf-8"))["claims"]
     assert among(claims["determinant"], Fraction(e) ** (2 * len(claims["hit_speeds"])), 0)
 
 
@@ -325,7 +325,7 @@ def test_all_orbits_and_their_files(capsys, tmp_path):
     words = ("periodic", "--F", "3/2", "--all", "--digits", "8", "--out", str(tmp_path))
     status, out, err = proving(capsys, *words)
     assert (status, err) == (0, "")
-    files = [json.loads(path.read_text()) for path in sorted(tmp_path.iterdir())]
+    files = [json.loads(path.read_text("utf-8")) for path in sorted(tmp_path.iterdir())]
     assert len(files) == 7
     assert out.count("Theorem (periodic)") == 7
     kinds = [c["claims"]["type"] for c in files]

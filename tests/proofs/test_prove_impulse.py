@@ -124,7 +124,7 @@ def test_near_the_bound(capsys, tmp_path):
     assert proving(capsys, *words)[0] == 0
     with mpmath.workdps(110):
         margin = mpmath.mpf(f) - 2 / mpmath.pi
-        claims = json.loads(path.read_text())["claims"]
+        claims = json.loads(path.read_text("utf-8"))["claims"]
         assert among(claims["margin"], margin, Fraction(1, 10**70))
         assert among(claims["delay_per_speed"], 1 / margin, Fraction(1, 10**20))
 

@@ -24,7 +24,7 @@ def claims_of(capsys, tmp_path, *words):
     path = tmp_path / "island.json"
     status, out, err = proving(capsys, "island", "--digits", "12", "--out", str(path), *words)
     assert status == 0, out + err
-    return json.loads(path.read_text())["claims"]
+    return json.loads(path.read_text("utf-8"))["claims"]
 
 
 @pytest.mark.slow
@@ -41,7 +41,7 @@ def test_other_units(capsys, tmp_path):
     """The same motions in other units: areas are in units F²/ω³; the stored curve's is known."""
     system = ("--F", "3", "--omega", "2", "--f", "6/5", "--l", "-1/4", "--r", "5/4")
     claims = claims_of(capsys, tmp_path, *system)
-    stored = json.loads(STORED.read_text())["claims"]
+    stored = json.loads(STORED.read_text("utf-8"))["claims"]
     assert claims["rotation_number"] == stored["rotation_number"]
     (a, b), (c, d) = (map(Fraction, each["area"]) for each in (claims, stored))
     assert a <= d * 9 / 8

@@ -27,7 +27,7 @@ def test_a_range(capsys, tmp_path):
         told = ("--out", str(path), "--journal", str(journal))
         status, out, err = proving(capsys, "islands", *words, *told)
         assert status == 0, out + err
-        found = json.loads(path.read_text())
+        found = json.loads(path.read_text("utf-8"))
         claims, unclaimed = found["claims"]["islands"], found["hints"]["open"]
         assert [(each["f"], each["map"]) for each in claims] == [("2/5", "Phi"), ("11/20", "sigma")]
         assert unclaimed == [{"f": "7/10", "reason": "no elliptic orbit"}]

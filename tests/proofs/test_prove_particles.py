@@ -202,5 +202,5 @@ def test_the_negative_case(capsys, tmp_path):
     assert status == 0
     assert "unstable" in out
     (path,) = tmp_path.iterdir()
-    traces = json.loads(path.read_text())["claims"]["reduced_traces"]
+    traces = json.loads(path.read_text("utf-8"))["claims"]["reduced_traces"]
     assert Fraction(traces[1][1]) < -2 < Fraction(traces[0][0]) <= Fraction(traces[0][1]) < 2

@@ -165,7 +165,9 @@ def test_requests_that_make_no_sense(capsys, words, reason):
 
 def test_the_stored_certificate_has_the_same_masses():
     """With thirty digits, inside those of ten."""
-    stored = json.loads((particle_orbits.STORED / "particles_limits.json").read_text())["claims"]
+    stored = json.loads((particle_orbits.STORED / "particles_limits.json").read_text("utf-8"))[
+        "claims"
+    ]
     for name in ("flip", "stop"):
         (a, b), (c, d) = (tuple(map(Fraction, each[name])) for each in (stored, claims()))
         assert c <= a < b <= d

@@ -26,7 +26,7 @@ ROOT = Path(__file__).parents[2] / "certificates"
 @pytest.mark.parametrize("name", ["window-1", "window-2"])
 def test_orbits_in_floats(name):
     """The cycle, its multiplier, and that orbits released nearly anywhere in I come to it."""
-    stored = json.loads((ROOT / f"{name}.json").read_text())
+    stored = json.loads((ROOT / f"{name}.json").read_text("utf-8"))
     p, claims = Parameters(*map(Fraction, stored["parameters"].values())), stored["claims"]
     cycle = [float(Fraction(pair[0])) for pair in claims["cycle"]]
     found = images(p, cycle)

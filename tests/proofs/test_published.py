@@ -58,7 +58,7 @@ def test_a_label_that_is_wrong():
 
 def test_a_number_changed(tmp_path):
     """Newton's iteration goes back to the orbit; the row is seen to differ."""
-    text = (DATA / "a1.8-e0.75-E1.5.csv").read_text().splitlines()[:3]
+    text = (DATA / "a1.8-e0.75-E1.5.csv").read_text("utf-8").splitlines()[:3]
     path = tmp_path / "table.csv"
     path.write_text("\n".join(text).replace("2.699873969", "2.699873869"))
     system = read("examples/billiard.py")
@@ -69,7 +69,7 @@ def test_a_number_changed(tmp_path):
 
 def test_the_command(tmp_path, capsys):
     """It says what became of the rows, goes on from a journal, and its status is that of all."""
-    lines = (DATA / "a2.0-e0.8-E1.0.csv").read_text().splitlines()
+    lines = (DATA / "a2.0-e0.8-E1.0.csv").read_text("utf-8").splitlines()
     path, journal = tmp_path / "table.csv", tmp_path / "journal"
     path.write_text("\n".join([lines[0], *lines[1:3], lines[10]]))
     words = ["periodic", "--model", "examples/billiard.py", "--set", "a=2,e=0.8,E=1", "--table"]
@@ -77,7 +77,7 @@ def test_the_command(tmp_path, capsys):
     first = capsys.readouterr()
     assert "row 1: NOT PROVED.  leg 1: the guard 'table' is negative" in first.err
     assert " of 3 rows proved, and accepted by the independent checker" in first.out
-    kept = journal.read_text().splitlines()
+    kept = journal.read_text("utf-8").splitlines()
     assert len(kept) == 4
     assert main([*words, str(path), "--journal", str(journal)]) == 1
     assert capsys.readouterr() == first
