@@ -174,6 +174,8 @@ def test_claims_on_the_lift_rest_on_the_wave(old, new):
 @pytest.mark.parametrize(
     ("group", "name", "old", "new"),
     [
+        ("wellposed", "velocity-after-a-turn", "- f*s", "+ f*s"),
+        ("wellposed", "velocity-after-a-turn", "v - v.subs(t, tau)", "v - v.subs(t, 0)"),
         ("strobe", "three-types", "- f*s", "+ f*s"),
         ("strobe", "three-types", "A1 = -F", "A1 = F"),
         ("strobe", "forward-invariance", "cos(omega*t)", "cos(omega*t/2)"),
