@@ -35,7 +35,8 @@ from cap.sets import interval
 class Setting:
     """The parameters of a theorem, the guess that it starts from, and how sharp it is to be.
 
-    ``digits`` are claimed, ``guard`` more are computed.  ``progress`` is told, in a few words, how
+    ``digits`` are claimed, ``guard`` more are computed; ``widest``: P* is to be the only one in a
+    box as large as can be found, not just in some.  ``progress`` is told, in a few words, how
     far a long proof is; ``runner`` does what can be done in pieces.  ``options`` are those of the
     theorem that are given, by name.
     """
@@ -44,6 +45,7 @@ class Setting:
     guess: Start | Guess
     digits: int
     guard: int = 15
+    widest: bool = True
     progress: Callable[[str], None] = field(default=lambda _: None, compare=False)
     runner: Runner = field(default_factory=Runner, compare=False)
     options: Mapping[str, Any] = field(default_factory=dict)
@@ -132,9 +134,11 @@ class Located:
 
     @cached_property
     def reach(self) -> Reach:
-        """The half-widths of the largest rectangle found with which Lemma 2 succeeds."""
-        scale = self.setting.scale
-        return fixed_point.largest_neighbourhood(self.osc, self.point, scale).reach
+        """The half-widths of the largest rectangle found with which Lemma 2 succeeds, or of one."""
+        search = fixed_point.some_neighbourhood
+        if self.setting.widest:
+            search = fixed_point.largest_neighbourhood
+        return search(self.osc, self.point, self.setting.scale).reach
 
 
 class Around(NamedTuple):

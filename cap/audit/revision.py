@@ -12,6 +12,7 @@ from cap.audit.manuscript import Manuscript
 from cap.audit.verdict import Outcome, Verdict
 
 _NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
+LEAST = 12  # characters that two pieces have in common
 WRONG = Outcome.CORRECTED, Outcome.REFUTED
 PRINTED = Kind.FORMULA, Kind.NUMBER, Kind.INEQUALITY  # of which each wrong one has a change
 
@@ -52,10 +53,9 @@ def sentence(name: str, manuscript: Manuscript, verdict: Verdict | None) -> Sent
         return Sentence(name, State.STANDS, "" if not any(done) else "corrected elsewhere only")
     if any(done):
         return Sentence(name, State.CHANGED, "corrected in some places, not in all")
-    numbers = _numbers(piece, manuscript)
-    if not numbers and (others := _others(piece, manuscript)):
+    if others := _others(piece, manuscript):
         return Sentence(name, State.CORRECTED, f"the erratum has it, for {', '.join(others)}")
-    if not numbers:
+    if not (numbers := _numbers(piece, manuscript)):
         return Sentence(name, State.GONE, " ".join(piece.split()))
     right = verdict is not None and all(agrees(each, verdict.found) for each in numbers)
     words = f"now {', '.join(numbers)}; found: {verdict.found if verdict else 'nothing'}"
@@ -63,14 +63,24 @@ def sentence(name: str, manuscript: Manuscript, verdict: Verdict | None) -> Sent
 
 
 def _others(piece: str, manuscript: Manuscript) -> list[str]:
-    """Return the claims whose changes have been made in a piece, or around it."""
+    """Return the claims whose changes, as the erratum has them, are why a piece is gone."""
     own = " ".join(piece.split())
     names: dict[str, None] = {}
     for each in errata.changes():
         old = " ".join(each.old.split())
-        if (own in old or old in own) and _made(each, manuscript):
+        if old in own:
+            new = own.replace(old, " ".join(each.new.split()))
+            done = manuscript.count(new) > 0
+        else:
+            done = own in old or _overlap(old, own) or _overlap(own, old)
+        if done and _made(each, manuscript):
             names |= dict.fromkeys(each.claims)
     return list(names)
+
+
+def _overlap(first: str, second: str) -> bool:
+    """Return whether one ends with what the other begins with, more than a word of it."""
+    return any(first.endswith(second[:k]) for k in range(LEAST, min(len(first), len(second))))
 
 
 def _made(change: errata.Change, manuscript: Manuscript) -> bool:

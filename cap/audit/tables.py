@@ -6,10 +6,12 @@ those of the list decides nothing.
 """
 
 import json
+import os
 import re
 import tomllib
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
+from multiprocessing import parent_process
 
 from cap.audit import cache as kept
 from cap.audit import subject
@@ -21,6 +23,7 @@ from cap.files import replacing
 from cap.paper.comparison import PROVED, Comparison
 from cap.paper.comparison import Kind as Compared
 from cap.paper.registry import LABELS, figure, module
+from cap.runner import Runner
 
 LONGEST = 60  # end of an id
 _KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
@@ -135,10 +138,11 @@ def _rows(label: str, fresh: bool) -> tuple[Comparison, ...] | str:
 
 
 def computed(label: str) -> tuple[Comparison, ...]:
-    """Compute a table."""
+    """Compute a table, on all cores unless this is one process of several."""
     from cap.paper.figure import Run  # noqa: PLC0415 (matplotlib, where a table is computed)
 
-    return figure(label).compute(Run()).rows
+    jobs = 1 if parent_process() else os.cpu_count() or 1
+    return figure(label).compute(Run(runner=Runner(jobs=jobs, whole=True), drawn=False)).rows
 
 
 def _known(label: str) -> tuple[Comparison, ...] | None:

@@ -52,7 +52,8 @@ def inventory(  # noqa: PLR0913 (the options of the command)
     if prove or certificates:
         starts = [(systems[own.index(entry.value)], entry, start) for entry, start in orbits]
         paths = [_path(certificates, *task) for task in starts] if certificates else []
-        proved = runner.map(_proved, starts, "proving", processes=True)
+        prover = partial(_proved, widest=bool(certificates))
+        proved = runner.map(prover, starts, "proving", processes=True)
         entries = [entry for entry, _ in proved] + entries[len(proved) :]
         for path, (_, theorem) in zip(paths, proved, strict=False):
             _write(theorem, path)
@@ -113,17 +114,20 @@ def _entry(p: Parameters, value: float, cycle: Cycle) -> Entry:
     )
 
 
-def _proved(task: tuple[Parameters, Entry, Start]) -> tuple[Entry, dict[str, Any] | None]:
+def _proved(
+    task: tuple[Parameters, Entry, Start], *, widest: bool = True
+) -> tuple[Entry, dict[str, Any] | None]:
     """Hand an orbit to the prover: Theorem periodic, which the independent checker accepts.
 
-    Returns the certificate, too, or None.
+    Returns the certificate, too, or None; ``widest``: with the largest box that is found.
     """
     from cap.proofs import theorems  # noqa: PLC0415 (only who proves waits for them)
     from cap.proofs.fixed_point import Setting  # noqa: PLC0415
 
     p, entry, start = task
     try:
-        proved = theorems.accepted(theorems.THEOREMS["periodic"], Setting(p, start, DIGITS))
+        setting = Setting(p, start, DIGITS, widest=widest)
+        proved = theorems.accepted(theorems.THEOREMS["periodic"], setting)
     except NotProved as failure:
         return replace(entry, verdict=FAILED, reason=str(failure)), None
     return replace(entry, verdict=PROVED), proved

@@ -4,7 +4,7 @@ The functions here choose boxes, windows and preconditioners; all that they choo
 `cap.flow.strobe` and `cap.maps.krawczyk`, so no choice needs trust.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isfinite
@@ -209,26 +209,19 @@ def neighbourhood(osc: Oscillator[Any], point: FixedPoint, reach: Reach) -> Neig
     return Neighbourhood(reach, expected)
 
 
+def some_neighbourhood(osc: Oscillator[Any], point: FixedPoint, scale: Reach) -> Neighbourhood:
+    """Return a rectangle of half-widths a multiple of ``scale``: 2^-30 or less."""
+    return _first(_attempts(osc, point, scale), Fraction(1, 2**30))[0]
+
+
 def largest_neighbourhood(osc: Oscillator[Any], point: FixedPoint, scale: Reach) -> Neighbourhood:
     """Return the largest rectangle found, of half-widths a multiple of ``scale``.
 
     From 2^-7 (halved first until it succeeds) the multiple is doubled until it fails or exceeds
     one, and then bisected four times.
     """
-
-    def attempt(factor: Fraction) -> Neighbourhood | None:
-        try:
-            return neighbourhood(osc, point, (factor * scale[0], factor * scale[1]))
-        except NotProved:
-            return None
-
-    factor = Fraction(1, 2**7)
-    best = attempt(factor)
-    while best is None:
-        factor /= 2
-        if factor < Fraction(1, 2**60):
-            raise NotProved("neighbourhood", "no rectangle around the fixed point succeeded", {})
-        best = attempt(factor)
+    attempt = _attempts(osc, point, scale)
+    best, factor = _first(attempt, Fraction(1, 2**7))
     upper = 2 * factor
     while factor < 1 and (larger := attempt(upper)):
         best, factor, upper = larger, upper, 2 * upper
@@ -239,3 +232,24 @@ def largest_neighbourhood(osc: Oscillator[Any], point: FixedPoint, scale: Reach)
         else:
             upper = middle
     return best
+
+
+Attempt = Callable[[Fraction], Neighbourhood | None]
+
+
+def _attempts(osc: Oscillator[Any], point: FixedPoint, scale: Reach) -> Attempt:
+    def attempt(factor: Fraction) -> Neighbourhood | None:
+        try:
+            return neighbourhood(osc, point, (factor * scale[0], factor * scale[1]))
+        except NotProved:
+            return None
+
+    return attempt
+
+
+def _first(attempt: Attempt, factor: Fraction) -> tuple[Neighbourhood, Fraction]:
+    while not (found := attempt(factor)):
+        factor /= 2
+        if factor < Fraction(1, 2**60):
+            raise NotProved("neighbourhood", "no rectangle around the fixed point succeeded", {})
+    return found, factor

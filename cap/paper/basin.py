@@ -12,7 +12,7 @@ from cap.floats.diagnostics import entropy
 from cap.floats.diagnostics.entropy import Entropy
 from cap.floats.diagnostics.fate import Fate, fate
 from cap.floats.diagnostics.grid import Box, around, grid
-from cap.floats.engine import swarm
+from cap.floats.diagnostics.stops import stops
 from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.comparison import (
     Comparison,
@@ -58,8 +58,7 @@ def spread(box: Box, runs: int) -> Spread:
     found = []
     for seed in range(runs):
         moved = states + NOISE * np.random.default_rng(seed).standard_normal(states.shape)
-        seen = swarm.follow(PAPER, moved, PERIODS)
-        lost = (seen.turned | seen.stuck | seen.captured).reshape(cells.shape)
+        lost = ~stops(PAPER, moved, PERIODS).never.reshape(cells.shape)
         own = entropy.entropy(lost, BOX)
         found.append((float((~lost).sum()), own.mean, own.boundary))
     return Spread(*np.array(found).T)
@@ -73,17 +72,26 @@ def compute(run: Run) -> Result:
     box = around(PAPER, centre, REACH)
     paper = fate(PAPER, orbit=centre, box=box, points=SIDE, periods=PERIODS)
     side, periods = run.size(360, 120), run.size(200, 50)
-    better = fate(PAPER, orbit=centre, box=box, points=side, periods=periods, runner=run.runner)
-    fine = fate(PAPER, box=box, points=side, periods=PERIODS, runner=run.runner)
+    briefly = not run.drawn
+    better = fate(
+        PAPER,
+        orbit=centre,
+        box=box,
+        points=side,
+        periods=periods,
+        runner=run.runner,
+        briefly=briefly,
+    )
+    early = better.first <= PERIODS * 2 * math.pi / float(PAPER.omega)  # never: nan, not early
     own = entropy.entropy(paper.dissipates, BOX)
     moved = spread(box, run.size(RUNS, 4))
     rows = [
         *_counted(paper, own, moved),
-        *_finer(fine, better),
+        *_finer(early, better),
         claim("S_b and S_bb against log 2", "both below", f"{own.mean:.3f}, {own.boundary:.3f} < "
               f"{math.log(2):.3f}", own.boundary < math.log(2)),
         number("log 2", "0.693", math.log(2)),
-        _exponent(fine),
+        _exponent(early),
         _isolated(paper, run),
     ]  # fmt: skip
     return Result(tuple(rows), Basins(paper, better))
@@ -121,18 +129,19 @@ def _holds(values: NDArray[np.float64], printed: float) -> bool:
     return bool(values.min() - 0.001 <= printed <= values.max() + 0.001)
 
 
-def _finer(fine: Fate, better: Fate) -> list[Comparison]:
+def _finer(early: NDArray[np.bool_], better: Fate) -> list[Comparison]:
     """Compare the share and the entropies with more states, and with more periods."""
-    side = len(fine.x)
+    side = len(early)
     boxes = BOX * side // SIDE
-    own, late = (entropy.entropy(each.dissipates, boxes) for each in (fine, better))
+    lost = early, better.dissipates
+    own, late = (entropy.entropy(each, boxes) for each in lost)
     why = "60 x 60 states sample the border roughly"
     longer = (
         f"{PERIODS} periods are too few: many orbits outside the island turn later; the entropies "
         "fall with them"
     )
     states, periods = f"{side} x {side} states", f"{better.periods} periods"
-    shares = [100 * each.counts["never turns"] / each.fate.size for each in (fine, better)]
+    shares = [100 * float((~each).mean()) for each in lost]
     rows = [
         number(f"share of Omega_NS [%], {states}", "22.6", shares[0], why),
         number(f"S_b, {states}, boxes of the same size", "0.189", own.mean, why),
@@ -146,16 +155,16 @@ def _finer(fine: Fate, better: Fate) -> list[Comparison]:
     return [roughly(row) for row in rows]
 
 
-def _exponent(fine: Fate) -> Comparison:
+def _exponent(early: NDArray[np.bool_]) -> Comparison:
     """Fit the uncertainty exponent."""
-    sizes = [size for size in (2, 3, 4, 5, 6, 8, 10, 12, 15, 20) if size <= len(fine.x) // 6]
-    means = [entropy.entropy(fine.dissipates, size).mean for size in sizes]
+    sizes = [size for size in (2, 3, 4, 5, 6, 8, 10, 12, 15, 20) if size <= len(early) // 6]
+    means = [entropy.entropy(early, size).mean for size in sizes]
     slope = float(np.polyfit(np.log(sizes), np.log(means), 1)[0])
     return claim(
         "border of Omega_NS", "fractal structure is expected at finer grids",
         f"S_b ~ size^{slope:.2f}, where a smooth border has 1", slope < 0.9,
         "S_b falls as for a smooth border",
-        note=f"after {PERIODS} periods, boxes of {sizes[0]} to {sizes[-1]} cells of {len(fine.x)}",
+        note=f"after {PERIODS} periods, boxes of {sizes[0]} to {sizes[-1]} cells of {len(early)}",
     )  # fmt: skip
 
 
@@ -164,8 +173,7 @@ def _isolated(paper: Fate, run: Run) -> Comparison:
     periods = run.size(5000, 500)
     rows, columns = np.nonzero(paper.fate == 0)
     states = np.stack([paper.x[columns], paper.v[rows]], axis=-1)
-    seen = swarm.follow(PAPER, states, periods)
-    lost = int((seen.turned | seen.stuck | seen.captured).sum())
+    lost = int((~stops(PAPER, states, periods).never).sum())
     return claim(
         "blue cells", "in Omega_NS; outside the island: on stable manifolds of saddles",
         f"{lost} of {len(states)} turn or stick within {periods} periods", lost == 0,

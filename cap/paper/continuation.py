@@ -7,6 +7,7 @@ At F = ω = 1: α = f, ρ = R.  Every one of them is ``plus``, ``minus`` or one 
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -68,22 +69,27 @@ class Sampled:
 
 
 def mapped(side: int, run: Run) -> Map:
-    """Compute the map on side x side points of the paper's box."""
+    """Compute the map on side x side points of the paper's box.
+
+    On processes: the precision of balls is that of all threads of one.
+    """
     f, R = np.linspace(*BOX[:2], side), np.linspace(*BOX[2:], side)
-    least, trace = np.full((2, 3, side, side), np.nan)
-
-    def row(i: int) -> None:
-        rho = float(R[i])
-        for k, sign in enumerate((1, -1)):
-            found = np.array([symmetric_member(alpha, rho, sign) for alpha in f.tolist()])
-            trace[k, i], least[k, i] = found[:, 1], found[:, 2]
-        curve = pair_curve(rho, 2 * side)
-        if len(curve.alpha):
-            for values, to in ((curve.trace, trace), (curve.least_speed, least)):
-                to[2, i] = np.interp(f, curve.alpha[::-1], values[::-1], np.nan, np.nan)
-
-    run.runner.map(row, range(side), "map")
+    rows = run.runner.map(partial(_row, f), R.tolist(), "map", processes=not run.quick)
+    least, trace = np.array(rows).transpose(1, 2, 0, 3)
     return Map(f, R, least, trace)
+
+
+def _row(f: Floats, rho: float) -> Floats:
+    """Return least speeds and traces (2, 3, N) of the symmetric orbits and the pair at one gap."""
+    least, trace = np.full((2, 3, len(f)), np.nan)
+    for k, sign in enumerate((1, -1)):
+        found = np.array([symmetric_member(alpha, rho, sign) for alpha in f.tolist()])
+        trace[k], least[k] = found[:, 1], found[:, 2]
+    curve = pair_curve(rho, 2 * len(f))
+    if len(curve.alpha):
+        for values, to in ((curve.trace, trace), (curve.least_speed, least)):
+            to[2] = np.interp(f, curve.alpha[::-1], values[::-1], np.nan, np.nan)
+    return np.stack([least, trace])
 
 
 def compute(run: Run) -> Result:
@@ -93,7 +99,7 @@ def compute(run: Run) -> Result:
         for f in FORCES
         for R in GAPS
     }
-    found = mapped(run.size(SIDE, 24), run)
+    found = mapped(run.size(SIDE if run.drawn else SIDE // 2, 24), run)
     rows = [*nine(points), *others(), *_formulas(points), *_shading(found), *_limits()]
     return Result(tuple(rows), Sampled(found, points))
 

@@ -21,11 +21,13 @@ from cap.runner import Runner
 class Run:
     """How a figure is computed, whole or not at all.
 
-    ``quick``: in the smallest size that makes sense, for tests.
+    ``quick``: in the smallest size that makes sense, for tests; ``drawn``: with all that its
+    picture shows.
     """
 
     runner: Runner = field(default_factory=partial(Runner, whole=True))
     quick: bool = False
+    drawn: bool = True
 
     def size(self, full: int, quick: int) -> int:
         """Return how many of something there are to be."""

@@ -182,17 +182,17 @@ class Decomposition:
 def decomposition(run: Run) -> Result:
     """Compute what the sketch shows."""
     box = -1.0, 1.0, -1.6, 1.6
-    basin = fate(
-        PAPER, box=box, points=run.size(400, 60), periods=run.size(100, 30), runner=run.runner
-    )
+    points, periods = run.size(400, 60), run.size(100, 30)
+    briefly = not run.drawn
+    basin = fate(PAPER, box=box, points=points, periods=periods, runner=run.runner, briefly=briefly)
     found = periodic.orbits(PAPER, 2)
-    points = {
+    orbits = {
         kind: [(each.x, each.v) for each in found if each.kind == kind]
         for kind in ("elliptic", "saddle")
     }
     islands = [
         portrait(PAPER, orbit=state, radius=0.022, orbits=run.size(60, 10), periods=200)
-        for state in points["elliptic"]
+        for state in orbits["elliptic"]
     ]
     ends = attractors(PAPER, points=run.size(24, 6), transient=run.size(1000, 100), periods=130)
     never = basin.counts["never turns"]
@@ -201,11 +201,11 @@ def decomposition(run: Run) -> Result:
     kinds = [f"{each.kind} ({each.share:.1%} of the seeds)" for each in ends.found]
     rows = (
         roughly(claim(
-            "elliptic points in Omega_NS", "one, P_*", f"{len(points['elliptic'])}",
-            len(points["elliptic"]) == 1, "P_* and its mirror image (both proved)")),
+            "elliptic points in Omega_NS", "one, P_*", f"{len(orbits['elliptic'])}",
+            len(orbits["elliptic"]) == 1, "P_* and its mirror image (both proved)")),
         roughly(claim(
-            "saddles beside the island", "one, S_*", f"{len(points['saddle'])}",
-            len(points["saddle"]) == 1, "two that hit each wall once (proved); perhaps more")),
+            "saddles beside the island", "one, S_*", f"{len(orbits['saddle'])}",
+            len(orbits["saddle"]) == 1, "two that hit each wall once (proved); perhaps more")),
         claim("Omega_dissip", "at least one zero of the velocity per period",
               f"of the states that turn, {percent(late, turned)} do so only after the first period",
               late == 0,
@@ -217,7 +217,7 @@ def decomposition(run: Run) -> Result:
               f"{basin.periods} periods", never > 0, "no state was found that never turns"),
     )  # fmt: skip
     turning = tuple(each for each in ends.found if each.kind != "never turns")
-    return Result(rows, Decomposition(basin, (islands[0], islands[-1]), points, turning))
+    return Result(rows, Decomposition(basin, (islands[0], islands[-1]), orbits, turning))
 
 
 def draw_decomposition(data: Decomposition, figure: FigureBase) -> None:

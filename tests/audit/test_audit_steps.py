@@ -11,7 +11,7 @@ from cap.audit import given, steps
 from cap.audit.decide import decided
 from cap.audit.filled import filled
 from cap.audit.means import stored
-from cap.audit.papers.mixed_dynamics.claims import persistence
+from cap.audit.papers.mixed_dynamics.claims import gallery, persistence
 from cap.audit.verdict import Outcome, Strength
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
@@ -174,6 +174,8 @@ def test_claims_on_the_lift_rest_on_the_wave(old, new):
 @pytest.mark.parametrize(
     ("group", "name", "old", "new"),
     [
+        ("wellposed", "velocity-after-a-turn", "- f*s", "+ f*s"),
+        ("wellposed", "velocity-after-a-turn", "v - v.subs(t, tau)", "v - v.subs(t, 0)"),
         ("strobe", "three-types", "- f*s", "+ f*s"),
         ("strobe", "three-types", "A1 = -F", "A1 = F"),
         ("strobe", "forward-invariance", "cos(omega*t)", "cos(omega*t/2)"),
@@ -206,3 +208,21 @@ def test_another_orbit_does_not_persist(monkeypatch):
         )
         with pytest.raises(NotProved):
             persistence.persistence_of_the_orbit()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["turn right", "turn left", "hit r", "hit l", "hit r"],
+        ["turn right", "hit r", "hit l"],
+        ["hit l", "turn left", "hit l", "hit r"],
+    ],
+)
+def test_turns_of_the_gallery(monkeypatch, words):
+    """Two turns that follow each other, one between both walls, one at l: not what is found."""
+    assert gallery.turns_of_the_gallery()["turns"] == "1, 2 and 3"
+    true = stored.stored("periodic-4.json")
+    wrong = true._replace(claims={**true.claims, "itinerary": words})
+    monkeypatch.setattr(gallery, "stored", lambda _name: wrong)
+    with pytest.raises(NotProved):
+        gallery.turns_of_the_gallery()

@@ -91,8 +91,16 @@ def test_the_erratum_is_recognised():
     assert state(name, " ".join(news)) is State.CORRECTED
     assert state(name, " ".join([news[0], *olds[1:]])) is State.CHANGED
     around = "fig-hist-cont.f-imp-pi-f-2"
-    assert state(around, news[-1]) is State.CORRECTED
-    assert state(around, "") is State.GONE
+    assert state(around, quotes.quote(around).replace(olds[-1], news[-1])) is State.CORRECTED
+    assert state(around, news[-1]) is State.GONE
+    beside = "linearization.value-of-the-bound"  # its quotation begins inside of a change
+    assert state(beside, news[-1]) is State.CORRECTED
+    assert state(beside, f"{news[-1]} {olds[-1]}") is State.GONE
+    inside = "fig-hist-cont.orbits-at-each-f-but-2"  # and here a change is a part of it
+    (change,) = errata.of("gallery.range-of-the-counts")
+    corrected = quotes.quote(inside).replace(change.old, change.new)
+    assert state(inside, corrected) is State.CORRECTED
+    assert state(inside, corrected.replace("$3$", "$4$")) is State.CHANGED
 
 
 def test_what_is_told_of_a_version():

@@ -31,6 +31,7 @@ def test_from_parameters_to_a_certificate(tmp_path, capsys):
     assert "there is another file" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_beyond_the_last_curve(capsys, tmp_path):
     """Not proved."""
     assert prove("--ball", "A=9/10", "--turns", "1", "--out", tmp_path) == 1

@@ -30,6 +30,7 @@ def test_from_a_file_to_a_certificate(tmp_path, capsys):
     assert "there is another file" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_beyond_the_last_curve(capsys, tmp_path):
     """Not proved."""
     assert prove("--set", "K=6/5", "--out", tmp_path) == 1

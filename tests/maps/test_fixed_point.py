@@ -172,6 +172,15 @@ def test_the_largest_neighbourhood_is_large(paper):
         assert smaller.reach == (around.reach[0] / 2, around.reach[1] / 3)
 
 
+def test_some_neighbourhood(paper):
+    """A tiny one: P* is the only fixed point in it, by the same lemma."""
+    for name in ("elliptic", "saddle"):
+        point = prove(paper, STARTS[name], 30)
+        around = fixed_point.some_neighbourhood(paper, point, (Fraction(2), Fraction(2)))
+        assert 0 < around.reach[0] <= Fraction(2, 2**30)
+        assert neighbourhood(paper, point, around.reach).reach == around.reach
+
+
 def test_too_large_neighbourhoods_are_refused(paper):
     """A rectangle with two fixed points, one across a wall, one with v = 0."""
     point = prove(paper, STARTS["elliptic"], 30)

@@ -46,8 +46,10 @@ COMMANDS = dict(
 LONG = {"conservative", "mixed", "cascade-1", "entropies-1", "window-2", "persistence"}
 LONG |= {
     "ball_curve",
+    "ball_curve-2",
     "horseshoe-1",
     "converse",
+    "converse-2",
     "island",
     "island-2",
     "islands",

@@ -78,7 +78,9 @@ def test_resonances_by_secants_in_floats():
 RHOS = {"3/4": True, "2": True, "5/2": False}  # whether there is an end
 
 
-@pytest.mark.parametrize("rho", ["3/4", "2", pytest.param("5/2", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "rho", ["3/4", *(pytest.param(q, marks=pytest.mark.slow) for q in ("2", "5/2"))]
+)
 def test_branches(monkeypatch, rho):
     """All claims on cells at random points; with an end and without."""
     if rho != "2":

@@ -269,6 +269,7 @@ def test_few_digits(monkeypatch, F):
     check_cells(branch.prove(replace(ask, options=over(low)))(Fraction(1)))
 
 
+@pytest.mark.slow
 def test_a_range_in_large_units():
     """F = 10^20 and --from: fewer decimal places than none."""
     p = Parameters(Fraction(10**20), Fraction(10**10), Fraction(1), Fraction(0), Fraction(2))
@@ -285,6 +286,7 @@ def test_a_range_that_needs_more_digits():
         branch.prove(setting("0.7040606066"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("rho", "low"),
     [("2.93", "1/1000"), pytest.param("2.9348", "1/10000", marks=pytest.mark.slow)],

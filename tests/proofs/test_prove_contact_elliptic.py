@@ -56,6 +56,7 @@ def test_the_phase_does_not_matter(monkeypatch):
         contact_elliptic.prove(found.itinerary, found.guess)
 
 
+@pytest.mark.slow
 def test_a_resonance_is_refused():
     """At A = 1/2 the multipliers are ±i."""
     found = orbit("ball", "fly", [4.2011, -1.5708], {"A": "1/2", "e": "1"})
@@ -70,6 +71,7 @@ def test_a_saddle_is_refused():
         contact_elliptic.prove(found.itinerary, found.guess)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("file", "mode", "state", "values", "why"),
     [

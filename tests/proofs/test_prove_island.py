@@ -4,13 +4,14 @@ import json
 from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 from support import proving
 
 from cap.errors import BadInput
 from cap.floats.candidates import tori
 from cap.flow.itinerary import itinerary
-from cap.parameters import Parameters
+from cap.parameters import PAPER, Parameters
 from cap.proofs.rotation_choice import noble, rotation
 from cap.sets import interval
 from cap.tori.rotation import Quadratic
@@ -111,3 +112,33 @@ def test_the_float_map():
     at = tori.centre(2, tori.HalfPeriod(0.4, 1.0), (0.1, 0.54))
     assert abs(at.point[0] - 0.10027988984) < 1e-10
     assert abs(at.turns(0.03) - 0.282466) < 1e-5
+
+
+def test_hits_in_floats():
+    """The hit is the first time at the wall, also where the speed at it is small; or there is none.
+
+    From (-0.0355, 0.446) Newton's method, begun with the time without forces, came to a later root.
+    """
+    sigma, rng = tori.HalfPeriod(0.4, 1.0), np.random.default_rng(4)
+    t = np.linspace(0, np.pi, 4000)
+    states = [(-0.03550552130434667, 0.44598521869259466)]
+    states += rng.uniform((-1, 0.05), (1, 3), (300, 2)).tolist()
+    for x, v in states:
+        along = x + v * t + 1 - np.cos(t) - 0.2 * t**2
+        speed = v + np.sin(t) - 0.4 * t
+        beyond = np.flatnonzero((along >= 1) & (speed > 1e-2))
+        hit = sigma.hit(x, v)
+        if beyond.size:
+            assert abs(hit - t[beyond[0]]) < 0.02
+            assert v + np.sin(hit) - 0.4 * hit > 0
+        elif along.max() < 1 - 1e-3:
+            assert np.isnan(hit)
+
+
+@pytest.mark.slow
+def test_where_the_outermost_curve_is_looked_for():
+    """Floats refuse no reach with which the stored curve is proved."""
+    stored = json.loads(STORED.with_name("island-2.json").read_text())
+    at = tori.of_orbit(PAPER, 0.1003, 0.5419)
+    rows = tori.coefficients(at, (5 - 5**0.5) / 10, (0.0, tori.last_radius(at)))
+    assert tori.never_stops(at, rows, float(Fraction(stored["hints"]["reach"])))

@@ -13,6 +13,7 @@ from cap.files import replacing
 
 STORED = Path(__file__).with_name("accepted.json")
 LONG = (
+    "branch.json",
     "conservative.json",
     "converse.json",
     "horseshoe-1.json",

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats.diagnostics.grid import Box, grid, require_followed
+from cap.floats.diagnostics.stops import stops
 from cap.floats.engine import swarm
 from cap.floats.engine.pieces import in_pieces
 from cap.floats.findings import Findings, Floats, State
@@ -159,16 +160,20 @@ def _indices(
 ) -> tuple[Floats, NDArray[np.bool_]]:
     """Return the index (N, K) after each period, and which orbits (N,) were lost.
 
-    nan if the orbit turns, or is lost, within all of them.
+    nan if the orbit turns, or is lost, within all of them; one that turns soon is not followed on.
     """
-    found = swarm.follow(p, states, periods, every=True, derivative=True)
+    early = stops(p, states, periods // 4)  # most of those that stop do so soon
+    found = swarm.follow(p, states[early.never], periods, every=True, derivative=True)
     cos, sin = math.cos(angle), math.sin(angle)
     if found.monodromy is None:  # it was asked for
         raise TypeError
     units, _ = swarm.stretch(found.monodromy, [[cos, sin], [-sin, cos]])
-    index = (smaller if name == "sali" else area)(units[:, :, 0], units[:, :, 1])
-    index[found.turned | found.stuck | found.captured | found.lost] = np.nan
-    return index, found.lost
+    measure = smaller if name == "sali" else area
+    own = measure(units[:, :, 0], units[:, :, 1])
+    own[found.turned | found.stuck | found.captured | found.lost] = np.nan
+    index, lost = np.full((len(states), periods), np.nan), early.lost.copy()
+    index[early.never], lost[early.never] = own, found.lost
+    return index, lost
 
 
 def smaller(first: Floats, second: Floats) -> Floats:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.floats.diagnostics.grid import Box, grid, require_followed
+from cap.floats.diagnostics.stops import KINDS, stops
 from cap.floats.engine import swarm
 from cap.floats.engine.pieces import in_pieces
 from cap.floats.findings import Findings, Floats, State
@@ -71,7 +72,7 @@ class Fate(Findings):
         return [head, *rows, *([f"  lost or not done {lost}"] if lost else [])]
 
 
-def fate(
+def fate(  # noqa: PLR0913 (the options of the command, and one more)
     p: Parameters,
     *,
     orbit: State | None = None,
@@ -79,8 +80,12 @@ def fate(
     points: int = 300,
     periods: int = 25,
     runner: Runner | None = None,
+    briefly: bool = False,
 ) -> Fate:
-    """Follow the states of a box, or around the fixed point near ``orbit``, or of all the plane."""
+    """Follow the states of a box, or around the fixed point near ``orbit``, or of all the plane.
+
+    ``briefly``: each until it first stops; the kind of that is then its fate.
+    """
     runner = runner or Runner()
     box, centre = region(p, orbit, box, REACH)
     cells = grid(p, box, points)
@@ -88,15 +93,21 @@ def fate(
     fates = np.full(cells.count, LOST, dtype=np.int8)
     times = np.full((3, cells.count), np.nan)
 
+    def first_stop(part: slice) -> None:
+        found = stops(p, cells.states(part), periods)
+        kinds = np.nan_to_num(found.first, nan=np.inf).argmin(axis=0) + 1
+        fates[part] = np.where(found.lost, LOST, np.where(found.never, 0, kinds))
+        times[:, part] = found.first
+
     def follow(part: slice) -> None:
         found = swarm.follow(p, cells.states(part), periods)
         happened = found.turned, found.stuck, found.captured
         fates[part] = np.max([k * each for k, each in enumerate(happened, 1)], axis=0)
         fates[part][found.lost] = LOST
-        for k, kind in enumerate(("turn", "stick", "capture")):
+        for k, kind in enumerate(KINDS):
             times[k, part] = found.first_time(kind)
 
-    in_pieces(runner, cells.count, follow, "basin", periods)
+    in_pieces(runner, cells.count, first_stop if briefly else follow, "basin", periods)
     turn, stick, capture = times.reshape(3, *cells.shape)
     return Fate(
         parameters=p,

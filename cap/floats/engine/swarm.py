@@ -155,7 +155,8 @@ def stretch(monodromy: Floats, vectors: ArrayLike) -> tuple[Floats, Floats]:
     w = np.broadcast_to(w, (n, *w.shape[-2:]))
     units, growth = np.empty((n, periods, *w.shape[1:])), np.empty((n, periods, w.shape[1]))
     for k in range(periods):
-        w = np.einsum("nij,nmj->nmi", monodromy[:, k], w)
+        M = monodromy[:, k, None]
+        w = M[..., 0] * w[..., :1] + M[..., 1] * w[..., 1:]
         length = np.hypot(w[..., 0], w[..., 1])
         with np.errstate(divide="ignore"):
             growth[:, k] = np.log(length)

@@ -36,17 +36,19 @@ class HalfPeriod(NamedTuple):
     a: float
 
     def hit(self, x: float, v: float) -> float:
-        """Return the time of the hit, or NaN."""
-        t = (self.a - x) / max(v, 0.3)
+        """Return the time of the hit, or NaN.
+
+        Newton's method from the time of the greatest speed, where x(t) turns from convex to
+        concave: so it comes to the hit from one side, and to no other root.
+        """
+        t = math.acos(self.alpha)
         for _ in range(60):
             sin, cos = math.sin(t), math.cos(t)
             step = (x + v * t + 1 - cos - self.alpha * t * t / 2 - self.a) / (
                 v + sin - self.alpha * t
             )
             t -= step
-            if abs(step) < 1e-15 * (1 + abs(t)):
-                return t
-            if not abs(t) < 10:
+            if abs(step) < 1e-15 * (1 + abs(t)) or not abs(t) < 10:
                 break
         return t if 0 < t < math.pi and abs(step) < 1e-12 else math.nan
 

@@ -58,6 +58,20 @@ def gallery_is_dissipative() -> None:
         need(claims["determinant"].upper < 1 and claims["type"] == "sink focus", f"F = {F}")
 
 
+def turns_of_the_gallery() -> Words:
+    counts = []
+    for F in ("1.5", "3", "4.5"):
+        words = _orbit(F).claims["itinerary"]
+        after = [*words[1:], words[0]]
+        turns = [k for k, word in enumerate(words) if word.startswith("turn")]
+        need(all(words[k - 1] == after[k] for k in turns), f"F = {F}: before a turn is another hit")
+        need(all(after[k].startswith("hit") for k in turns), f"F = {F}: turns follow each other")
+        if F == "1.5":
+            need(all(after[k] != "hit l" for k in turns), "at l there is a turn")
+        counts.append(len(turns))
+    return {"turns": f"{counts[0]}, {counts[1]} and {counts[2]}"}
+
+
 def growth_of_the_hits() -> Words:
     hits = {F: Fraction(stated(f"wall hits in 4 T at F = {F}", "fig:hist-gallery-low"))
             for F in ("1.5", "3", "4.5")}  # fmt: skip
