@@ -250,7 +250,7 @@ for k, (x, v) in enumerate(states):
 import json
 from pathlib import Path
 
-text = Path("elliptic.json").read_text("utf-8")
+text = Path("elliptic.json").read_text()
 low, high = json.loads(text)["claims"]["v"]
 print(f"v lies in [{low}, {high}]; now the first end becomes {high}")
 Path("wrong-v.json").write_text(text.replace(f'"{low}"', f'"{high}"'))
