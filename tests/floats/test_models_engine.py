@@ -151,6 +151,17 @@ def test_it_may_be_asked_again():
 
 
 @pytest.mark.slow
+def test_many_orbits_are_followed_in_parts(monkeypatch):
+    """Between two parts a signal is noticed; what is found is the same."""
+    states = np.random.default_rng(3).normal((3, 0), size=(23, 2))
+    whole = engine("ball").follow(states, periods=40, every=True)
+    monkeypatch.setattr("cap.floats.models.engine.AT_ONCE", 200)
+    parts = engine("ball").follow(states, periods=40, every=True)
+    for name in ("states", "modes", "counts", "flags", "log", "path"):
+        assert np.array_equal(getattr(whole, name), getattr(parts, name))
+    assert whole.counts.sum() > 100
+
+
 def test_what_is_outside_is_flagged():
     """A start at which a guard of its mode is negative."""
     assert engine(PAPER).follow([[0.0, 0.5]], ["left"]).flags[0] & OUTSIDE
