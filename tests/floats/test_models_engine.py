@@ -1,6 +1,7 @@
 """The float engine made from a model: against the hand-written ones, and against dense sampling."""
 
 import os
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -148,6 +149,13 @@ def test_it_may_be_asked_again():
     one, other = engine(LOSSY), Engine(oscillator(near))
     assert one._follow is other._follow
     assert (one.follow([[0.2, 0.5]]).states != other.follow([[0.2, 0.5]]).states).any()
+
+
+@pytest.mark.parametrize("system", [ball(), spring(), oscillator(LOSSY)])
+def test_a_least_number_is_one_of_several(system):
+    """No numba before 0.61 takes min(a)."""
+    alone = re.compile(r"\b(?:min|max)\([^,()]*\)")
+    assert not alone.findall(source.Source(system).text)
 
 
 @pytest.mark.slow
