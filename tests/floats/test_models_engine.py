@@ -127,8 +127,8 @@ def test_exponential(p):
             R = [complex(mpmath.exp(z) - 1 - z - z * z / 2) for z in map(mpmath.mpc, x)]
             exact = mpmath.expm(matrix(system, "left") * d) - mpmath.eye(5)
         total = E.first * d + E.second * d**2 / 2
-        for r, re, im in zip(R, E.real, E.imaginary, strict=True):
-            total = total + re * r.real + im * r.imag
+        for r, real, im in zip(R, E.real, E.imaginary, strict=True):
+            total = total + real * r.real + im * r.imag
         error = np.abs(total - np.array(exact.tolist(), dtype=float))
         assert error.max() < 4e-15 * d * np.exp(d)
 
