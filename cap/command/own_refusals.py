@@ -5,14 +5,17 @@ from collections.abc import Mapping
 from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
-PROVED = "of a system of one's own `periodic`, `elliptic`, `branch` and `horseshoe` are proved"
+PROVED = (
+    "of a system of one's own `periodic`, `elliptic`, `branch`, `horseshoe` and `attractor` are "
+    "proved"
+)
 
 REASONS: Mapping[str, str] = {
     "capture": "its bounds are those of hits of a wall under dry friction, for one mass",
-    "attractor": "its map of an interval begins where dry friction releases one mass",
-    "entropies": "its map of an interval begins where dry friction releases one mass",
-    "window": "its map of an interval begins where dry friction releases one mass",
-    "cascade": "its map of an interval begins where dry friction releases one mass",
+    "attractor": "name it first: `attractor --model FILE`",
+    "entropies": "its map is that of one mass under dry friction; see `attractor --model`",
+    "window": "its map is that of one mass under dry friction; see `attractor --model`",
+    "cascade": "its map is that of one mass under dry friction; see `attractor --model`",
     "effective_stability": "its motions are those whose velocity never vanishes, of one mass",
     "island": "its invariant curve is one of the map over half a period, of one mass",
     "homoclinic": "its curves are those of a saddle of the map over one period, of one mass",
