@@ -5,7 +5,7 @@ it:
 
 - Ctrl-C, SIGTERM and SIGHUP are a line, and the status 130, 143 or 129.  While modules load the
   process ends at once; later `KeyboardInterrupt` is raised, so that files are written whole or not
-  at all.  Signals that are ignored stay ignored.
+  at all; again if it is lost where nothing can be raised.  Signals that are ignored stay ignored.
 - A reader that has closed the output, as ``| head`` does, is the status 141 and no line; output
   that cannot be written, or too little memory, is a line and the status 2.
 - A library that is not installed is a line and the status 2.
@@ -19,6 +19,8 @@ import io
 import os
 import signal
 import sys
+import threading
+from _thread import interrupt_main
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from errno import EBADF, EFBIG, EIO, ENOSPC
@@ -32,6 +34,7 @@ INTERRUPTED = 130
 CLOSED = 141
 FAILED = 2
 STOPPED = 128  # plus the number of the signal
+AGAIN = 0.05  # seconds: when what could not be stopped is over
 
 _FULL = (ENOSPC, EFBIG, EIO, EBADF)
 _WORDS = {"SIGINT": "interrupted", "SIGTERM": "terminated", "SIGHUP": "hung up"}
@@ -46,6 +49,7 @@ class _Stops:
         self._before: dict[signal.Signals, object] = {}
 
     def __enter__(self) -> "_Stops":
+        self._unraisable, sys.unraisablehook = sys.unraisablehook, self._lost
         with suppress(ValueError):  # not in the main thread: then signals are not for us
             for number in SIGNALS:
                 if signal.getsignal(number) is not signal.SIG_IGN:
@@ -53,6 +57,7 @@ class _Stops:
         return self
 
     def __exit__(self, *_: object) -> None:
+        sys.unraisablehook = self._unraisable
         for number, handler in self._before.items():
             signal.signal(number, handler)  # type: ignore[arg-type]
 
@@ -64,6 +69,15 @@ class _Stops:
         if self.loading or self.ending:
             os._exit(STOPPED + number)
         raise KeyboardInterrupt
+
+    def _lost(self, unraisable: "sys.UnraisableHookArgs") -> None:
+        """Stop again: the interrupt came in a finalizer, or a function that C has called."""
+        if isinstance(unraisable.exc_value, KeyboardInterrupt) and self.last:
+            again = threading.Timer(AGAIN, interrupt_main, [self.last])
+            again.daemon = True
+            again.start()
+        else:
+            self._unraisable(unraisable)
 
     def line(self) -> str:
         """Return what happened, in a line."""

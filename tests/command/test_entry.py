@@ -73,6 +73,17 @@ def test_a_second_signal_ends_what_the_first_does_not(module):
     assert (process.returncode, complaint) == (130, b"interrupted; nothing half-written\n")
 
 
+def test_an_interrupt_that_is_lost_comes_again(module):
+    """In a finalizer nothing can be raised: Python would only say that it ignores it."""
+    early = (
+        "class Last:\n    def __del__(self):\n        print('ready', flush=True); time.sleep(60)"
+    )
+    late = "last = Last(); del last\n    for _ in range(600): time.sleep(0.1)"
+    env = module(late=late, early=early)
+    process = started(env)
+    assert stopped(process, signal.SIGINT) == (130, "interrupted; nothing half-written\n")
+
+
 def test_what_a_command_keeps_has_the_status_of_the_signal(module):
     """A command that hears an interrupt and goes on returns 130; after SIGTERM that is 143."""
     keep = (

@@ -34,6 +34,7 @@ from cap.system.polynomial import COS, SIN, variable
 OUTSIDE = 8
 """A bit of flags beside those of `cap.floats.models.source`: it began outside its mode."""
 MOST = 2000  # events in a period
+AT_ONCE = 200_000  # orbits times periods followed in a call: a signal is noticed between two
 Integers = NDArray[np.int64]
 
 
@@ -101,8 +102,12 @@ class Engine:
         flags = np.where(inside[begun, np.arange(N)], 0, OUTSIDE)
         lines = np.full((log, 4 + n), np.nan)
         path = np.full((N if every else 0, periods, n), np.nan)
-        arrays = ends, last, counts, flags, lines, path
-        used = self._follow(self._numbers, starts, begun, phase, periods, MOST, *arrays)
+        some, used = (N if log else max(1, AT_ONCE // max(1, periods))), 0
+        for k in range(0, N, some or 1):
+            part = slice(k, k + some)
+            arrays = ends[part], last[part], counts[part], flags[part], lines, path[part]
+            given = self._numbers, starts[part], begun[part], phase, periods, MOST
+            used = self._follow(*given, *arrays)
         return Ends(ends, last, counts, flags, lines[:used], path)
 
     def inside(self, states: Floats, phase: float = 0.0) -> NDArray[np.bool_]:
