@@ -23,6 +23,8 @@ from cap.checker.verdict import check
 from cap.errors import NotProved
 from cap.floats.candidates import Family
 from cap.maps.graphs import Part, Places, fastest
+from cap.proofs.closed_paths import Orbit, periodic_orbits
+from cap.proofs.cones import Cones, cones
 from cap.runner import Runner
 from cap.sets import interval
 
@@ -39,21 +41,26 @@ class Proved(NamedTuple):
     vector: list[int]
     growth: Fraction
     together: int
+    orbits: list[Orbit] = []  # noqa: RUF012 (never changed)
+    cones: Cones | None = None
 
-    def hints(self) -> dict[str, object]:
+    def hints(self) -> dict[str, Any]:
         """Return what the certificate says of them."""
         return {
             "sets": [[interval.exact_decimal(n) for n in numbers] for numbers in self.sets],
             "coverings": [[str(j) for j in targets] for targets in self.edges],
             "vector": [str(v) for v in self.vector],
+            **({"cones": self.cones.hints()} if self.cones else {}),
         }
 
-    def claims(self, iterates: int) -> dict[str, str]:
+    def claims(self, iterates: int) -> dict[str, Any]:
         """Return the claims; the map that they are about is an iterate."""
         return {
             "growth": interval.decimal(self.growth, PLACES),
             "entropy": interval.decimal(entropy(self.growth, iterates), PLACES),
             "together": str(self.together),
+            **({"orbits": self.orbits} if self.orbits else {}),
+            **({"cones": self.cones.claims()} if self.cones else {}),
         }
 
 
@@ -104,7 +111,10 @@ def proved(g: Planar, found: Family, runner: Runner, *, disjoint: bool) -> Prove
     part, edges = lemma_2_no_diamond(sets, edges, disjoint=disjoint)
     if part.growth <= 1:
         raise NotProved("Lemma 2", "the coverings that are proved make no two loops")
-    return _certified(sets, part, edges)
+    best = _certified(sets, part, edges)
+    found_cones = cones(g, best.sets, best.edges, runner) if best.together == 1 else None
+    orbits = periodic_orbits(g, best.sets, best.edges)
+    return best._replace(orbits=orbits, cones=found_cones)
 
 
 def lemma_1_coverings(g: Planar, sets: Sets, found: Family, runner: Runner) -> list[Edge]:

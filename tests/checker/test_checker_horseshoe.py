@@ -19,13 +19,13 @@ from cap.checker.coverings.graph import (
     overlaps,
 )
 from cap.checker.coverings.half_period import HalfPeriod
-from cap.checker.coverings.planar import Image
 from cap.checker.kernel.doubles import Double
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check, words
 from cap.flow.itinerary import itinerary
 from cap.parameters import PAPER
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
+from checker.linear import Linear
 
 FILE = Path(__file__).parents[2] / "certificates/horseshoe-2.json"
 CERTIFICATE = json.loads(FILE.read_text("utf-8"))
@@ -87,18 +87,6 @@ def test_where_sigma_is_not_defined(x, v, why):
     """Each condition refuses something."""
     with pytest.raises(Rejected, match=why):
         SIGMA.image(x, v)
-
-
-class Linear:
-    """(x, y) -> (3x, y/4), which covers squares; or another linear map."""
-
-    def __init__(self, *entries):
-        self.entries = tuple(map(Double, entries or (3.0, 0.0, 0.0, 0.25)))
-
-    def image(self, x, y):
-        """Enclose it."""
-        a, b, c, d = self.entries
-        return Image(a * x + b * y, c * x + d * y, ((a, b), (c, d)))
 
 
 def square(x=0, y=0, a=1, b=1):

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 from oracle_flow import orbit
+from scipy.integrate import trapezoid
 from support import rounds, seeded
 
 from cap.certificate.latex import macros
@@ -116,8 +117,8 @@ def test_what_bounds_the_least_speed(inventory):
         slope = (
             cos / w**2 - (4 * s * sin * cos - 3 * alpha * sin) / w**3 - 3 * force**2 * cos / w**4
         )
-        once += np.trapezoid(X * g, x)
-        twice -= np.trapezoid(s * Z * slope, x)
+        once += trapezoid(X * g, x)
+        twice -= trapezoid(s * Z * slope, x)
         least = min(least, w.min())
     assert [once, twice] == pytest.approx([math.tau * alpha] * 2, rel=1e-7)
     theorem, _ = parts(inventory)

@@ -63,13 +63,19 @@ class Parallelogram:
         need(determinant != 0, "the axes of a set are parallel")
         self.centre = enclosing(x), enclosing(y)
         self.axes = (enclosing(ax), enclosing(bx)), (enclosing(ay), enclosing(by))
-        rows = (by, -bx), (-ay, ax)
-        self.inverse = tuple(tuple(enclosing(n / determinant) for n in row) for row in rows)
+        p, q, r, s = (enclosing(n / determinant) for n in (by, -bx, -ay, ax))
+        self.inverse = (p, q), (r, s)
 
     def points(self, p: Double, q: Double) -> Row:
         """Return the least rectangle that is known to contain the points."""
         (ax, bx), (ay, by) = self.axes
         return self.centre[0] + ax * p + bx * q, self.centre[1] + ay * p + by * q
+
+    def coordinates(self, x: Double, y: Double) -> Row:
+        """Return p and q of points."""
+        x, y = x - self.centre[0], y - self.centre[1]
+        (a, b), (c, d) = self.inverse
+        return a * x + b * y, c * x + d * y
 
 
 class Seen(NamedTuple):
@@ -106,7 +112,7 @@ def _side(g: Planar, source: Parallelogram, edge: Box, target: Parallelogram) ->
         need(count <= MOST, f"an edge needs more than {MOST} boxes")
         box = waiting.pop()
         try:
-            side = _beyond(_coordinates(_seen(g, source, box), target)[0])
+            side = _beyond(coordinates(seen(g, source, box), target)[0])
         except Rejected:
             need(box.q1 - box.q0 > _SMALL, "the map may not be defined on an edge")
             side = 0
@@ -114,7 +120,7 @@ def _side(g: Planar, source: Parallelogram, edge: Box, target: Parallelogram) ->
             found.add(side)
             need(len(found) == 1, "an edge is mapped to both sides of a set")
         else:
-            waiting += _halves(box, along_p=False)
+            waiting += halves(box, along_p=False)
     return found.pop(), count
 
 
@@ -123,21 +129,21 @@ def _look(
 ) -> tuple[list[Box], tuple[Parallelogram, ...]]:
     """Return the halves of a box, and the targets for which it is not decided."""
     try:
-        seen = _seen(g, source, box)
+        known = seen(g, source, box)
     except Rejected:
         need(min(box.p1 - box.p0, box.q1 - box.q0) > _SMALL, "the map may not be defined")
         wide = (box.p1 - box.p0) >= (box.q1 - box.q0)
-        return _halves(box, along_p=wide), targets
+        return halves(box, along_p=wide), targets
     left, along_p = list[Parallelogram](), True
     for target in targets:
-        P, Q, by_p, by_q = _coordinates(seen, target)
+        P, Q, by_p, by_q = coordinates(known, target)
         if not (_beyond(P) or Q.magnitude < 1):
             along_p = by_p >= by_q if not left else along_p
             left.append(target)
-    return _halves(box, along_p=along_p), tuple(left)
+    return halves(box, along_p=along_p), tuple(left)
 
 
-def _seen(g: Planar, source: Parallelogram, box: Box) -> Seen:
+def seen(g: Planar, source: Parallelogram, box: Box) -> Seen:
     """Return what is known of g on a box of a set."""
     p, q = between(box.p0, box.p1), between(box.q0, box.q1)
     middle = g.image(*source.points(Double(p.mid), Double(q.mid)))
@@ -147,12 +153,14 @@ def _seen(g: Planar, source: Parallelogram, box: Box) -> Seen:
     return Seen(middle, columns, p - p.mid, q - q.mid)
 
 
-def _coordinates(seen: Seen, target: Parallelogram) -> tuple[Double, Double, float, float]:
+def coordinates(known: Seen, target: Parallelogram) -> tuple[Double, Double, float, float]:
     """Return P and Q on a box, and how much of their widths are due to p and to q."""
-    x, y = seen.middle.x - target.centre[0], seen.middle.y - target.centre[1]
+    x, y = known.middle.x - target.centre[0], known.middle.y - target.centre[1]
     found, widths = list[Double](), [0.0, 0.0]
     for m, n in target.inverse:
-        by_p, by_q = ((m * u + n * w) * d for (u, w), d in zip(seen.columns, seen[2:], strict=True))
+        by_p, by_q = (
+            (m * u + n * w) * d for (u, w), d in zip(known.columns, known[2:], strict=True)
+        )
         found.append(m * x + n * y + by_p + by_q)
         widths = [widths[0] + by_p.rad, widths[1] + by_q.rad]
     return found[0], found[1], widths[0], widths[1]
@@ -165,7 +173,7 @@ def _beyond(P: Double) -> int:
     return _LEFT if (-P - 1.0).is_positive() else 0
 
 
-def _halves(box: Box, *, along_p: bool) -> list[Box]:
+def halves(box: Box, *, along_p: bool) -> list[Box]:
     """Return the halves of a box."""
     p0, p1, q0, q1 = box
     if along_p:

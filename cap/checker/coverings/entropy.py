@@ -3,10 +3,14 @@
 Let g be a planar map (`planar`).  *Claimed:* there is a compact set Lambda with g(Lambda) = Lambda,
 on which the topological entropy of a map is at least ``entropy``: of g, or of g^2 if ``ITERATES``
 is 2.  For each n, g^n has at least tr(A^n)/mu fixed points in Lambda, A the matrix of the
-coverings, mu = ``together``.  If mu = 1, the sets are disjoint.
+coverings, mu = ``together``.  If mu = 1, the sets are disjoint.  If ``orbits`` are claimed, these
+periodic orbits are in Lambda, different saddles, each the only one in its box (`orbits`).  If
+``cones`` are claimed, of disjoint sets, Lambda is hyperbolic, and g on the orbits in Lambda is
+conjugate to the two-sided subshift of A (`cones`).
 
 *Proof.*  The coverings hold (`covering`); g is continuous on the sets.  By `graph`, the entropy of
-g on Lambda is at least log rho(A) >= log ``growth``; that of g^2 is twice as large."""
+g on Lambda is at least log rho(A) >= log ``growth``; that of g^2 is twice as large.  With cones
+orbits and paths correspond one to one, continuously, on compact spaces: by a homeomorphism."""
 
 from __future__ import annotations
 
@@ -15,6 +19,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, ClassVar
 
+from cap.checker.coverings.cones import Matrix, Rates, axes, carried, rates
 from cap.checker.coverings.covering import Parallelogram, covers
 from cap.checker.coverings.graph import (
     confirm_entropy,
@@ -23,14 +28,16 @@ from cap.checker.coverings.graph import (
     confirm_paths,
     overlaps,
 )
+from cap.checker.coverings.orbits import LONGEST, MOST_ORBITS, confirm_orbits
 from cap.checker.coverings.planar import Planar
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.doubles import enclosing
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
-from cap.checker.kernel.shapes import Field, Many, Table, Whole
+from cap.checker.kernel.shapes import Field, Many, Maybe, Table, Whole, region
 from cap.checker.kernel.theorem import Theorem
 
 MOST_SETS, MOST_TARGETS = 12_000, 12
@@ -50,13 +57,29 @@ GROWTH = Field("growth", number, "", "", "a lower bound of the spectral radius o
 ENTROPY = Field("entropy", number, "", "", "a lower bound of the entropy")
 TOGETHER = Field("together", Whole(1, MOST_SETS), "", "",
                  "1 if the sets are disjoint; else 1 + the most that overlap with one")  # fmt: skip
+ORBITS = Field(
+    "orbits",
+    Maybe(Many({"path": Many(Whole(0, MOST_SETS), 1, LONGEST), "box": [region, region]},
+               1, MOST_ORBITS)), "", "",
+    "periodic orbits: the sets of a closed path, and a box of states in the first of them",
+)  # fmt: skip
+CONES = Field(
+    "cones", Maybe({"stretch": number, "shrink": number}), "", "",
+    "cones are mapped into cones: a lower bound of what they are stretched by, in the coordinates "
+    "of the sets, and an upper bound of what other vectors are shrunk by",
+)  # fmt: skip
+LEANING = Field(
+    "cones", Maybe({"slope": number, "leaning": Many([number] * 2, 1, MOST_SETS)}), "", "",
+    "the slope L of all cones, and for each set sigma and tau: the directions (1, sigma) and "
+    "(tau, 1) in its coordinates",
+)  # fmt: skip
 
 
 class Coverings(Theorem):
     """Entropy of a planar map, by coverings."""
 
-    HINTS: ClassVar[Table] = (SETS, COVERINGS, VECTOR)
-    CLAIMS: ClassVar[Table] = (GROWTH, ENTROPY, TOGETHER)
+    HINTS: ClassVar[Table] = (SETS, COVERINGS, VECTOR, LEANING)
+    CLAIMS: ClassVar[Table] = (GROWTH, ENTROPY, TOGETHER, ORBITS, CONES)
     CITES: ClassVar[tuple[Citation, ...]] = (
         cite(
             "Poincare-Miranda",
@@ -66,9 +89,10 @@ class Coverings(Theorem):
         ),
     )  # fmt: skip
     ITERATES: ClassVar[int] = 1
+    MAP: ClassVar[str] = "g"
 
     @classmethod
-    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound what becomes a double, and the work."""
         small = all(abs(n) <= MAX_SIZE for numbers in hints["sets"] for n in numbers)
         need(small, "a number of a set is larger than 10^30")
@@ -76,6 +100,16 @@ class Coverings(Theorem):
         need(short, "a number of a set is no decimal of at most 40 places")
         need(len(hints["coverings"]) == len(hints["sets"]), "not one list for each set")
         need(all(v.denominator == 1 for v in hints["vector"]), "the vector is not of integers")
+        boxes = [side for orbit in claims.get("orbits", ()) for side in orbit["box"]]
+        small = all(abs(n) <= MAX_SIZE for side in boxes for n in (side.lower, side.upper))
+        need(small, "an end of a box is larger than 10^30")
+        need(("cones" in hints) == ("cones" in claims), "cones are not both claimed and given")
+        if "cones" in hints:
+            slope, leaning = hints["cones"]["slope"], hints["cones"]["leaning"]
+            need(0 < slope <= STEEPEST, f"the slope of the cones is not in (0, {STEEPEST}]")
+            need(len(leaning) == len(hints["sets"]), "not one pair of directions for each set")
+            flat = all(abs(n) <= STEEPEST for pair in leaning for n in pair)
+            need(flat, f"a direction of a set is steeper than {STEEPEST}")
 
     @abstractmethod
     def map(self) -> Planar:
@@ -99,6 +133,27 @@ class Coverings(Theorem):
         confirm_growth(edges, [int(v) for v in self.hints["vector"]], self.claims["growth"])
         confirm_entropy(self.claims["entropy"], self.claims["growth"], self.ITERATES)
         self.step("the matrix of the coverings grows as claimed, and the entropy follows")
+        if orbits := self.claims.get("orbits"):
+            confirm_orbits(self.map(), sets, edges, orbits)
+            self.step(f"{len(orbits)} periodic orbits along paths are different saddles")
+        if "cones" in self.claims:
+            self.confirm_cones()
+
+    def confirm_cones(self) -> None:
+        """Check the cones of all coverings."""
+        claimed, given = self.claims["cones"], self.hints["cones"]
+        sets, edges = self.hints["sets"], self.hints["coverings"]
+        need(self.claims["together"] == 1, "cones are claimed of sets that are not disjoint")
+        work = Work(self.jobs, self.tell, {_CONES: float(sum(map(len, edges)))})
+        weight = lambda i: float(len(edges[i]))  # noqa: E731
+        matrices = work(
+            partial(matrices_of, self.map(), sets, edges), range(len(sets)), _CONES, weight
+        )
+        found = cone_rates(matrices, edges, given["leaning"], given["slope"])
+        stretch, shrink = map(Fraction, found)
+        need(1 < claimed["stretch"] <= stretch, "cones may not be stretched as claimed")
+        need(shrink <= claimed["shrink"] < 1, "what is outside may not be shrunk as claimed")
+        self.step("cones are mapped into cones: each path of coverings has one orbit only")
 
     def apart(self) -> str:
         """Return what is known of overlaps."""
@@ -111,7 +166,19 @@ class Coverings(Theorem):
         edges = sum(map(len, self.hints["coverings"]))
         claimed = {name: decimal(self.claims[name]) for name in ("growth", "entropy")}
         sets = len(self.hints["sets"])
-        return self.told(sentence, sets=sets, edges=edges, **claimed, **more)
+        return self.told(sentence, sets=sets, edges=edges, **claimed, **more) + self.besides()
+
+    def besides(self) -> str:
+        """Return what is claimed of periodic orbits and of cones."""
+        words = ""
+        if orbits := self.claims.get("orbits"):
+            periods = sorted(len(orbit["path"]) for orbit in orbits)
+            told = ", ".join(map(str, periods))
+            words += _ORBITS.format(g=self.MAP, number=len(orbits), periods=told)
+        if cones := self.claims.get("cones"):
+            bounds = {name: decimal(cones[name]) for name in ("stretch", "shrink")}
+            words += _CONES_HOLD.format(g=self.MAP, **bounds)
+        return words
 
 
 def confirm_overlaps(sets: list[list[Fraction]], edges: list[list[int]]) -> int:
@@ -126,5 +193,39 @@ def confirm_coverings(g: Planar, sets: list[list[Fraction]], edges: list[list[in
     return covers(g.on(i), Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
 
 
-_CHECKED = "coverings are checked"
+def matrices_of(
+    g: Planar, sets: list[list[Fraction]], edges: list[list[int]], i: int
+) -> list[Matrix]:
+    """Return the matrices that carry coordinates along all coverings by a set."""
+    return carried(g.on(i), Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
+
+
+def cone_rates(
+    matrices: list[list[Matrix]],
+    edges: list[list[int]],
+    leaning: list[list[Fraction]],
+    slope: Fraction,
+) -> Rates:
+    """Check the cones of all coverings; return their rates."""
+    directions, L = [axes(pair) for pair in leaning], enclosing(slope)
+    found = [
+        rates(A, directions[i], directions[j], L)
+        for i, targets in enumerate(edges)
+        for j, A in zip(targets, matrices[i], strict=True)
+    ]
+    return Rates(min(r.stretch for r in found), max(r.shrink for r in found))
+
+
+STEEPEST = 1000
+_CHECKED, _CONES = "coverings are checked", "cones are checked"
+_ORBITS = (
+    "; {number} different periodic orbits of {g} in Lambda are saddles, of the least periods "
+    "{periods}: each is the only one of its period that meets its box"
+)
+_CONES_HOLD = (
+    "; along each bi-infinite path of coverings there is one orbit only, so {g}, on the orbits in "
+    "Lambda, is conjugate to the two-sided subshift of A; Lambda is hyperbolic: in coordinates of "
+    "the sets expanding vectors grow at least by the factor {stretch} each time, contracting ones "
+    "shrink at least by the factor {shrink}"
+)
 _PLACES = 10**40  # overlaps are computed over a common denominator

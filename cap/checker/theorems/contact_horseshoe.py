@@ -16,10 +16,13 @@ from typing import Any
 
 from cap.checker.coverings.contact_map import ContactMap, Section
 from cap.checker.coverings.entropy import (
+    CONES,
     COVERINGS,
     ENTROPY,
     GROWTH,
+    LEANING,
     MOST_SETS,
+    ORBITS,
     SETS,
     TOGETHER,
     VECTOR,
@@ -71,11 +74,12 @@ class ContactHorseshoe(Coverings):
         SETS._replace(meaning=f"{SETS.meaning}: a time, and the variable that is free at contacts"),
         COVERINGS,
         VECTOR,
+        LEANING,
         MIDDLE,
         TIMES,
         TIMED,
     )
-    CLAIMS = (MODE, GUARD, GROWTH, ENTROPY, TOGETHER, PER_PERIOD)
+    CLAIMS = (MODE, GUARD, GROWTH, ENTROPY, TOGETHER, PER_PERIOD, ORBITS, CONES)
     # fmt: off
     CITES = (
         *Coverings.CITES,

@@ -12,9 +12,12 @@ injective: if the sets are disjoint, it is semiconjugate on Lambda onto the subs
 from __future__ import annotations
 
 from cap.checker.coverings.entropy import (
+    CONES,
     COVERINGS,
     ENTROPY,
     GROWTH,
+    LEANING,
+    ORBITS,
     SETS,
     TOGETHER,
     VECTOR,
@@ -31,9 +34,17 @@ class Horseshoe(Coverings, BetweenWalls):
         SETS._replace(meaning=f"{SETS.meaning}; in units F/omega^2, F/omega, x from the middle"),
         COVERINGS,
         VECTOR,
+        LEANING,
     )
-    CLAIMS = (GROWTH, ENTROPY._replace(meaning="a lower bound of the entropy of Phi"), TOGETHER)
+    CLAIMS = (
+        GROWTH,
+        ENTROPY._replace(meaning="a lower bound of the entropy of Phi"),
+        TOGETHER,
+        ORBITS,
+        CONES,
+    )
     ITERATES = 2
+    MAP = "sigma"
 
     def map(self) -> HalfPeriod:
         """Return sigma, in natural units."""

@@ -186,7 +186,8 @@ class Source:
         for n, to in enumerate(guard.to):
             asked = ORDERS if len(guard.to) > 1 else ORDERS[:1]  # what falls from 0 happens, too
             tests = [self._sign(to, g, zeros[n], asked) for g in self.system.modes[to].guards]
-            yield f"fits{n} = min({', '.join([*filter(None, tests), 'math.inf'])})"
+            signs = ", ".join(filter(None, tests))
+            yield f"fits{n} = min({signs}, math.inf)" if signs else f"fits{n} = math.inf"
         best = ", ".join(f"fits{n}" for n in range(len(guard.to)))
         yield f"most_fitting = max({best}, NEGATIVE)"
         yield "if most_fitting == NEGATIVE:"

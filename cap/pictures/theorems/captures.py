@@ -44,6 +44,8 @@ def capture(theorem: Theorem, figure: Figure) -> None:
     box(sides, (claims["box"]["x"], claims["box"]["v"]), "all of it is captured (proved)")
     around(sides, (claims["box"]["x"], claims["box"]["v"]), 0.2)
     plane(sides)
+    sides.ticklabel_format(useOffset=False)
+    sides.locator_params(axis="x", nbins=3)  # long labels: 0.98999
     sides.set_title("the box at $t = 0$")
     sides.axhline(0, color=BLACK, lw=0.3)
     figure.legend(loc="outside lower center", ncols=2)

@@ -1,0 +1,181 @@
+"""Cones along coverings: linear maps, strips with all their points, the one stored, and lies."""
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cap.checker.coverings import cones
+from cap.checker.coverings.cones import axes, carried, rates, strip
+from cap.checker.coverings.covering import Parallelogram
+from cap.checker.coverings.entropy import cone_rates
+from cap.checker.coverings.formulas import Map
+from cap.checker.coverings.planar import Planar
+from cap.checker.kernel.doubles import Double
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.verdict import check, words
+from checker.altered import changed, decimal, encode, rejected, verify
+from checker.linear import Linear
+from checker.test_checker_formulas import given
+
+STORED = Path(__file__).parents[2] / "certificates"
+CERTIFICATE = json.loads((STORED / "map_horseshoe-3.json").read_text("utf-8"))
+SETS = [[Fraction(q) for q in numbers] for numbers in CERTIFICATE["hints"]["sets"]]
+EDGES = [[int(j) for j in to] for to in CERTIFICATE["hints"]["coverings"]]
+ALONG = axes((Fraction(0), Fraction(0)))
+ONE = Double(1.0)
+
+
+def square(x=0, y=0, a=1):
+    """Return a parallelogram with axes along the coordinates."""
+    return Parallelogram([Fraction(n) for n in (x, y, a, 0, 0, a)])
+
+
+def of(g, slope=ONE):
+    """Return the rates of the covering of a square by itself."""
+    (A,) = carried(g, square(), [square()])
+    return rates(A, ALONG, ALONG, slope)
+
+
+def test_rates_of_linear_maps():
+    """Those of the axes; less if the axes are turned against each other."""
+    for g in (Linear(), Linear(-3.0, 0.0, 0.0, -0.25)):
+        stretch, shrink = of(g)
+        assert 3 - 1e-12 < stretch <= 3
+        assert 0.25 <= shrink < 0.25 + 1e-12
+    stretch, shrink = of(Linear(3.0, 0.5, 0.25, 0.25))
+    assert 2.5 - 1e-12 < stretch <= 2.5
+    assert 0.5 <= shrink < 0.5 + 1e-12
+
+
+@pytest.mark.parametrize(
+    ("g", "why"),
+    [
+        (Linear(3.0, 0.0, 5.0, 0.25), "mapped into a cone"),
+        (Linear(0.9, 0.0, 0.0, 0.25), "stretched"),
+        (Linear(3.0, 0.0, 0.0, 1.5), "shrunk"),
+        (Linear(3.0, 0.0, 0.0, 0.0), "regular"),
+    ],
+)
+def test_no_cones(g, why):
+    """Each inequality refuses something."""
+    with pytest.raises(Rejected, match=why):
+        of(g)
+
+
+class Nowhere(Planar):
+    """A map that is not defined."""
+
+    def image(self, x, y):  # noqa: ARG002
+        """Reject."""
+        raise Rejected("nowhere")
+
+
+def test_no_strip(monkeypatch):
+    """What is mapped elsewhere, what is not defined, what needs too many pieces."""
+    with pytest.raises(Rejected, match="no point"):
+        strip(Linear(), square(), square(5))
+    with pytest.raises(Rejected, match="defined, or has a fold"):
+        strip(Nowhere(), square(), square())
+    with pytest.raises(Rejected, match="fold"):
+        strip(Linear(0.0, 1.0, 1.0, 0.0), square(), square())
+    monkeypatch.setattr(cones, "MOST", 2)
+    with pytest.raises(Rejected, match="more than"):
+        strip(Linear(), square(), square())
+
+
+def test_a_strip_has_all_points():
+    """Random points of sets with images in another set; the matrices at these and between them."""
+    g, source, seen = Map(given("henon", a="5")), np.random.default_rng(11), 0
+    for i in (0, 7, 100, 279):
+        P, targets = Parallelogram(SETS[i]), [Parallelogram(SETS[j]) for j in EDGES[i]]
+        here = np.array([float(q) for q in SETS[i]])
+        A = np.array([[here[2], here[4]], [here[3], here[5]]])
+        for j, target, b in zip(EDGES[i], targets, carried(g, P, targets), strict=True):
+            there = np.array([float(q) for q in SETS[j]])
+            back = np.linalg.inv(np.array([[there[2], there[4]], [there[3], there[5]]]))
+            S, kept = strip(g, P, target), []
+            place = source.uniform(-1, 1, (40_000, 2))
+            x, y = here[:2, None] + A @ place.T
+            inside = np.abs(back @ (np.array([1 - 5 * x * x + y, 0.3 * x]) - there[:2, None])) <= 1
+            kept = place[inside.all(axis=0)]
+            assert S.p0 <= kept[:, 0].min() <= kept[:, 0].max() <= S.p1
+            assert S.q0 <= kept[:, 1].min() <= kept[:, 1].max() <= S.q1
+            for p in (*kept[:20], *((kept[:20] + kept[-20:]) / 2)):
+                x = here[0] + A[0] @ p
+                found = back @ np.array([[-10 * x, 1.0], [0.3, 0.0]]) @ A
+                for value, entry in zip(found.ravel(), sum(b, ()), strict=True):
+                    assert entry.lower - 1e-9 <= value <= entry.upper + 1e-9
+                seen += 1
+    assert seen > 100
+
+
+def test_the_one_stored():
+    """Conjugate, hyperbolic: said with the rates."""
+    assert any("one orbit only" in step for step in verify(CERTIFICATE))
+    line = words(check(encode(CERTIFICATE), lambda _: None))
+    assert "conjugate to the two-sided subshift" in line
+    assert "hyperbolic" in line
+    assert CERTIFICATE["claims"]["cones"]["stretch"] in line
+
+
+@pytest.fixture
+def only_cones(monkeypatch):
+    """Let the checker look at cones only: not at the coverings, nor at periodic orbits again."""
+    monkeypatch.setattr("cap.checker.coverings.entropy.confirm_coverings", lambda *_: 0)
+    monkeypatch.setattr("cap.checker.coverings.entropy.confirm_orbits", lambda *_: None)
+
+
+@pytest.mark.parametrize(("name", "by"), [("stretch", 1), ("shrink", -1)])
+def test_a_unit_more(name, by, only_cones):
+    """Both rates are as good as their last digits allow."""
+    value = CERTIFICATE["claims"]["cones"][name]
+    other = decimal(Fraction(value) + Fraction(by, 10**4), 4)
+    rejected(changed(CERTIFICATE, "claims", "cones", name, other), "as claimed")
+
+
+@pytest.mark.parametrize(("name", "value"), [("stretch", "1"), ("shrink", "1")])
+def test_rates_of_nothing(name, value, only_cones):
+    """Nothing is stretched by 1."""
+    rejected(changed(CERTIFICATE, "claims", "cones", name, value), "as claimed")
+
+
+def test_other_directions(only_cones):
+    """Of one set."""
+    for other in (["2", "0"], ["0", "2"], ["0", "1"]):
+        lie = changed(CERTIFICATE, "hints", "cones", "leaning", 0, other)
+        rejected(lie, "cone|as claimed|zero")
+
+
+def test_what_is_not_of_the_form():
+    """Claimed or given alone; too flat, too steep, too few."""
+    for part in ("claims", "hints"):
+        lie = changed(CERTIFICATE, part, "cones", None)
+        del lie[part]["cones"]
+        rejected(lie, "not both")
+    given_ = CERTIFICATE["hints"]["cones"]["leaning"]
+    for slope in ("0", "1001"):
+        rejected(changed(CERTIFICATE, "hints", "cones", "slope", slope), "slope of the cones")
+    rejected(changed(CERTIFICATE, "hints", "cones", "leaning", given_[:-1]), "one pair")
+    rejected(changed(CERTIFICATE, "hints", "cones", "leaning", 0, ["1001", "0"]), "steeper")
+
+
+def test_sets_that_overlap(only_cones):
+    """Cones say nothing of conjugacy there."""
+    lie = json.loads((STORED / "horseshoe-2.json").read_text("utf-8"))
+    lie["claims"]["cones"] = {"stretch": "1.1", "shrink": "0.9"}
+    leaning = [["0", "0"]] * len(lie["hints"]["sets"])
+    lie["hints"]["cones"] = {"slope": "1", "leaning": leaning}
+    rejected(lie, "not disjoint")
+
+
+def test_the_worst_covering_decides():
+    """The rates of a family are those of its worst covering."""
+    good, bad = ((Double(4.0), Double(0.0)), (Double(0.0), Double(0.1))), (
+        (Double(2.0), Double(0.0)), (Double(0.0), Double(0.5)))  # fmt: skip
+    zero = [[Fraction(0)] * 2] * 2
+    found = cone_rates([[good], [bad]], [[1], [0]], zero, Fraction(1))
+    assert 1.99 < found.stretch <= 2
+    assert 0.5 <= found.shrink < 0.51
