@@ -5,10 +5,13 @@ from collections.abc import Mapping
 from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
-PROVED = "of a system of one's own `periodic`, `elliptic`, `branch` and `horseshoe` are proved"
+PROVED = (
+    "of a system of one's own `periodic`, `elliptic`, `branch`, `capture` and `horseshoe` are "
+    "proved"
+)
 
 REASONS: Mapping[str, str] = {
-    "capture": "its bounds are those of hits of a wall under dry friction, for one mass",
+    "capture": "name it first: `capture --model FILE`",
     "attractor": "its map of an interval begins where dry friction releases one mass",
     "entropies": "its map of an interval begins where dry friction releases one mass",
     "window": "its map of an interval begins where dry friction releases one mass",

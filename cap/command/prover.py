@@ -31,6 +31,9 @@ def main(words: Sequence[str]) -> int:
         return import_module("cap.command.own_ball").main(words)  # type: ignore[no-any-return]
     if "--model" in named:
         return import_module("cap.command.own").main(words)  # type: ignore[no-any-return]
+    if "--set" in named:
+        say("error: --set goes with --model FILE: it gives values to its parameters", sys.stderr)
+        return 2
     options = read(words)
     if options.list:
         print("\n".join(_listed()))
