@@ -15,6 +15,7 @@ from support import proving, smallest_first
 from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
+from cap.command.own_refusals import LISTED
 from cap.floats import candidates
 from cap.floats.search.periodic import Guess
 from cap.proofs import symbolic, theorems
@@ -324,7 +325,9 @@ def test_list_names_every_theorem(capsys):
     """`--list` says what can be proved, each theorem once, in groups, in columns that fit."""
     status, out, _ = proving(capsys, "--list")
     assert status == 0
-    lines = out.splitlines()
+    lines, yours = (part.splitlines() for part in out.split("a system or a map of your own"))
+    assert [line.rpartition("  ")[0].strip() for line in yours[1:]] == list(LISTED)
+    assert max(map(len, yours)) <= 110
     own = [line for line in lines if line.startswith("  ")]
     assert sorted(line.split()[0] for line in own) == sorted([*theorems.THEOREMS, *symbolic.NAMES])
     assert [line for line in lines if line not in own] == [
