@@ -76,7 +76,7 @@ def test_how_it_is_shown():
     """With the signs of its coefficients."""
     y, v = variables("y v")
     shown = {y - Fraction(6, 5) * v: "y - 6/5 v", -(y**3): "-y^3", -1 - v * v: "-1 - v^2"}
-    for polynomial, text in {**shown, y - y: "0", 3 + y: "3 + y"}.items():
+    for polynomial, text in {**shown, y - y: "0", 3 + y: "y + 3"}.items():
         assert repr(polynomial) == text
 
 
