@@ -49,6 +49,7 @@ LONG |= {
     "ball_curve",
     "ball_curve-2",
     "horseshoe-1",
+    "horseshoe-3",
     "converse",
     "converse-2",
     "island",
@@ -75,6 +76,7 @@ SLOW = {
     "effective_stability",
     "elliptic-2",
     "horseshoe-2",
+    "map_horseshoe-3",
 }
 SLOW |= {
     "inventory",
