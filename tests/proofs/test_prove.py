@@ -63,6 +63,8 @@ LONG |= {
 # seconds each, and with tests of their own, too, or one more of a theorem
 SLOW = {
     "attractor",
+    "contact_capture-2",
+    "contact_capture-4",
     "branch",
     "branch-2",
     "contacts-2",
