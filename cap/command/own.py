@@ -157,7 +157,9 @@ class Asked:
                 "nothing depends on the clock: leave out --period, the period is unknown"
             )
         if options.all and (state or options.out.suffix == ".json"):
-            raise BadInput("--all goes neither with --orbit nor with one file as --out")
+            raise BadInput(
+                "--all goes neither with --orbit nor with one file as --out: name a directory"
+            )
         stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
         told = [f"{key}={value}" for key, value in sorted(values.items())]
         theorem = ELLIPTIC[1] if options.theorem in ELLIPTIC else PERIODIC[1]

@@ -10,6 +10,18 @@ PROVED = (
     "proved"
 )
 
+LISTED = {
+    "periodic --model FILE": "periodic orbits by their contacts; their type, the basin of a sink",
+    "elliptic --model FILE": "an elliptic orbit where nothing is lost: its twist, tori around it",
+    "branch --model FILE": "a curve of periodic orbits over a parameter: its folds and flips",
+    "capture --model FILE": "infinitely many contacts in finite time, then rest, from a box",
+    "horseshoe --model FILE": "entropy of motions from contact to contact",
+    "horseshoe --map FILE": "the same of a map of the plane",
+    "island --map FILE": "an invariant curve around the cylinder, which no orbit of a map crosses",
+    "island --ball A=Q": "the same of an elastic ball on a vibrating table",
+}
+"""What is proved of a system or a map of one's own, for ``--list``."""
+
 REASONS: Mapping[str, str] = {
     "capture": "name it first: `capture --model FILE`",
     "attractor": "its map of an interval begins where dry friction releases one mass",

@@ -4,6 +4,7 @@ import pytest
 
 from cap.audit import command, coverage, findings, given, ledger, quotes, recorded, subject
 from cap.audit.decide import decided
+from cap.audit.papers import FIRST
 from cap.audit.papers.church_fortin.claims import tables as deciding
 from cap.audit.report.latex import latex
 from cap.audit.report.markdown import markdown
@@ -22,15 +23,15 @@ def tables(own_cache):
     """Choose Church and Fortin's tables."""
     subject.choose("church_fortin")
     yield
-    subject.choose(subject.FIRST)
+    subject.choose(FIRST)
 
 
 def test_papers_are_chosen():
     """By their names; another name is refused."""
-    assert {"church_fortin", subject.FIRST} <= set(subject.names())
+    assert {"church_fortin", FIRST} <= set(subject.names())
     with pytest.raises(BadInput, match="no paper 'church' is audited"):
         subject.choose("church")
-    assert subject.chosen() == subject.FIRST
+    assert subject.chosen() == FIRST
 
 
 def test_the_ledger_of_the_tables(tables):

@@ -71,7 +71,7 @@ def test_one_orbit_twice():
 
 
 def test_one_orbit_begun_elsewhere():
-    """An orbit of period 3 of the oscillator, and its second point."""
+    """An orbit of period 3 of the Hénon map, and its second point."""
     g, n = Map(given("henon", a="5")), 3
     stored = json.loads((STORED / "map_horseshoe-3.json").read_text("utf-8"))
     one = next(o for o in stored["claims"]["orbits"] if len(o["path"]) == n)

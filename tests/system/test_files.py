@@ -1,6 +1,7 @@
 """A system from a file: what is read, and in which words the rest is refused."""
 
 from fractions import Fraction
+from pathlib import Path
 
 import models
 import pytest
@@ -74,6 +75,9 @@ def test_json(written):
     ):
         with pytest.raises(BadInput, match=message):
             read(path, values)
+    certificate = Path(__file__).parents[2] / "certificates/elliptic.json"
+    with pytest.raises(BadInput, match=r"a certificate, which `cap\.verify` reads, no system"):
+        read(certificate)
     with pytest.raises(BadInput, match=r"fall\.json: not JSON"):
         read(written("{", "fall.json"))
 
