@@ -9,9 +9,9 @@ succeed, then for every motion that is at an explicit time in an explicit mode a
        at least, and not so long as another explicit time.
 
 Proof.  The box is cut in pieces.  (i), (ii): the first hits of a piece are followed, if need be
-(`cap.orbits.first_hits`), then the lemma of `cap.orbits.capture` applies.  (iii): h' and L h' vanish in the mode of rest
-where h = h' = 0, and its guards, restricted to this set, are positive over pieces of time; where
-they depend on the clock alone, one period is enough for all times.
+(`cap.orbits.first_hits`), then the lemma of `cap.orbits.capture` applies.  (iii): h' and L h'
+vanish in the mode of rest where h = h' = 0, and its guards, restricted to this set, are positive
+over pieces of time; where they depend on the clock alone, one period is enough for all times.
 """
 
 from collections.abc import Callable, Sequence

@@ -5,8 +5,8 @@ The parameters are the system; the guard that is hit names the mode of rest (``g
 1. *The wall* h, and h' = L h: identities of resets and modes (``capture``).
 2. *Pieces.*  The box is cut in pieces, and parts without states that are meant.  First hits of a
    piece are followed, if there are any in its hints (``first_hits``).  From the last one followed,
-   or from the start, until a time t_d: bounds of h'' where 0 <= h <= H_B, |h'| <= q_B, other guards,
-   other modes, other variables.
+   or from the start, until a time t_d: bounds of h'' where 0 <= h <= H_B, |h'| <= q_B, and other
+   guards, modes and variables.
 3. *The lemma* of ``chatter``, from a hit, or from h <= delta, |h'| <= u: some hits one at a time,
    under bounds that hold until each has happened, then all: they accumulate until t_d.  Before the
    first one h >= h_0 - u s - a s^2/2, s the time since t_0, -h'' <= a: it is not before t_0 + 2
