@@ -60,13 +60,19 @@ LONG |= {
     "contact_horseshoe-2",
     "map_horseshoe-1",
     "map_horseshoe-2",
+    "map_horseshoe-3",
 }  # and what they find depends on rounding in floats
+
+LARGE = 20_000  # bytes: to refuse a long file takes a schema seconds
 
 # seconds each, and with tests of their own, too, or one more of a theorem
 SLOW = {
     "attractor",
+    "contact_capture-2",
+    "contact_capture-4",
     "branch",
     "branch-2",
+    "contact_elliptic-2",
     "contacts-2",
     "contacts-3",
     "effective_stability",
@@ -136,9 +142,11 @@ def test_two_proofs_give_the_same_bytes(words, tmp_path):
 
 @pytest.mark.parametrize("path", smallest_first((ROOT / "certificates").glob("*.json")))
 def test_certificates_satisfy_the_schema(path):
-    """The JSON Schema describes every stored certificate, and refuses unknown fields and floats."""
+    """The JSON Schema describes every stored certificate; of small ones what it refuses is seen."""
     good = json.loads(path.read_text("utf-8"))
     schema().validate(good)
+    if path.stat().st_size > LARGE:
+        return
     for bad in ({**good, "extra": "1"}, {**good, "digits": 30}, {**good, "claims": {}}):
         assert not schema().is_valid(bad)
 
