@@ -7,7 +7,8 @@ happens.  If the lemmas succeed, there is a compact set Λ with g(Λ) = Λ such 
  (iii) the flow of the motions whose contacts are orbits of g in Λ has at least the topological
        entropy ``per_period``, over one period of the clock.
 
-With ``--sets disjoint`` mu = 1, and g on Λ is semiconjugate onto the one-sided subshift of A.
+With ``--sets disjoint`` mu = 1, and g on Λ is semiconjugate onto the one-sided subshift of A; with
+``--sets hyperbolic`` Λ is hyperbolic, too, and g on orbits conjugate to the two-sided subshift.
 
 Proof.  (i), (ii): that of `cap.proofs.horseshoe`, with another map; that no other contact, guard or
 rest comes before is part of its enclosure (`cap.checker.coverings.contact_map`).  (iii): no flight
@@ -37,7 +38,7 @@ from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps.graphs import in_time
 from cap.proofs.contacts import as_parameters
-from cap.proofs.coverings import PLACES, SCALE, Proved, checked, proved
+from cap.proofs.coverings import PLACES, SCALE, Proved, Which, checked, proved
 from cap.runner import Runner
 from cap.sets import interval
 from cap.system.model import System
@@ -49,18 +50,18 @@ UNIT = 1000  # times are multiples of 1/UNIT
 ROOM, SMALL = Fraction(1, 200), 1 / 64  # of a time; of a part
 
 
-def prove_any(system: System, effort: int, runner: Runner, *, disjoint: bool) -> dict[str, Any]:
+def prove_any(system: System, effort: int, runner: Runner, which: Which) -> dict[str, Any]:
     """Return a certificate about the contacts with a guard; the guards are tried one by one."""
     reasons = list[str]()
     for section in sections(system):
         try:
-            return prove(section, effort, runner, disjoint=disjoint)
+            return prove(section, effort, runner, which)
         except NotProved as failure:
             reasons.append(f"contacts with {section.guard} of {section.mode}: {failure}")
     raise NotProved("search", "; ".join(reasons))
 
 
-def prove(section: Section, effort: int, runner: Runner, *, disjoint: bool) -> dict[str, Any]:
+def prove(section: Section, effort: int, runner: Runner, which: Which) -> dict[str, Any]:
     """Return a certificate, which the checker accepts; raise `NotProved`."""
     parameters = as_parameters(section.system)
     given = Checked(model(matched(parameters, SYSTEM, "the system")), section.mode, section.guard)
@@ -72,7 +73,7 @@ def prove(section: Section, effort: int, runner: Runner, *, disjoint: bool) -> d
             continue
         g = ContactMap(given, middle, [FAR] * len(found.sets), WORK // len(found.sets))
         try:
-            best = proved(g, found, runner, disjoint=disjoint)
+            best = proved(g, found, runner, which)
             return checked("contact_horseshoe", parameters, _content(g, best, middle), runner)
         except NotProved as failure:
             reason = str(failure)

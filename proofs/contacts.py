@@ -161,8 +161,8 @@ def _halved(times: Times) -> Times:
 # the system
 
 
-def as_parameters(system: System) -> dict[str, Any]:
-    """Return a system in the form that a certificate holds."""
+def as_parameters(system: System, *, rests: bool = False) -> dict[str, Any]:
+    """Return a system in the form that a certificate holds; ``rests``: with the modes of rest."""
     pi, omega = _frequency(system)
     return {
         "state": list(system.state),
@@ -176,6 +176,7 @@ def as_parameters(system: System) -> dict[str, Any]:
                         "value": terms(guard.value, f"the guard {g} of {key}", OF_GUARDS),
                         **_reset(system, key, g),
                         "to": list(guard.to),
+                        **({"rest": guard.rest} if rests and guard.rest else {}),
                     }
                     for g, guard in mode.guards.items()
                 },

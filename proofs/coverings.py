@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
 
@@ -24,13 +24,20 @@ from cap.errors import NotProved
 from cap.floats.candidates import Family
 from cap.maps.graphs import Part, Places, fastest
 from cap.proofs.closed_paths import Orbit, periodic_orbits
-from cap.proofs.cones import Cones, cones
+from cap.proofs.cones import Cones, cones, with_cones
 from cap.runner import Runner
 from cap.sets import interval
 
 SIGNIFICANT, SCALE, PLACES = 12, 10**16, 8  # digits of the sets, of the vector, of the claims
 Edge = tuple[int, int]
 Sets = list[list[Fraction]]
+Which = Literal["any", "disjoint", "hyperbolic"]
+WHICH: tuple[Which, ...] = get_args(Which)
+ABOUT = (
+    "any: sets may overlap, for more entropy (default); disjoint: they do not, for a "
+    "semiconjugacy; hyperbolic: coverings without cones are left out, too, for hyperbolicity and "
+    "a conjugacy"
+)
 
 
 class Proved(NamedTuple):
@@ -64,9 +71,7 @@ class Proved(NamedTuple):
         }
 
 
-def first_that_grows(
-    g: Planar, found: Iterable[Family], runner: Runner, *, disjoint: bool
-) -> Proved:
+def first_that_grows(g: Planar, found: Iterable[Family], runner: Runner, which: Which) -> Proved:
     """Return what is proved of the first family whose graph grows; `NotProved` if none does."""
     reason = "no saddle of the map is found in floats"
     for each in found:
@@ -74,7 +79,7 @@ def first_that_grows(
             reason = "no sets that cover each other in two loops are found: more --effort may help"
             continue
         try:
-            return proved(g, each, runner, disjoint=disjoint)
+            return proved(g, each, runner, which)
         except NotProved as failure:
             reason = str(failure)
     raise NotProved("search", reason)
@@ -104,15 +109,22 @@ def checked(
     return certificate
 
 
-def proved(g: Planar, found: Family, runner: Runner, *, disjoint: bool) -> Proved:
+def proved(g: Planar, found: Family, runner: Runner, which: Which) -> Proved:
     """Return what is proved of a family; `NotProved` if its graph does not grow."""
     sets = [[_short(float(n)) for n in row] for row in found.sets]
     edges = lemma_1_coverings(g, sets, found, runner)
-    part, edges = lemma_2_no_diamond(sets, edges, disjoint=disjoint)
+    part, edges = lemma_2_no_diamond(sets, edges, disjoint=which != "any")
     if part.growth <= 1:
         raise NotProved("Lemma 2", "the coverings that are proved make no two loops")
+    if which == "hyperbolic":
+        edges = with_cones(g, sets, edges, runner)
+        part = _fastest(edges, len(sets))
+        if part.growth <= 1:
+            raise NotProved("Lemma 3", "the coverings with cones make no two loops")
     best = _certified(sets, part, edges)
     found_cones = cones(g, best.sets, best.edges, runner) if best.together == 1 else None
+    if which == "hyperbolic" and found_cones is None:
+        raise NotProved("Lemma 3", "not all cones are mapped into cones")
     orbits = periodic_orbits(g, best.sets, best.edges)
     return best._replace(orbits=orbits, cones=found_cones)
 

@@ -8,7 +8,9 @@
  (iii) for each n, σⁿ has at least tr(Aⁿ)/mu fixed points in Λ, A the matrix of the coverings.
 
 With ``--sets disjoint`` the sets are disjoint: then mu = 1, and σ on Λ is semiconjugate onto the
-subshift of A.  The entropy is smaller then.
+subshift of A.  The entropy is smaller then.  With ``--sets hyperbolic`` cones are mapped into cones
+along all coverings, too: Λ is hyperbolic, and σ on it conjugate to the two-sided subshift (Lemma 3:
+`cap.proofs.cones`).
 
 Proof.  Parallelograms cover each other under σ (Lemma 1).  Along each path of coverings there is an
 orbit.  Sets may overlap; no two different paths with the same ends have all their sets between
@@ -27,7 +29,7 @@ from cap.checker.coverings.half_period import HalfPeriod
 from cap.errors import BadInput
 from cap.floats import candidates
 from cap.option import Option, choice, count
-from cap.proofs.coverings import Proved, first_that_grows
+from cap.proofs.coverings import ABOUT, WHICH, Proved, first_that_grows
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.options import JOBS
 from cap.runner import Runner
@@ -48,8 +50,8 @@ EFFORT = Option(
 )
 SETS = Option(
     "sets",
-    choice("any", "disjoint"),
-    "any: sets may overlap, for more entropy (default); disjoint: they do not, for a semiconjugacy",
+    choice(*WHICH),
+    ABOUT,
     "WHICH",
     default="any",
 )
@@ -73,5 +75,4 @@ def _best(setting: Setting, phi: Fraction, a: Fraction) -> Proved:
     tell = lambda words: runner.tell(words, None)  # noqa: E731
     sigma = candidates.half_period(float(phi), float(a))
     found = candidates.families(sigma, setting.of(EFFORT), tell)
-    disjoint = setting.of(SETS) == "disjoint"
-    return first_that_grows(HalfPeriod(phi, a), found, runner, disjoint=disjoint)
+    return first_that_grows(HalfPeriod(phi, a), found, runner, setting.of(SETS))

@@ -4,7 +4,8 @@ lemmas succeed, there is a compact set Λ with g(Λ) = Λ such that
  (i)   the topological entropy of g on Λ is at least ``entropy``;
  (ii)  for each n, gⁿ has at least tr(Aⁿ)/mu fixed points in Λ, A the matrix of the coverings.
 
-With ``--sets disjoint`` mu = 1, and g on Λ is semiconjugate onto the one-sided subshift of A.
+With ``--sets disjoint`` mu = 1, and g on Λ is semiconjugate onto the one-sided subshift of A; with
+``--sets hyperbolic`` Λ is hyperbolic, too, and g on orbits conjugate to the two-sided subshift.
 
 Proof.  That of `cap.proofs.horseshoe`, with another map (`cap.checker.coverings.formulas`).  The
 sets are told apart by words of symbols: the cells of a grid, and whether g keeps the orientation of
@@ -19,18 +20,18 @@ from cap.checker.kernel.shapes import matched
 from cap.checker.theorems.map_horseshoe import MapHorseshoe
 from cap.floats import candidates
 from cap.proofs.contacts import terms
-from cap.proofs.coverings import checked, first_that_grows
+from cap.proofs.coverings import Which, checked, first_that_grows
 from cap.runner import Runner
 from cap.system.planar import Map
 
 
-def prove(given: Map, effort: int, runner: Runner, *, disjoint: bool) -> dict[str, Any]:
+def prove(given: Map, effort: int, runner: Runner, which: Which) -> dict[str, Any]:
     """Return a certificate, which the checker accepts; raise `NotProved`."""
     parameters = as_parameters(given)
     g = Doubles(formulas(matched(parameters, MapHorseshoe.PARAMETERS, "the map")))
     tell = lambda words: runner.tell(words, None)  # noqa: E731
     found = candidates.families_by_cells(candidates.formulas(given), effort, tell)
-    best = first_that_grows(g, found, runner, disjoint=disjoint)
+    best = first_that_grows(g, found, runner, which)
     return checked("map_horseshoe", parameters, (best.claims(1), best.hints()), runner)
 
 

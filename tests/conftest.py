@@ -5,6 +5,7 @@ from importlib.metadata import version
 
 import mpmath
 import pytest
+import repeated
 from checker import remembered
 from checker.forge import forge
 from flint import ctx
@@ -22,6 +23,15 @@ def pytest_report_header():
     libraries = ("python-flint", "mpmath", "numpy")
     found = ", ".join(f"{name} {version(name)}" for name in libraries)
     return f"arithmetic: {found}, python {platform.python_version()}"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Leave what repeats other tests to the slow ones."""
+    names = repeated.listed()
+    for item in items:
+        if item.nodeid in names:
+            item.add_marker(pytest.mark.slow)
 
 
 @pytest.fixture(autouse=True)

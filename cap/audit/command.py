@@ -11,6 +11,7 @@ from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
 from cap.audit.means import accepted
+from cap.audit.papers import FIRST
 from cap.audit.report.erratum import erratum
 from cap.audit.report.latex import latex
 from cap.audit.report.markdown import markdown
@@ -23,7 +24,6 @@ from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.files import replacing
-from cap.paper.registry import LABELS
 from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -48,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument(
         "--of",
         metavar="NAME",
-        default=subject.FIRST,
+        default=FIRST,
         help=f"the paper that is audited: {' or '.join(subject.names())} (default: the first)",
     )
     p.add_argument(
@@ -163,7 +163,7 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
-    if options.record and subject.paper()["figures"]:
+    if options.record and tables.source():
         tables.record(_progress, _tables(options), fresh=options.fresh)
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
@@ -185,15 +185,15 @@ def _audit(options: argparse.Namespace) -> int:
 def _tables(options: argparse.Namespace) -> list[str]:
     """Return the tables whose rows are listed anew: of a group or a section, if it is asked for."""
     if options.only is not None:
-        return [label for label in LABELS if tables.group(label) == options.only]
+        return [label for label in tables.labels() if tables.group(label) == options.only]
     if options.section is not None:
         section = {each.id for each in ledger.chosen(None, options.section)}
         return [
             label
-            for label in LABELS
+            for label in tables.labels()
             if any(row.id in section for row in tables.claims() if row.table == label)
         ]
-    return list(LABELS)
+    return list(tables.labels())
 
 
 def _record(verdicts: dict[str, Verdict]) -> int:

@@ -1,11 +1,11 @@
 """Claims are data: files ``claims/GROUP.toml`` of a paper.
 
 [[claim]]
-id = "saltation.turning-factor"
-where = "eq:saltation-turn"        # a label of the paper
+id = "energy.of-a-mass"
+where = "eq:energy-of-a-mass"      # a label of the paper
 kind = "formula"                   # see `cap.audit.claim.Kind`
-says = "At a turning point velocities are multiplied by this factor."
-stated = "(F cos ωt - f)/(F cos ωt + f)"
+says = "A mass m of the speed v has this energy."
+stated = "m v²/2"
 quote = '''a piece of the TeX file'''
 verdict = "confirmed"              # if all steps hold; or a rule: "formula", "number"
 found = "what is true, with {words}"

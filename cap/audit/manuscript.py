@@ -19,8 +19,10 @@ class Manuscript:
         """Return the text of a file; `BadInput` if it cannot be read."""
         try:
             return cls(path.read_bytes().decode("utf-8"))
-        except (OSError, UnicodeDecodeError) as error:
-            raise BadInput(f"cannot read {path}: {error}") from None
+        except UnicodeDecodeError:
+            raise BadInput(f"cannot read {path}: it is not in UTF-8") from None
+        except OSError as error:
+            raise BadInput(f"cannot read {path}: {error.strerror}") from None
 
     @cached_property
     def title(self) -> str:

@@ -1,32 +1,56 @@
-"""The tables of the paper's figures as claims: each row is one, decided when its table is computed.
+"""Tables as claims: each row is one, decided when its table is computed.
 
-The numbers of the paper stand in `cap.paper`, and nowhere else; ``tables.json`` lists the rows, so
-that claims can be named without computing.  ``--record`` writes it, and a table whose rows are not
-those of the list decides nothing.
+``paper.toml`` names the module that computes them, which has ``LABELS``, and of each label the
+``module`` with what is computed and the ``rows``; and the command that, with a label, does
+``compute`` them.  ``tables.json`` lists the rows, so that claims
+can be named without computing.  ``--record`` writes it, and a table whose rows are not those of the
+list decides nothing.
 """
 
 import json
-import os
 import re
 import tomllib
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
-from multiprocessing import parent_process
+from importlib import import_module
+from typing import Protocol, cast
 
 from cap.audit import cache as kept
 from cap.audit import subject
 from cap.audit.claim import Claim, Kind
+from cap.audit.comparison import PROVED, Comparison
+from cap.audit.comparison import Kind as Compared
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Strength, Verdict, uncheckable
 from cap.errors import NotProved
 from cap.files import replacing
-from cap.paper.comparison import PROVED, Comparison
-from cap.paper.comparison import Kind as Compared
-from cap.paper.registry import LABELS, figure, module
-from cap.runner import Runner
 
 LONGEST = 60  # end of an id
 _KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
+
+
+class Source(Protocol):
+    """What computes the tables of a paper."""
+
+    LABELS: tuple[str, ...]
+
+    def module(self, label: str) -> str:
+        """Return the module with what is computed for a table."""
+
+    def rows(self, label: str) -> tuple[Comparison, ...]:
+        """Compute a table."""
+
+
+def source() -> Source | None:
+    """Return what computes the tables of the paper; none if it has none."""
+    name = subject.paper().get("tables")
+    return cast(Source, import_module(name)) if name else None
+
+
+def labels() -> tuple[str, ...]:
+    """Return the labels of the tables, in the order of the paper."""
+    found = source()
+    return found.LABELS if found else ()
 
 
 @dataclass(frozen=True)
@@ -68,7 +92,12 @@ def _claim(label: str, what: str, paper: str, where: str, kind: str) -> Row:
     says = f"{what[0].upper()}{what[1:]}."
     decide = _decided_by(label, what)
     quote = _quotes().get(name, "")
-    return Row(name, where, Kind(kind), says, paper, decide, quote, module(label), table=label)
+    return Row(name, where, Kind(kind), says, paper, decide, quote, _module(label), table=label)
+
+
+def _module(label: str) -> str:
+    found = source()
+    return found.module(label) if found else ""
 
 
 def group(label: str) -> str:
@@ -129,7 +158,7 @@ def _rows(label: str, fresh: bool) -> tuple[Comparison, ...] | str:
         found = None if fresh else _known(label)
         if found is None:
             found = computed(label)
-            kept.write(label, module(label), [asdict(row) for row in found])
+            kept.write(label, _module(label), [asdict(row) for row in found])
     except Exception as failure:  # noqa: BLE001 (a table that cannot be computed is no crash)
         return f"the table of {label}: {type(failure).__name__}: {failure}"
     if _listing(label, found) != listed().get(label):
@@ -138,15 +167,15 @@ def _rows(label: str, fresh: bool) -> tuple[Comparison, ...] | str:
 
 
 def computed(label: str) -> tuple[Comparison, ...]:
-    """Compute a table, on all cores unless this is one process of several."""
-    from cap.paper.figure import Run  # noqa: PLC0415 (matplotlib, where a table is computed)
-
-    jobs = 1 if parent_process() else os.cpu_count() or 1
-    return figure(label).compute(Run(runner=Runner(jobs=jobs, whole=True), drawn=False)).rows
+    """Compute a table."""
+    found = source()
+    if not found:
+        raise NotProved("audit", "the paper has no tables that are computed")
+    return found.rows(label)
 
 
 def _known(label: str) -> tuple[Comparison, ...] | None:
-    entry = kept.read(label, module(label))
+    entry = kept.read(label, _module(label))
     if not isinstance(entry, list):
         return None
     found = (Comparison(**each) for each in entry)
@@ -157,14 +186,14 @@ def _listing(label: str, found: Iterable[Comparison]) -> list[list[str]]:
     return [[row.what, row.paper, row.where or label, str(_KINDS[row.kind])] for row in found]
 
 
-def record(progress: Callable[[str], None], labels: Iterable[str], *, fresh: bool) -> None:
+def record(progress: Callable[[str], None], wanted: Iterable[str], *, fresh: bool) -> None:
     """List the rows of some tables anew."""
-    new = {label: listed()[label] for label in LABELS if label in listed()}
-    for label in labels:
+    new = {label: listed()[label] for label in labels() if label in listed()}
+    for label in wanted:
         progress(f"the table of {label}")
         found = None if fresh else _known(label)
         found = computed(label) if found is None else found
-        kept.write(label, module(label), [asdict(row) for row in found])
+        kept.write(label, _module(label), [asdict(row) for row in found])
         _FOUND[label] = found
         new[label] = _listing(label, found)
     lines = [f'"{label}": {_lines(entries)}' for label, entries in new.items()]

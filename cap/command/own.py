@@ -14,7 +14,14 @@ from hashlib import sha256
 from pathlib import Path
 
 from cap.certificate import report, writer
-from cap.command import own_attractor, own_branch, own_horseshoe, own_refusals, own_table
+from cap.command import (
+    own_attractor,
+    own_branch,
+    own_capture,
+    own_horseshoe,
+    own_refusals,
+    own_table,
+)
 from cap.command.console import Parser, columns, program, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
@@ -29,6 +36,7 @@ from cap.words import printable, quoted, say
 
 ATTRACTOR = ("attractor", "contact_attractor")
 BRANCH = ("branch", "contacts_branch")
+CAPTURE = ("capture", "contact_capture")
 HORSESHOE = ("horseshoe", "contact_horseshoe")
 PERIODIC = ("periodic", "contacts")
 ELLIPTIC = ("elliptic", "contact_elliptic")
@@ -42,6 +50,8 @@ def main(words: Sequence[str]) -> int:
         return own_attractor.main(words)
     if named in BRANCH:
         return own_branch.main(words)
+    if named in CAPTURE:
+        return own_capture.main(words)
     if named in HORSESHOE:
         return own_horseshoe.main(words)
     options = parser(named).parse_args([protected(word) for word in words])
@@ -157,7 +167,9 @@ class Asked:
                 "nothing depends on the clock: leave out --period, the period is unknown"
             )
         if options.all and (state or options.out.suffix == ".json"):
-            raise BadInput("--all goes neither with --orbit nor with one file as --out")
+            raise BadInput(
+                "--all goes neither with --orbit nor with one file as --out: name a directory"
+            )
         stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
         told = [f"{key}={value}" for key, value in sorted(values.items())]
         theorem = ELLIPTIC[1] if options.theorem in ELLIPTIC else PERIODIC[1]

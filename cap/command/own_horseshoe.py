@@ -15,6 +15,7 @@ from cap.errors import BadInput
 from cap.option import choice, integer
 from cap.proofs import contact_horseshoe, map_horseshoe
 from cap.proofs.contacts import as_parameters
+from cap.proofs.coverings import ABOUT, WHICH, Which
 from cap.runner import Runner
 from cap.system.files import assigned, planar, read
 
@@ -97,8 +98,7 @@ def parser(kind: Kind = MAP) -> Parser:
         "--sets",
         default="any",
         metavar="WHICH",
-        help="any: sets may overlap, for more entropy (default); disjoint: they do not, for a "
-        "semiconjugacy",
+        help=ABOUT,
     )
     own_map.add_ends(p)
     return p
@@ -110,7 +110,7 @@ class Asked:
 
     given: Any
     effort: int
-    disjoint: bool
+    which: Which
     jobs: int
     path: Path
 
@@ -127,7 +127,7 @@ class Asked:
         return cls(
             given,
             integer(options.effort, "effort", (1, kind.effort[1])),
-            choice("any", "disjoint")([options.sets], "sets") == "disjoint",
+            choice(*WHICH)([options.sets], "sets"),
             integer(options.jobs, "jobs", (1, 1024)),
             path,
         )
@@ -138,6 +138,6 @@ def _proved(kind: Kind, asked: Asked, progress: Progress) -> int:
     runner = Runner(asked.jobs, progress.tell)
 
     def prove() -> dict[str, Any]:
-        return kind.prove(asked.given, asked.effort, runner, disjoint=asked.disjoint)
+        return kind.prove(asked.given, asked.effort, runner, asked.which)
 
     return own_map.answered(kind.theorem, prove, asked.path, progress)

@@ -10,6 +10,7 @@ from importlib import import_module
 from cap.certificate import report
 from cap.certificate import writer as certificate
 from cap.command.console import columns
+from cap.command.own_refusals import LISTED
 from cap.command.progress import Progress, answered
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
@@ -31,6 +32,9 @@ def main(words: Sequence[str]) -> int:
         return import_module("cap.command.own_ball").main(words)  # type: ignore[no-any-return]
     if "--model" in named:
         return import_module("cap.command.own").main(words)  # type: ignore[no-any-return]
+    if "--set" in named:
+        say("error: --set goes with --model FILE: it gives values to its parameters", sys.stderr)
+        return 2
     options = read(words)
     if options.list:
         print("\n".join(_listed()))
@@ -57,6 +61,9 @@ def _listed() -> Iterator[str]:
         for name, (group, summary) in summaries.items():
             if group == key:
                 yield f"  {name:<{width}}  {summary}"
+    yield "a system or a map of your own (docs/own-system.md; each with --help):"
+    for words, summary in LISTED.items():
+        yield f"  {words:<{max(map(len, LISTED))}}  {summary}"
 
 
 def _symbolic(name: str) -> int:

@@ -39,7 +39,9 @@ class Asked:
         digits = integer(options.digits, "digits", (6, 1000), 4)
         asked = cls(_request(theorem, options, own, progress), digits, options.out)
         if asked.request.every and (asked.request.orbit or asked.into_a_file):
-            raise BadInput("--all goes neither with --orbit nor with one file as --out")
+            raise BadInput(
+                "--all goes neither with --orbit nor with one file as --out: name a directory"
+            )
         theorem.fits(own, asked.request.parameters)
         if journal := own.get(JOURNAL.name):
             writable(journal)

@@ -90,6 +90,7 @@ COMMANDS = {
         "cap.floats.models.continuation:continuation",
         "model_states:continuation",
         "--model examples/ball.py --state 2.06 -2.63 --parameter A --range 1 2 --out branch.png",
+        "It is the orbit near --state, or to which that leads.\n"
         "Folds, flips, branch points, Neimark-Sacker points and changes of events are located.\n"
         "Twice the period: give a --state beyond the flip.",
         (

@@ -7,14 +7,7 @@ import numpy as np
 from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
-from cap.errors import BadInput
-from cap.floats.diagnostics import entropy
-from cap.floats.diagnostics.entropy import Entropy
-from cap.floats.diagnostics.fate import Fate, fate
-from cap.floats.diagnostics.grid import Box, around, grid
-from cap.floats.diagnostics.stops import stops
-from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.comparison import (
+from cap.audit.comparison import (
     Comparison,
     claim,
     count,
@@ -23,6 +16,13 @@ from cap.paper.comparison import (
     roughly,
     taken_from,
 )
+from cap.errors import BadInput
+from cap.floats.diagnostics import entropy
+from cap.floats.diagnostics.entropy import Entropy
+from cap.floats.diagnostics.fate import Fate, fate
+from cap.floats.diagnostics.grid import Box, around, grid
+from cap.floats.diagnostics.stops import stops
+from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures.states import fates

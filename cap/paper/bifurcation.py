@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
+from cap.audit.comparison import Comparison, claim, number, proved, roughly
 from cap.certificate.writer import Pair
 from cap.errors import BadInput
 from cap.floats.engine import swarm
@@ -24,7 +25,6 @@ from cap.paper.closed_form import (
     symmetric_state,
     turn,
 )
-from cap.paper.comparison import Comparison, claim, number, proved, roughly
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
+from cap.audit.comparison import Comparison, claim, count, proved, roughly, taken_from
 from cap.explore.inventory import inventory
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import State
 from cap.floats.search.inventory import PROVED, Entry
 from cap.paper.certified import theorem
-from cap.paper.comparison import Comparison, claim, count, proved, roughly, taken_from
 from cap.paper.figure import Figure, Result, Run, at
 from cap.paper.impulse_bound import Rows
 from cap.paper.rows import Row, rows

@@ -17,9 +17,9 @@ from matplotlib.figure import FigureBase
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from cap.audit.comparison import Comparison, claim, count, number, percent, taken_from, unstated
 from cap.floats.findings import Floats
 from cap.paper.closed_form import pair_curve, symmetric_member
-from cap.paper.comparison import Comparison, claim, count, number, percent, taken_from, unstated
 from cap.paper.figure import Figure, Result, Run
 from cap.paper.nine_points import FORCES, GAPS, PAPER_KINDS, nine, others
 from cap.parameters import PAPER

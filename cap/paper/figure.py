@@ -11,8 +11,8 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.figure import FigureBase
 from numpy.typing import ArrayLike
 
+from cap.audit.comparison import Comparison, markdown
 from cap.floats.findings import Findings
-from cap.paper.comparison import Comparison, markdown
 from cap.parameters import PAPER, Parameters
 from cap.runner import Runner
 

@@ -9,12 +9,12 @@ import numpy as np
 from matplotlib.figure import FigureBase
 from matplotlib.ticker import MaxNLocator
 
+from cap.audit.comparison import Comparison, claim, count, number, roughly, taken_from, unstated
 from cap.errors import BadInput
 from cap.floats.diagnostics.continuation import continuation
 from cap.floats.search.cycles import Cycle, StroboscopicMap
 from cap.floats.search.inventory import KINDS
 from cap.floats.search.orbits import search
-from cap.paper.comparison import Comparison, claim, count, number, roughly, taken_from, unstated
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER, Parameters
 from cap.pictures.diagrams import TYPE_COLOURS

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import FigureBase
 
+from cap.audit.comparison import Comparison, claim, number, taken_from, unstated
 from cap.errors import BadInput
 from cap.floats.diagnostics.lyapunov import Lyapunov, exponents
 from cap.floats.diagnostics.trajectory import trajectory
@@ -14,7 +15,6 @@ from cap.floats.engine import swarm
 from cap.floats.engine.swarm import Swarm
 from cap.floats.findings import Floats, State
 from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.comparison import Comparison, claim, number, taken_from, unstated
 from cap.paper.escape import Escape, escape
 from cap.paper.figure import Figure, Result, Run
 from cap.paper.impulse_bound import Rows, _thickness

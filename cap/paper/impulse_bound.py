@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.figure import FigureBase
 
+from cap.audit.comparison import Comparison, claim, number
 from cap.errors import BadInput
 from cap.floats.diagnostics.grid import grid, whole
 from cap.floats.diagnostics.trajectory import trajectory
@@ -14,7 +15,6 @@ from cap.floats.findings import Floats, State
 from cap.floats.search import periodic
 from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.closed_form import asymmetry, pair_member, root, symmetric_member, turn
-from cap.paper.comparison import Comparison, claim, number
 from cap.paper.figure import Figure, Result, Run, at
 from cap.paper.rows import Row, rows
 from cap.parameters import PAPER

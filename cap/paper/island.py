@@ -8,12 +8,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
+from cap.audit.comparison import Comparison, claim, percent, proved
 from cap.errors import BadInput
 from cap.floats.diagnostics.chains import Chain, chains
 from cap.floats.diagnostics.portrait import Portrait, portrait
 from cap.floats.diagnostics.rotation import SHAKY, Rotation, rotation
 from cap.paper.certified import theorem
-from cap.paper.comparison import Comparison, claim, percent, proved
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures.style import (

@@ -4,8 +4,8 @@ A (1,1) orbit is T-periodic, its velocity never vanishes, it hits each wall once
 others hit each wall once, too, but turn or stick.  Everything here is proved.
 """
 
+from cap.audit.comparison import Comparison, claim, count, roughly
 from cap.paper.certified import theorem
-from cap.paper.comparison import Comparison, claim, count, roughly
 
 FORCES, GAPS = ("0.15", "0.35", "0.55"), ("1", "2", "3")
 PAPER_KINDS = {  # (f, R): what the paper's Newton search found

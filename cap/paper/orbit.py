@@ -8,12 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.floats.diagnostics.trajectory import Trajectory, trajectory
-from cap.floats.engine import swarm
-from cap.floats.findings import Floats
-from cap.maps.twist import regular_twist
-from cap.paper.certified import theorem
-from cap.paper.comparison import (
+from cap.audit.comparison import (
     Comparison,
     claim,
     count,
@@ -23,6 +18,11 @@ from cap.paper.comparison import (
     proved,
     taken_from,
 )
+from cap.floats.diagnostics.trajectory import Trajectory, trajectory
+from cap.floats.engine import swarm
+from cap.floats.findings import Floats
+from cap.maps.twist import regular_twist
+from cap.paper.certified import theorem
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures import times

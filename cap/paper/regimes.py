@@ -8,15 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import FigureBase
 
-from cap.floats.diagnostics.attractor import strongest
-from cap.floats.diagnostics.trajectory import Trajectory, trajectory
-from cap.floats.engine import swarm
-from cap.floats.findings import State
-from cap.floats.search import cycles
-from cap.floats.search.cycles import Cycle
-from cap.floats.search.orbits import search
-from cap.paper.coexistence import mirrored
-from cap.paper.comparison import (
+from cap.audit.comparison import (
     Comparison,
     claim,
     count,
@@ -26,6 +18,14 @@ from cap.paper.comparison import (
     taken_from,
     unstated,
 )
+from cap.floats.diagnostics.attractor import strongest
+from cap.floats.diagnostics.trajectory import Trajectory, trajectory
+from cap.floats.engine import swarm
+from cap.floats.findings import State
+from cap.floats.search import cycles
+from cap.floats.search.cycles import Cycle
+from cap.floats.search.orbits import search
+from cap.paper.coexistence import mirrored
 from cap.paper.figure import Figure, Result, Run, at
 from cap.paper.impulse_bound import Rows
 from cap.paper.rows import Row, rows

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
+from cap.audit.comparison import Comparison, among, claim, count, number, percent
 from cap.errors import BadInput
 from cap.floats.diagnostics import alignment
 from cap.floats.diagnostics.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
@@ -15,7 +16,6 @@ from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
 from cap.floats.search import periodic
 from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.comparison import Comparison, among, claim, count, number, percent
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures.states import index_map

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 from matplotlib.patches import FancyArrowPatch, Rectangle
 
+from cap.audit.comparison import Comparison, claim, number, percent, roughly
 from cap.errors import BadInput
 from cap.floats.diagnostics.attractor import Attractor, attractors
 from cap.floats.diagnostics.fate import Fate, fate
@@ -17,7 +18,6 @@ from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.findings import Floats, State
 from cap.floats.search import periodic
 from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.comparison import Comparison, claim, number, percent, roughly
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
 from cap.pictures.states import fates

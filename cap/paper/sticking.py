@@ -8,12 +8,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
 
+from cap.audit.comparison import Comparison, claim, count, number, taken_from
 from cap.floats.diagnostics.chatter import Chatter, chatter
 from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import State
 from cap.paper.certified import theorem
-from cap.paper.comparison import Comparison, claim, count, number, taken_from
 from cap.paper.figure import Figure, Result, Run, at
 from cap.parameters import PAPER
 from cap.pictures import times

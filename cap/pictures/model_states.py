@@ -1,6 +1,7 @@
 """Pictures of states of a model: portraits, attractors, basins, bifurcation diagrams."""
 
 import textwrap
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
@@ -22,6 +23,7 @@ from cap.pictures.models import MARKERS, heading
 from cap.pictures.style import BLACK, BLUE, CYCLE, GREY, RED
 
 SOLID = "#D9D9D9"
+LOOKS: dict[bool, dict[str, Any]] = {True: {"lw": 1.4}, False: {"lw": 0.9, "ls": (0, (4, 2))}}
 STROBE = r" at $t \equiv 0$ mod $T$"
 
 
@@ -173,13 +175,12 @@ def _dots(axes: Axes, points: Floats, colour: str, size: float) -> None:
 def continuation(findings: ModelBranch, figure: FigureBase) -> None:
     """Draw the branch, solid where it attracts, and the moduli of its multipliers below."""
     top, low = figure.subplots(2, 1, sharex=True, height_ratios=[1.6, 1])
-    value, first = findings.value, findings.states[:, 0]
-    looks = 2 * findings.itinerary + findings.stable
-    cuts = [0, *(np.flatnonzero(np.diff(looks)) + 1).tolist(), len(value)]
-    for begin, end in pairwise(cuts):
-        style: Any = {"lw": 1.4} if findings.stable[begin] else {"lw": 0.9, "ls": (0, (4, 2))}
-        part = slice(begin, min(end + 1, len(value)))
-        top.plot(value[part], first[part], color=BLUE, **style)
+    value = findings.value
+    for points, stable in _parts(findings):
+        top.plot(*points.T, color=BLUE, **LOOKS[stable])
+    for stable, label in ((True, "attracts"), (False, "does not attract")):
+        if (findings.stable == stable).any():
+            top.plot([], [], color=BLUE, label=label, **LOOKS[stable])
     for k, label in enumerate(dict.fromkeys(each.label for each in findings.special)):
         own = [each for each in findings.special if each.label == label]
         top.plot([e.value for e in own], [e.state[0] for e in own], MARKERS[k % len(MARKERS)],
@@ -192,6 +193,24 @@ def continuation(findings: ModelBranch, figure: FigureBase) -> None:
     top.set_ylabel(f"{findings.state[0]}{STROBE}")
     low.set_ylabel("|multipliers|")
     low.set_xlabel(findings.parameter)
-    if findings.special:
-        figure.legend(loc="outside lower center", ncols=4)
+    figure.legend(loc="outside lower center", ncols=4)
     heading(figure, findings, f"An orbit of period {findings.periods} T over {findings.parameter}")
+
+
+def _parts(findings: ModelBranch) -> Iterator[tuple[Floats, bool]]:
+    """Give the points (M, 2) of parts of the branch that look alike, and whether they attract.
+
+    Two parts meet at the special orbit between them, if there is one.
+    """
+    points = np.stack([findings.value, findings.states[:, 0]], axis=1)
+    changes = np.diff(2 * findings.itinerary + findings.stable)
+    cuts = [0, *(np.flatnonzero(changes) + 1).tolist(), len(points)]
+    before = points[:0]
+    for begin, end in pairwise(cuts):
+        after = points[end : end + 1]
+        for each in findings.special:
+            here = np.array([each.value, each.state[0]])
+            if len(after) and np.all((points[end - 1] - here) * (points[end] - here) <= 0):
+                after = here[None]
+        yield np.concatenate([before, points[begin:end], after]), bool(findings.stable[begin])
+        before = after

@@ -168,6 +168,9 @@ def orbits(findings: ModelOrbits, figure: FigureBase) -> None:
     axes.set_ylabel(findings.plane[1])
     if findings.orbits:
         figure.legend(loc="outside lower center", ncols=2)
+    else:
+        axes.set(xticks=[], yticks=[])
+        axes.text(0.5, 0.5, "\n".join(findings.others) or "none", ha="center", va="center")
     count = len(findings.orbits)
     what = f"{count} orbit{'s' * (count != 1)}"
     heading(figure, findings, f"{what} of period {findings.periods} T found")

@@ -43,6 +43,11 @@ def loads(text: str) -> System:
         value = json.loads(text, object_pairs_hook=_object, parse_constant=_no_number)
     except (json.JSONDecodeError, RecursionError) as error:
         raise BadInput(f"not JSON: {error}") from None
+    if isinstance(value, dict) and "theorem" in value:
+        raise BadInput(
+            "a certificate, which `cap.verify` reads, no system: that is FILE.py, or JSON as "
+            "cap.system.form writes it"
+        )
     return from_json(value)
 
 

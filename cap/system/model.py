@@ -27,6 +27,7 @@ import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import TypeVar
 
 from cap.errors import BadInput
@@ -107,7 +108,7 @@ class System:
         object.__setattr__(self, "parameters", tuple(self.parameters))
         validate(self)
 
-    @property
+    @cached_property
     def autonomous(self) -> bool:
         """Whether the clock occurs nowhere."""
         found = [q for mode in self.modes.values() for q in mode.field.values()]

@@ -50,7 +50,7 @@ def moving(at: At, name: str, ends: tuple[Fraction, Fraction], begun: Collection
             raise BadInput(
                 f"in the mode {key} {name} multiplies a variable or the clock, so that flights are "
                 "not linear with it: choose units in which it stands in guards, resets or constant "
-                "forces"
+                f"forces (a force {name} cos wt: measure lengths in {name})"
             )
         guards = {g: _guard(systems, key, g, p) for g in mode.guards}
         modes[key] = Mode({**field, name: ZERO}, guards)

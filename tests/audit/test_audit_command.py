@@ -94,8 +94,8 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
         (("--verdict", "wrong"), "no verdict 'wrong': one of confirmed, "),
         (("--jobs", "0"), "--jobs must be an integer"),
         (("--jobs", "two"), "--jobs must be an integer"),
-        (("--patch", "none.tex"), "cannot read none.tex"),
-        (("--paper", "none.tex"), "cannot read none.tex"),
+        (("--patch", "none.tex"), "cannot read none.tex: No such file or directory\n"),
+        (("--paper", "none.tex"), "cannot read none.tex: No such file or directory\n"),
         (("--format", "word"), "invalid choice"),
         (
             ("--of", "church_fortins"),

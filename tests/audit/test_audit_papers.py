@@ -4,6 +4,7 @@ import pytest
 
 from cap.audit import command, coverage, findings, given, ledger, quotes, recorded, subject
 from cap.audit.decide import decided
+from cap.audit.papers import FIRST
 from cap.audit.papers.church_fortin.claims import tables as deciding
 from cap.audit.report.latex import latex
 from cap.audit.report.markdown import markdown
@@ -22,15 +23,15 @@ def tables(own_cache):
     """Choose Church and Fortin's tables."""
     subject.choose("church_fortin")
     yield
-    subject.choose(subject.FIRST)
+    subject.choose(FIRST)
 
 
 def test_papers_are_chosen():
     """By their names; another name is refused."""
-    assert {"church_fortin", subject.FIRST} <= set(subject.names())
+    assert {"church_fortin", FIRST} <= set(subject.names())
     with pytest.raises(BadInput, match="no paper 'church' is audited"):
         subject.choose("church")
-    assert subject.chosen() == subject.FIRST
+    assert subject.chosen() == FIRST
 
 
 def test_the_ledger_of_the_tables(tables):
@@ -80,13 +81,3 @@ def test_a_claim_of_a_kind_that_is_not_there(tmp_path):
     path.with_suffix(".py").touch()
     with pytest.raises(AttributeError, match="nothing"):
         given.claims(path, deciding.__name__)
-
-
-def test_the_general_part_knows_no_paper():
-    """But for tables of figures, and means of one paper, nothing names one."""
-    root = subject.FOLDER.parent
-    known = {"subject.py"}
-    for path in [*root.glob("*.py"), *root.glob("report/*.py")]:
-        text = path.read_text(encoding="utf-8")
-        assert path.name in known or "mixed_dynamics" not in text, path
-        assert "church" not in text.lower(), path

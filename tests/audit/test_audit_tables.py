@@ -5,12 +5,12 @@ import json
 import pytest
 
 from cap.audit import coverage, ledger, subject, tables
+from cap.audit.comparison import claim, number, proved, roughly, taken_from, unstated
 from cap.audit.decide import all_decided, decided
 from cap.audit.papers.mixed_dynamics.means.printed import printed, stated
 from cap.audit.report.view import report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
-from cap.paper.comparison import claim, number, proved, roughly, taken_from, unstated
 
 pytest_plugins = ["audit_fixtures"]
 LABEL = "fig:sali"
@@ -34,7 +34,7 @@ def table(own_cache, elsewhere, monkeypatch):
         return ROWS
 
     elsewhere("tables.json")
-    monkeypatch.setattr(tables, "LABELS", (LABEL,))
+    monkeypatch.setattr(tables, "labels", lambda: (LABEL,))
     monkeypatch.setattr(tables, "computed", computed)
     monkeypatch.setattr(tables, "_FOUND", {})
     tables.record(lambda _words: None, [LABEL], fresh=True)

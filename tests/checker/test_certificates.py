@@ -70,6 +70,8 @@ REASONS = {
 
 
 SLOW = {  # like others of their theorems, and as long to check as a true one
+    "ball_curve_small",
+    "converse_small",
     "conservative_by_three_flights",
     "effective_stability_for_longer",
     "entropies_with_a_larger_share_of_cycles",

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cap.checker.coverings import cones
-from cap.checker.coverings.cones import axes, carried, rates, strip
+from cap.checker.coverings.cones import carried, cone, rates, strip
 from cap.checker.coverings.covering import Parallelogram
 from cap.checker.coverings.entropy import cone_rates
 from cap.checker.coverings.formulas import Map
@@ -22,10 +22,11 @@ from checker.test_checker_formulas import given
 
 STORED = Path(__file__).parents[2] / "certificates"
 CERTIFICATE = json.loads((STORED / "map_horseshoe-3.json").read_text("utf-8"))
+WITH_UNITS = json.loads((STORED / "horseshoe-3.json").read_text("utf-8"))
 SETS = [[Fraction(q) for q in numbers] for numbers in CERTIFICATE["hints"]["sets"]]
 EDGES = [[int(j) for j in to] for to in CERTIFICATE["hints"]["coverings"]]
-ALONG = axes((Fraction(0), Fraction(0)))
-ONE = Double(1.0)
+ALONG = Fraction(0), Fraction(0)
+ONE = Fraction(1)
 
 
 def square(x=0, y=0, a=1):
@@ -33,10 +34,10 @@ def square(x=0, y=0, a=1):
     return Parallelogram([Fraction(n) for n in (x, y, a, 0, 0, a)])
 
 
-def of(g, slope=ONE):
-    """Return the rates of the covering of a square by itself."""
+def of(g, here=(ONE, ONE, ONE), there=(ONE, ONE, ONE)):
+    """Return the rates of the covering of a square by itself, in units before and after."""
     (A,) = carried(g, square(), [square()])
-    return rates(A, ALONG, ALONG, slope)
+    return rates(A, cone(ALONG, ONE, here), cone(ALONG, ONE, there))
 
 
 def test_rates_of_linear_maps():
@@ -63,6 +64,21 @@ def test_no_cones(g, why):
     """Each inequality refuses something."""
     with pytest.raises(Rejected, match=why):
         of(g)
+
+
+def test_rates_in_units():
+    """Numbers are divided by units; the slopes of cones are those of the set they begin in."""
+    g, units = Linear(3.0, 0.5, 0.25, 0.25), [Fraction(n) for n in (1, 2, 4)]
+    assert 2 - 1e-12 < of(g, units, [Fraction(1), Fraction(5, 2), Fraction(4)]).stretch <= 2
+    assert 0.5 <= of(g, units, units).shrink < 0.5 + 1e-12
+    with pytest.raises(Rejected, match="shrunk"):
+        of(g, units)
+    flat = [Fraction(1, 2), Fraction(1), Fraction(1)]
+    stretch, shrink = of(g, flat)
+    assert 2.75 - 1e-12 < stretch <= 2.75
+    assert 0.75 <= shrink < 0.75 + 1e-12
+    with pytest.raises(Rejected, match="mapped into a cone"):
+        of(g, (ONE, ONE, ONE), [Fraction(1, 10), ONE, ONE])
 
 
 class Nowhere(Planar):
@@ -112,13 +128,18 @@ def test_a_strip_has_all_points():
     assert seen > 100
 
 
-def test_the_one_stored():
+@pytest.mark.parametrize(
+    ("stored", "where"),
+    [(CERTIFICATE, "coordinates of the sets exp"), (WITH_UNITS, "the sets, in units of each, exp")],
+)
+def test_those_stored(stored, where):
     """Conjugate, hyperbolic: said with the rates."""
-    assert any("one orbit only" in step for step in verify(CERTIFICATE))
-    line = words(check(encode(CERTIFICATE), lambda _: None))
+    assert any("one orbit only" in step for step in verify(stored))
+    line = words(check(encode(stored), lambda _: None))
     assert "conjugate to the two-sided subshift" in line
     assert "hyperbolic" in line
-    assert CERTIFICATE["claims"]["cones"]["stretch"] in line
+    assert where in line
+    assert stored["claims"]["cones"]["stretch"] in line
 
 
 @pytest.fixture
@@ -149,6 +170,30 @@ def test_other_directions(only_cones):
         rejected(lie, "cone|as claimed|zero")
 
 
+@pytest.mark.parametrize("which", [0, 1, 2])
+def test_other_units(which, only_cones):
+    """A set with another slope, or another unit of one of its coordinates; none at all."""
+    k = next(k for k, to in enumerate(WITH_UNITS["hints"]["coverings"]) if len(to) > 1)
+    row = WITH_UNITS["hints"]["cones"]["units"][k]
+    for factor in (1000, Fraction(1, 1000)):
+        other = [str(q) for q in row]
+        other[which] = decimal(Fraction(row[which]) * factor, 12)
+        lie = changed(WITH_UNITS, "hints", "cones", "units", k, other)
+        rejected(lie, "cone|as claimed|stretched|shrunk")
+    without = changed(WITH_UNITS, "hints", "cones", "slope", "1")
+    del without["hints"]["cones"]["units"]
+    rejected(without, "cone|stretched|shrunk")
+
+
+def test_units_that_are_none():
+    """Not positive, too large, too few."""
+    given_ = WITH_UNITS["hints"]["cones"]["units"]
+    for value in ("0", "-1", "1000001"):
+        lie = changed(WITH_UNITS, "hints", "cones", "units", 0, ["1", value, "1"])
+        rejected(lie, "a unit of a set")
+    rejected(changed(WITH_UNITS, "hints", "cones", "units", given_[:-1]), "units for each")
+
+
 def test_what_is_not_of_the_form():
     """Claimed or given alone; too flat, too steep, too few."""
     for part in ("claims", "hints"):
@@ -175,7 +220,6 @@ def test_the_worst_covering_decides():
     """The rates of a family are those of its worst covering."""
     good, bad = ((Double(4.0), Double(0.0)), (Double(0.0), Double(0.1))), (
         (Double(2.0), Double(0.0)), (Double(0.0), Double(0.5)))  # fmt: skip
-    zero = [[Fraction(0)] * 2] * 2
-    found = cone_rates([[good], [bad]], [[1], [0]], zero, Fraction(1))
+    found = cone_rates([[good], [bad]], [[1], [0]], [cone(ALONG, ONE)] * 2)
     assert 1.99 < found.stretch <= 2
     assert 0.5 <= found.shrink < 0.51

@@ -261,6 +261,7 @@ def test_an_integral_is_a_bound_from_below():
         assert q.integral(p) == pytest.approx(mean - 0.04, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_parts_where_a_model_is_small():
     """What is said of a half plane is what there is; of bent models, nothing too large."""
     rng, points = np.random.default_rng(7), grid(401)

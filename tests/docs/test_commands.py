@@ -8,7 +8,16 @@ import pytest
 
 from cap import prove, verify
 from cap.audit import command as audit
-from cap.command import archive, own, own_ball, own_branch, own_curve, own_horseshoe, verifier
+from cap.command import (
+    archive,
+    own,
+    own_ball,
+    own_branch,
+    own_capture,
+    own_curve,
+    own_horseshoe,
+    verifier,
+)
 from cap.command.console import protected
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
@@ -44,6 +53,8 @@ def of_own(given):
         kind = own_horseshoe.MAP if "--map" in given else own_horseshoe.MODEL
         asked = own_horseshoe.Asked.of(kind, own_horseshoe.parser(kind).parse_args(given))
         assert kind.parameters(asked.given)["state"]
+    elif given[0] in own.CAPTURE:
+        assert own_capture.Asked.of(own_capture.parser().parse_args(given)).wall.e > 0
     elif given[0] in own.BRANCH:
         assert own_branch.parser().parse_args(given).parameter
     else:

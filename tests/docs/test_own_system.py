@@ -53,8 +53,10 @@ def test_the_commands(monkeypatch, tmp_path, capsys):
     """From a blank file to a picture and a verdict: in an empty directory, in their order."""
     monkeypatch.chdir(tmp_path)
     text = PAGE.read_text(encoding="utf-8")
-    ten = text[text.index("    from fractions") : text.index("\n- **Names.**")]
-    Path("ball.py").write_text(dedent(ten), encoding="utf-8")
+    for name in ("ball", "spring"):
+        ten = rf"^    from fractions.*\n(?:    .*\n|\n)+?    def {name}\(.*\n(?:    .*\n)+"
+        block = re.search(ten, text, re.MULTILINE)
+        Path(f"{name}.py").write_text(dedent(block[0]), encoding="utf-8")
     ran = 0
     for block in re.findall(r"```console\n(.*?)```", text, re.DOTALL):
         for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
@@ -66,5 +68,5 @@ def test_the_commands(monkeypatch, tmp_path, capsys):
             for line in shown:
                 assert line in out + err
             ran += 1
-    assert ran == 5
+    assert ran == 9
     assert Path("orbit.svg").stat().st_size > 10_000

@@ -99,6 +99,7 @@ def test_the_command(tmp_path, capsys):
     assert "nothing depends on the clock" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_curve(tmp_path, capsys):
     """Over the friction the swing stays one that attracts."""
     out = tmp_path / "curve.json"

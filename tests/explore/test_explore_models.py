@@ -12,11 +12,13 @@ from cap.explore import explorer
 from cap.explore.arrays import load
 from cap.floats.models import engine
 from cap.floats.models.closing import Start, closing, logged, product
+from cap.floats.models.continuation import ModelBranch, ModelSpecial
 from cap.floats.models.engine import Engine
 from cap.floats.models.legs import Legs
 from cap.floats.models.samples import exponents
 from cap.floats.models.subject import Subject
 from cap.floats.models.walls import walls
+from cap.pictures import model_states
 from cap.system.files import load as read_model
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -63,9 +65,13 @@ def test_an_orbit(capsys, tmp_path):
         ),
         (("orbit", *PAIR, "--set", "e"), "write values of parameters as NAME=VALUE"),
         (("orbit", *PAIR, "--state", "1"), "--state takes 2 numbers, z, v: 1 given"),
-        (("orbit", *PAIR, "--state", "9", "1"), "in no mode"),
+        (
+            ("orbit", *PAIR, "--state", "9", "1"),
+            "the state z = 9, v = 1 lies in no mode .*: in free the guard top is -8.75 ",
+        ),
         (("orbit", *PAIR, "--state", "0", "1", "--mode", "fly"), "no mode 'fly': there are free"),
         (("orbit", *PAIR, "--plane", "z", "w"), "no variable w: the state is z, v"),
+        (("orbit", *PAIR, "--plane", "v", "v"), "--plane is of two variables: v is one"),
         (("orbit", *PAIR, "--F", "3"), "unrecognized arguments: --F 3"),
         (("sali", *PAIR), "invalid choice: 'sali'"),
         (("search",), "search is about a model: --model FILE"),
@@ -171,6 +177,67 @@ def test_a_search_and_its_proof(capsys, tmp_path):
     assert "the independent checker accepts it" in capsys.readouterr().out
 
 
+SPRING = """
+from fractions import Fraction
+from cap import Bounce, Guard, Mode, System, variables
+x, v, cos, sin = variables("x v cos sin")
+def spring(F=2, k=4, c=0, e=Fraction(4, 5)):
+    walls = {"left": Guard(x + 1, "fly", Bounce(e)), "right": Guard(1 - x, "fly", Bounce(e))}
+    return System("x v", 1, {"fly": Mode({"x": v, "v": -k * x - c * v + F * cos}, walls)})
+"""
+
+
+@pytest.fixture
+def spring(tmp_path):
+    """Return the words that name a spring between two walls, which a cosine drives."""
+    file = tmp_path / "spring.py"
+    file.write_text(SPRING, "utf-8")
+    return "--model", str(file)
+
+
+def test_a_continuum(capsys, spring):
+    """Without damping and at twice the frequency of the force, all that hits no wall closes."""
+    status, text, _ = run(capsys, "attractor", *spring, "--points", "60", "--transient", "300")
+    assert status == 0
+    first = text.splitlines()[1]
+    found = re.search(r"1 +([0-9.]+)%  a continuum of period 1 T: (\d+) cycles met", first)
+    assert float(found.group(1)) > 90
+    assert int(found.group(2)) > 30
+    assert text.count("\n") < 10
+    assert "cap.prove" not in text
+
+
+def test_it_is_followed_from_where_a_state_leads(capsys, spring):
+    """No orbit closes near rest; where an event comes to t = 0 the branch ends, without a fold."""
+    words = ("--set", "k=2,c=0.1", "--parameter", "F", "--range", "1.4", "2")
+    status, text, _ = run(capsys, "continuation", *spring, *words, "--state", "0", "1")
+    assert status == 0
+    head, *special = text.splitlines()
+    assert re.search(r"followed over F = 1\.508\d* \.\. (2|1\.9999)", head)
+    assert len(special) == 1
+    assert "an event at t = 0" in special[0]
+
+
+def test_what_is_lost_says_why(capsys, tmp_path):
+    """Contacts accumulate, and no mode of rest is named."""
+    file = tmp_path / "ball.py"
+    text = (EXAMPLES / "ball.py").read_text("utf-8")
+    file.write_text(text.replace(', rest="rest"', ""), "utf-8")
+    status, text, _ = run(capsys, "attractor", "--model", str(file), "--points", "20")
+    assert status == 0
+    assert re.search(r"\n  \d+ were lost: too many events in a period: they accumulate", text)
+
+
+def test_a_picture_of_none(capsys, tmp_path):
+    """It says what was met instead; its axes have no numbers."""
+    picture = tmp_path / "none.svg"
+    words = ("--model", str(EXAMPLES / "ball.py"), "--period", "2", "--out", str(picture))
+    status, text, _ = run(capsys, "search", *words)
+    assert status == 0
+    assert "\nbesides, 69 that attract have the period 1 T" in text
+    assert "xtick" not in picture.read_text("utf-8")
+
+
 def test_it_is_kept():
     """A process that comes later loads what was compiled, and compiles nothing."""
     system = Subject(read_model(PAIR[1], {})).system
@@ -178,6 +245,21 @@ def test_it_is_kept():
     again = Engine(system)
     again.follow([[0.0, 0.7]])
     assert again._follow._compiled.stats.cache_hits.total() == 1
+
+
+def test_a_branch_is_drawn_up_to_its_flip():
+    """Not only up to the orbits beside it."""
+    ones = np.ones((4, 2), complex)
+    flip = ModelSpecial("flip", 0.6, np.array([5.5, 0.0]), ones[0])
+    branch = ModelBranch(
+        model="m.py", values={}, state=("x", "v"), period=1.0, autonomous=False, parameter="s",
+        periods=1, value=np.array([0.2, 0.4, 0.8, 0.9]), multipliers=ones,
+        states=np.array([[3.0, 0], [4, 0], [7, 0], [8, 0]]), itinerary=np.zeros(4, int),
+        stable=np.array([True, True, False, False]), special=(flip,),
+    )  # fmt: skip
+    solid, dashed = model_states._parts(branch)
+    assert (solid[0].tolist(), solid[1]) == ([[0.2, 3], [0.4, 4], [0.6, 5.5]], True)
+    assert (dashed[0].tolist(), dashed[1]) == ([[0.6, 5.5], [0.8, 7], [0.9, 8]], False)
 
 
 @pytest.mark.slow

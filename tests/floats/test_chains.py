@@ -27,6 +27,7 @@ def test_the_chains_of_the_island(found):
     assert [chain.number for chain in found[1]] == KNOWN
 
 
+@pytest.mark.slow
 def test_they_are_elliptic_orbits_that_never_turn(found):
     """Of period qT and no shorter one, with multipliers on the unit circle."""
     for chain in found[1]:

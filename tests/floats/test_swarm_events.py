@@ -149,6 +149,7 @@ def test_without_friction(state, e):
     compare(p, state, 1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("state", [(0.3, 0.4), (0.2, -1.7), (0.999, 0.001)])
 def test_viscosity_has_a_limit(state):
     """As μ -> 0 the end tends to that without viscosity, at the rate of μ."""

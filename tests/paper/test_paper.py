@@ -8,6 +8,17 @@ import matplotlib.image
 import numpy as np
 import pytest
 
+from cap.audit.comparison import (
+    among,
+    claim,
+    count,
+    cut_off,
+    enclosure,
+    markdown,
+    number,
+    percent,
+    proved,
+)
 from cap.errors import BadInput, NotProved
 from cap.explore.arrays import load
 from cap.paper import (
@@ -18,17 +29,6 @@ from cap.paper import (
     continuation,
     forcing,
     sketches,
-)
-from cap.paper.comparison import (
-    among,
-    claim,
-    count,
-    cut_off,
-    enclosure,
-    markdown,
-    number,
-    percent,
-    proved,
 )
 from cap.paper.figure import Run, at
 from cap.paper.registry import LABELS, figure, labelled

@@ -28,13 +28,14 @@ SETTING = Setting(PAPER, Start(0.0, 0.0, ()), 6)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("which", "effort"), [("any", 3), ("disjoint", 4)])
+@pytest.mark.parametrize(("which", "effort"), [("any", 3), ("disjoint", 4), ("hyperbolic", 4)])
 def test_it_is_proved(which, effort):
     """With short words; the checker accepts it."""
     options = {"effort": effort, "sets": which}
     found = accepted(THEOREMS["horseshoe"], replace(SETTING, options=options))
     assert Fraction(found["claims"]["entropy"]) > Fraction(1, 5)
     assert which == "any" or found["claims"]["together"] == "1"
+    assert which != "hyperbolic" or float(found["claims"]["cones"]["stretch"]) > 1
 
 
 @pytest.mark.parametrize("changed", [{"e": Fraction(9, 10)}, {"mu": Fraction(1, 10)}, {"f": 0}])
@@ -121,7 +122,7 @@ def test_coverings_that_do_not_hold_are_left_out():
     sets = np.array([[0.3, 0.7, 0.01, 0, 0, 0.01], [0.35, 0.8, 0.01, 0, 0, 0.01]])
     family = Family(sets, *arrays([(0, 0), (0, 1), (1, 0), (1, 1)]), 2.0)
     with pytest.raises(NotProved, match="two loops"):
-        proved(HalfPeriod(Fraction(2, 5), Fraction(1)), family, Runner(), disjoint=False)
+        proved(HalfPeriod(Fraction(2, 5), Fraction(1)), family, Runner(), "any")
 
 
 def test_entropy_is_rounded_down():

@@ -68,6 +68,7 @@ def test_what_is_refused(capsys, words, why):
     assert any(part in out + err for part in why.split("|")), out + err
 
 
+@pytest.mark.slow
 def test_a_rotation_number_that_no_curve_has(capsys):
     """Not proved."""
     status, out, err = proving(capsys, "island", "--rotation", "[0;5,(1)]")

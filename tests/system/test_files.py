@@ -1,6 +1,7 @@
 """A system from a file: what is read, and in which words the rest is refused."""
 
 from fractions import Fraction
+from pathlib import Path
 
 import models
 import pytest
@@ -74,6 +75,9 @@ def test_json(written):
     ):
         with pytest.raises(BadInput, match=message):
             read(path, values)
+    certificate = Path(__file__).parents[2] / "certificates/elliptic.json"
+    with pytest.raises(BadInput, match=r"a certificate, which `cap\.verify` reads, no system"):
+        read(certificate)
     with pytest.raises(BadInput, match=r"fall\.json: not JSON"):
         read(written("{", "fall.json"))
 
@@ -119,7 +123,7 @@ REFUSED = {
     "ball.py:1: SystemExit: 3": ("raise SystemExit(3)\n", {}),
     "source code string cannot contain null bytes": ("\0", {}),
     "RecursionError": ("def f():\n    return f()\n", {}),
-    "v' in the mode fly is not linear in the state and the clock: -1 y^2 (flights that are not": (
+    "v' in the mode fly is not linear in the state and the clock: -y^2 (flights that are not": (
         changed("-g}", "-y * y}"),
         {"A": 1},
     ),

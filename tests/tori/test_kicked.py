@@ -132,6 +132,7 @@ def test_means(q):
     assert float(checker.mean(without)) == pytest.approx(expected)
 
 
+@pytest.mark.slow
 def test_curves_in_floats():
     """They are invariant, also where the map has no symmetry; beyond the last one none is found."""
     golden = (math.sqrt(5) - 1) / 2

@@ -1,6 +1,6 @@
 """Symbolic steps: identities by sympy, differences at exact points in balls.
 
-That two expressions are equal is left to a computer algebra system, as in `cap.proofs.one_one`;
+That two expressions are equal is left to a computer algebra system;
 that they are not is certain, because both are enclosed at a rational point.
 """
 

@@ -3,31 +3,34 @@
 For a covering N_i -> N_j let S be a rectangle of p and q that contains all points of N_i with an
 image in N_j.  In each set two directions are chosen, (1, sigma) and (tau, 1) in its coordinates p
 and q; C_i has them as columns, and (a, b) = C_i^-1 (p, q).  Let B be a matrix of intervals that
-contains (A_j C_j)^-1 Dg(z) A_i C_i for every z in S.  Let L > 0 be the same for all coverings, and
-let for all matrices in B
+contains (A_j C_j)^-1 Dg(z) A_i C_i for every z in S.  Each set has a slope L_i > 0 and units u_i,
+w_i > 0, of a and of b (1 where none are given).  Let for all coverings and all matrices in B
 
-    |B21| + L |B22| < L (|B11| - L |B12|),    |B11| - L |B12| >= s > 1,    |B22| + |B21|/L <= c < 1.
+    |B21| + L_i |B22| < L_j (|B11| - L_i |B12|),
 
-*Lemma 1.*  Let (a', b') = B (a, b).  If |b| <= L |a|, then |b'| <= L |a'|, with < if a != 0, and
-|a'| >= s |a|.  If |b'| >= L |a'|, then |b| >= L |a|, and |b'| <= c |b|.  *Proof.*  In the first
-case |b'| <= (|B21| + L |B22|) |a| and |a'| >= (|B11| - L |B12|) |a|.  The second is its
-contraposition; then |b'| <= |B21| |b|/L + |B22| |b|.
+    (|B11| - L_i |B12|) u_i/u_j >= s > 1,        (|B22| + |B21|/L_i) w_i/w_j <= c < 1.
+
+*Lemma 1.*  Let (a', b') = B (a, b).  If |b| <= L_i |a|, then |b'| <= L_j |a'|, with < if a != 0,
+and |a'|/u_j >= s |a|/u_i.  If |b'| >= L_j |a'|, then |b| >= L_i |a|, and |b'|/w_j <= c |b|/w_i.
+*Proof.*  In the first case |b'| <= (|B21| + L_i |B22|) |a| and |a'| >= (|B11| - L_i |B12|) |a|.
+The second is its contraposition; then |b'| <= |B21| |b|/L_i + |B22| |b|.
 
 *Lemma 2.*  Along each bi-infinite path of coverings there is exactly one orbit.  *Proof.*  There is
 one (`covering`).  Let there be two.  At each time both lie in S, which is convex; so the difference
 (a_k, b_k) of their coordinates is carried by a matrix in B, the mean of those on the segment
-between them.  If it is not 0 and in the cone |b| <= L |a| at some time, it is so later, and |a|
-grows at least by the factor s each time; but it is bounded.  If it is outside of the cone at all
-times, |b| shrinks at least by the factor c each time, so it was larger than any bound before.
+between them.  If it is not 0 and in the cone |b| <= L_i |a| at some time, it is so later, and |a|,
+in the units of the sets, grows at least by the factor s each time; but it is bounded.  If it is
+outside of the cone at all times until it is 0, |b| shrinks likewise at least by the factor c each
+time, so it was larger than any bound before.
 
 *Lemma 3.*  Let det Dg != 0 on all S.  Then Lambda is hyperbolic: along each orbit in it the tangent
 planes split into two lines, which Dg carries on; forwards, vectors of the first shrink like c^n or
 faster, those of the second grow like s^n or faster, up to factors that are the same everywhere.
 *Proof.*  The coordinates of finitely many sets differ from the true ones by bounded factors.  The
-vectors with |b| >= L |a| at all times from now on shrink like c^n.  Those that have it up to the
+vectors with |b| >= L_i |a| at all times from now on shrink like c^n.  Those that have it up to the
 time n are a closed set, contain a line (Lemma 1: those with a = 0 then), and decrease with n: so
 some line has it for ever.  Only one: else all vectors would shrink, also those of the cone.  The
-vectors with |b| <= L |a| at all earlier times have grown like s^n; they contain a line likewise,
+vectors with |b| <= L_i |a| at all earlier times have grown like s^n; they contain a line likewise,
 and only one: else all would have grown, also those of the first line.
 
 *How it is checked.*  S is found by interval Newton steps for |P| <= 1, on pieces of N_i; B is the
@@ -51,6 +54,16 @@ _SMALL, _HIGH = 2.0**-8, 0.25  # sides of pieces, at least and at most
 _WORTH = 0.9  # a piece is looked at again if it becomes so much narrower
 Matrix = tuple[Row, Row]
 ONE, ALL = Double(1.0), Double(0.0, 1.0)
+UNITS = Fraction(1), Fraction(1), Fraction(1)
+
+
+class Cone(NamedTuple):
+    """C of a set, the slope of its cone |b| <= L |a|, and the units of a and b."""
+
+    axes: Matrix
+    slope: Double
+    u: Double
+    w: Double
 
 
 class Rates(NamedTuple):
@@ -69,19 +82,21 @@ def carried(g: Planar, source: Parallelogram, targets: Sequence[Parallelogram]) 
     return found
 
 
-def axes(leaning: Sequence[Fraction]) -> Matrix:
-    """Return the directions (1, sigma) and (tau, 1) as columns."""
-    sigma, tau = map(enclosing, leaning)
-    return (ONE, tau), (sigma, ONE)
+def cone(leaning: Sequence[Fraction], slope: Fraction, units: Sequence[Fraction] = UNITS) -> Cone:
+    """Return the cone of a set; `units` are L_i/slope, u_i and w_i."""
+    (sigma, tau), (steeper, u, w) = map(enclosing, leaning), map(enclosing, units)
+    return Cone(((ONE, tau), (sigma, ONE)), enclosing(slope) * steeper, u, w)
 
 
-def rates(A: Matrix, here: Matrix, there: Matrix, L: Double) -> Rates:
+def rates(A: Matrix, here: Cone, there: Cone) -> Rates:
     """Check the three inequalities for B = C_j^-1 A C_i; return s and c."""
-    (b11, b12), (b21, b22) = product(inverse(there), product(A, here))
+    (b11, b12), (b21, b22) = product(inverse(there.axes), product(A, here.axes))
     along = b11 if b11.is_positive() else -b11
     p12, p21, p22 = (Double(x.magnitude) for x in (b12, b21, b22))
-    stretch, shrink = along - L * p12, p22 + p21 / L
-    need((L * stretch - p21 - L * p22).is_positive(), "a cone may not be mapped into a cone")
+    grown, left = along - here.slope * p12, p22 + p21 / here.slope
+    into = there.slope * grown - p21 - here.slope * p22
+    need(into.is_positive(), "a cone may not be mapped into a cone")
+    stretch, shrink = grown * here.u / there.u, left * here.w / there.w
     need((stretch - 1.0).is_positive(), "a cone may not be stretched")
     need((ONE - shrink).is_positive(), "what is outside of a cone may not be shrunk")
     return Rates(stretch.lower, shrink.upper)

@@ -19,7 +19,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, ClassVar
 
-from cap.checker.coverings.cones import Matrix, Rates, axes, carried, rates
+from cap.checker.coverings.cones import UNITS, Cone, Matrix, Rates, carried, cone, rates
 from cap.checker.coverings.covering import Parallelogram, covers
 from cap.checker.coverings.graph import (
     confirm_entropy,
@@ -32,7 +32,6 @@ from cap.checker.coverings.orbits import LONGEST, MOST_ORBITS, confirm_orbits
 from cap.checker.coverings.planar import Planar
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
-from cap.checker.kernel.doubles import enclosing
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
 from cap.checker.kernel.rejection import need
@@ -69,9 +68,15 @@ CONES = Field(
     "of the sets, and an upper bound of what other vectors are shrunk by",
 )  # fmt: skip
 LEANING = Field(
-    "cones", Maybe({"slope": number, "leaning": Many([number] * 2, 1, MOST_SETS)}), "", "",
+    "cones",
+    Maybe({
+        "slope": number,
+        "leaning": Many([number] * 2, 1, MOST_SETS),
+        "units": Maybe(Many([number] * 3, 1, MOST_SETS)),
+    }), "", "",
     "the slope L of all cones, and for each set sigma and tau: the directions (1, sigma) and "
-    "(tau, 1) in its coordinates",
+    "(tau, 1) in its coordinates; for each set how much steeper than L its cone is, and the units "
+    "of both coordinates (1, if not given)",
 )  # fmt: skip
 
 
@@ -110,6 +115,10 @@ class Coverings(Theorem):
             need(len(leaning) == len(hints["sets"]), "not one pair of directions for each set")
             flat = all(abs(n) <= STEEPEST for pair in leaning for n in pair)
             need(flat, f"a direction of a set is steeper than {STEEPEST}")
+            units = hints["cones"].get("units", [])
+            need(len(units) in (0, len(leaning)), "not units for each set")
+            given = all(0 < n <= LARGEST_UNIT for three in units for n in three)
+            need(given, f"a unit of a set is not in (0, {LARGEST_UNIT}]")
 
     @abstractmethod
     def map(self) -> Planar:
@@ -149,7 +158,7 @@ class Coverings(Theorem):
         matrices = work(
             partial(matrices_of, self.map(), sets, edges), range(len(sets)), _CONES, weight
         )
-        found = cone_rates(matrices, edges, given["leaning"], given["slope"])
+        found = cone_rates(matrices, edges, cones_of(given))
         stretch, shrink = map(Fraction, found)
         need(1 < claimed["stretch"] <= stretch, "cones may not be stretched as claimed")
         need(shrink <= claimed["shrink"] < 1, "what is outside may not be shrunk as claimed")
@@ -177,7 +186,8 @@ class Coverings(Theorem):
             words += _ORBITS.format(g=self.MAP, number=len(orbits), periods=told)
         if cones := self.claims.get("cones"):
             bounds = {name: decimal(cones[name]) for name in ("stretch", "shrink")}
-            words += _CONES_HOLD.format(g=self.MAP, **bounds)
+            units = _UNITS if "units" in self.hints["cones"] else ""
+            words += _CONES_HOLD.format(g=self.MAP, units=units, **bounds)
         return words
 
 
@@ -200,23 +210,24 @@ def matrices_of(
     return carried(g.on(i), Parallelogram(sets[i]), [Parallelogram(sets[j]) for j in edges[i]])
 
 
-def cone_rates(
-    matrices: list[list[Matrix]],
-    edges: list[list[int]],
-    leaning: list[list[Fraction]],
-    slope: Fraction,
-) -> Rates:
+def cones_of(given: dict[str, Any]) -> list[Cone]:
+    """Return the cones of all sets."""
+    leaning, slope = given["leaning"], given["slope"]
+    units = given.get("units", [UNITS] * len(leaning))
+    return [cone(pair, slope, three) for pair, three in zip(leaning, units, strict=True)]
+
+
+def cone_rates(matrices: list[list[Matrix]], edges: list[list[int]], cones: list[Cone]) -> Rates:
     """Check the cones of all coverings; return their rates."""
-    directions, L = [axes(pair) for pair in leaning], enclosing(slope)
     found = [
-        rates(A, directions[i], directions[j], L)
+        rates(A, cones[i], cones[j])
         for i, targets in enumerate(edges)
         for j, A in zip(targets, matrices[i], strict=True)
     ]
     return Rates(min(r.stretch for r in found), max(r.shrink for r in found))
 
 
-STEEPEST = 1000
+STEEPEST, LARGEST_UNIT = 1000, 10**6
 _CHECKED, _CONES = "coverings are checked", "cones are checked"
 _ORBITS = (
     "; {number} different periodic orbits of {g} in Lambda are saddles, of the least periods "
@@ -225,7 +236,8 @@ _ORBITS = (
 _CONES_HOLD = (
     "; along each bi-infinite path of coverings there is one orbit only, so {g}, on the orbits in "
     "Lambda, is conjugate to the two-sided subshift of A; Lambda is hyperbolic: in coordinates of "
-    "the sets expanding vectors grow at least by the factor {stretch} each time, contracting ones "
-    "shrink at least by the factor {shrink}"
+    "the sets{units} expanding vectors grow at least by the factor {stretch} each time, "
+    "contracting ones shrink at least by the factor {shrink}"
 )
+_UNITS = ", in units of each,"
 _PLACES = 10**40  # overlaps are computed over a common denominator

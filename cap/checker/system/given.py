@@ -8,8 +8,9 @@
 A polynomial is a list of terms; a term is a rational number and the names of its factors, each as
 often as its power: variables of the state, cos and sin, which stand for cos wt and sin wt, and pi.
 Omega is a rational number, or with "times_pi": "1" that times pi.  Fields are linear.  Variables
-that a reset does not name do not jump; what it gives is over the "divisor", if there is one.  Names
-are compared and printed; nothing is evaluated in any other way.
+that a reset does not name do not jump; what it gives is over the "divisor", if there is one.
+"rest", if it is there, is the mode in which infinitely many such events end.  Names are compared
+and printed; nothing is evaluated in any other way.
 """
 
 from __future__ import annotations
@@ -39,6 +40,7 @@ GUARD = {
     "reset": Named(POLYNOMIAL, STATES),
     "divisor": Maybe(POLYNOMIAL),
     "to": Many(name, 1, MODES),
+    "rest": Maybe(name),
 }
 MODE = {"field": Named(POLYNOMIAL, STATES), "guards": Named(GUARD, GUARDS)}
 SYSTEM = {
@@ -92,7 +94,9 @@ def _guard(
     need(bool(divisor.terms), f"the divisor of {where} is 0")
     need({*given["to"]} <= {*modes}, f"{where} leads to an unknown mode")
     need(len({*given["to"]}) == len(given["to"]), f"{where} leads to a mode twice")
-    return Guard(value, reset, tuple(given["to"]), divisor)
+    rest = given.get("rest")
+    need(rest is None or rest in modes, f"{where} rests in an unknown mode")
+    return Guard(value, reset, tuple(given["to"]), divisor, rest)
 
 
 def _linear(given: list[list[str]], state: tuple[str, ...], where: str) -> Polynomial:
@@ -144,6 +148,8 @@ def _told_guard(key: str, guard: Guard) -> str:
         for z, q in guard.reset.items()
     ]
     jumps.append("mode " + " or ".join(f"'{m}'" for m in guard.to))
+    if guard.rest is not None:
+        jumps.append(f"and '{guard.rest}' after infinitely many in finite time")
     return f"{printed(guard.value)} > 0 ('{key}', at 0 {', '.join(jumps)})"
 
 

@@ -8,7 +8,8 @@ mode, the state z has z' = field, and all guards of the mode are positive.
 
 *A guard* h is a polynomial.  When it comes to zero, the variables that its reset names jump, and
 the system goes on in one of the modes that the guard names.  A reset is a polynomial in the state
-before, over the divisor of the guard.
+before, over the divisor of the guard.  Where infinitely many such events accumulate, the system
+goes on in the mode ``rest``, if there is one, from the state to which theirs tend.
 
 *Lie derivative.*  The derivative in time of a polynomial h along the flights of a mode is L h = sum
 of (dh/dz) field_z - w sin dh/dcos + w cos dh/dsin, again a polynomial.
@@ -35,6 +36,7 @@ class Guard(NamedTuple):
     reset: Mapping[str, Polynomial]
     to: tuple[str, ...]
     divisor: Polynomial = ONE
+    rest: str | None = None
 
 
 class Mode(NamedTuple):

@@ -14,8 +14,8 @@ MORE = """
 Sliders for all parameters; a click on the portrait shows the orbit of that state, its
 events and the mass; `prove this` proves a theorem in a process of its own.  With --model
 it is about a system of your own, of two variables and with a clock.  The page is served
-from this machine to itself alone, until ctrl-C.  It needs the library Bokeh:
-  pip install 'cap-impact-friction[play]'
+from this machine to itself alone, until ctrl-C.  It needs the library Bokeh, 3.4 or later:
+  pip install bokeh
 """
 
 
@@ -29,7 +29,8 @@ def add(
         help=SUMMARY,
         formatter_class=argparse.RawDescriptionHelpFormatter,
         description=f"{SUMMARY[0].upper()}{SUMMARY[1:]}.\n{MORE}",
-        epilog=f"Example:\n  python -m cap.explore {NAME} --f 9/20",
+        epilog=f"Examples:\n  python -m cap.explore {NAME} --f 9/20\n"
+        f"  python -m cap.explore {NAME} --model examples/ball.py",
     )
     p.add_argument("--port", default="0", metavar="N", help="listen on it (default: any free)")
     p.add_argument("--no-browser", action="store_true", help="say the address, open no browser")
@@ -46,8 +47,6 @@ def run(options: argparse.Namespace, about: Any) -> int:
         except ModuleNotFoundError as error:
             if str(error.name).partition(".")[0] != "bokeh":
                 raise
-            raise BadInput(
-                "the page needs Bokeh: pip install 'cap-impact-friction[play]'"
-            ) from None
+            raise BadInput("the page needs the library Bokeh: pip install bokeh") from None
     play(world(about), port, opens=not options.no_browser, say=lambda line: print(line, flush=True))
     return 0

@@ -18,7 +18,7 @@ from cap.explore.play.sea import (
 )
 from cap.floats.diagnostics.grid import Box
 from cap.floats.findings import Floats, State
-from cap.floats.models.attractor import ModelAttractor, ends_of
+from cap.floats.models.attractor import CONTINUUM, ModelAttractor, ends_of
 from cap.floats.models.subject import Subject
 
 WANDERS = "no short period"
@@ -34,12 +34,12 @@ class OwnSea(Raster):
         ranges = subject.box if box is None else np.array(box).reshape(2, 2)[self.order]
         self.states = subject.seeds(SEEDS, ranges)
         self.modes = subject.engine.begun(self.states)
-        label, self.ends = ends_of(subject, self.states, TRANSIENT)
+        label, self.ends, _ = ends_of(subject, self.states, TRANSIENT)
         self.colours = np.full(len(label), GREY, dtype=np.uint8)
         self.colours[label < 0] = EMPTY
         for k, end in enumerate(self.ends):
             own = np.flatnonzero(label == k)
-            wanders = end.kind == "no short period"
+            wanders = end.kind == WANDERS or end.kind.startswith(CONTINUUM)
             self.colours[own] = (
                 2 + np.arange(len(own)) % len(ORBITS) if wanders else _colour(end, k)
             )

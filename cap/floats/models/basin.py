@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.attractor import NONE, ModelAttractor, ends_of
+from cap.floats.models.attractor import ModelAttractor, ends_of, listed
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
 from cap.floats.models.walls import Wall, walls
@@ -29,6 +29,7 @@ class ModelBasin(OfModel):
     second: Floats
     label: NDArray[np.int64]
     found: tuple[ModelAttractor, ...]
+    lost: str
     fixed: dict[str, float]
     walls: tuple[Wall, ...]
 
@@ -44,9 +45,8 @@ class ModelBasin(OfModel):
         head = (
             f"basins of {self.described()}: {inside} states of the plane ({', '.join(self.plane)})"
         )
-        rows = [f"  {k}  {each.lines()[0]}" for k, each in enumerate(self.found, 1)]
-        lost = int((self.label == NONE).sum())
-        return [head + others, *rows, *([f"  {lost} are lost"] if lost else [])]
+        rows = listed(self.found, hints=False)
+        return [head + others, *rows, *([f"  {self.lost}"] if self.lost else [])]
 
 
 def basin(  # noqa: PLR0913 (the options of the command)
@@ -77,7 +77,7 @@ def basin(  # noqa: PLR0913 (the options of the command)
         raise BadInput("no state of the grid lies in a mode: give another --box or --state")
     runner.tell("basins", None)
     label = np.full(len(flat), OUTSIDE)
-    label[inside], found = ends_of(subject, flat[inside], transient)
+    label[inside], found, lost = ends_of(subject, flat[inside], transient)
     return ModelBasin(
         **about(subject),
         plane=pair,
@@ -85,6 +85,7 @@ def basin(  # noqa: PLR0913 (the options of the command)
         second=second,
         label=label.reshape(points, points),
         found=found,
+        lost=lost,
         fixed={n: float(q) for n, q in zip(names, base, strict=True) if n not in pair},
         walls=walls(subject.system, np.zeros(1), base[None], fixed=True),
     )

@@ -16,11 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
-from cap.floats.models.closing import closing_near, settled
+from cap.floats.models.closing import Closed, closing_near, settled
 from cap.floats.models.family import Family, Station
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
-from cap.floats.models.trajectory import given_start
+from cap.floats.models.trajectory import SETTLING, given_start
 from cap.runner import Runner
 
 FIRST, LEAST, MOST = 0.01, 1e-6, 0.03  # lengths of steps, in units of the ranges
@@ -84,7 +84,10 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     points: int = 300,
     runner: Runner | None = None,
 ) -> ModelBranch:
-    """Follow the orbit near a state, or one at which others end, both ways within a range."""
+    """Follow an orbit both ways within a range.
+
+    It is the one near a state, or to which that leads; of no state one at which others end.
+    """
     runner = runner or Runner()
     if parameter is None or range is None:
         raise BadInput("say what varies, between which values: --parameter NAME --range A B")
@@ -98,10 +101,7 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     value = float(subject.loaded.values[parameter])
     if not low <= value <= high or low == high:
         raise BadInput(f"{parameter} = {value:g} is not in the range from {low:g} to {high:g}")
-    start = settled(subject, 400) if state is None else given_start(subject, state, mode, None)
-    closed = closing_near(subject, start)
-    if closed is None or closed.rests:
-        raise BadInput("no orbit without captures closes near that state: see `search`")
+    closed = _begun(subject, state, mode)
     size = np.maximum(np.ptp(subject.box, axis=1) / 2, np.abs(closed.start.state).max() / 10)
     unit = np.append(size, high - low)
     family = Family(subject, parameter, closed.count, closed.start.mode, unit)
@@ -112,6 +112,25 @@ def continuation(  # noqa: PLR0913 (the options of the command)
     curve = [*ways[1][0][::-1], first, *ways[0][0]]
     special = sorted([*ways[0][1], *ways[1][1]], key=lambda each: each.value)
     return _branch(subject, family, curve, special, complete=not runner.interrupted)
+
+
+def _begun(subject: Subject, state: tuple[float, ...] | None, mode: str | None) -> Closed:
+    """Return the orbit that is followed."""
+    start = settled(subject, SETTLING) if state is None else given_start(subject, state, mode, None)
+    closed = closing_near(subject, start)
+    if closed is None and state is not None:
+        closed = closing_near(subject, given_start(subject, state, mode, SETTLING))
+    if closed is None:
+        raise BadInput(
+            f"no orbit closes near that state, nor where it leads in {SETTLING} periods: "
+            "`search` and `attractor` list states of orbits"
+        )
+    if closed.rests:
+        raise BadInput(
+            "contacts accumulate on the orbit to which that state leads, or it has none: such a "
+            "one is not followed; `search` lists others"
+        )
+    return closed
 
 
 def _followed(

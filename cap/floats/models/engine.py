@@ -131,8 +131,9 @@ class Engine:
         inside = self.inside(states, phase) if inside is None else inside
         if modes is None:
             free = inside & self.free[:, np.newaxis]
-            if not free.any(axis=0).all():
-                raise BadInput("a state lies in no mode in which nothing rests: name its mode")
+            lost = ~free.any(axis=0)
+            if lost.any():
+                raise BadInput(self._nowhere(states[np.argmax(lost)], phase))
             return np.asarray(np.argmax(free, axis=0), dtype=np.int64)
         known = {name: k for k, name in enumerate(self.modes)}
         unknown = [name for name in modes if isinstance(name, str) and name not in known]
@@ -142,6 +143,24 @@ class Engine:
         if len(found) != inside.shape[1]:
             raise BadInput(f"{len(found)} modes for {inside.shape[1]} states")
         return found
+
+    def _nowhere(self, state: Floats, phase: float) -> str:
+        """Return why an orbit begins in no mode where nothing rests."""
+        values = {**dict(zip(self.system.state, state.tolist(), strict=True)), COS: np.cos(phase)}
+        values[SIN] = np.sin(phase)
+        why = [
+            f"in {mode} the guard {name} is {value:.4g}"
+            for (mode, each), free in zip(self.system.modes.items(), self.free, strict=True)
+            for name, guard in each.guards.items()
+            if free and (value := float(evaluated(guard.value, values))) < 0
+        ]
+        told = ", ".join(f"{z} = {q:.6g}" for z, q in zip(self.system.state, state, strict=True))
+        at = " at t = 0" if not phase else ""
+        return (
+            f"the state {told} lies in no mode in which nothing rests{at}: "
+            f"{'; '.join([*why[:4], *(['...'] if why[4:] else [])]) or 'name its mode'} "
+            "(guards are positive inside their mode)"
+        )
 
 
 def is_free(system: System, mode: str) -> bool:

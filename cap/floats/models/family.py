@@ -69,10 +69,15 @@ class Family:
             self.made[value] = self.subject.at(self.parameter, Fraction(value))
         return self.made[value]
 
-    def returned(self, q: Floats, value: float) -> Floats:
-        """Return the state after the periods; nan if the orbit is lost, or ends in another mode."""
+    def returned(self, q: Floats, value: float, counts: NDArray[np.int64] | None = None) -> Floats:
+        """Return the state after the periods.
+
+        It is nan if the orbit is lost, ends in another mode, or has not as many events as
+        ``counts`` says: then one of them is before t = 0, or after the end.
+        """
         ends = self.at(value).engine.follow(q[None], np.array([self.mode]), periods=self.count)
         fine = not ends.flags[0] and ends.modes[0] == self.mode
+        fine = fine and (counts is None or np.array_equal(ends.counts[0], counts))
         return ends.states[0] if fine else np.full(len(q), np.nan)
 
     def slopes(self, y: Floats) -> tuple[Floats, Floats, Ends]:
@@ -83,7 +88,12 @@ class Family:
         ends = logged(subject.engine, start.states, start.modes, self.count)
         legs = Legs.of(subject.engine, start.states, start.modes, ends, self.count * subject.period)
         D, d = product(legs.derivatives()), STEP * self.unit[-1]
-        by = (self.returned(q, value + d) - self.returned(q, value - d)) / (2 * d)
+        below, here, above = (
+            self.returned(q, at, ends.counts[0]) for at in (value - d, value, value + d)
+        )
+        by = (above - below) / (2 * d)
+        for side in (above - here, here - below):  # an event leaves the periods on the other side
+            by = np.where(np.isnan(by), side / d, by)
         J = np.column_stack([(D - np.eye(len(q))) * self.unit[:-1], by * self.unit[-1]])
         return J, D, ends
 

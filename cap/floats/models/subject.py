@@ -78,6 +78,8 @@ class Subject:
         for name in names:
             if name not in self.system.state:
                 raise BadInput(f"no variable {name}: the state is {', '.join(self.system.state)}")
+        if names[0] == names[1]:
+            raise BadInput(f"--plane is of two variables: {names[0]} is one")
         return names[0], names[1]
 
     def ranges(self, box: tuple[float, ...] | None) -> Floats:

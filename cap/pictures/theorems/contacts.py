@@ -80,7 +80,7 @@ def times(theorem: Contacts) -> tuple[Floats, Floats]:
     claimed = np.array([middle(q) for q in theorem.claims["times"]])
     if theorem.p.autonomous:
         return np.append(0.0, claimed[1:]), np.roll(claimed, -1)
-    period = 2 * math.pi * theorem.claims["periods"] / float(_value(theorem.p.frequency, {}))
+    period = 2 * math.pi * theorem.claims["periods"] / float(value(theorem.p.frequency, {}))
     return claimed, np.append(claimed[1:], claimed[0] + period)
 
 
@@ -109,7 +109,7 @@ def _words(theorem: Contacts) -> str:
 def flight(p: Model, mode: str, t: Floats, end: Floats) -> Floats:
     """Return the states (K, n) at times of the flight in a mode that is at ``end`` at the last."""
     names = [*p.state, COS, SIN, ""]
-    w = _value(p.frequency, {})
+    w = value(p.frequency, {})
     n = len(p.state)
     A = np.zeros((n + 3, n + 3))
     A[n, n + 1], A[n + 1, n] = -w, w
@@ -138,15 +138,15 @@ def exponential(M: Floats) -> Floats:
 def _walls(p: Model, mode: str, t: Floats) -> list[tuple[str, Floats]]:
     """Return where guards of a mode vanish that are about one variable of the state and the clock:
     its name and its place over the time."""
-    w, found = _value(p.frequency, {}), []
+    w, found = value(p.frequency, {}), []
     clock = {COS: np.cos(w * t), SIN: np.sin(w * t)}
     for guard in p.modes[mode].guards.values():
         h = guard.value
         own = [z for z in p.state[:SHOWN] if z in h.variables]
         if len(own) == 1 and not h.derivative(own[0]).variables.difference((PI,)):
             z = own[0]
-            rest = _value(h - _times(h.derivative(z), z), clock)
-            found.append((z, np.broadcast_to(-rest / _value(h.derivative(z), {}), t.shape)))
+            rest = value(h - _times(h.derivative(z), z), clock)
+            found.append((z, np.broadcast_to(-rest / value(h.derivative(z), {}), t.shape)))
     return found
 
 
@@ -154,7 +154,7 @@ def _times(q: Polynomial, z: str) -> Polynomial:
     return Polynomial({tuple(sorted((*monomial, z))): c for monomial, c in q.terms.items()})
 
 
-def _value(q: Polynomial, values: dict[str, Floats]) -> Floats:
+def value(q: Polynomial, values: dict[str, Floats]) -> Floats:
     """Return the value of a polynomial."""
     known, total = {PI: np.array(math.pi), **values}, np.array(0.0)
     for monomial, c in q.terms.items():

@@ -1,0 +1,299 @@
+"""The theorem ``contact_capture``: what is true is verified; each lie is noticed."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from cap.checker.verdict import check, words
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
+
+STORED = Path(__file__).parents[2] / "certificates"
+EVER, RELEASED, MASSES, FOLLOWED = (
+    json.loads((STORED / f"contact_capture-{n}.json").read_text("utf-8")) for n in (1, 2, 3, 4)
+)
+FLY, REST = ("parameters", "modes", "fly"), ("parameters", "modes", "rest")
+TABLE = (*FLY, "guards", "table")
+
+
+def without(given, *path):
+    """Return a copy without a field."""
+    *path, last = path
+    result = json.loads(encode(given))
+    part = result
+    for key in path:
+        part = part[key]
+    del part[last]
+    return result
+
+
+@pytest.mark.parametrize(("given", "steps"), [(EVER, 5), (RELEASED, 6), (MASSES, 5), (FOLLOWED, 6)])
+def test_it_is_verified(given, steps):
+    """Its steps are told; the schema describes it."""
+    assert len(verify(given)) == steps
+    fits_the_schema(given)
+
+
+def test_what_is_told():
+    """The rule of the model, the box, when hits accumulate, how long it rests."""
+    line = words(check(encode(EVER), lambda _: None))
+    for part in (
+        "mode 'fly', and 'rest' after infinitely many in finite time)",
+        "at t = 0 is in the mode 'fly', all guards of which are positive, with (y, v) in [0, 10] x",
+        "infinitely often, at times that accumulate at one in [0, 40.651], and until then nothing",
+        "is at most 0.613 times that just before the hit before it",
+        "in the mode 'rest', with h = h' = 0, for ever",
+    ):
+        assert part in line
+    line = words(check(encode(RELEASED), lambda _: None))
+    assert (
+        "at least until t = 7.2682960905, and it leaves this mode before t = 7.2682960906" in line
+    )
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        (("start",), "1", "hits accumulate before they begin"),
+        (("start",), "2000000", "a time is larger"),
+        (("mode",), "rest", "begin in another mode"),
+        (("mode",), "nowhere", "begin in another mode"),
+        (("box", "y"), ["0", "11"], "may leave the states that were looked at"),
+        (("box", "v"), ["-7", "5"], "may leave the states that were looked at"),
+        (("falling",), "rest", "there is no such guard, or mode"),
+        (("guard",), "leave", "there is no such guard, or mode"),
+        (("rising",), "rest", "h' is not the same in rest"),
+        (("restitution",), "500000001/1000000000", "is not -e times that before it"),
+        (("restitution",), "499999999/1000000000", "is not -e times that before it"),
+        (("restitution",), "0", "0 < e <= 1 does not hold"),
+        (("ratio",), "612/1000", "the ratio may be larger than claimed"),
+        (("ratio",), "1", "the ratio is not below 1"),
+        (("accumulation_time",), ["0", "40"], "may accumulate later than claimed"),
+        (("accumulation_time",), ["1/1000", "41.25"], "may accumulate earlier than claimed"),
+        (("rests_until",), "100", "not one of claims.rests_until and claims.for_ever"),
+        (("released_by",), "100", "claims.released_by without claims.rests_until"),
+        (("for_ever",), "no", "is none of: yes"),
+    ],
+)
+def test_each_claim(path, value, why):
+    """None may be another one, of a ball that rests for ever."""
+    rejected(changed(EVER, "claims", *path, value), why)
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        (("start",), "3.926", "may accumulate earlier than claimed|a hit may be later"),
+        (("start",), "3.928", "hits accumulate before they begin"),
+        (("box", "y"), ["-0.8486", "-0.74"], "may leave the states|a hit may be later"),
+        (("box", "v"), ["-1.5", "-0.2585"], "may leave the states|a hit may be later"),
+        (("start",), "2", "may not be positive at hints.state"),
+        (("accumulation_time",), ["3.927", "5.88"], "may accumulate later than claimed"),
+        (("accumulation_time",), ["3.928", "5.89"], "may accumulate earlier than claimed"),
+        (("accumulation_time",), ["3.927", "7.3"], "it rests before hits accumulate"),
+        (("rests_until",), "7.2682960907", "it is released before its rest is over"),
+        (("rests_until",), "5", "it rests before hits accumulate"),
+        (("released_by",), "7.26829609051", "it may rest longer than claimed"),
+        (("released_by",), "7.2682960905", "it may rest longer than claimed"),
+        (("released_by",), "7", "it is released before its rest is over"),
+        (("ratio",), "61/100", "the ratio may be larger than claimed"),
+    ],
+)
+def test_each_claim_of_a_release(path, value, why):
+    """Nor of one that is thrown again."""
+    rejected(changed(RELEASED, "claims", *path, value), why)
+
+
+def test_a_rest_that_ends():
+    """It is not one for ever, nor longer than it is."""
+    claims = {
+        k: v for k, v in RELEASED["claims"].items() if k not in ("rests_until", "released_by")
+    }
+    rejected(RELEASED | {"claims": claims | {"for_ever": "yes"}}, "leave of rest may come to 0")
+    rejected(RELEASED | {"claims": claims}, "not one of claims.rests_until and claims.for_ever")
+    late = changed(RELEASED, "claims", "rests_until", "7.26829609055")
+    rejected(without(late, "claims", "released_by"), "leave of rest may come to 0")
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        (("pieces", 0, "height"), "40", "may leave the states that were looked at"),
+        (("pieces", 0, "speed"), "8", "may leave the states that were looked at"),
+        (("pieces", 0, "others"), {"y": ["0", "1"]}, "are not the other variables"),
+        (("pieces", 0, "until"), ["14.6", "40.651"], "a hit may be later than its bound"),
+        (("pieces", 0, "until"), ["14.715", "40"], "may accumulate later than claimed"),
+        (("pieces", 0, "until"), ["14.715"], "there is no time until which hits accumulate"),
+        (("pieces", 0, "until"), ["40.651", "14.715"], "the times of a piece are not in order"),
+        (("pieces", 0, "until"), ["0", "40.651"], "hits accumulate before they begin"),
+        (("pieces", 0, "until"), ["14.715", "15", "40.651"], "a hit may be later than its bound"),
+        (("pieces", 0, "hits"), [["1", "2"]], "more hits|not certain to be in its window"),
+        (("pieces",), [], "is not a list of 1"),
+        (("tree",), "", "hints.tree ends before its last part"),
+        (("tree",), "0..", "not as many pieces as are given"),
+        (("tree",), "..", "hints.tree goes on after its last part"),
+        (("tree",), "-", "left out may have states that are meant"),
+        (("tree",), "0.", "hints.tree ends before its last part"),
+        (("tree",), "2..", "hints.tree has another letter"),
+        (("tree",), "x..", "hints.tree has another letter"),
+        (("tree",), "0" * 50, "a piece is halved too often"),
+        (("tree",), "0" * 9000, "longer than 8000 letters"),
+        (("state", "y"), "11", "hints.state is not in the box"),
+        (("state", "y"), "0", "may not be positive at hints.state"),
+        (("state",), {"y": "1"}, "hints.state is not a state"),
+        (("cuts",), ["0"], "cuts are not in order"),
+        (("cuts",), ["100"], "cuts are not in order"),
+        (("bits",), "2000", "more than 1024 bits"),
+    ],
+)
+def test_hints(path, value, why):
+    """A hint that is wrong proves nothing."""
+    rejected(changed(EVER, "hints", *path, value), why)
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        ((*TABLE, "rest"), "nowhere", "rests in an unknown mode"),
+        ((*TABLE, "rest"), "fly", "h or h' does not stay 0 in fly"),
+        ((*TABLE, "reset"), {}, "h' after a hit is not -e times"),
+        ((*TABLE, "reset", "v"), [["-1/2", "v"]], "h' after a hit is not -e times"),
+        ((*TABLE, "reset", "y"), [["2", "y"]], "h is not 0 after a hit"),
+        ((*TABLE, "value"), [["-1/4", "sin"], ["1", "y"]], "h' after a hit is not -e times"),
+        ((*TABLE, "value"), [["1", "y", "y"]], "are not linear|not linear in two"),
+        ((*TABLE, "to"), ["fly", "rest"], "the mode rest may be open after a hit"),
+        ((*TABLE, "to"), ["rest"], "a hit does not lead to fly|may be open"),
+        ((*FLY, "field", "v"), [["1"]], "what chatters may be held off"),
+        ((*FLY, "field", "v"), [["-1"], ["1/10", "cos"]], "may leave the states|may be larger"),
+        ((*REST, "field", "y"), [["1/4", "cos"]], "h or h' does not stay 0 in rest"),
+        ((*REST, "field", "v"), [["1/5", "sin"]], "h or h' does not stay 0 in rest"),
+        ((*REST, "guards", "leave", "value"), [["1/6"], ["-1/5", "sin"]], "leave of rest may come"),
+        ((*REST, "guards", "leave", "value"), [["1", "y"]], "leave of rest may come to 0"),
+    ],
+)
+def test_other_systems(path, value, why):
+    """The system in the certificate is the one that is proved to rest."""
+    rejected(changed(EVER, *path, value), why)
+
+
+def test_no_mode_of_rest():
+    """Where the model does not say what follows infinitely many hits, nothing is proved."""
+    rejected(without(EVER, *TABLE, "rest"), "the guard table of fly names no mode of rest")
+
+
+@pytest.mark.parametrize(
+    ("value", "why"),
+    [
+        ([["10"], ["-1", "y"]], "ceiling of fly may come to 0"),
+        ([["42"], ["-1", "y"]], None),
+        ([["2", "y"], ["-2/5", "sin"]], "ceiling of fly may come to 0"),
+    ],
+)
+def test_another_guard(value, why):
+    """One that is met, and one that is not: h ≤ 41; and the table twice."""
+    ceiling = {"value": value, "reset": {}, "to": ["fly"]}
+    given = changed(EVER, *FLY, "guards", "ceiling", ceiling)
+    if why:
+        rejected(given, why)
+    else:
+        verify(given)
+
+
+@pytest.mark.parametrize(
+    ("part", "path", "value", "why"),
+    [
+        ("hints", ("pieces", 0, "others", "p"), ["0.48", "0.52"], "p may leave its box"),
+        ("hints", ("pieces", 0, "others", "u"), ["-0.01", "0.01"], "u may leave its box"),
+        ("hints", ("pieces", 0, "others"), {}, "are not the other variables"),
+        ("claims", ("box", "p"), ["0.4", "0.501"], "p may leave its box"),
+        ("claims", ("box", "q"), ["0.09", "0.1"], "may leave the states"),
+        ("claims", ("box", "v"), ["-0.01", "0.01"], "may leave the states"),
+        ("claims", ("rests_until",), "1", "may leave its box"),
+        ("claims", ("for_ever",), "yes", "not one of"),
+    ],
+)
+def test_other_variables(part, path, value, why):
+    """They stay in a box, which is proved."""
+    rejected(changed(MASSES, part, *path, value), why)
+
+
+def test_a_hit_that_moves_another_variable():
+    """It is none of this theorem."""
+    reset = ("parameters", "modes", "free", "guards", "wall", "reset", "u")
+    rejected(changed(MASSES, *reset, [["-1", "u"]]), "a hit changes another variable")
+
+
+def test_for_ever_among_others():
+    """What depends on other variables is not claimed for all times."""
+    given = changed(without(MASSES, "claims", "rests_until"), "claims", "for_ever", "yes")
+    rejected(given, "a guard of the mode of rest depends on other variables")
+
+
+def test_times_are_exact():
+    """The least time of accumulation is that of a fall, for a box that is above the table."""
+    box = {"y": ["1", "2"], "v": ["0", "0"]}
+    given = changed(changed(EVER, "claims", "box", box), "hints", "state", {"y": "1", "v": "0"})
+    verify(changed(given, "claims", "accumulation_time", ["1", "40.651"]))
+    late = changed(given, "claims", "accumulation_time", ["2", "40.651"])
+    rejected(late, "earlier than claimed")
+    assert Fraction(given["claims"]["ratio"]) < 1
+
+
+FIRST = ("pieces", 0, "hits", 0)
+
+
+@pytest.mark.parametrize(
+    ("part", "path", "value", "why"),
+    [
+        ("hints", FIRST, ["4.378", "4.384963301077"], "not certain to be in its window"),
+        ("hints", FIRST, ["4.372434716499", "4.379"], "not certain to be in its window"),
+        ("hints", FIRST, ["2", "4.384963301077"], "the windows of hits are not in order"),
+        ("hints", ("pieces", 0, "hits"), [["5", "5.1"]], "not certain to be in its window"),
+        ("hints", ("pieces", 0, "until", 0), "5", "a hit may be later than its bound"),
+        ("hints", ("pieces", 0, "until", 19), "6.5", "may accumulate later than claimed"),
+        ("hints", ("pieces", 0, "speed"), "1.4", "may leave the states"),
+        ("hints", ("pieces", 0, "height"), "0.13", "may leave the states"),
+        ("claims", ("followed",), "1", "more hits are followed than claimed"),
+        ("claims", ("ratio",), "0.916", "the ratio may be larger than claimed"),
+        ("claims", ("start",), "3.01", "not certain to be in its window"),
+        ("claims", ("box", "y"), ["0.5", "0.6"], "not certain to be in its window"),
+        ("claims", ("box", "v"), ["-0.6", "-0.49"], "not certain to be in its window"),
+        ("claims", ("accumulation_time",), ["4.3725", "6.582694"], "earlier than claimed"),
+        ("claims", ("accumulation_time",), ["4.372434716499", "6.58"], "later than claimed"),
+    ],
+)
+def test_hits_that_are_followed(part, path, value, why):
+    """Each window has one hit of every motion of its piece; the ratio is claimed after them."""
+    rejected(changed(FOLLOWED, part, *path, value), why)
+
+
+def test_a_guard_on_the_way():
+    """A floor that is met before the first hit, one while hits accumulate, and one far below."""
+    for height, why in (
+        ("0.5", "too many pieces"),
+        ("1.16", "floor of fly may come to 0"),
+        ("2", None),
+    ):
+        floor = {"value": [[height], ["1", "y"]], "reset": {}, "to": ["fly"]}
+        given = changed(FOLLOWED, *FLY, "guards", "floor", floor)
+        if why:
+            rejected(given, why)
+        else:
+            verify(given)
+
+
+def test_hits_are_followed_in_one_mode():
+    """A hit that may lead elsewhere is none of those that are followed."""
+    given = changed(FOLLOWED, *TABLE, "to", ["fly", "rest"])
+    rejected(given, "hits are followed in one mode alone")
+
+
+def test_a_part_that_is_left_out():
+    """The half of a box that lies below the table has no states that are meant."""
+    box = {"y": ["-1.2", "1"], "v": ["0", "0"]}
+    given = changed(changed(EVER, "claims", "box", box), "hints", "state", {"y": "1", "v": "0"})
+    verify(changed(given, "hints", "tree", "0-."))
+    rejected(changed(given, "hints", "tree", "0.-"), "no states|left out may have")

@@ -1,0 +1,90 @@
+"""Which tests of the checker repeat others, and are left to the slow ones.
+
+    python tests/repeated.py    (writes tests/repeated.txt; the time of all tests)
+
+Each place where the checker rejects, with the words that it says, is to be reached by a test of the
+quick ones.  A test repeats others if it takes longer than `QUICK`, and reaches only places that
+quicker tests reach.  In collection such tests are marked slow (`conftest`).  As a plugin of pytest
+this module notes for each test its time and the places: `-p repeated`.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import pytest
+
+TESTS = Path(__file__).parent
+LIST = TESTS / "repeated.txt"
+ROOMS = "tests/checker/", "tests/certificate/"
+QUICK = 0.3  # seconds of processor time
+NOTES = "CAP_REPEATED"  # where they go: a directory
+
+
+def listed():
+    """Return the names of the tests that repeat others."""
+    return frozenset(LIST.read_text("utf-8").split("\n")) - {""}
+
+
+def repeating(notes):
+    """Return the names of tests that reach only places which quicker ones reach."""
+    reached, found = set(), []
+    for name, seconds, places in sorted(notes, key=lambda note: note[1]):
+        new = {tuple(place) for place in places} - reached
+        if places and not new and seconds > QUICK and name.startswith(ROOMS):
+            found.append(name)
+        else:
+            reached |= new
+    return sorted(found)
+
+
+def main():
+    """Run all quick tests and those listed; write the list."""
+    LIST.write_text("", "utf-8")
+    with tempfile.TemporaryDirectory() as place:
+        path = os.pathsep.join([str(TESTS), os.environ.get("PYTHONPATH", "")])
+        words = [sys.executable, "-m", "pytest", "-p", "repeated", *map(str, ROOMS)]
+        env = {**os.environ, NOTES: place, "PYTHONPATH": path}
+        subprocess.run(words, check=True, cwd=TESTS.parent, env=env)
+        notes = [
+            json.loads(line)
+            for file in Path(place).iterdir()
+            for line in file.read_text("utf-8").splitlines()
+        ]
+    LIST.write_text("".join(f"{name}\n" for name in repeating(notes)), "utf-8")
+
+
+if NOTES in os.environ:
+    from cap.checker.kernel import rejection
+
+    _places: set[tuple[str, str]] = set()
+
+    def _noted(self, *words):
+        Exception.__init__(self, *words)
+        frame = sys._getframe(1)
+        while frame.f_code.co_filename == rejection.__file__:
+            frame = frame.f_back
+        where = f"{frame.f_code.co_filename}:{frame.f_lineno}"
+        _places.add((where, str(words[0]) if words else ""))
+
+    rejection.Rejected.__init__ = _noted
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(item, nextitem):
+        """Note the time of a test, and where the checker rejected in it."""
+        _places.clear()
+        start = time.process_time()
+        try:
+            return (yield)
+        finally:
+            note = item.nodeid, time.process_time() - start, sorted(_places)
+            with (Path(os.environ[NOTES]) / str(os.getpid())).open("a", encoding="utf-8") as file:
+                file.write(json.dumps(note) + "\n")
+
+
+if __name__ == "__main__":
+    main()
