@@ -162,6 +162,12 @@ def _contracts(t: Any, image: Any) -> bool:
 
 def _cells(stay: candidates.Stay, given: Releases, a: Fraction, b: Fraction) -> Iterator[Cell]:
     """Yield the cells, from left to right; those that are too large are halved."""
+    least = _decimal(float((b - a) * SMALLEST))
+    for c, d in ((a, a + least), (b - least, b)):  # where a proof fails most often
+        try:
+            _cell(stay, given, c, d)
+        except Rejected as reason:
+            raise _uncertain(c, reason) from None
     count = CELLS if stay.closes else _count(stay, float(a), float(b))
     ends = [_decimal(float(a + (b - a) * k / count)) for k in range(count + 1)]
     waiting = [*pairwise(ends)][::-1]
@@ -171,12 +177,14 @@ def _cells(stay: candidates.Stay, given: Releases, a: Fraction, b: Fraction) -> 
             yield _cell(stay, given, c, d)
         except Rejected as reason:
             if d - c < (b - a) * SMALLEST:
-                where = f"near the time {float(c):.8g}"
-                raise NotProved(
-                    "releases", f"{where} the next contact is not certain: {reason}"
-                ) from None
+                raise _uncertain(c, reason) from None
             m = _decimal(float((c + d) / 2))
             waiting += [(m, d), (c, m)]
+
+
+def _uncertain(t: Fraction, reason: Rejected) -> NotProved:
+    where = f"near the time {float(t):.8g} the next contact is not certain"
+    return NotProved("releases", f"{where}: {reason}")
 
 
 def _count(stay: candidates.Stay, a: float, b: float) -> int:
