@@ -4,43 +4,45 @@ succeed, then for every motion that is at an explicit time in an explicit mode a
 
  (i)   infinitely many hits happen, and until they accumulate nothing else;
  (ii)  they accumulate at a time in an explicit interval, |h'| before each is at most an explicit
-       number k < 1 times that before the last one;
+       number k < 1 times that before the hit before it, but for a few first ones;
  (iii) from then on it is in the mode of rest, with h = h' = 0: for ever, or until an explicit time
        at least, and not so long as another explicit time.
 
-Proof.  (i), (ii): the lemma of `cap.orbits.capture`.  (iii): h' and L h' vanish in the mode of rest
-where h = h' = 0, and its guards, restricted to this set, are positive over pieces of time; where
-they depend on the clock alone, one period is enough for all times.
+Proof.  The box is cut in pieces.  (i), (ii): the first hits of a piece are followed, if need be
+(`cap.orbits.first_hits`), then the lemma of `cap.orbits.capture` applies.  (iii): h' and L h'
+vanish in the mode of rest where h = h' = 0, and its guards, restricted to this set, are positive
+over pieces of time; where they depend on the clock alone, one period is enough for all times.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise, product
+from functools import reduce
+from itertools import islice, pairwise, product
 from typing import Any, NamedTuple
 
 from cap.certificate import writer
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import check
 from cap.errors import NotProved
-from cap.orbits.capture import Boxes, Found, Near, Start, captured, clock
+from cap.orbits.capture import Boxes, Found, Start, Window, captured
+from cap.orbits.first_hits import Place, hits
+from cap.orbits.held import Held, Times
 from cap.orbits.wall import Wall
 from cap.proofs.contacts import as_parameters
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 from cap.system.exponential import number
-from cap.system.polynomial import COS, SIN, Polynomial
+from cap.system.polynomial import COS, SIN
 
 BITS, CHECKED = 128, 128
 PLACES = 10  # decimals of the times of rest and release
-DEPTH = 9  # a piece of the time of rest is at least 2^-DEPTH of it
 PARTS = [Fraction(k, 4) for k in (2, 1, 3)]  # of a side of the box, where a state is looked for
-LARGEST = Fraction(8)  # speed that is tried
-PART = Fraction(9, 10)  # of the largest, which is claimed
-PHASES = 24  # times of a period at which a box is looked for
 GRID = 720  # times of a period at which a release is looked for
+HITS, MOST_CUTS, FINEST = 8, 600, 2**20  # hits followed; letters of a tree; 1/size of a piece
 
-Times = list[Fraction]
+Tell = Callable[[str, float | None], None]
 
 
 class Rest(NamedTuple):
@@ -51,35 +53,109 @@ class Rest(NamedTuple):
     cuts: Times
 
 
-def prove(place: Wall, time: Fraction, mode: str, box: Boxes) -> dict[str, Any]:
+class Piece(NamedTuple):
+    """What is proved of a piece of the box: the windows of the hits that are followed, and then."""
+
+    hits: list[Window]
+    found: Found
+
+
+class Cut(NamedTuple):
+    """A box in pieces: the letters of the checker's tree, and the pieces in their order."""
+
+    tree: str
+    pieces: list[Piece]
+
+
+def prove(
+    place: Wall, time: Fraction, mode: str, box: Boxes, tell: Tell = lambda *_: None
+) -> dict[str, Any]:
     """Return a certificate, which the independent checker accepts, of all states of a box.
 
     Raises `NotProved` with the step that failed.
     """
     start = Start(place, time, box)
     with interval.workprec(BITS):
-        found = lemma_1_capture(start, time)
-        alone = all(q.variables <= {COS, SIN} for q in place.rested().values())
-        if alone:
-            return _checked(start, mode, found, lemma_2_rest(place, found))
-        return _checked(start, mode, *lemma_2_rest_among_others(start, found))
+        if any(q.variables - {COS, SIN} for q in place.rested().values()):
+            found, rest = lemma_2_rest_among_others(start)
+            return _checked(start, mode, Cut(".", [Piece([], found)]), rest)
+        cut = lemma_1_capture(start, mode, tell)
+        return _checked(start, mode, cut, lemma_2_rest(place, whole(cut.pieces)))
 
 
-def lemma_1_capture(start: Start, latest: Fraction) -> Found:
+def whole(pieces: Sequence[Piece]) -> Window:
+    """Return the window in which the hits of all pieces accumulate."""
+    times = [piece.found.time for piece in pieces]
+    return min(a for a, _ in times), max(b for _, b in times)
+
+
+def lemma_1_capture(start: Start, mode: str, tell: Tell) -> Cut:
     """*Statement.* (i), (ii).
 
-    *Computed.* Bounds of h'' on a set that no motion leaves; until ``latest``, if it is later than
-    the accumulation, of the other variables in the mode of rest too.
+    *Computed.* The box is cut in halves until of each piece no state is meant, or the lemma of
+    `cap.orbits.capture` holds, after some hits that are followed.
     """
-    return captured(start, latest)
+    place = Place.of(start.wall)
+    sizes = {z: b - a for z, (a, b) in start.box.items()}
+    waiting, tree, pieces = [start.box], "", list[Piece]()
+    while waiting:
+        box = waiting.pop()
+        part = Start(start.wall, start.time, box)
+        if _is_empty(part, mode):
+            tree += "-"
+            continue
+        try:
+            pieces.append(_piece(place, part, mode))
+            tree += "."
+        except NotProved:
+            hopeless = start.wall.e == 1 or start.wall.rising != start.wall.falling
+            if hopeless or len(tree) >= MOST_CUTS:
+                raise
+            z = max(box, key=lambda z: (box[z][1] - box[z][0]) / (sizes[z] or 1))
+            (a, b), k = box[z], start.wall.system.state.index(z)
+            if (b - a) * FINEST <= sizes[z]:
+                raise
+            tree += str(k)
+            waiting += [{**box, z: ends} for ends in (((a + b) / 2, b), (a, (a + b) / 2))]
+            tell(f"{len(pieces)} pieces of the box come to rest", None)
+    if not pieces:
+        raise NotProved("start", f"no state of the box has positive guards of {mode}")
+    return Cut(tree, pieces)
 
 
-def lemma_2_rest(place: Wall, found: Found) -> Rest:
+def _is_empty(part: Start, mode: str) -> bool:
+    """Return whether a guard is positive nowhere, in a piece of the box."""
+    guards = part.wall.system.modes[mode].guards.values()
+    return any(part.at(guard.value) < 0 for guard in guards)
+
+
+def _piece(place: Place, part: Start, mode: str) -> Piece:
+    """Return what is proved of a piece, after as few hits as will do.
+
+    Where e = 1 none are followed: no ratio is below 1, unless friction slows a rise.
+    """
+    try:
+        return Piece([], captured(part.wall, part.entry(), part.time))
+    except NotProved as failure:
+        reason = failure
+    if part.wall.e < 1 and mode == part.wall.falling and part.at(part.wall.h) > 0:
+        windows: list[Window] = []
+        try:
+            for window, entry in islice(hits(place, part), HITS):
+                windows.append(window)
+                with suppress(NotProved):
+                    return Piece(windows, captured(part.wall, entry, part.time))
+        except NotProved as failure:
+            reason = failure
+    raise reason
+
+
+def lemma_2_rest(place: Wall, accumulated: Window) -> Rest:
     """*Statement.* (iii), where the guards of the mode of rest depend on the clock alone.
 
     *Computed.* These guards on pieces of time.
     """
-    since, last = found.time
+    since, last = accumulated
     held = Held(place, {})
     period = interval.ends(2 * interval.pi() / number(place.system.omega))[1]
     times = [since + period * k / GRID for k in range(GRID + 1)]
@@ -94,129 +170,26 @@ def lemma_2_rest(place: Wall, found: Found) -> Rest:
     return Rest(until, released, held.cuts(since, until))
 
 
-def lemma_2_rest_among_others(start: Start, found: Found) -> tuple[Found, Rest]:
-    """*Statement.* (iii), without a time of release; *computed* on pieces of time, for the longest
-    time found in which the other variables are not seen to go too far.
+def lemma_2_rest_among_others(start: Start) -> tuple[Found, Rest]:
+    """*Statement.* (i) to (iii), without a time of release; *computed* on pieces of time, for the
+    longest time found in which the other variables are not seen to go too far.
     """
+    place, entry = start.wall, start.entry()
+    first = captured(place, entry, start.time).time[1]
 
     def until(more: Fraction) -> tuple[Found, Rest]:
-        again = captured(start, found.time[1] + more)
-        last = again.time[1] + more
-        again = captured(start, last)
-        held = Held(start.wall, again.others)
+        last = captured(place, entry, first + more).time[1] + more
+        again = captured(place, entry, last)
+        held = Held(place, again.others)
         return again, Rest(last, None, held.cuts(again.time[0], last))
 
-    longer = bisection.largest(until, found.time[1] - start.time, 6)
+    longer = bisection.largest(until, first - start.time, 6)
     return until(Fraction(0) if longer is None else interval.short(longer))
 
 
-def at_the_wall(
-    place: Wall, time: Fraction | None, tell: Callable[[str, float | None], None]
-) -> tuple[Fraction, Boxes]:
-    """Return a large box at the wall, for a state of two variables, and its time.
-
-    The time is the one given, or that of the largest box found among some in a period.
-    """
-    if time is not None or place.system.autonomous:
-        return time or Fraction(0), largest(place, time or Fraction(0))[1]
-    with interval.workprec(BITS):
-        period = interval.midpoint(2 * interval.pi() / number(place.system.omega))
-    found: list[tuple[Fraction, Fraction, Boxes]] = []
-    for k in range(PHASES):
-        tell("a box at the wall is looked for", k / PHASES)
-        phase = round(period * k / PHASES, 3)
-        try:
-            size, box = largest(place, phase)
-        except NotProved as failure:
-            reason = failure
-        else:
-            found.append((size, phase, box))
-    if not found:
-        raise reason
-    _, phase, box = max(found, key=lambda each: each[0])
-    return phase, box
-
-
-def largest(place: Wall, time: Fraction) -> tuple[Fraction, Boxes]:
-    """Return the largest u found, and a box around the states with h <= u²/(2a), |h'| <= u.
-
-    Here a is -h'' where h = h' = 0; u is 0 if there is none.  For a state of two variables.
-    """
-    with interval.workprec(BITS):
-        a = Near(place, (time, time), Fraction(0), Fraction(0), {}).pull().least
-        size = bisection.largest(lambda u: captured(_near(place, time, u, a), time), LARGEST, 5)
-        if size is None:
-            captured(_near(place, time, LARGEST / 2**bisection.HALVINGS, a), time)
-            raise NotProved("capture", "no box at the wall is captured")
-        return size, _near(place, time, interval.short(size * PART), a).box
-
-
-def _near(place: Wall, time: Fraction, u: Fraction, a: Ball) -> Start:
-    """Return the box at the wall for a speed."""
-    speed, height = interval.ball(u), interval.ball(u * u) / (2 * a)
-    known = {"(h)": interval.hull(Ball(0), height), "(h')": interval.symmetric(speed)}
-    known |= clock(place.system, interval.ball(time))
-    box, places = {}, max(0, 3 - interval.decade(u * u if u < 1 else u))
-    for z in place.system.state:
-        side = place.solved[z].evaluated(known, interval.ball, interval.pi())
-        low, high = map(Fraction, interval.outward(side, places))
-        box[z] = low, high
-    return Start(place, time, box)
-
-
-class Held:
-    """The guards of the mode of rest where h = h' = 0, at times and over pieces of time.
-
-    The other variables lie in a box, if the guards depend on them.
-    """
-
-    def __init__(self, place: Wall, others: Boxes) -> None:
-        self.place, self.guards = place, place.rested()
-        self.others = {z: interval.hull(*map(interval.ball, ends)) for z, ends in others.items()}
-        self.rates = {
-            key: place.standing(place.system.lie(place.rest, q)) for key, q in self.guards.items()
-        }
-
-    def at(self, key: str, t: Fraction) -> Ball:
-        """Return a guard at a time."""
-        return self._value(self.guards[key], interval.ball(t))
-
-    def _value(self, q: Polynomial, t: Ball) -> Ball:
-        known = {**self.others, **clock(self.place.system, t)}
-        value: Ball = q.evaluated(known, interval.ball, interval.pi())
-        return value
-
-    def ended(self, t: Fraction) -> list[str]:
-        """Return the guards that are not positive at a time."""
-        return [key for key in self.guards if not self.at(key, t) > 0]
-
-    def cuts(self, a: Fraction, b: Fraction) -> Times:
-        """Return times between two, so dense that the guards are seen to be positive."""
-        waiting, done = [(a, b, 0)], Times()
-        while waiting:
-            low, high, depth = waiting.pop()
-            if all(self._holds(key, low, high) for key in self.guards):
-                done.append(high)
-            elif depth < DEPTH:
-                middle = (low + high) / 2
-                waiting += [(middle, high, depth + 1), (low, middle, depth + 1)]
-            else:
-                sets = {"between": (low, high)}
-                raise NotProved("rest", "a guard of the mode of rest may come to 0", sets)
-        return done[:-1]
-
-    def _holds(self, key: str, a: Fraction, b: Fraction) -> bool:
-        piece = interval.hull(interval.ball(a), interval.ball(b))
-        if self._value(self.guards[key], piece) > 0:
-            return True
-        rate = self._value(self.rates[key], piece)
-        end = b if rate < 0 else a if rate > 0 else None
-        return end is not None and bool(self.at(key, end) > 0)
-
-
-def _checked(start: Start, mode: str, found: Found, rest: Rest) -> dict[str, Any]:
+def _checked(start: Start, mode: str, cut: Cut, rest: Rest) -> dict[str, Any]:
     """Return the certificate, if the checker accepts it."""
-    place = start.wall
+    place, pieces = start.wall, cut.pieces
     claims = {
         "start": _shown(start.time),
         "mode": mode,
@@ -225,15 +198,14 @@ def _checked(start: Start, mode: str, found: Found, rest: Rest) -> dict[str, Any
         "guard": place.guard,
         "rising": place.rising,
         "restitution": _shown(place.e),
-        "ratio": writer.bound(found.ratio),
-        "accumulation_time": [*map(_shown, found.time)],
+        **_ratios(pieces),
+        "accumulation_time": [*map(_shown, whole(pieces))],
         **_of(rest),
     }
     hints = {
         "bits": str(CHECKED),
-        "height": _shown(found.height),
-        "speed": _shown(found.speed),
-        "others": {z: [*map(_shown, ends)] for z, ends in found.others.items()},
+        "tree": cut.tree,
+        "pieces": [_of_piece(piece) for piece in pieces],
         "state": {z: _shown(c) for z, c in _meant(start, mode).items()},
         "cuts": [*map(str, rest.cuts)],
     }
@@ -253,6 +225,32 @@ def _checked(start: Start, mode: str, found: Found, rest: Rest) -> dict[str, Any
         why = f"the independent checker rejects the certificate: {reason}"
         raise NotProved("checker", why) from None
     return certificate
+
+
+def _ratios(pieces: Sequence[Piece]) -> dict[str, str]:
+    """Return a ratio below 1, and how many first hits are left out of it in some piece."""
+    ratio, followed = reduce(Ball.max, [piece.found.ratio for piece in pieces]), 0
+    for windows, found in pieces:
+        count = len(windows) or 1
+        followed = max(followed, count if count > 1 else 0)
+        for k, hit in enumerate(found.hits[0 if windows else 1 :], count + 1):
+            if hit.ratio < 1:
+                ratio = ratio.max(hit.ratio)
+            else:
+                followed = max(followed, k)
+    return {"followed": str(followed), "ratio": writer.bound(ratio)}
+
+
+def _of_piece(piece: Piece) -> dict[str, Any]:
+    """Return the hints about a piece."""
+    found = piece.found
+    return {
+        "hits": [[*map(_shown, window)] for window in piece.hits],
+        "until": [_shown(t) for t in (*(hit.until for hit in found.hits), found.time[1])],
+        "height": _shown(found.height),
+        "speed": _shown(found.speed),
+        "others": {z: [*map(_shown, ends)] for z, ends in found.others.items()},
+    }
 
 
 def _meant(start: Start, mode: str) -> dict[str, Fraction]:

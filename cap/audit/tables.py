@@ -1,7 +1,8 @@
 """Tables as claims: each row is one, decided when its table is computed.
 
 ``paper.toml`` names the module that computes them, which has ``LABELS``, and of each label the
-``module`` with what is computed and the ``rows``.  ``tables.json`` lists the rows, so that claims
+``module`` with what is computed and the ``rows``; and the command that, with a label, does
+``compute`` them.  ``tables.json`` lists the rows, so that claims
 can be named without computing.  ``--record`` writes it, and a table whose rows are not those of the
 list decides nothing.
 """

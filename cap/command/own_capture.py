@@ -18,7 +18,7 @@ from cap.errors import BadInput
 from cap.orbits.capture import Boxes
 from cap.orbits.wall import Wall, wall
 from cap.parameters import exact
-from cap.proofs import contact_capture
+from cap.proofs import contact_capture, wall_boxes
 from cap.proofs.contacts import as_parameters
 from cap.system.files import assigned, read
 
@@ -120,7 +120,8 @@ def _proved(asked: Asked, progress: Progress) -> int:
     def prove() -> dict[str, Any]:
         time, box = asked.time, asked.box
         if box is None:
-            time, box = contact_capture.at_the_wall(asked.wall, time, progress.tell)
-        return contact_capture.prove(asked.wall, time or Fraction(0), asked.mode, box)
+            time, box = wall_boxes.at_the_wall(asked.wall, time, progress.tell)
+        start = time or Fraction(0)
+        return contact_capture.prove(asked.wall, start, asked.mode, box, progress.tell)
 
     return own_map.answered("contact_capture", prove, asked.path, progress)

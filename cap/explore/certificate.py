@@ -83,7 +83,7 @@ def opened(name: str) -> Certificate:
     try:
         return read(content(found(name)))
     except OSError as error:
-        raise BadInput(unread(name, error)) from None
+        raise BadInput(unread(name, error).replace("CANNOT READ: ", "cannot read ", 1)) from None
     except Rejected as reason:
         raise BadInput(f"{quoted(name)} is no certificate: {reason}") from None
 

@@ -31,6 +31,7 @@ class Kinds:
         self._watches = dict[tuple[str, str], Watch]()
         self._lemmas = dict[str, dict[str, Lemma]]()
         self._longest = dict[str, float]()
+        self._states = dict[str, Function]()
 
     @cached_property
     def autonomous(self) -> bool:
@@ -52,6 +53,12 @@ class Kinds:
         if (mode, guard) not in self._watches:
             self._watches[mode, guard] = Watch(self.system, mode, guard, self.motion(mode))
         return self._watches[mode, guard]
+
+    def state(self, mode: str) -> Function:
+        """Return the state at the end of a flight, of what the functions of a guard take."""
+        if mode not in self._states:
+            self._states[mode] = flown(self.system, self.motion(mode))
+        return self._states[mode]
 
     def lemmas(self, mode: str) -> dict[str, Lemma]:
         """Return the lemmas by which the guards of a mode stay positive."""
@@ -183,6 +190,15 @@ class Watch:
     def rate(self) -> Function:
         """L h at a place."""
         return Function(self._place, [self._of(self._towers[1], along=False)])
+
+
+def flown(system: System, motion: Motion) -> Function:
+    """Return the state at the end of a flight, as a function of what a `Watch` takes."""
+    tape, q = Tape(), [f"q{i}" for i in range(len(system.state))]
+    start, end = _clock(tape, "c0", "s0"), _clock(tape, "c1", "s1")
+    there = motion.arrival([tape.input(z) for z in q], start, tape.input("d"), end)
+    inputs = ["c0", "s0", *q, "d", "c1", "s1", *motion.inputs]
+    return Function(inputs, [there[z] for z in system.state])
 
 
 def _clock(tape: Tape, c: str, s: str) -> Clock:

@@ -105,7 +105,11 @@ class Polynomial:
         return Polynomial.of(other) / self
 
     def __repr__(self) -> str:
-        return " + ".join(map(_shown, self.terms, self.terms.values())) or "0"
+        told = "".join(
+            f" {'-' if c < 0 else '+'} {_shown(monomial, abs(c))}"
+            for monomial, c in self.terms.items()
+        )
+        return ("-" if told.startswith(" -") else "") + told[3:] or "0"
 
     def reciprocal(self) -> Polynomial:
         """Return 1/q of a rational times a power of pi, not zero; refuse anything else."""

@@ -81,13 +81,3 @@ def test_a_claim_of_a_kind_that_is_not_there(tmp_path):
     path.with_suffix(".py").touch()
     with pytest.raises(AttributeError, match="nothing"):
         given.claims(path, deciding.__name__)
-
-
-def test_the_general_part_knows_no_paper():
-    """But for tables of figures, and means of one paper, nothing names one."""
-    root = subject.FOLDER.parent
-    known = {"subject.py"}
-    for path in [*root.glob("*.py"), *root.glob("report/*.py")]:
-        text = path.read_text(encoding="utf-8")
-        assert path.name in known or "mixed_dynamics" not in text, path
-        assert "church" not in text.lower(), path

@@ -140,7 +140,7 @@ def test_rejections_are_tried():
     [
         ([str(STORED / "saddle.json"), "--out", "picture.csv"], "no picture"),
         ([str(ROOT / "CITATION.cff")], "is no certificate"),
-        (["nowhere.json"], "CANNOT READ"),
+        (["nowhere.json"], "error: cannot read"),
         (["saddle", "--jobs", "0"], "jobs"),
     ],
 )

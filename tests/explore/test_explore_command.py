@@ -104,6 +104,7 @@ def test_a_word_while_one_waits(monkeypatch, capsys):
 
     monkeypatch.setattr(compiled, "kept", lambda *_, **__: slow)
     monkeypatch.setattr(compiled, "PATIENCE", 0.1)
+    monkeypatch.setattr(compiled._Announced, "said", False)
     function, numbers = announced(add), [[0], [0], [0]]
     threads = [Thread(target=function, args=(each,)) for each in numbers]
     for thread in threads:
@@ -112,7 +113,23 @@ def test_a_word_while_one_waits(monkeypatch, capsys):
         thread.join()
     function(numbers[0])
     assert numbers == [[2], [1], [1]]
+    announced(add)([0])  # another one
     assert capsys.readouterr().err == f"{compiled.WORDS}\n"
+
+
+def test_no_word_while_it_works(monkeypatch, capsys):
+    """It is loaded, or compiled, and what is asked of it takes long."""
+
+    def slow(numbers):
+        time.sleep(0.3)
+        add(numbers)
+
+    slow.signatures = [("array",)]
+    monkeypatch.setattr(compiled, "kept", lambda *_, **__: slow)
+    monkeypatch.setattr(compiled, "PATIENCE", 0.1)
+    monkeypatch.setattr(compiled._Announced, "said", False)
+    announced(add)([0])
+    assert capsys.readouterr().err == ""
 
 
 @pytest.mark.slow

@@ -68,6 +68,8 @@ LARGE = 20_000  # bytes: to refuse a long file takes a schema seconds
 # seconds each, and with tests of their own, too, or one more of a theorem
 SLOW = {
     "attractor",
+    "contact_capture-2",
+    "contact_capture-4",
     "branch",
     "branch-2",
     "contact_elliptic-2",

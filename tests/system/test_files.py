@@ -123,7 +123,7 @@ REFUSED = {
     "ball.py:1: SystemExit: 3": ("raise SystemExit(3)\n", {}),
     "source code string cannot contain null bytes": ("\0", {}),
     "RecursionError": ("def f():\n    return f()\n", {}),
-    "v' in the mode fly is not linear in the state and the clock: -1 y^2 (flights that are not": (
+    "v' in the mode fly is not linear in the state and the clock: -y^2 (flights that are not": (
         changed("-g}", "-y * y}"),
         {"A": 1},
     ),

@@ -72,6 +72,14 @@ def test_quotients(seed):
             assert sympy.simplify(symbolic(ours) - theirs) == 0
 
 
+def test_how_it_is_shown():
+    """With the signs of its coefficients."""
+    y, v = variables("y v")
+    shown = {y - Fraction(6, 5) * v: "y - 6/5 v", -(y**3): "-y^3", -1 - v * v: "-1 - v^2"}
+    for polynomial, text in {**shown, y - y: "0", 3 + y: "y + 3"}.items():
+        assert repr(polynomial) == text
+
+
 def test_common_factors_go():
     """A monomial that divides all terms leaves a quotient, and numbers leave the denominator."""
     assert over(x * v * pi, 2 * v) == Quotient(x * pi / 2, ONE)

@@ -4,14 +4,13 @@ import hashlib
 from functools import cache
 from typing import Any, NamedTuple
 
-from cap.audit.means import accepted
+from cap.audit.means import accepted, parameters
 from cap.audit.means.need import need
 from cap.errors import NotProved
-from cap.parameters import PAPER, Parameters
 from cap.tree import inside
 
 FOLDER = inside("certificates")
-THE_PAPER = "the parameters of the paper, and one mass"
+THE_PAPER = "the parameters of the paper"
 _asked: set[str] = set()
 
 
@@ -39,9 +38,9 @@ def sentence(name: str) -> str:
 
 
 def at_the_paper(each: Stored) -> bool:
-    """Return whether a certificate is about the paper's parameters, and one mass."""
-    parameters = dict(each.parameters)
-    return not parameters.pop("masses", ()) and Parameters(**parameters) == PAPER
+    """Return whether a certificate is about the paper's parameters, and has no others."""
+    own = parameters.of_the_paper()
+    return bool(own) and each.parameters == own
 
 
 def claimed(name: str) -> Any:

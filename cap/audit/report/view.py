@@ -4,7 +4,7 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from cap.audit import labels, ledger, quotes, recorded
+from cap.audit import labels, ledger, quotes, recorded, subject
 from cap.audit.claim import Claim
 from cap.audit.findings import MOST, Finding, members
 from cap.audit.statements import Statement, statements
@@ -83,7 +83,7 @@ class Entry:
         """What to run to decide the claim again."""
         own = [f"python -m cap.audit --only {self.claim.id} --fresh"]
         if isinstance(self.claim, Row):
-            own.append(f"python -m cap.explore --paper {self.claim.table}")
+            own.append(f"{subject.paper()['compute']} {self.claim.table}")
         name = self.verdict.certificate
         return [*own, f"python -m cap.verify certificates/{name}"] if name else own
 

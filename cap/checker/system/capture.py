@@ -170,15 +170,13 @@ class Wall:
         return any(c < 0 for _, c in self._multiples(mode, self.rate))
 
 
-class Near:
-    """Numbers near a wall: where the heights, rates and other variables are, and when."""
+class Numbers:
+    """Numbers for a wall: those of the clock, and of polynomials."""
 
-    def __init__(self, wall: Wall, bits: int, inside: States, others: Known) -> None:
-        self.wall, self.bits, self.inside, self.others = wall, bits, inside, others
-        self.one = Interval.enclosing(1, 1, bits)
-        self.pi = pi(bits)
+    def __init__(self, wall: Wall, bits: int) -> None:
+        self.wall, self.bits = wall, bits
+        self.one, self.pi = Interval.enclosing(1, 1, bits), pi(bits)
         self.omega = self.values({}).of(wall.model.frequency)
-        self._written: dict[Polynomial, Polynomial] = {}
 
     def values(self, known: Known) -> Values[Interval]:
         """Return values, with those of pi."""
@@ -188,6 +186,15 @@ class Near:
         """Return cos and sin during some time."""
         cos, sin = cos_sin(Interval.enclosing(*when, self.bits) * self.omega)
         return {COS: cos, SIN: sin}
+
+
+class Near(Numbers):
+    """Numbers near a wall: where the heights, rates and other variables are, and when."""
+
+    def __init__(self, wall: Wall, bits: int, inside: States, others: Known) -> None:
+        super().__init__(wall, bits)
+        self.inside, self.others = inside, others
+        self._written: dict[Polynomial, Polynomial] = {}
 
     def over(self, q: Polynomial, clock: Known, height: int = 1, signs: str = "+-") -> Interval:
         """Return an enclosure of q where h <= H_B, or h = 0, and h' has a sign of these or is 0."""

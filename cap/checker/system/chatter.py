@@ -41,6 +41,10 @@ the last time up to which it is in B.  B is closed, so the bounds hold at T.  If
 H_B; and h' decreases.  If h' <= 0 < h, |h'| < q_B; and h does not increase for a while.  If h = 0,
 h' > 0 after a hit, or h' = 0, when the hits have accumulated.  So it is in B for a while longer.
 
+*One at a time.*  If the bounds hold until a time by which the first hit, or the next one, is over,
+it happens: by 3 it has a speed of at most q, if H <= H_B and q <= q_B; by 4 one of at most k u
+after one of at most u, if (e u)^2/(2 r_1) <= H_B and u, k u <= q_B; here k may be 1 or more.
+
 *After it* h = h' = 0.  There the orbit rests as long as h'' < 0 in the mode in which h falls.
 """
 
@@ -111,10 +115,43 @@ def chatter(entry: Entry, inside: States, pull: Pull, e: Interval) -> Chatter:
     decrease = e.is_positive() and e.hi <= one.hi and ratio.is_before(one)
     need(decrease, "the speeds at the hits may not decrease")
     height, q = entry.states(pull)
-    kept = height.hi <= inside.height.lo and q.hi <= inside.speed.lo
-    need(kept, "what chatters may leave the states that were looked at")
+    _confirm_kept(States(height, q), inside)
     bounces = (one / rising + one / (rising * least).sqrt()) * e * q / (one - ratio)
     return Chatter(ratio, entry.wait(pull) + bounces)
+
+
+class Reached(NamedTuple):
+    """The next hit: a bound of its speed, and of the time until it; the ratio of the speeds."""
+
+    speed: Interval
+    time: Interval
+    ratio: Interval
+
+
+def first_hit(entry: Entry, inside: States, pull: Pull) -> Reached:
+    """Prove that there is a first hit, if the bounds hold until the time returned has passed."""
+    need(pull.rising.is_positive() and pull.least.is_positive(), "what chatters may be held off")
+    reached = entry.states(pull)
+    _confirm_kept(reached, inside)
+    return Reached(reached.speed, entry.wait(pull), entry.speed.integer(0))
+
+
+def next_hit(speed: Interval, inside: States, pull: Pull, e: Interval) -> Reached:
+    """Prove that after a hit of at most this speed there is another one, under the same bounds."""
+    rising, least, most = pull
+    need(rising.is_positive() and least.is_positive(), "what chatters may be held off")
+    ratio, left = e * (most / rising).sqrt(), e * speed
+    again = _high(ratio * speed)
+    fastest = again if again.hi > speed.hi else speed
+    _confirm_kept(States(_high(left.square() / (rising * 2)), fastest), inside)
+    one = e.integer(1)
+    time = (one / rising + one / (rising * least).sqrt()) * left
+    return Reached(again, time, ratio)
+
+
+def _confirm_kept(reached: States, inside: States) -> None:
+    kept = reached.height.hi <= inside.height.lo and reached.speed.hi <= inside.speed.lo
+    need(kept, "what chatters may leave the states that were looked at")
 
 
 def _at_least_one(x: Interval) -> Interval:

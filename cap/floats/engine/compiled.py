@@ -19,7 +19,9 @@ def announced(function: Callable[..., Any], digest: str = "") -> Callable[..., A
 
 
 class _Announced:
-    """A compiled function, of one signature, whose first call prints a line if it takes long."""
+    """A compiled function, of one signature: of all of them the first to be compiled says so."""
+
+    said = False
 
     def __init__(self, compiled: Callable[..., Any]) -> None:
         self._compiled, self._ready, self._lock = compiled, False, Lock()
@@ -32,7 +34,7 @@ class _Announced:
         return self._compiled(*arguments)
 
     def _first(self, *arguments: Any) -> Any:
-        timer = Timer(PATIENCE, _say)
+        timer = Timer(PATIENCE, self._say)
         timer.daemon = True
         timer.start()
         try:
@@ -42,7 +44,12 @@ class _Announced:
         self._ready = True
         return result
 
+    def _say(self) -> None:
+        """Say that one has to wait, unless it is compiled, or loaded, and what it does takes long.
 
-def _say() -> None:
-    if multiprocessing.parent_process() is None:  # others would say the same
-        say(WORDS, sys.stderr)
+        Other processes would say the same.
+        """
+        waits = not getattr(self._compiled, "signatures", ())
+        if waits and not _Announced.said and multiprocessing.parent_process() is None:
+            _Announced.said = True
+            say(WORDS, sys.stderr)

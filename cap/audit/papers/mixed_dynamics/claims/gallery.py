@@ -7,7 +7,6 @@ from cap.audit import labels
 from cap.audit.means.balls import pair
 from cap.audit.means.need import need
 from cap.audit.means.stored import Stored, stored
-from cap.audit.papers.mixed_dynamics.claims.linearization import below_the_bound
 from cap.audit.papers.mixed_dynamics.means.bouncing import FORCINGS, STARTS, growth, near_the_walls
 from cap.audit.papers.mixed_dynamics.means.printed import stated
 from cap.audit.steps import Words
@@ -133,10 +132,6 @@ def rejected_determinants() -> None:
     claims = stored("periodic-3.json").claims
     need(claims["determinant"].lower == 0 == claims["determinant"].upper, "the determinant")
     need(claims["type"] == "superstable", "the orbit is of another type")
-
-
-def below_the_bound_by_theorem() -> None:
-    below_the_bound()
 
 
 def range_of_the_counts() -> None:

@@ -11,14 +11,6 @@ from cap.audit.steps import Words
 from cap.sets import interval
 
 
-def convexified_field() -> None:
-    a, f, v, s = sp.symbols("a f v s", real=True)
-    limits = [a - f * sp.limit(sp.sign(v), v, 0, side) for side in "+-"]
-    hull = s * limits[0] + (1 - s) * limits[1]
-    identity("one end", hull.subs(s, 1), a - f)
-    identity("the other end", hull.subs(s, 0), a + f)
-
-
 def rest_at_a_wall() -> Words:
     t, F, f, w = sp.symbols("t F f omega", positive=True)
     # At r, at rest, when cos ωt = -1: leave, or stay.  τ = t - π/ω.

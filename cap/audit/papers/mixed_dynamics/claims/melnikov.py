@@ -74,12 +74,3 @@ def integral_of_sech() -> Words:
     u = symbols("u")
     identity("an antiderivative", sp.diff(2 * sp.atan(sp.tanh(u / 2)), u), sp.sech(u))
     return {"words": words}
-
-
-def friction_integral() -> None:
-    action, phi = sp.symbols("I phi", real=True)
-    H, V = (sp.Function(name)(action, phi) for name in ("H", "V"))
-    velocity = sp.diff(H, action), -sp.diff(H, phi)  # of φ and of I
-    along = sp.diff(V, phi) * velocity[0] + sp.diff(V, action) * velocity[1]
-    bracket = sp.diff(H, action) * sp.diff(V, phi) - sp.diff(H, phi) * sp.diff(V, action)
-    identity("{H₀, V} is dV/ds along the flow of H₀", bracket, along)
