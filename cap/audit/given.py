@@ -15,8 +15,8 @@ certificate = "NAME.json"          # stored, if it rests on one
 
 What is decided by algebra, or by what certificates claim, has ``steps``: see `cap.audit.steps`.
 What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, with what it is
-given, ``with``.  It raises `NotProved`, or returns a verdict, or the words that ``found`` and
-``evidence`` ask for.  What has neither is decided by reading.
+given, ``with``, after its steps, if it has some.  It raises `NotProved`, or returns a verdict, or
+the words that ``found`` and ``evidence`` ask for.  What has neither is decided by reading.
 """
 
 import hashlib
@@ -48,7 +48,7 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
     decide: Callable[[], Verdict]
     if "decide" in entry:
         function = getattr(import_module(module), entry["decide"])
-        decide = partial(_decided, entry, partial(function, **entry.get("with", {})))
+        decide = partial(_decided, entry, common, partial(function, **entry.get("with", {})))
     else:
         decide = partial(_derived, entry, common)
     formulas = [each.formula for each in errata.of(entry["id"])]
@@ -67,12 +67,13 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
 
 
 def _decided(
-    entry: Given, function: Callable[[], Verdict | Mapping[str, object] | None]
+    entry: Given, common: Given, function: Callable[[], Verdict | Mapping[str, object] | None]
 ) -> Verdict:
     """Return what a function decides; its words are put where ``found`` and ``evidence`` ask."""
+    made = steps.made(common, entry) if "steps" in entry else steps.Steps()
     done = function()
-    as_in_the_erratum(entry["id"], steps.Steps())
-    return done if isinstance(done, Verdict) else _verdict(entry, done or {})
+    as_in_the_erratum(entry["id"], made)
+    return done if isinstance(done, Verdict) else _verdict(entry, {**made.names, **(done or {})})
 
 
 def _derived(entry: Given, common: Given) -> Verdict:

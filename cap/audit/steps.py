@@ -9,7 +9,7 @@
     pi/2 > 1                             a sign: of a number in balls, else by those of the symbols
     elliptic.twist > 0                   what elliptic.json claims, once the checker has accepted it
     elliptic.at == paper                 it is about the paper's parameters
-    hit(1).det() == 1                    of a derivative of `cap.audit.means.linear`
+    hit(1).det() == 1                    of a derivative of `cap.audit.means.linear`: hit, turn
     '''
 
 What follows ``#`` says, for people, what is shown, or what would be the case if it were not.
@@ -50,7 +50,11 @@ class Steps:
     """The names that steps have defined, and the balls of numbers that certificates enclose."""
 
     def __init__(self) -> None:
-        self.names: dict[str, Any] = {"paper": THE_PAPER, "hit": linear.hit}
+        self.names: dict[str, Any] = {
+            "paper": THE_PAPER,
+            "hit": linear.hit,
+            "turn": linear.turn,
+        }
         self.balls: dict[Any, Ball] = {}
 
     def make(self, given: Given) -> None:

@@ -14,7 +14,14 @@ from hashlib import sha256
 from pathlib import Path
 
 from cap.certificate import report, writer
-from cap.command import own_branch, own_capture, own_horseshoe, own_refusals, own_table
+from cap.command import (
+    own_attractor,
+    own_branch,
+    own_capture,
+    own_horseshoe,
+    own_refusals,
+    own_table,
+)
 from cap.command.console import Parser, columns, program, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
@@ -27,6 +34,7 @@ from cap.system.files import assigned, read
 from cap.system.model import System
 from cap.words import printable, quoted, say
 
+ATTRACTOR = ("attractor", "contact_attractor")
 BRANCH = ("branch", "contacts_branch")
 CAPTURE = ("capture", "contact_capture")
 HORSESHOE = ("horseshoe", "contact_horseshoe")
@@ -38,6 +46,8 @@ LONGEST = 120  # characters of a name
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     named = words[0] if words and not words[0].startswith("-") else ""
+    if named in ATTRACTOR:
+        return own_attractor.main(words)
     if named in BRANCH:
         return own_branch.main(words)
     if named in CAPTURE:

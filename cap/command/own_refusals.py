@@ -6,8 +6,8 @@ from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
 PROVED = (
-    "of a system of one's own `periodic`, `elliptic`, `branch`, `capture` and `horseshoe` are "
-    "proved"
+    "of a system of one's own `periodic`, `elliptic`, `branch`, `capture`, `attractor` and "
+    "`horseshoe` are proved"
 )
 
 LISTED = {
@@ -15,6 +15,7 @@ LISTED = {
     "elliptic --model FILE": "an elliptic orbit where nothing is lost: its twist, tori around it",
     "branch --model FILE": "a curve of periodic orbits over a parameter: its folds and flips",
     "capture --model FILE": "infinitely many contacts in finite time, then rest, from a box",
+    "attractor --model FILE": "releases: one motion that the others tend to, or entropy",
     "horseshoe --model FILE": "entropy of motions from contact to contact",
     "horseshoe --map FILE": "the same of a map of the plane",
     "island --map FILE": "an invariant curve around the cylinder, which no orbit of a map crosses",
@@ -24,10 +25,10 @@ LISTED = {
 
 REASONS: Mapping[str, str] = {
     "capture": "name it first: `capture --model FILE`",
-    "attractor": "its map of an interval begins where dry friction releases one mass",
-    "entropies": "its map of an interval begins where dry friction releases one mass",
-    "window": "its map of an interval begins where dry friction releases one mass",
-    "cascade": "its map of an interval begins where dry friction releases one mass",
+    "attractor": "name it first: `attractor --model FILE`",
+    "entropies": "its map is that of one mass under dry friction; see `attractor --model`",
+    "window": "its map is that of one mass under dry friction; see `attractor --model`",
+    "cascade": "its map is that of one mass under dry friction; see `attractor --model`",
     "effective_stability": "its motions are those whose velocity never vanishes, of one mass",
     "island": "its invariant curve is one of the map over half a period, of one mass",
     "homoclinic": "its curves are those of a saddle of the map over one period, of one mass",

@@ -92,7 +92,8 @@ COMMANDS = {
         "--model examples/ball.py --state 2.06 -2.63 --parameter A --range 1 2 --out branch.png",
         "It is the orbit near --state, or to which that leads.\n"
         "Folds, flips, branch points, Neimark-Sacker points and changes of events are located.\n"
-        "Twice the period: give a --state beyond the flip.",
+        "It ends where an event comes to t = 0: `cap.prove branch` goes on.  Twice the\n"
+        "period: give a --state beyond the flip.",
         (
             PARAMETER,
             Option("range", option.exacts, "of the parameter", ("A", "B"), 2),

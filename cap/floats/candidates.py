@@ -17,6 +17,7 @@ from cap.floats.coverings.search import (
     families_of_contacts,
 )
 from cap.floats.masses.particle_candidates import attracting, lighter, particles, touching_nothing
+from cap.floats.models.releases import Stay, stays
 from cap.floats.search import passage, periodic, spanning, tori
 from cap.floats.search.cycles import Cycle, near
 from cap.floats.search.homoclinic import Excursion, Saddle, excursions
@@ -37,6 +38,7 @@ __all__ = [
     "Request",
     "Saddle",
     "Search",
+    "Stay",
     "Turning",
     "attracting",
     "capturing",
@@ -61,6 +63,7 @@ __all__ = [
     "releasing_again",
     "saddles",
     "spanning",
+    "stays",
     "tori",
     "touching_nothing",
     "turning",

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from support import seeded
 
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
@@ -297,3 +300,41 @@ def test_a_part_that_is_left_out():
     given = changed(changed(EVER, "claims", "box", box), "hints", "state", {"y": "1", "v": "0"})
     verify(changed(given, "hints", "tree", "0-."))
     rejected(changed(given, "hints", "tree", "0.-"), "no states|left out may have")
+
+
+def bounces(A, t, y, v):
+    """Give times and speeds of the bounces of a ball, e = 1/2, in floats, until they are slow."""
+    speed = 1.0
+    step = 2e-3
+    while speed > 1e-5:
+        height = lambda s: y + v * s - s * s / 2 - A * math.sin(t + s)  # noqa: B023, E731
+        b = step
+        while height(b) > 0:
+            b += step
+        a = b - step
+        for _ in range(50):
+            m = (a + b) / 2
+            a, b = (m, b) if height(m) > 0 else (a, m)
+        t, v = t + b, v - b
+        y, table = A * math.sin(t), A * math.cos(t)
+        speed, v = table - v, table - (v - table) / 2
+        step = speed / 400
+        yield t, speed
+
+
+@pytest.mark.parametrize(("given", "A"), [(EVER, 0.2), (RELEASED, 1.2), (FOLLOWED, 1.2)])
+def test_motions_in_floats(given, A):
+    """Hits of random states of the box accumulate when it is claimed, with the ratio claimed."""
+    claims, random = given["claims"], seeded(1)
+    box = [tuple(map(float, claims["box"][z])) for z in ("y", "v")]
+    low, high = map(float, claims["accumulation_time"])
+    start, count = float(claims["start"]), 0
+    while count < 20:
+        y, v = (random.uniform(*side) for side in box)
+        if y <= A * math.sin(start):
+            continue
+        count += 1
+        times, speeds = zip(*bounces(A, start, y, v), strict=True)
+        assert low < times[-1] < high
+        pairs = pairwise(speeds[max(int(claims["followed"]) - 1, 0) :])
+        assert all(after < float(claims["ratio"]) * before for before, after in pairs)

@@ -25,6 +25,7 @@ ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
 ROOMS |= dict.fromkeys(("attractor", "cascade", "entropies", "window"), FLOW | {"release"})
 ROOMS |= {"impulse": BARE, "mixed": BARE | {"attracting", "folded", "release"}}
 ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
+ROOMS |= {"contact_attractor": BARE}
 ROOMS |= {"conservative": BARE | {"strips"}, "contacts": BARE, "contacts_branch": BARE}
 ROOMS |= {"contact_elliptic": BARE | {"maps"}, "contact_capture": BARE}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}, "horseshoe": BARE | {"coverings"}}

@@ -153,3 +153,31 @@ def test_numbers_that_are_none():
     """A box that may be the same is one, whatever its numbers are."""
     assert orbits._meet(Double(float("nan")), Double(0.0))
     assert not orbits._meet(Double(2.0), Double(0.0, 1.0))
+
+
+@pytest.mark.parametrize("name", ["map_horseshoe-1", "map_horseshoe-2", "map_horseshoe-3"])
+def test_those_of_maps_by_newtons_method(name):
+    """Without the checker's map, in floats: a fixed point of the iterate in each box, a saddle."""
+    stored = json.loads((STORED / f"{name}.json").read_text("utf-8"))
+    a = 5.0 if name == "map_horseshoe-3" else 1.4
+
+    def step(x, y):
+        if name == "map_horseshoe-2":
+            kick = y + 2 * np.sin(x)
+            images = (np.angle(np.exp(1j * (x + kick))), np.angle(np.exp(1j * kick)))
+            return images, np.array([[1 + 2 * np.cos(x), 1], [2 * np.cos(x), 1]])
+        return (1 - a * x * x + y, 0.3 * x), np.array([[-2 * a * x, 1], [0.3, 0]])
+
+    for orbit in stored["claims"]["orbits"]:
+        box = np.array([[float(q) for q in side] for side in orbit["box"]])
+        z = box.mean(axis=1)
+        for _ in range(8):
+            (x, y), D = z, np.eye(2)
+            for _ in orbit["path"]:
+                (x, y), J = step(x, y)
+                D = J @ D
+            z = z - np.linalg.solve(D - np.eye(2), np.array([x, y]) - z)
+        assert np.abs(np.array([x, y]) - z).max() < 1e-8
+        assert (box[:, 0] < z).all()
+        assert (z < box[:, 1]).all()
+        assert (1 + np.linalg.det(D)) ** 2 < np.trace(D) ** 2

@@ -100,12 +100,12 @@ def test_refused_in_a_line(words, why, capsys, tmp_path):
 def test_what_is_not_for_own_systems(capsys):
     """Each other theorem says in one line why it does not apply."""
     for name in (*THEOREMS, *symbolic.NAMES, "nonsense"):
-        if name in ("periodic", "elliptic", "branch", "capture", "horseshoe"):
+        if name in ("periodic", "elliptic", "branch", "capture", "attractor", "horseshoe"):
             continue
         assert main([name, "--model", MODEL]) == 2
         said = capsys.readouterr().err
         assert said.count("\n") == 1
-        assert "own `periodic`, `elliptic`, `branch`, `capture` and `horseshoe` are proved" in said
+        assert "`branch`, `capture`, `attractor` and `horseshoe` are proved" in said
         assert f"{name} does not apply to a model: " in said or name == "nonsense"
     assert main(["contacts"]) == 2
     assert "python -m cap.prove periodic --model FILE" in capsys.readouterr().err

@@ -43,3 +43,8 @@ def hit(side: int, restitution: Any = 1) -> Any:
     v = side * u
     event = Event(v, c - f * side, -restitution * v, c + f * side)
     return derivative(event, True, restitution)
+
+
+def turn(before: Any, after: Any) -> Any:
+    """Return the derivative of a moment with v = 0, by the accelerations before and after it."""
+    return derivative(Event(sp.S.Zero, before, sp.S.Zero, after), False)

@@ -146,11 +146,21 @@ def halved(flights: Flights, h: Watched, end: Interval, zeros: tuple[int, int], 
         count += 1
         need(count <= most, "a guard needs too many pieces of a flight")
         piece = Interval(a, b, end.bits)
-        if all(here) or _not_positive(flights, h, piece, end, here):
+        if all(here) or not _is_seen(flights, h, piece, end, here):
             m = (a + b) >> 1
             need(flights.start.hi < m < end.lo, "a guard may vanish near the end of a flight")
             waiting += [(m, b), (a, m)]
     return count
+
+
+def _is_seen(
+    flights: Flights, h: Watched, piece: Interval, end: Interval, zeros: tuple[int, int]
+) -> bool:
+    """Return whether a guard is seen to be positive on a piece; it may be too long for that."""
+    try:
+        return not _not_positive(flights, h, piece, end, zeros)
+    except TooCoarse:
+        return False
 
 
 def _not_positive(

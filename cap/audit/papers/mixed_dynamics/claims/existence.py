@@ -2,9 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import identity
 from cap.audit.means.balls import pair
-from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.steps import Words
@@ -35,15 +33,6 @@ def hypotheses_at_the_point() -> Words:
     near = claims["resonance_distances"]
     need(all(each.lower > 0 for each in near.values()), "a resonance")
     return {"twist": pair(claims["twist"], 6)}
-
-
-def krawczyk_operator() -> None:
-    names = "c11 c12 c21 c22 m11 m12 m21 m22 g1 g2 d1 d2"
-    q = sp.symbols(names, real=True)
-    C, M = sp.Matrix(2, 2, q[:4]), sp.Matrix(2, 2, q[4:8])
-    G, d = sp.Matrix(q[8:10]), sp.Matrix(q[10:])
-    difference = (d - C * (G + M * d)) - (-C * G + (sp.eye(2) - C * M) * d)
-    identity("z - C G(z) = z̄ - C G(z̄) + (1 - C M)(z - z̄)", difference, sp.zeros(2, 1))
 
 
 def newton_from_any_point() -> Words:

@@ -4,17 +4,13 @@ import math
 from fractions import Fraction
 
 from cap.audit import labels
-from cap.audit.means.algebra import identity, symbols
 from cap.audit.means.balls import between, pair
-from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import at_the_paper, stored
-from cap.audit.papers.mixed_dynamics.means.orbits import at
 from cap.audit.steps import Words
-from cap.audit.verdict import Verdict, confirmed, imprecise
 from cap.checker.kernel.shapes import Enclosure
+from cap.errors import NotProved
 from cap.proofs.census import census
-from cap.sets import interval
 
 
 def orbits_of_equation_seven_turn() -> Words:
@@ -24,26 +20,11 @@ def orbits_of_equation_seven_turn() -> Words:
     return {"least_speed": between(plus.least_speed, 6), "trace": between(plus.trace, 6)}
 
 
-def lift_is_called_a_theorem() -> Verdict:
+def lift_is_called_a_theorem() -> Words:
     place = labels.stored().place("thm:lift")
     if place.kind == "theorem":
-        return confirmed(f"Theorem {place.number}", "The labels of the TeX file.")
-    return imprecise(
-        f"it is {place.kind.capitalize()} {place.number} of the text", "The labels of the TeX file."
-    )
-
-
-def an_elliptic_orbit_exists() -> Words:
-    found = stored("elliptic.json")
-    claims, p = found.claims, found.parameters
-    right = (p["F"], p["omega"], p["f"], p["r"] - p["l"]) == (1, 1, Fraction(2, 5), 2)
-    need(right, "the certificate is about other parameters")
-    need(claims["least_speed"].lower > 0, "the orbit may stop")
-    return {
-        "x": pair(claims["x"], 12),
-        "v": pair(claims["v"], 12),
-        "least_speed": pair(claims["least_speed"], 6),
-    }
+        raise NotProved("audit", "it is a theorem")
+    return {"kind": place.kind.capitalize(), "number": place.number}
 
 
 def coexistence() -> Words:
@@ -74,34 +55,11 @@ def least(share: Enclosure) -> str:
     return f"{math.floor(share.lower * 1000) / 10:g} %"
 
 
-def propagator_is_smooth() -> None:
-    x0, v0, t, t0 = sp.symbols("x0 v0 t t0", real=True)
-    F, f, w = symbols("F f omega")
-    v = v0 + F / w * (sp.sin(w * t) - sp.sin(w * t0)) - f * (t - t0)
-    x = x0 + sp.integrate(v, (t, t0, t))
-    second = [sp.diff(g, a, b) for g in (x, v) for a in (x0, v0) for b in (x0, v0)]
-    need(all(each == 0 for each in second), "the propagator is not affine")
-
-
 def reversible_only_without_friction() -> None:
-    t, v, F, f, w = sp.symbols("t v F f omega", real=True)
-    field = F * sp.cos(w * t) - f * sp.sign(v)
-    reversed_field = field.subs({t: -t, v: -v}, simultaneous=True)  # (x, v, t) -> (x, -v, -t)
-    identity("without friction the field is reversible", (reversed_field - field).subs(f, 0))
     capture = stored("capture.json").claims
     box = capture["box"]
     need(box["x"].lower < box["x"].upper, "the box has no interior")
     need(box["v"].lower < box["v"].upper, "the box has no interior")
-
-
-def any_damping() -> Words:
-    p = at()
-    with interval.workprec(80):
-        F, w, f, R = (interval.ball(q) for q in (p.F, p.omega, p.f, p.R))
-        period = 2 * interval.pi() / w
-        largest = (4 * F / w - f * period) / (2 * R)
-        need(largest < 1, "there may be an orbit at μ = 1", largest=largest)
-    return {"largest": between(largest, 5)}
 
 
 def single_basin() -> Words:

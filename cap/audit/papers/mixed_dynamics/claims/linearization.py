@@ -3,10 +3,9 @@
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.audit.means.algebra import enclosure, same, symbols
+from cap.audit.means.algebra import enclosure, symbols
 from cap.audit.means.balls import between, precisely
 from cap.audit.means.lazy import sympy as sp
-from cap.audit.means.linear import Event, derivative
 from cap.audit.means.need import need
 from cap.audit.steps import Words
 from cap.one_one.closed_form import symmetric
@@ -15,23 +14,6 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 
 FRICTION, GAP = Fraction(2, 5), Fraction(2)  # f and R of Figure 3, with ω = 1
-
-
-def table_turn() -> None:
-    a, f = symbols("a f")
-    size = a + f
-    for sign in (1, -1):  # of F cos ωt*; the velocity had the other one
-        M = derivative(Event(sp.S.Zero, sign * (size + f), sp.S.Zero, sign * (size - f)), False)
-        need(same(M, sp.diag(1, (size - f) / (size + f))), "the matrix is another")
-
-
-def below_the_bound() -> Words:
-    with precisely():
-        F, f = interval.ball(Fraction(62, 100)), interval.ball(FRICTION)
-        loss = 2 * interval.pi() * f - 4 * F
-        need(loss > 0, "the speed may grow")
-        words = between(loss, 5)
-    return {"words": words}
 
 
 class Along(NamedTuple):

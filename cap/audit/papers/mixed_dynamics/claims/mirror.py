@@ -2,10 +2,9 @@
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import identity, reals, same, symbols
-from cap.audit.means.balls import between, pair
+from cap.audit.means.algebra import identity, symbols
+from cap.audit.means.balls import between
 from cap.audit.means.lazy import sympy as sp
-from cap.audit.means.linear import hit
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.orbits import until
@@ -70,31 +69,12 @@ def step_of_the_proof() -> Words:
     return {"words": words}
 
 
-def period_doubling() -> None:
-    trace = sp.Symbol("trace", real=True)
-    e = sp.Symbol("e")
-    roots = sp.solve(e**2 - trace * e + 1, e)
-    need(all(same(each.subs(trace, -2), sp.Integer(-1)) for each in roots), "another trace")
-    need(all(same(abs(each.subs(trace, 0)), sp.Integer(1)) for each in roots), "0 is special")
-
-
 def ratio_of_chatter() -> Words:
-    a, f, u = symbols("a f u")
-    back = u**2 / (2 * (a + f))  # how far it comes, leaving r at the speed u against a + f
-    again = sp.sqrt(2 * back * (a - f))
-    identity("the ratio", again / u, sp.sqrt((a - f) / (a + f)))
     claims = stored("capture.json").claims
     ratio = claims["ratio"]
     bound = ratio.upper if hasattr(ratio, "upper") else Fraction(ratio)
     need(bound < 1, "the ratio may be 1")
     return {"bound": format(float(bound), ".3g")}
-
-
-def square_root_at_grazing() -> None:
-    M, (u,), (c,) = hit(1), symbols("u,"), reals("c,")
-    need(same(sp.limit(M[1, 0] * u, u, 0), 2 * c), "the entry is not of the order 1/u")
-    speed = sp.sqrt(2 * symbols("d") * symbols("b"))  # reached at the wall, d short of grazing
-    need(sp.diff(speed, symbols("d")).subs(symbols("d"), 0) in (sp.oo, sp.zoo), "it is smooth")
 
 
 def orbits_without_symmetry() -> Words:
@@ -105,10 +85,3 @@ def orbits_without_symmetry() -> Words:
         gap = interval.ball(second.upper) - interval.ball(first.lower)
         need(gap < interval.pi(), "the hits may be half a period apart", gap=gap)
     return {"gap": between(gap, 4)}
-
-
-def absence_of_period_doubling() -> Words:
-    claims = stored("branch.json").claims
-    least = claims["trace_end"].lower
-    need(least > -2, "the trace may reach -2")
-    return {"trace_end": pair(claims["trace_end"], 6)}

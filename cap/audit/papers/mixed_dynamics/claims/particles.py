@@ -1,13 +1,10 @@
 """Section 9: particles, collisions, signs, and the symplectic form."""
 
-from itertools import pairwise
 from typing import Any
 
 from cap.audit.means.algebra import differs, identity, reals, same, symbols
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-
-EMPTY = "particles.md#no-trajectory-is-sign-preserving-for-ever"
 
 
 def collision() -> Any:
@@ -74,17 +71,6 @@ def never_stopping_set_is_empty() -> None:
     identity("a particle that moves right loses in each period", drift, -2 * sp.pi * f / (w * m))
 
 
-def symplecticity() -> None:
-    drift_is_negative()
-
-
-def drift_is_negative() -> None:
-    """Raise `NotProved` unless friction takes momentum from whoever moves right for a period."""
-    t, F, f, w = symbols("t F f omega")
-    drift = sp.integrate(F * sp.cos(w * t) - f, (t, 0, 2 * sp.pi / w))
-    need(sp.simplify(drift).is_negative is True, "the drift is not negative")
-
-
 def invariant_form() -> None:
     k = collision()
     kept = {k.after[0]: k.before[0], k.after[1]: k.before[1]}  # signs are preserved
@@ -111,12 +97,6 @@ def faces_of_the_polytope() -> None:
 
 def _gaps(n: int) -> list[Any]:
     return [lambda x, i=i: x[i + 1] - x[i] for i in range(n - 1)]
-
-
-def type_of_the_group() -> None:
-    normals = [sp.Matrix([1, 0]), sp.Matrix([1, -1]) / sp.sqrt(2), sp.Matrix([0, 1])]
-    cosines = [(a.T * b)[0] for a, b in pairwise(normals)]
-    need(all(same(c**2, sp.Rational(1, 2)) for c in cosines), "the angles are not π/4")
 
 
 def invariance_of_the_hamiltonian() -> None:

@@ -1,9 +1,6 @@
 """Corollary 3.4: the factors of Φ', its determinant, and where |det Φ'| < 1."""
 
-from cap.audit.means.algebra import identity, reals, same, symbols
 from cap.audit.means.balls import between
-from cap.audit.means.lazy import sympy as sp
-from cap.audit.means.linear import Event, derivative
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.orbits import Followed, States, at, hits_only
@@ -12,41 +9,6 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 
 LATER = States("-0.39", "0.53", "0.001")  # hits only in the first period, a stop in the second
-
-
-def free_flight() -> None:
-    x0, v0, d = reals("x0 v0 d")
-    gain = sp.Function("gain")(d)  # of velocity, by forcing and friction: no state in it
-    v = v0 + sp.diff(gain, d)
-    x = x0 + v0 * d + gain
-    identity("x' = v", sp.diff(x, d), v)
-    M = sp.Matrix([[sp.diff(z, y) for y in (x0, v0)] for z in (x, v)])
-    need(same(M, sp.Matrix([[1, d], [0, 1]])), "the fundamental matrix is another")
-
-
-def turning_matrix() -> None:
-    f, a = symbols("f a")
-    c = f + a
-    M = derivative(Event(sp.Integer(0), c + f, sp.Integer(0), c - f), False)
-    need(same(M, sp.diag(1, (c - f) / (c + f))), "the matrix is another")
-
-
-def turning_to_the_left() -> None:
-    f, a = symbols("f a")
-    c = -(f + a)
-    M = derivative(Event(sp.Integer(0), c - f, sp.Integer(0), c + f), False)
-    factor = a / (a + 2 * f)
-    need(same(M, sp.diag(1, (-c - f) / (-c + f))), "the matrix is another")
-    identity("the factor", (-c - f) / (-c + f), factor)
-    need(
-        factor.is_positive is True and sp.simplify(1 - factor).is_positive is True, "not in (0, 1)"
-    )
-
-
-def sticking_matrix() -> None:
-    a, f = symbols("a f")
-    M = derivative(Event(sp.Integer(0), -a - f, sp.Integer(0), sp.Integer(0)), False)
-    need(same(M, sp.diag(1, 0)), "the matrix is another")
 
 
 def determinant_of_a_period() -> Words:

@@ -2,9 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import symbols
 from cap.audit.means.balls import between, pair, precisely
-from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.claims.wellposed import velocity_jump
@@ -46,32 +44,6 @@ def interior_of_the_set() -> Words:
         words = [event.word for event in block.followed(around.edge(-1), 3).events]
     need(any(word.startswith("turn") for word in words), "not all stop", events=words)
     return {"x": pair(saddle["x"], 6), "v": pair(saddle["v"], 6), "words": ", ".join(words)}
-
-
-def empty_interval() -> None:
-    mu0 = symbols("mu0")
-    need(sp.Interval.Ropen(mu0, 0) == sp.S.EmptySet, "the interval is not empty")
-
-
-def smoothness_at_the_fold() -> Words:
-    with precisely():
-        ratio = 2 / interval.pi()
-        lost = (1 - ratio * ratio).sqrt() - 1 + ratio * ratio.asin()
-        least = Ball(2) / interval.pi() - lost
-        need(least > 0, "the orbit may stop")
-        words = between(least, 6)
-    return {"words": words}
-
-
-def hypothesis_at_the_orbit() -> Words:
-    claims = stored("elliptic.json").claims
-    margins = [force.lower for force in claims["hit_forcing"]]
-    need(min(margins) > 0, "|F cos ωt*| <= f at a hit")
-    return {
-        "hit_forcing": pair(claims["hit_forcing"][0], 6),
-        "hit_forcing_2": pair(claims["hit_forcing"][1], 6),
-        "least_speed": pair(claims["least_speed"], 6),
-    }
 
 
 def no_resonance() -> Words:

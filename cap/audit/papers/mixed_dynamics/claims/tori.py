@@ -6,7 +6,7 @@ from cap.audit.means.algebra import identity, same
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.papers.mixed_dynamics.claims.particles import collision, drift_is_negative
+from cap.audit.papers.mixed_dynamics.claims.particles import collision
 from cap.audit.steps import Words
 from cap.parameters import PAPER
 
@@ -20,10 +20,6 @@ def hypothesis_k1() -> None:
     turns = Fraction(k[0])  # Σ k_j θ_j in units of 2π, whatever θ₁, .., θ_N are
     need(any(k) and turns.denominator == 1, "this vector does not violate (K1)")
     need(sum(map(abs, k)) <= 2 * 2 + 4, "it is too long")
-
-
-def orbits_of_the_corollary() -> None:
-    drift_is_negative()
 
 
 def neighbourhood_of_tori() -> None:
@@ -74,7 +70,3 @@ def elliptic_orbit_of_two_particles() -> Words:
         "f": f,
         "determinant": determinant,
     }
-
-
-def mixed_dynamics_of_two_particles() -> None:
-    drift_is_negative()

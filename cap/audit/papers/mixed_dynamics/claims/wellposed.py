@@ -5,14 +5,13 @@ What it misses is that a wall can hold the mass: bounces accumulate (`cap.flow.c
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import identity, same, symbols
+from cap.audit.means.algebra import symbols
 from cap.audit.means.balls import above, between
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.orbits import before_a_stop, until
 from cap.audit.steps import Words
-from cap.audit.verdict import Verdict, confirmed, corrected
 from cap.parameters import PAPER
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -33,32 +32,8 @@ def accumulation() -> str:
     )
 
 
-def no_accumulation() -> Words:
+def accumulates() -> Words:
     return {"accumulation": accumulation()}
-
-
-def first_piece() -> None:
-    t, x, v, F, f, w = sp.symbols("t x v F f omega", real=True)
-    right = F * sp.cos(w * t) - f
-    need(not right.free_symbols & {x, v}, "it depends on the state")
-
-
-def hits_are_a_gap_apart() -> Words:
-    return {"accumulation": accumulation()}
-
-
-def length_of_a_sticking_phase() -> Verdict:
-    ratio, w = symbols("rho omega")
-    a = sp.acos(ratio)
-    phase = ((sp.pi - a) - a) / w  # from F cos ωt = f to F cos ωt = -f
-    stated = 2 / w * (sp.pi - 2 * a)
-    evidence = (
-        "From the phase arccos(f/F) to π - arccos(f/F). Two such phases make a period's τ_wait."
-    )
-    need(same(2 * phase, stated), "twice the length is not what is stated")
-    if same(phase, stated):
-        return confirmed("τ_wait", evidence)
-    return corrected("half of it, (1/ω)(π - 2 arccos(f/F)) = (2/ω) arcsin(f/F)", evidence)
 
 
 def rests_last() -> Words:
@@ -92,22 +67,6 @@ def turns_are_robust() -> Words:
             over = -orbit.times[1].cos() - interval.ball(PAPER.f)
             need(0 < over < 2 * interval.ball(excess), "the excess is larger", over=over)
     return {"small": ", ".join(str(2 * float(q)) for q in SMALL)}
-
-
-def turns_are_apart() -> Words:
-    return {"accumulation": accumulation()}
-
-
-def number_of_stops() -> Words:
-    return {"accumulation": accumulation()}
-
-
-def hit_and_turn_are_apart() -> Words:
-    u, b, f = symbols("u b f")  # leaves the wall with speed u, pushed back by b > f
-    d = sp.solve(u - (b + f) * sp.Symbol("d"), sp.Symbol("d"))[0]
-    identity("the time to the turn", d, u / (b + f))
-    need(same(sp.limit(d, u, 0), sp.Integer(0)), "the time does not tend to 0")
-    return {"accumulation": accumulation()}
 
 
 def velocity_jump(distance: Fraction) -> Ball:

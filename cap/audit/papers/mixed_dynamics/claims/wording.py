@@ -2,10 +2,8 @@
 
 from cap.audit import labels
 from cap.audit.means.algebra import symbols
-from cap.audit.means.balls import pair
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.stored import stored
 from cap.audit.steps import Words
 
 READ = "The text."
@@ -17,11 +15,6 @@ def base_of_the_region() -> Words:
     largest = sp.solve(f_sc - f_imp, R)
     need(len(largest) == 1 and bool(largest[0].is_positive), "f_sc < f_imp for all R")
     return {"largest": sp.sstr(sp.simplify(largest[0]))}
-
-
-def two_folds() -> Words:
-    fork = stored("pitchfork.json").claims["f"]
-    return {"fork": pair(fork, 6)}
 
 
 def bibliography() -> Words:

@@ -1,0 +1,226 @@
+"""The theorem ``contact_attractor``: what is true, and lies."""
+
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.kernel.shapes import matched
+from cap.checker.system.given import SYSTEM, model
+from cap.checker.system.passage import Contact
+from cap.checker.system.releases import Releases
+from cap.checker.theorems import contact_attractor
+from cap.checker.verdict import check, words
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
+
+ROOT = Path(__file__).parents[2]
+BELT = json.loads((ROOT / "certificates/contact_attractor-1.json").read_text("utf-8"))
+TOSS = json.loads(
+    (ROOT / "tests/certificates/accept/contact_attractor_toss.json").read_text("utf-8")
+)
+TINY = Fraction(1, 10**8)
+BITS = 96
+
+
+def releases(certificate):
+    """Return F of a certificate."""
+    contacts = [Contact(**contact) for contact in certificate["claims"]["contacts"]]
+    given = matched(certificate["parameters"], SYSTEM, "the system")
+    return Releases(model(given), contacts, BITS)
+
+
+def exactly(q):
+    """Return a number as an interval."""
+    return Interval.enclosing(Fraction(q), Fraction(q), BITS)
+
+
+def windows(cell):
+    """Return the windows of a cell."""
+    return [Interval.enclosing(*map(Fraction, ends), BITS) for ends in cell["windows"]]
+
+
+def test_one_orbit_attracts():
+    """The steps are told; the schema describes it; the sentence has its system and numbers."""
+    assert len(verify(BELT)) == 5
+    fits_the_schema(BELT)
+    line = words(check(encode(BELT), lambda _: None))
+    for part in (
+        "x' = 1/2, v' = 0, while 31/20 - 1/2 cos(omega t) + x > 0 ('ahead'",
+        "a release is where 'back' of 'stick' falls through 0",
+        "x = 29/20 + 1/2 cos(omega t) just before",
+        "with the contacts 'catch' of 'slower', then 'stick', in order",
+        "less 2 x 2 pi/omega",
+        "exactly one fixed point there, in [4.7023317748, 4.7023317948]",
+    ):
+        assert part in line
+
+
+def test_entropy():
+    """Of a ball that is tossed again when it is caught: t' = t + 2 pi + 4.3 cos t."""
+    fits_the_schema(TOSS)
+    line = words(check(encode(TOSS), lambda _: None))
+    assert "v becomes 43/20 cos(omega t) + pi" in line
+    assert "the topological entropy of G on it lies in [0.5567" in line
+
+
+@pytest.mark.parametrize("k", [0, 10, 40])
+def test_a_map_in_closed_form(k):
+    """F and F' of the tossed ball, over a cell and at its end."""
+    F, cells = releases(TOSS), TOSS["hints"]["cells"]
+    low = TOSS["claims"]["interval"][0] if k == 0 else cells[k - 1]["to"]
+    cell = cells[k]
+    t = float(low)
+    at = F.at(exactly(low), windows(cell))
+    wide = F.over(Interval.enclosing(Fraction(low), Fraction(cell["to"]), BITS), windows(cell))
+    known = t + 2 * math.pi + 4.3 * math.cos(t), 1 - 4.3 * math.sin(t)
+    for value, found, over in zip(known, (at.time, at.by[0]), (wide.time, wide.by[0]), strict=True):
+        assert abs(float(found.midpoint().lower) - value) < 1e-12
+        assert over.lower <= found.lower <= found.upper <= over.upper
+
+
+def test_derivatives_are_those_of_differences():
+    """Of the belt, whose flights have a spring and drag."""
+    F, cell = releases(BELT), BELT["hints"]["cells"][9]
+    t, h = Fraction(cell["to"]), Fraction(1, 10**8)
+    one, other = (F.at(exactly(s), windows(cell)).time for s in (t - h, t))
+    slope = F.at(exactly(t), windows(cell)).by[0]
+    assert float((other - one).lower / h) == pytest.approx(float(slope.lower), abs=1e-6)
+
+
+# lies about what is claimed
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        (("claims", "rate"), "0.4", "lambda may be larger"),
+        (("claims", "rate"), "0", "not positive"),
+        (("claims", "rate"), "1", "if and only if"),
+        (("claims", "rate"), "1/3", "15 places"),
+        (("claims", "periods"), "1", "take I into itself"),
+        (("claims", "periods"), "3", "take I into itself"),
+        (("claims", "fixed"), ["4.7023317749", "4.7023317750"], "elsewhere"),
+        (("claims", "fixed"), ["3", "4.8"], "not in I"),
+        (("claims", "interval", 0), "3.6", "own|zero|fall|defined|begin"),
+        (("claims", "interval", 1), "5.2", "do not cover"),
+        (("claims", "interval", 1), "8", "not shorter than a period"),
+        (("claims", "contacts", 0, "guard"), "ahead", "does not lead|another mode"),
+        (("claims", "contacts", 0, "to"), "faster", "does not lead"),
+        (("claims", "contacts", 1, "guard"), "turn", "there is no guard"),
+        (("hints", "cells", 0, "to"), "3.7", "not in order"),
+        (("hints", "cells", 5, "windows"), [["0", "1"]], "not one window"),
+        (("hints", "cells", 5, "windows", 0), ["4", "4.1"], "zero|fall"),
+        (("hints", "cells", 5, "windows", 1), ["3", "20"], "begins before"),
+        (("hints", "weights", 3), "0", "not positive"),
+        (("hints", "weights"), ["1"], "not one weight"),
+    ],
+)
+def test_lies(path, value, why):
+    """Each is rejected for its reason."""
+    rejected(changed(BELT, *path, value), why)
+
+
+def test_a_smaller_rate():
+    """The rate is as small as its last digits allow."""
+    for given in (BELT, TOSS):
+        rate = Fraction(given["claims"]["rate"])
+        less = f"{float(rate - 3 * TINY):.8f}"
+        rejected(changed(given, "claims", "rate", less), "lambda may be larger")
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        (("claims", "entropy", 0), "0.7", "below its lower bound"),
+        (("claims", "entropy", 1), "1.3", "above its upper bound"),
+        (("claims", "entropy", 1), "64", "between 0 and 64"),
+        (("claims", "growth"), "1.8", "may not grow"),
+        (("claims", "growth"), "1", "not above 1"),
+        (("hints", "vector", 0), "-1", "negative somewhere"),
+        (("hints", "cells", 20, "to"), "7", "cells|zero|begins|fall|grow|lambda"),
+    ],
+)
+def test_lies_about_entropy(path, value, why):
+    """Each is rejected for its reason."""
+    rejected(changed(TOSS, *path, value), why)
+
+
+def test_a_vector_of_other_cells():
+    """One that does not grow."""
+    vector = TOSS["hints"]["vector"]
+    rejected(changed(TOSS, "hints", "vector", [*vector[9:], *vector[:9]]), "may not grow")
+    rejected(changed(TOSS, "hints", "vector", ["0"] * len(vector)), "or zero")
+
+
+def test_parts_that_are_missing_or_too_many():
+    """A fixed point without contraction, entropy with it."""
+    given = changed(BELT, "claims", "growth", "2")
+    rejected(given, "if and only if")
+    del given["claims"]["growth"], given["claims"]["fixed"]
+    rejected(given, "fixed point is claimed")
+
+
+# other systems
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        (lambda m: m["stick"]["guards"]["back"]["value"][0].__setitem__(0, "1.4"), "no zero"),
+        (lambda m: m["stick"]["guards"]["back"]["reset"].update(v=[["1", "v"]]), "not given by"),
+        (lambda m: m["stick"]["guards"]["back"]["value"].append(["1", "v"]), "one variable"),
+        (lambda m: m["stick"]["guards"]["back"]["value"].append(["1", "x", "cos"]), "degree 1"),
+        (lambda m: m["slower"]["guards"]["catch"].update(to=["stick", "faster"]), "may be open"),
+        (lambda m: m["slower"]["guards"].update(
+            wall={"value": [["9/10"], ["1", "v"]], "reset": {"v": []}, "to": ["slower"]}), "guard"),
+        (lambda m: m["slower"]["field"]["v"].append(["1", "sin"]), "may have no zero"),
+    ],
+)  # fmt: skip
+def test_another_system(change, why):
+    """A release of another place, resets that keep the state, another mode open, a wall."""
+    given = changed(BELT, "digits", "6")
+    change(given["parameters"]["modes"])
+    rejected(given, why)
+
+
+def test_a_wall_beyond_the_motions():
+    """What is not reached makes another system, in the sentence, and no other proof."""
+    given = changed(BELT, "digits", "6")
+    wall = {"value": [["9"], ["1", "v"]], "reset": {"v": []}, "to": ["slower"]}
+    given["parameters"]["modes"]["slower"]["guards"]["wall"] = wall
+    assert "9 + v > 0 ('wall'" in words(check(encode(given), lambda _: None))
+
+
+def test_a_system_without_a_clock():
+    """It has no phases."""
+    given = changed(TOSS, "parameters", "modes", "fly", "guards", "hand", "reset", "v", [["1"]])
+    rejected(given, "clock occurs nowhere")
+
+
+def test_pieces_of_flights_are_limited(monkeypatch):
+    """A hostile certificate cannot ask for any number of them."""
+    monkeypatch.setattr(contact_attractor, "WORK", 16)
+    rejected(BELT, "pieces")
+
+
+@pytest.mark.parametrize("x", ["0", "1/1000", "1", "8/3", "20"])
+def test_exponentials(x):
+    """From below and above, and near."""
+    x = Fraction(x)
+    low, high = contact_attractor._exp_below(x), contact_attractor._exp_above(x)
+    assert low <= high <= low * (1 + Fraction(1, 10**9))
+    assert float(low) == pytest.approx(math.exp(x), rel=1e-9)
+
+
+def test_the_rate_of_a_window_is_seen():
+    """A window in which a guard may rise."""
+    F, cell = releases(BELT), BELT["hints"]["cells"][9]
+    wide = [Interval.enclosing(5, 9, BITS), windows(cell)[1]]
+    with pytest.raises(Rejected, match=r"fall|too long"):
+        F.at(exactly(cell["to"]), wide)
