@@ -73,7 +73,7 @@ def _decided(
     made = steps.made(common, entry) if "steps" in entry else steps.Steps()
     done = function()
     as_in_the_erratum(entry["id"], made)
-    return done if isinstance(done, Verdict) else _verdict(entry, done or {})
+    return done if isinstance(done, Verdict) else _verdict(entry, {**made.names, **(done or {})})
 
 
 def _derived(entry: Given, common: Given) -> Verdict:

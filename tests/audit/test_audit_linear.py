@@ -5,7 +5,7 @@ import math
 import pytest
 import sympy as sp
 
-from cap.audit.means.linear import Event, derivative, hit
+from cap.audit.means.linear import hit, turn
 from cap.audit.papers.mixed_dynamics.means import block
 from cap.audit.papers.mixed_dynamics.means.block import Block
 from cap.errors import NotProved
@@ -55,7 +55,7 @@ def test_hits(side, restitution):
 def test_a_turn():
     """Velocities are multiplied by the quotient of the accelerations, positions kept."""
     before, after = sp.Rational(7, 5), sp.Rational(3, 5)
-    M = derivative(Event(sp.Integer(0), before, sp.Integer(0), after), hit=False)
+    M = turn(before, after)
     assert sp.diag(1, after / before) == M
 
 

@@ -12,7 +12,7 @@ from cap.audit.report.page import page
 from cap.audit.report.summary import bibtex, summary
 from cap.audit.report.view import report
 from cap.audit.verdict import Outcome
-from cap.errors import BadInput
+from cap.errors import BadInput, NotProved
 
 pytest_plugins = ["audit_fixtures"]
 FEW = ("labels.a2-0-e0-89-e1-0", "labels.a1-8-e0-75-e1-5", "row.a2-0-e0-8-e1-0-1")
@@ -81,3 +81,26 @@ def test_a_claim_of_a_kind_that_is_not_there(tmp_path):
     path.with_suffix(".py").touch()
     with pytest.raises(AttributeError, match="nothing"):
         given.claims(path, deciding.__name__)
+
+
+def test_a_function_decides_after_the_steps(tmp_path, monkeypatch):
+    """Its words and theirs are in what is found; a step that fails leaves nothing to decide."""
+    path = tmp_path / "claims.toml"
+    text = (
+        '[[claim]]\nid = "a.b"\nwhere = "c"\nkind = "number"\nsays = "D."\nstated = "1"\n'
+        'quote = "E"\ndecide = "shown"\nverdict = "confirmed"\nfound = "{half}, {words}"\n'
+        "steps = '''\nhalf = Rational(1, 2)\nhalf < 1\n'''\n"
+    )
+    path.with_suffix(".py").touch()
+    path.write_text(text)
+    calls = []
+    monkeypatch.setattr(
+        deciding, "shown", lambda: calls.append(1) or {"words": "so"}, raising=False
+    )
+    (claim,) = given.claims(path, deciding.__name__)
+    assert claim.decide().found == "1/2, so"
+    path.write_text(text.replace("half < 1", "half > 1"))
+    (claim,) = given.claims(path, deciding.__name__)
+    with pytest.raises(NotProved, match="half > 1"):
+        claim.decide()
+    assert calls == [1]

@@ -110,6 +110,13 @@ def test_what_is_no_covering(g, target, why):
         covers(g, square(), [target])
 
 
+def test_axes_that_are_parallel():
+    """A segment is no set, nor is a point."""
+    for numbers in ((0, 0, 1, 1, 2, 2), (0, 0, 1, 0, 0, 0)):
+        with pytest.raises(Rejected, match="parallel"):
+            Parallelogram([Fraction(n) for n in numbers])
+
+
 def test_what_is_a_covering():
     """One long set covers several, also mirrored ones."""
     assert covers(Linear(), square(), [square(), square(Fraction(3, 2)), square(-1)]) > 3

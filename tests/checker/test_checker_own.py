@@ -399,7 +399,8 @@ HOSTILE |= {
     "an unknown mode": (stop(to=["fly", "roof"]), "leads to an unknown mode"),
     "a mode twice": (stop(to=["fly", "fly"]), "leads to a mode twice"),
     "nowhere to go": (stop(to=[]), "to is not a list of 1 to 64"),
-    "a field that a guard has not": (stop(rest="fly"), "has missing or unknown fields"),
+    "an unknown mode of rest": (stop(rest="roof"), "rests in an unknown mode"),
+    "a field that a guard has not": (stop(then="fly"), "has missing or unknown fields"),
     "nested": (stop(value=[[[["1"]]]]), "is not a string"),
 }
 

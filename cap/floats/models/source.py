@@ -250,7 +250,7 @@ class Source:
         """Return the whole text."""
         n = len(self.system.state)
         w = self._number(float(number(self.system.omega)))
-        state = ", ".join(f"y{i}" for i in range(n))
+        state = " = ".join(f"y{i}" for i in range(n))
         lines = [
             f"w, span, lines = {w}, TURN / {w}, 0",
             "for o in range(len(starts)):",
@@ -268,7 +268,7 @@ class Source:
             "        if len(path):",
             *(f"            path[o, period, {i}] = y{i}" for i in range(n)),
             "        if flags[o] & (MANY | NO_MODE):",
-            f"            {state} = ({', '.join(['math.nan'] * n)},)",
+            f"            {state} = math.nan",
             "            break",
             *(f"    ends[o, {i}] = y{i}" for i in range(n)),
             "    last[o] = m",

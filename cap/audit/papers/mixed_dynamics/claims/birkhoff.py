@@ -52,19 +52,6 @@ def remainder_in_action() -> None:
     need(sp.Poly(change, r).monoms()[-1] == (5,), "I changes at another order")
 
 
-def order_needed_for_the_twist() -> None:
-    lam, a, b, c, g = sp.symbols("lam a b c g")
-    # z -> lam (z + a z² + b z z̄ + c z̄² + g z² z̄ + ..): removing degree 2 changes z² z̄ only by
-    # products of a, b, c; degree 4 of the map enters degree 4 and higher.
-    z, w, fourth = sp.symbols("z w fourth")
-    f = lam * (z + a * z**2 + b * z * w + c * w**2 + g * z**2 * w + fourth * z**4)
-    change = z + a * z**2
-    composed = sp.expand(f.subs(z, change))
-    poly = sp.Poly(composed, z, w)
-    low = [co for (i, j), co in poly.terms() if i + j <= 3]
-    need(all(fourth not in co.free_symbols for co in low), "degree 4 enters the cubic terms")
-
-
 def twist_almost_everywhere() -> Words:
     claims = stored("branch.json").claims
     low, high = claims["f_range"].lower, claims["f_range"].upper

@@ -5,9 +5,13 @@ from fractions import Fraction
 from cap.audit.means.balls import pair
 from cap.audit.means.need import need
 from cap.audit.means.stored import at_the_paper, stored
-from cap.audit.papers.mixed_dynamics.claims.saltation import LATER
+from cap.audit.papers.mixed_dynamics.claims.saltation import (
+    LATER,
+    contraction_almost_everywhere,
+    stops_later,
+)
 from cap.audit.papers.mixed_dynamics.means import block
-from cap.audit.papers.mixed_dynamics.means.orbits import States, hits_only
+from cap.audit.papers.mixed_dynamics.means.orbits import States
 from cap.audit.steps import Words
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER
@@ -19,8 +23,7 @@ RETURNS = States("-0.73", "2.08", "0.001")  # turns in the first period, and not
 
 
 def stop_in_every_period() -> Words:
-    first, second = hits_only(LATER, 1), LATER.follow(2)
-    need(second.has("turn"), "they do not stop in the second period either")
+    first, _ = stops_later()
     return {"later": LATER, "shown": first.shown()}
 
 
@@ -51,17 +54,8 @@ def neighbourhood_in_the_set() -> None:
     need(any(word.startswith("turn") for word in words), "not all stop", events=words)
 
 
-def saddles_of_the_theorem() -> None:
-    p = {name: stored(name).parameters["f"] for name in ("saddle.json", "saddle-2.json")}
-    need(set(p.values()) == {Fraction(2, 5)}, "the saddles are at other parameters")
-
-
 def contraction() -> Words:
-    first, second = hits_only(LATER, 1), LATER.follow(2)
-    need(second.has("turn") or second.has("stick"), "the box is not in Ω_dissip")
-    with interval.workprec(100):
-        (a, b), (c, d) = first.monodromy
-        need((a * d - b * c).contains(1), "the determinant is not 1")
+    contraction_almost_everywhere()
     return {"later": LATER}
 
 

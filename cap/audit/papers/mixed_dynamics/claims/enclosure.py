@@ -10,7 +10,6 @@ from cap.audit.means.need import need
 from cap.audit.papers.mixed_dynamics.claims.existence import BITS, CENTRE, RADIUS, orbits
 from cap.audit.papers.mixed_dynamics.means.printed import printed
 from cap.audit.steps import Words
-from cap.audit.verdict import Verdict, confirmed, imprecise
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER
 from cap.sets import interval
@@ -61,7 +60,7 @@ def determinant_is_certified() -> Words:
     return {"value": format(float(max(1 - low, high - 1)), ".2g")}
 
 
-def angle_from_the_trace() -> Verdict:
+def angle_from_the_trace() -> Words:
     trace = printed("enclosure of the trace")
     with interval.workprec(BITS):
         angles = [(interval.ball(q) / 2).acos() for q in reversed(trace)]
@@ -71,14 +70,9 @@ def angle_from_the_trace() -> Verdict:
             _held(turns, printed("enclosure of the rotation number")),
         ]
         words = [between(interval.hull(a, b), 15) for a, b in (angles, turns)]
-    if all(held):
-        return confirmed("both follow from the printed trace", "arccos in balls.")
+    need(not all(held), "both intervals hold what follows")
     which = " and ".join(n for n, ok in zip(("θ*", "θ*/2π"), held, strict=True) if not ok)
-    return imprecise(
-        f"the printed interval of {which} does not hold what follows from the printed trace: θ* in "
-        f"{words[0]}, θ*/2π in {words[1]}; it was rounded to nearest. The true value is in it",
-        "arccos in balls, at the ends of the printed trace.",
-    )
+    return {"which": which, "angle": words[0], "turns": words[1]}
 
 
 def _held(ends: list[Ball], interval_: tuple[Fraction, Fraction]) -> bool:

@@ -70,10 +70,6 @@ def step_of_the_proof() -> Words:
 
 
 def ratio_of_chatter() -> Words:
-    a, f, u = symbols("a f u")
-    back = u**2 / (2 * (a + f))  # how far it comes, leaving r at the speed u against a + f
-    again = sp.sqrt(2 * back * (a - f))
-    identity("the ratio", again / u, sp.sqrt((a - f) / (a + f)))
     claims = stored("capture.json").claims
     ratio = claims["ratio"]
     bound = ratio.upper if hasattr(ratio, "upper") else Fraction(ratio)

@@ -35,7 +35,7 @@ def _turning_product(orbits: Followed, F: int) -> Ball:
     return product
 
 
-def _stops_later() -> tuple[Followed, Followed]:
+def stops_later() -> tuple[Followed, Followed]:
     """Return what states do that do not stop in their first period, but in their second."""
     first, second = hits_only(LATER, 1), LATER.follow(2)
     need(second.has("turn") or second.has("stick"), "it does not stop in the second period either")
@@ -43,12 +43,12 @@ def _stops_later() -> tuple[Followed, Followed]:
 
 
 def dissipative_states_stop_at_once() -> Words:
-    _, second = _stops_later()
+    _, second = stops_later()
     return {"later": LATER, "shown": second.shown()}
 
 
 def contraction_almost_everywhere() -> Words:
-    first, second = _stops_later()
+    first, second = stops_later()
     with interval.workprec(100):
         (a, b), (c, d) = first.monodromy
         need((a * d - b * c).contains(1), "the determinant is not 1")

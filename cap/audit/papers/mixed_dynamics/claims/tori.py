@@ -2,11 +2,8 @@
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import identity, same
-from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.papers.mixed_dynamics.claims.particles import collision
 from cap.audit.steps import Words
 from cap.parameters import PAPER
 
@@ -26,16 +23,6 @@ def neighbourhood_of_tori() -> None:
     for n in (1, 2, 3):
         separates = n == 2 * n - 1  # an n-torus has codimension one in a section of dimension 2n
         need(separates is (n == 1), "the dimensions are others")
-
-
-def equal_masses() -> None:
-    k = collision()
-    m1, m2 = k.m
-    need(
-        same(k.collision.subs(m2, m1), sp.Matrix([[0, 1], [1, 0]])), "velocities are not exchanged"
-    )
-    c, f, s = sp.symbols("c f s", real=True)
-    identity("the acceleration belongs to the velocity", (c - f * s) / m1 - (c - s * f) / m1)
 
 
 def twist_matrix_of_equal_masses() -> None:

@@ -5,7 +5,7 @@ What it misses is that a wall can hold the mass: bounces accumulate (`cap.flow.c
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import identity, same, symbols
+from cap.audit.means.algebra import symbols
 from cap.audit.means.balls import above, between
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
@@ -67,14 +67,6 @@ def turns_are_robust() -> Words:
             over = -orbit.times[1].cos() - interval.ball(PAPER.f)
             need(0 < over < 2 * interval.ball(excess), "the excess is larger", over=over)
     return {"small": ", ".join(str(2 * float(q)) for q in SMALL)}
-
-
-def hit_and_turn_are_apart() -> Words:
-    u, b, f = symbols("u b f")  # leaves the wall with speed u, pushed back by b > f
-    d = sp.solve(u - (b + f) * sp.Symbol("d"), sp.Symbol("d"))[0]
-    identity("the time to the turn", d, u / (b + f))
-    need(same(sp.limit(d, u, 0), sp.Integer(0)), "the time does not tend to 0")
-    return {"accumulation": accumulation()}
 
 
 def velocity_jump(distance: Fraction) -> Ball:

@@ -53,9 +53,6 @@ def _sech_tanh(u: ComplexBall) -> ComplexBall:
 
 
 SECH = Integral(lambda u, _xi: _sech(u), 2, lambda _xi: interval.pi())
-SECH_COS = Integral(
-    lambda u, xi: _sech(u) * (u * xi).cos(), 2, lambda xi: interval.pi() / _half(xi).cosh()
-)
 SECH_TANH_SIN = Integral(
     lambda u, xi: _sech_tanh(u) * (u * xi).sin(), 2, lambda xi: 2 * _half(xi) / _half(xi).cosh()
 )
