@@ -2,7 +2,8 @@
 
     x'' + x + f sgn x' = cos(omega t);     at x' = 0 it rests while |cos(omega t) - x| <= f
 
-Units in which mass, spring and amplitude of the force are 1.  Static and kinetic friction are one.
+Units in which mass, spring and amplitude of the force are 1.  Static and kinetic friction are
+one, unless an excess of the static one is given.
 
 J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, Trans. ASME 53
 (1931); S. W. Shaw, On the dynamic response of a system with dry friction, J. Sound Vib. 108 (1986).
@@ -17,10 +18,10 @@ from cap import Guard, Mode, System, variables
 x, v, cos = variables("x v cos")
 
 
-def den_hartog(omega=Fraction(7, 5), f=Fraction(1, 5)):
-    """Return the oscillator with the friction f."""
-    force, still = cos - x, {"v": 0}
-    to_right, to_left = Guard(f - force, "right", still), Guard(f + force, "left", still)
+def den_hartog(omega=Fraction(7, 5), f=Fraction(1, 5), excess=Fraction(0)):
+    """Return the oscillator with the kinetic friction f and the static friction f + excess."""
+    force, still, static = cos - x, {"v": 0}, f + excess
+    to_right, to_left = Guard(static - force, "right", still), Guard(static + force, "left", still)
     modes = {
         "right": Mode({"x": v, "v": force - f}, {"stop": Guard(v, ("left", "rest"), still)}),
         "left": Mode({"x": v, "v": force + f}, {"stop": Guard(-v, ("right", "rest"), still)}),
