@@ -49,6 +49,22 @@ def test_what_covers_nothing(g, why, monkeypatch):
         covers(g, SQUARE, [SQUARE])
 
 
+class Torn(Linear):
+    """A map that is no map: it sends halves of an edge to either side of a square."""
+
+    def image(self, x, y):
+        """Enclose it: with a steep derivative over a long edge."""
+        known = super().image(x, y)
+        steep = (Double(0.0), Double(0.0, 9.0 if y.rad > 0.6 else 0.0)), known.derivative[1]
+        return known._replace(x=Double(5.0 if y.mid > 0 else -5.0), derivative=steep)
+
+
+def test_an_edge_that_is_torn():
+    """Its image has points on both sides."""
+    with pytest.raises(Rejected, match="to both sides of a set"):
+        covers(Torn(3.0, 0.0, 0.0, 0.0), SQUARE, [SQUARE])
+
+
 @pytest.mark.parametrize(
     ("x", "y", "why"),
     [
