@@ -157,6 +157,24 @@ def test_what_is_rejected(name):
         g.image(t, v)
 
 
+@pytest.mark.parametrize(
+    ("part", "why"),
+    [
+        (0.3, "a guard may not be crossed"),
+        (0.6, "a flight that may have no length"),
+        (0.9, "no certain contact"),
+    ],
+)
+def test_a_guess_that_is_wrong(part, why, monkeypatch):
+    """While the ball rises, when it has just turned, and too early."""
+    g = mapped(ball())
+    flight = g.flown(Double(0.3), Double(-2.0)).duration.mid
+    monkeypatch.setattr(ContactMap, "_guess", lambda *_: part * flight)
+    with pytest.raises(Rejected) as refused:
+        g.flown(Double(0.3), Double(-2.0))
+    assert str(refused.value) == why
+
+
 def test_other_bounds_of_other_sets():
     """What is too long on one set is not on another one."""
     g = mapped(ball(), times=[Fraction(10), Fraction(20)])
