@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cap.checker.coverings.cones import Matrix, carried, inverse, product
+from cap.checker.coverings.cones import carried
 from cap.checker.coverings.covering import Parallelogram
 from cap.checker.coverings.entropy import cone_rates, cones_of
-from cap.checker.coverings.planar import Planar
+from cap.checker.coverings.planar import Matrix, Planar, inverse, product
 from cap.checker.kernel.rejection import Rejected
 from cap.maps.graphs import Floats, Places, fastest
 from cap.proofs.cone_fields import Field, Sizes, fitted

@@ -44,7 +44,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from cap.checker.coverings.covering import WHOLE, Box, Parallelogram, halves, seen
-from cap.checker.coverings.planar import Planar, Row
+from cap.checker.coverings.planar import Matrix, Planar, inverse, product
 from cap.checker.kernel.doubles import Double, between, enclosing
 from cap.checker.kernel.rejection import Rejected, need
 
@@ -52,7 +52,6 @@ MOST = 200  # pieces for one covering
 PARTS = 4  # of S along each of its sides
 _SMALL, _HIGH = 2.0**-8, 0.25  # sides of pieces, at least and at most
 _WORTH = 0.9  # a piece is looked at again if it becomes so much narrower
-Matrix = tuple[Row, Row]
 ONE, ALL = Double(1.0), Double(0.0, 1.0)
 UNITS = Fraction(1), Fraction(1), Fraction(1)
 
@@ -161,20 +160,6 @@ def _turned(g: Planar, source: Parallelogram, target: Parallelogram, box: Box) -
     det = a * d - b * c
     need(det.is_positive() or (-det).is_positive(), "the derivative may not be regular")
     return product(target.inverse, product(derivative, source.axes))
-
-
-def product(A: Matrix, B: Matrix) -> Matrix:
-    """Return A B."""
-    (a, b), (c, d) = A
-    (p, q), (r, s) = B
-    return (a * p + b * r, a * q + b * s), (c * p + d * r, c * q + d * s)
-
-
-def inverse(A: Matrix) -> Matrix:
-    """Return the inverse of a regular matrix."""
-    (a, b), (c, d) = A
-    det = a * d - b * c
-    return (d / det, -b / det), (-c / det, a / det)
 
 
 def _hull(matrices: Iterator[Matrix]) -> Matrix:

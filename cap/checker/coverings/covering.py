@@ -32,7 +32,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.coverings.planar import Image, Planar, Row
+from cap.checker.coverings.planar import Image, Planar, Row, applied
 from cap.checker.kernel.doubles import Double, between, enclosing
 from cap.checker.kernel.rejection import Rejected, need
 
@@ -73,9 +73,7 @@ class Parallelogram:
 
     def coordinates(self, x: Double, y: Double) -> Row:
         """Return p and q of points."""
-        x, y = x - self.centre[0], y - self.centre[1]
-        (a, b), (c, d) = self.inverse
-        return a * x + b * y, c * x + d * y
+        return applied(self.inverse, (x - self.centre[0], y - self.centre[1]))
 
 
 class Seen(NamedTuple):

@@ -19,7 +19,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any, ClassVar
 
-from cap.checker.coverings.cones import UNITS, Cone, Matrix, Rates, carried, cone, rates
+from cap.checker.coverings.cones import UNITS, Cone, Rates, carried, cone, rates
 from cap.checker.coverings.covering import Parallelogram, covers
 from cap.checker.coverings.graph import (
     confirm_entropy,
@@ -29,7 +29,7 @@ from cap.checker.coverings.graph import (
     overlaps,
 )
 from cap.checker.coverings.orbits import LONGEST, MOST_ORBITS, confirm_orbits
-from cap.checker.coverings.planar import Planar
+from cap.checker.coverings.planar import Matrix, Planar
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.processes import Work

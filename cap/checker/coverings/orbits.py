@@ -38,12 +38,11 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.checker.coverings.covering import Parallelogram
-from cap.checker.coverings.planar import Planar, Row
+from cap.checker.coverings.planar import Matrix, Planar, Row, applied, product
 from cap.checker.kernel.doubles import Double, between, enclosing
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure
 
-Matrix = tuple[Row, Row]
 LONGEST, MOST_ORBITS = 12, 64
 
 
@@ -108,9 +107,9 @@ def images(g: Planar, path: Sequence[int], box: Row) -> Round:
     for i in path:
         middle, J = g.on(i).image(Double(m[0]), Double(m[1])), g.on(i).image(*boxes[-1]).derivative
         m = middle.x.mid, middle.y.mid
-        e = _plus(_applied(J, e), (middle.x - m[0], middle.y - m[1]))
-        D = _product(J, D)
-        u, v = _plus(_applied(D, w), e)
+        e = _plus(applied(J, e), (middle.x - m[0], middle.y - m[1]))
+        D = product(J, D)
+        u, v = _plus(applied(D, w), e)
         boxes.append((u + m[0], v + m[1]))
     return Round(boxes, (e[0] + m[0], e[1] + m[1]), D)
 
@@ -126,10 +125,10 @@ def nearness(box: Row, round_: Round) -> list[float]:
         (Double(turn[1][1].mid / det), Double(-q.mid / det)),
         (Double(-r.mid / det), Double(turn[0][0].mid / det)),
     )
-    (a, b), (c, e) = _product(C, turn)
+    (a, b), (c, e) = product(C, turn)
     M = (a - 1.0, b), (c, e - 1.0)
     found = []
-    for away, row in zip(_applied(C, d), M, strict=True):
+    for away, row in zip(applied(C, d), M, strict=True):
         reach = Double(away.magnitude)
         for entry, side in zip(row, box, strict=True):
             reach = reach + Double(entry.magnitude) * side.rad
@@ -144,17 +143,6 @@ def _around(box: Row) -> Row:
 
 def _plus(u: Row, v: Row) -> Row:
     return u[0] + v[0], u[1] + v[1]
-
-
-def _applied(A: Matrix, u: Row) -> Row:
-    (a, b), (c, d) = A
-    return a * u[0] + b * u[1], c * u[0] + d * u[1]
-
-
-def _product(A: Matrix, B: Matrix) -> Matrix:
-    (a, b), (c, d) = A
-    (p, q), (r, s) = B
-    return (a * p + b * r, a * q + b * s), (c * p + d * r, c * q + d * s)
 
 
 def _interval(side: Enclosure) -> Double:

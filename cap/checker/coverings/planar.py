@@ -11,6 +11,7 @@ from typing import NamedTuple
 from cap.checker.kernel.doubles import Double
 
 Row = tuple[Double, Double]
+Matrix = tuple[Row, Row]
 
 
 class Image(NamedTuple):
@@ -18,7 +19,7 @@ class Image(NamedTuple):
 
     x: Double
     y: Double
-    derivative: tuple[Row, Row]
+    derivative: Matrix
 
 
 class Planar(ABC):
@@ -31,3 +32,22 @@ class Planar(ABC):
     @abstractmethod
     def image(self, x: Double, y: Double) -> Image:
         """Enclose g and Dg on a rectangle; reject unless g is defined on a neighbourhood of it."""
+
+
+def applied(A: Matrix, u: Row) -> Row:
+    """Return A u."""
+    (a, b), (c, d) = A
+    return a * u[0] + b * u[1], c * u[0] + d * u[1]
+
+
+def product(A: Matrix, B: Matrix) -> Matrix:
+    """Return A B."""
+    (p, r), (q, s) = (applied(A, column) for column in zip(*B, strict=True))
+    return (p, q), (r, s)
+
+
+def inverse(A: Matrix) -> Matrix:
+    """Return the inverse; a matrix that may be singular rejects."""
+    (a, b), (c, d) = A
+    det = a * d - b * c
+    return (d / det, -b / det), (-c / det, a / det)
