@@ -60,9 +60,9 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import BITS, Theorem
-from cap.checker.system.given import SYSTEM, model, printed, told
-from cap.checker.system.model import Model
+from cap.checker.kernel.theorem import BITS
+from cap.checker.system.given import printed, told
+from cap.checker.system.own import OwnSystem
 from cap.checker.system.passage import Contact
 from cap.checker.system.releases import Moment, Releases
 
@@ -84,10 +84,9 @@ class Cell(NamedTuple):
     image: Interval
 
 
-class ContactAttractor(Theorem):
+class ContactAttractor(OwnSystem):
     """An interval of releases that is taken into itself: one orbit that attracts, or entropy."""
 
-    PARAMETERS: ClassVar[dict[str, Any]] = SYSTEM
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS,
@@ -118,13 +117,6 @@ class ContactAttractor(Theorem):
              ("Lipschitz", "a map of a compact interval with a Lipschitz constant", "rate")),
     )
     # fmt: on
-    units = {}  # noqa: RUF012
-
-    @classmethod
-    def parameters(cls, given: dict[str, Any]) -> Model:
-        """Return the system."""
-        return model(given)
-
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound the work, and what is claimed in each case."""

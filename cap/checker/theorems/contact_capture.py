@@ -39,12 +39,13 @@ from cap.checker.kernel.shapes import (
     enclosure,
     region,
 )
-from cap.checker.kernel.theorem import BITS, Theorem
+from cap.checker.kernel.theorem import BITS
 from cap.checker.system.capture import Known, Modes, Near, Numbers, Wall
 from cap.checker.system.chatter import Entry, States, chatter, first_hit, next_hit
 from cap.checker.system.first_hits import first_hits
-from cap.checker.system.given import STATES, SYSTEM, model, told
-from cap.checker.system.model import CLOCK, PI, Model
+from cap.checker.system.given import STATES, told
+from cap.checker.system.model import CLOCK, PI
+from cap.checker.system.own import OwnSystem
 
 MOST_BITS, CUTS, LONG = 1024, 1000, 10**6  # LONG: times, at most
 BOUNCES = 64
@@ -69,10 +70,9 @@ class Hits(NamedTuple):
     number: int
 
 
-class ContactCapture(Theorem):
+class ContactCapture(OwnSystem):
     """All motions from a box of states rest after infinitely many hits."""
 
-    PARAMETERS: ClassVar[dict[str, Any]] = SYSTEM
     # fmt: off
     HINTS: ClassVar[Table] = (
         BITS,
@@ -109,13 +109,6 @@ class ContactCapture(Theorem):
         Field("for_ever", Maybe(Word(("yes",))), "", "", "it rests for all times"),
     )
     # fmt: on
-    units = {}  # noqa: RUF012
-
-    @classmethod
-    def parameters(cls, given: dict[str, Any]) -> Model:
-        """Return the system."""
-        return model(given)
-
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound the times and the work."""

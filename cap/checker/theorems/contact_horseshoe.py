@@ -36,8 +36,9 @@ from cap.checker.kernel.named import name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many
-from cap.checker.system.given import SYSTEM, model, told
+from cap.checker.system.given import told
 from cap.checker.system.model import Model
+from cap.checker.system.own import OwnSystem
 
 SHORT = 10**15  # denominators of the times and of what is claimed in time
 LONG = 10**6  # times, at most
@@ -66,10 +67,9 @@ def per_unit(system: Model) -> Fraction:
     return system.omega / 2 if system.times_pi else system.omega / (2 * pi(BITS).lower)
 
 
-class ContactHorseshoe(Coverings):
+class ContactHorseshoe(Coverings, OwnSystem):
     """Entropy of motions with contact after contact."""
 
-    PARAMETERS = SYSTEM
     HINTS = (
         SETS._replace(meaning=f"{SETS.meaning}: a time, and the variable that is free at contacts"),
         COVERINGS,
@@ -98,13 +98,6 @@ class ContactHorseshoe(Coverings):
              ("compact", "a continuous map of a compact metric space", "per_period")),
     )
     # fmt: on
-    units = {}  # noqa: RUF012
-
-    @classmethod
-    def parameters(cls, given: dict[str, Any]) -> Model:
-        """Return the system."""
-        return model(given)
-
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound what becomes a double, and the work."""

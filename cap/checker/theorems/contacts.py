@@ -42,7 +42,7 @@ from cap.checker.kernel.shapes import (
     Word,
     region,
 )
-from cap.checker.kernel.theorem import BITS, Theorem
+from cap.checker.kernel.theorem import BITS
 from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two
 from cap.checker.system.contacts import (
@@ -55,9 +55,9 @@ from cap.checker.system.contacts import (
     return_map,
     symmetric,
 )
-from cap.checker.system.given import GUARDS, STATES, SYSTEM, model, told
+from cap.checker.system.given import GUARDS, STATES, told
 from cap.checker.system.legs import Leg
-from cap.checker.system.model import Model
+from cap.checker.system.own import OwnSystem
 from cap.checker.system.passage import Contact, Step
 from cap.checker.system.quiet import (
     ends_positive,
@@ -105,10 +105,9 @@ KRAWCZYK = cite("Krawczyk", NEUMAIER,
 # fmt: on
 
 
-class Contacts(Theorem):
+class Contacts(OwnSystem):
     """A periodic orbit with these contacts."""
 
-    PARAMETERS: ClassVar[dict[str, Any]] = SYSTEM
     # fmt: off
     HINTS: ClassVar[Table] = (
         *ORBIT_HINTS,
@@ -131,13 +130,6 @@ class Contacts(Theorem):
     )
     CITES: ClassVar[tuple[Citation, ...]] = (KRAWCZYK,)
     # fmt: on
-    units: Mapping[str, Fraction] = {}
-
-    @classmethod
-    def parameters(cls, given: dict[str, Any]) -> Model:
-        """Return the system."""
-        return model(given)
-
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Reject what is not the same number of contacts everywhere, and too much work."""
