@@ -8,21 +8,17 @@ other variable of the state.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 from cap.errors import BadInput
 from cap.system.model import System
-from cap.system.polynomial import COS, PI, SIN, ZERO, Polynomial, Quotient, variable
-
-CLOCK = {COS, SIN, PI}
+from cap.system.polynomial import Quotient, variable
+from cap.system.timed import CLOCK, Timed, fitting
 
 
 @dataclass(frozen=True)
-class Section:
+class Section(Timed):
     """A guard of a mode, which `BadInput` refuses if it is no such guard."""
-
-    system: System
-    mode: str
-    guard: str
 
     def __post_init__(self) -> None:
         where, given = f"the guard {self.guard} of {self.mode}", self.value
@@ -47,30 +43,9 @@ class Section:
         return all(A[i][0] * A[0][j] == -(A[i][1] * A[1][j]) for i in (0, 1) for j in (0, 1))
 
     @property
-    def value(self) -> Polynomial:
-        """The guard."""
-        return self.system.guard(self.mode, self.guard).value
-
-    @property
-    def fixed(self) -> str:
-        """The variable that the time of a contact gives."""
-        return next(z for z in self.system.state if z in self.value.variables)
-
-    @property
     def free(self) -> str:
         """The other variable."""
         return next(z for z in self.system.state if z != self.fixed)
-
-    @property
-    def place(self) -> Polynomial:
-        """The first variable at a contact, a polynomial in the clock."""
-        c = self.value.derivative(self.fixed)
-        return (ZERO - self.value.without(self.fixed)) * c.reciprocal()
-
-    @property
-    def reset(self) -> dict[str, Quotient]:
-        """The state after a contact."""
-        return self.system.reset(self.mode, self.guard)
 
     @property
     def after(self) -> Quotient:
@@ -81,13 +56,8 @@ class Section:
 
 def sections(system: System) -> list[Section]:
     """Return all of them; raise `BadInput` with why there is none."""
-    found, reasons = list[Section](), list[str]()
-    for mode, given in system.modes.items():
-        for guard in given.guards:
-            try:
-                found.append(Section(system, mode, guard))
-            except BadInput as reason:
-                reasons.append(str(reason))
-    if not found:
-        raise BadInput("; ".join(dict.fromkeys(reasons)) or "the system has no guard")
-    return found
+    return fitting(
+        partial(Section, system, mode, guard)
+        for mode, given in system.modes.items()
+        for guard in given.guards
+    )
