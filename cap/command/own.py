@@ -16,6 +16,7 @@ from pathlib import Path
 from cap.certificate import report, writer
 from cap.command import (
     own_attractor,
+    own_basin,
     own_branch,
     own_capture,
     own_horseshoe,
@@ -35,6 +36,7 @@ from cap.system.model import System
 from cap.words import printable, quoted, say
 
 ATTRACTOR = ("attractor", "contact_attractor")
+BASIN = ("basin", "contact_basin")
 BRANCH = ("branch", "contacts_branch")
 CAPTURE = ("capture", "contact_capture")
 HORSESHOE = ("horseshoe", "contact_horseshoe")
@@ -48,6 +50,8 @@ def main(words: Sequence[str]) -> int:
     named = words[0] if words and not words[0].startswith("-") else ""
     if named in ATTRACTOR:
         return own_attractor.main(words)
+    if named in BASIN:
+        return own_basin.main(words)
     if named in BRANCH:
         return own_branch.main(words)
     if named in CAPTURE:
