@@ -102,6 +102,7 @@ OWN = (
     "contacts",
     "contacts_branch",
     "contact_attractor",
+    "contact_basin",
     "contact_capture",
     "contact_elliptic",
     "contact_horseshoe",

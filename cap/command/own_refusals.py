@@ -6,8 +6,8 @@ from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
 PROVED = (
-    "of a system of one's own `periodic`, `elliptic`, `branch`, `capture`, `attractor` and "
-    "`horseshoe` are proved"
+    "of a system of one's own `periodic`, `elliptic`, `branch`, `capture`, `basin`, `attractor` "
+    "and `horseshoe` are proved"
 )
 
 LISTED = {
@@ -15,6 +15,7 @@ LISTED = {
     "elliptic --model FILE": "an elliptic orbit where nothing is lost: its twist, tori around it",
     "branch --model FILE": "a curve of periodic orbits over a parameter: its folds and flips",
     "capture --model FILE": "infinitely many contacts in finite time, then rest, from a box",
+    "basin --model FILE": "the share of a rectangle of states that comes to rest in time",
     "attractor --model FILE": "releases: one motion that the others tend to, or entropy",
     "horseshoe --model FILE": "entropy of motions from contact to contact",
     "horseshoe --map FILE": "the same of a map of the plane",

@@ -114,7 +114,7 @@ def ends(c: Interval, a: Interval, half: float, b: Interval, wide: float) -> tup
 
 
 @kernel
-def _speed(p: Pull, cell: Cell, hit: Hit, thin: Hit) -> Interval:
+def _speed(cell: Cell, hit: Hit, thin: Hit) -> Interval:
     """Return the speeds at the hits, by their mean values, too: dr = (P/r) (dh + u dh') - dh'."""
     steep, m = hit.pull / hit.speed, cell.change
     tilt = steep * (between(hit.a, hit.b) - cell.s) - 1.0
@@ -132,8 +132,8 @@ def longer(p: Pull, cell: Cell) -> int:
     m, g = cell.change, max(p.mean.mid, 1e-3)
     y, v = max(0.0, cell.h.mid), cell.v.mid
     u = (abs(v) + math.sqrt(v * v + 2 * g * y)) / g
-    first = (abs(m.hh.mid + u * m.vh.mid) + u * abs(m.vh.mid)) * cell.half
-    second = (abs(m.hv.mid + u * m.vv.mid) + u * abs(m.vv.mid)) * cell.wide
+    first = (magnitude(m.hh + u * m.vh) + u * magnitude(m.vh)) * cell.half
+    second = (magnitude(m.hv + u * m.vv) + u * magnitude(m.vv)) * cell.wide
     return 0 if first > second else -1
 
 
@@ -163,7 +163,7 @@ def fate(p: Pull, grid: Table, y: Interval, v: Interval) -> int:
         thin = among(p, middle, hit)
         if thin.found != HITS:
             break
-        speed = _speed(p, cell, hit, thin)
+        speed = _speed(cell, hit, thin)
         if rests(p, grid, hit, upper(speed)):
             return RESTS
         again = max(0.0, upper(hit.pull)) * (hit.b - hit.a) * ROOM

@@ -23,6 +23,7 @@ from cap.sets.doubles import GROWTH, Interval, between, lower, magnitude, upper,
 AWAY, HITS, LOST = 0, 1, 2
 PIECES, LONGEST = 24, 16  # of a step of the grid, looked at; steps of the grid in one piece
 MARGIN = 2.0**-36  # of the window of a hit, beyond its ends found in floats
+ROOM = 1 + 2.0**-40  # more than a few roundings lose
 WIDEST = 8.0  # the longest window, in steps of the grid
 
 
@@ -83,9 +84,7 @@ def spread(cell: Cell, d: Interval) -> float:
 
 
 @kernel
-def _ends(
-    cell: Cell, s: float, begin: Sums, at: Sums
-) -> tuple[float, float]:
+def _ends(cell: Cell, s: float, begin: Sums, at: Sums) -> tuple[float, float]:
     """Return bounds of h at a time, from I and J when the cell is met and then.
 
     Below, the larger one of those by c + D [-r, r], and by h >= 0 and h' at first.
@@ -97,10 +96,11 @@ def _ends(
 
 
 @kernel
-def _stays(before: float, after: float, most: float, length: float) -> bool:
-    """Return whether h > 0 between two times, from lower bounds of h there and of P between."""
-    bend = max(0.0, -most) * length * length * (1 + 1e-9)
-    return before >= 0 and after > 0.5 * bend and after > 0 or min(before, after) > 0.125 * bend
+def _stays(before: float, after: float, least: float, length: float) -> bool:
+    """Return whether h > 0 on (x, y], from lower bounds of h at both times, and of P between."""
+    bend = max(0.0, -least) * length * length * ROOM
+    some = before >= 0 and after > 0 and after > 0.5 * bend
+    return some or min(before, after) > 0.125 * bend
 
 
 @kernel
@@ -126,53 +126,56 @@ def _zero(p: Pull, cell: Cell, side: float, near: float) -> float:
     return s
 
 
-@kernel
-def _until(grid: Table, cell: Cell, begin: Sums, p: Pull) -> tuple[float, float, float]:
-    """Return x, y and a lower bound of h at x: h > 0 until x for all flights, perhaps not at y.
+class _Seen(NamedTuple):
+    """h > 0 until x for all flights, perhaps not at y; ``low`` is a lower bound of h at x."""
 
-    If x is not before the end, they fly until then.  NaN: nothing is known.
+    x: float
+    y: float
+    low: float
+
+
+@kernel
+def _until(p: Pull, grid: Table, cell: Cell, begin: Sums) -> _Seen:
+    """Return how long h > 0 is certain: if x is not before the end, all fly until then.
+
+    NaN: nothing is known.
     """
     j, stride = int(cell.s / grid.step), 4
-    x, before = cell.s, 0.0
-    while x < p.late and j + 1 < grid.ends.shape[0]:
+    seen = _Seen(cell.s, cell.s, 0.0)
+    while seen.x < p.late and j + 1 < grid.ends.shape[0]:
         stride = min(stride, grid.ends.shape[0] - j)
         goal, least = (j + stride) * grid.step, grid.ends[j, 0]
         for i in range(j + 1, j + stride):
             least = min(least, grid.ends[i, 0])
         after = _ends(cell, goal, begin, known(grid, j + stride))[0]
-        if _stays(before, after, least, goal - x):
-            x, before, j, stride = goal, after, j + stride, min(2 * stride, LONGEST)
+        if _stays(seen.low, after, least, goal - seen.x):
+            seen, j, stride = _Seen(goal, goal, after), j + stride, min(2 * stride, LONGEST)
         elif stride > 1:
             stride //= 2
         else:
-            x, goal, before = _nearer(p, cell, begin, least, x, goal, before)
-            if not x >= goal:
-                return x, goal, before
+            seen = _nearer(p, cell, begin, least, _Seen(seen.x, goal, seen.low))
+            if not seen.x >= goal:
+                break
             j += 1
-    return x, x, before
+    return seen
 
 
 @kernel
-def _nearer(
-    p: Pull, cell: Cell, begin: Sums, least: float, x: float, y: float, before: float
-) -> tuple[float, float, float]:
-    """Return the same for a step of the grid, in shorter ones; y twice if h > 0 until then.
-
-    P >= ``least`` there.
-    """
+def _nearer(p: Pull, cell: Cell, begin: Sums, least: float, seen: _Seen) -> _Seen:
+    """Return the same for a step of the grid that ends at y, in shorter ones; P >= ``least``."""
+    x, y, low = seen
     goal = y
     for _ in range(PIECES):
         after = _ends(cell, goal, begin, sums(p, goal))[0]
-        if _stays(before, after, least, goal - x):
-            x, before = goal, after
+        if _stays(low, after, least, goal - x):
+            x, low, goal = goal, after, y
             if x >= y:
-                break
-            goal = y
+                return _Seen(x, y, low)
         elif after > 0:
             goal = 0.5 * (x + goal)
         else:
-            return x, goal, before
-    return (x, y, before) if x >= y else (math.nan, math.nan, math.nan)
+            return _Seen(x, goal, low)
+    return _Seen(math.nan, math.nan, math.nan)
 
 
 @kernel
@@ -182,7 +185,7 @@ def first_hit(p: Pull, grid: Table, cell: Cell) -> Hit:
     `LOST`: nothing is known.
     """
     begin = sums(p, cell.s)
-    x, y, before = _until(grid, cell, begin, p)
+    x, y, before = _until(p, grid, cell, begin)
     if x >= p.late:
         return _nothing(AWAY)
     a = max(x, _zero(p, cell, -1.0, y) - MARGIN)

@@ -37,7 +37,7 @@ from cap.checker.resting.pull import Pull
 RESTS, FLIES, UNKNOWN = "r", "f", "-"
 HITS, BOUNCES = 24, 6  # that are followed; that are bounded one by one
 UP = 1 + 2.0**-40  # more than a few roundings lose
-LONGER = 1.1, 1.3, 1.8  # times that are tried, by one that would do under other bounds
+LONGER = 1.1, 1.15, 1.3, 1.36, 1.8, 1.9  # times tried, by one that would do under other bounds
 
 
 class Fates(NamedTuple):
@@ -78,8 +78,8 @@ class Fates(NamedTuple):
         D, (x, y) = cell.D, cell.r
         steep = hit.pull / hit.speed
         tilt = steep * (between(hit.a, hit.b) - cell.T) - 1.0
-        far = (steep * D[0] + tilt * D[2]).magnitude * x + (steep * D[1] + tilt * D[3]).magnitude * y
-        mean = thin.speed.widened(far * GROWTH)
+        first, second = steep * D[0] + tilt * D[2], steep * D[1] + tilt * D[3]
+        mean = thin.speed.widened((first.magnitude * x + second.magnitude * y) * GROWTH)
         return between(max(mean.lower, hit.speed.lower), min(mean.upper, hit.speed.upper))
 
     def hits_again(self, hit: Window) -> bool:
@@ -122,12 +122,25 @@ class Fates(NamedTuple):
             needed = 2 * v / (l * (1 - k)) if k < 1 else math.inf
             if any(self.accumulate(hit.a, latest, v, needed * x) for x in LONGER):
                 return True
-            until = latest + 2 * v / l * LONGER[0]
-            l, g = self.pull.ends(hit.a, until)
-            if not (0 < l and latest + 2 * v / l * UP <= until):
+            tried = (self.bounce(hit.a, latest, v, x) for x in LONGER)
+            once = next((found for found in tried if found is not None), None)
+            if once is None:
                 return False
-            fast, latest = e * math.sqrt(g / l) * fast * UP, until
+            fast, latest = once
         return False
+
+    def bounce(
+        self, a: float, latest: float, v: float, longer: float
+    ) -> tuple[float, float] | None:
+        """Return bounds of the speed and the time of the next hit, in so many times a time tried.
+
+        None: it may be later.
+        """
+        until = latest + 2 * v / self.pull.ends(a, latest)[0] * longer
+        l, g = self.pull.ends(a, until)
+        if not (0 < l <= g < math.inf and latest + 2 * v / l * UP <= until):
+            return None
+        return math.sqrt(g / l) * v * UP, until
 
     def accumulate(self, a: float, latest: float, v: float, tried: float) -> bool:
         """Return whether all bounces, the first one with the speed v, are over in a time tried."""

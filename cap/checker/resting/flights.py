@@ -159,20 +159,19 @@ class Flights:
     def zero(self, side: int, near: float) -> float:
         """Return about when the first (side -1) or the last (1) of the flights hits; a guess."""
         T, h, v, D, r, _, _ = self.cell
-        s = near
+        s, (I0, J0) = near, self.pull.guess(T)
         for _ in range(NEWTON):
             d = s - T
-            I, J = (x.mid for x in self.pull.sums(s))
+            I, J = self.pull.guess(s)
             p, q = D[0].mid + d * D[2].mid, D[1].mid + d * D[3].mid
-            thick = h.rad + d * v.rad + sum(
-                (M.rad + d * N.rad) * x for M, N, x in zip(D[:2], D[2:], r, strict=True)
-            )
+            thick = h.rad + d * v.rad + (D[0].rad + d * D[2].rad) * r[0]
+            thick += (D[1].rad + d * D[3].rad) * r[1]
             far = side * (abs(p) * r[0] + abs(q) * r[1] + thick)
             turn = (D[2].mid if p > 0 else -D[2].mid) * r[0]
             turn += (D[3].mid if q > 0 else -D[3].mid) * r[1]
-            fall = J - self.begin[1].mid - self.begin[0].mid * d
+            fall = J - J0 - I0 * d
             height = h.mid + v.mid * d - fall + far
-            rate = v.mid - (I - self.begin[0].mid) + side * turn
+            rate = v.mid - (I - I0) + side * turn
             if not rate < 0:
                 return near
             s -= height / rate

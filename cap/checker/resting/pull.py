@@ -34,6 +34,7 @@ class Pull:
 
     def __init__(self, wave: Wave, until: float) -> None:
         self.wave = wave
+        self.middles = [x.mid for x in wave]
         square = wave.cos * wave.cos + wave.sin * wave.sin
         self.swing = math.sqrt(square.upper) * GROWTH
         self.step = 2.0 ** math.floor(math.log2(2 * math.pi / wave.omega.mid / PARTS))
@@ -66,6 +67,13 @@ class Pull:
         first = m * t + (c * sin + d * rest) / w
         second = m * (t * t) * 0.5 + (c * rest + d * (angle - sin)) / (w * w)
         return first, second
+
+    def guess(self, s: float) -> tuple[float, float]:
+        """Return about I and J at a time: they only steer."""
+        m, c, d, w = self.middles
+        cos, sin = math.cos(w * s), math.sin(w * s)
+        first = m * s + (c * sin + d * (1 - cos)) / w
+        return first, 0.5 * m * s * s + (c * (1 - cos) + d * (w * s - sin)) / (w * w)
 
     def at(self, j: int) -> Sums:
         """Return I and J at a time of the grid."""

@@ -41,6 +41,7 @@ from cap.checker.system.polynomial import Polynomial
 MOST_BITS, LONGEST = 1024, 500  # LONGEST: omega (T - t_0), at most
 TREE, DEPTH = 1_000_000, 48
 WORK = 10_000_000  # cells times steps of the grid of times
+A_SECOND = 1000  # cells, about
 AT_ONCE = 100  # cells of one task
 FOLLOWED = "{} cells are followed"
 
@@ -113,7 +114,7 @@ class ContactBasin(OwnSystem):
     def seconds(self) -> int:
         """Return about how long the cells take."""
         tree = self.hints["tree"]
-        return (tree.count(RESTS) + tree.count(FLIES)) // (700 * self.jobs)
+        return int(tree.count(RESTS) + tree.count(FLIES)) // (A_SECOND * self.jobs)
 
     @in_doubles()
     def prove(self) -> None:
@@ -125,10 +126,12 @@ class ContactBasin(OwnSystem):
         pull = self.pull()
         self.step("a hit makes h' to -e h', and nothing else happens; -h'' depends on the clock")
         self.numbers = Numbers(self.wall, hints["bits"])
-        rectangle = Rectangle(*self.sides(), self.fates(pull, e))
+        rectangle = Rectangle(
+            self.side(self.wall.h), self.side(self.wall.rate), self.fates(pull, e)
+        )
         cells = list(self.cells())
-        work = len(cells) * rectangle.fates.pull.steps
-        need(work <= WORK, f"cells times steps are more than {WORK}")
+        steps = len(cells) * rectangle.fates.pull.steps
+        need(steps <= WORK, f"cells times steps are more than {WORK}")
         words = FOLLOWED.format(len(cells))
         work = Work(self.jobs, self.tell, {words: 1.0})
         tasks = [cells[k : k + AT_ONCE] for k in range(0, len(cells), AT_ONCE)]
@@ -147,7 +150,7 @@ class ContactBasin(OwnSystem):
         need(model.modes[mode].guards.keys() == {self.claims["guard"]}, "the mode has other guards")
         need(wall.event.to == (mode,), "a hit leads to another mode")
         need(len(model.state) == 2, "the state has not two variables")
-        pull = -model.lie(mode, wall.rate)
+        pull: Polynomial = -model.lie(mode, wall.rate)
         slopes = [pull.derivative(z) for z in (COS, SIN)]
         alone = pull.variables <= {COS, SIN, PI} and all(q.variables <= {PI} for q in slopes)
         need(alone and bool(pull.terms), "-h'' is not m + c cos + d sin, with numbers m, c, d")
@@ -155,23 +158,22 @@ class ContactBasin(OwnSystem):
         for key, guard in model.modes[wall.rest].guards.items():
             q = wall.at(guard.value, NONE)
             k = q.terms.get(monomial, Fraction(0)) / leading
-            need(k > 0 and q == pull * k, f"{key} of {wall.rest} is not -h'' times a positive number")
+            held = k > 0 and q == pull * k
+            need(held, f"{key} of {wall.rest} is not -h'' times a positive number")
         return pull
 
-    def sides(self) -> Iterator[Side]:
-        """Give the sides, of h and of h'; each depends on a variable of its own."""
+    def side(self, q: Polynomial) -> Side:
+        """Return the side of h, or of h'; it depends on a variable of its own."""
         t, box = self.claims["start"], self.claims["box"]
         need(box.keys() == {*self.p.state}, "claims.box is not one of the state")
-        clock = self.numbers.clock((t, t))
-        for q in (self.wall.h, self.wall.rate):
-            names = [z for z in self.p.state if q.derivative(z).terms]
-            need(len(names) == 1, "h or h' depends on both variables")
-            (z,) = names
-            a, b, slope = *box[z][:2], q.derivative(z).number
-            need(a < b, "the rectangle has no area")
-            rest = self.numbers.values(clock).of(q.without((z,)))
-            base = rest + Interval.enclosing(slope * a, slope * a, rest.bits)
-            yield Side(_double(base), enclosing(slope * (b - a)))
+        names = [z for z in self.p.state if q.derivative(z).terms]
+        need(len(names) == 1, "h or h' depends on both variables")
+        z, slope = names[0], q.derivative(names[0]).number
+        a, b = box[z].lower, box[z].upper
+        need(a < b, "the rectangle has no area")
+        rest = self.numbers.values(self.numbers.clock((t, t))).of(q.without((z,)))
+        base = rest + Interval.enclosing(slope * a, slope * a, rest.bits)
+        return Side(_double(base), enclosing(slope * (b - a)))
 
     def fates(self, pull: Polynomial, e: Fraction) -> Fates:
         """Return what decides the fates of cells."""
