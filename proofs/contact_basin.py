@@ -12,6 +12,7 @@ middle and a product of derivatives, mean values; each hit has a window of times
 (i): near the wall the lemma of `cap.orbits.capture` applies.  (ii): h > 0 until T.
 """
 
+import math
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -100,7 +101,7 @@ def _numbers(place: Wall, pull: Polynomial, asked: Asked) -> tuple[Pull, Sides]:
     known = clock(place.system, interval.ball(asked.start))
     c, d = (value(pull.derivative(z), {}) for z in (COS, SIN))
     omega = number(place.system.omega)
-    until = doubles.enclosing(asked.until - asked.start)
+    early, late = _beside(asked.until - asked.start)
     p = Pull(
         _double(value(pull.without(COS, SIN), {})),
         _double(c * known[COS] + d * known[SIN]),
@@ -108,8 +109,8 @@ def _numbers(place: Wall, pull: Polynomial, asked: Asked) -> tuple[Pull, Sides]:
         _double(omega),
         _double(1 / omega),
         doubles.enclosing(place.e),
-        doubles.lower(until),
-        doubles.upper(until),
+        early,
+        late,
     )
     sides: list[Interval] = []
     for q in (place.h, place.rate):
@@ -119,6 +120,13 @@ def _numbers(place: Wall, pull: Polynomial, asked: Asked) -> tuple[Pull, Sides]:
         base = slope * interval.ball(a) + value(q.without(z), known)
         sides += [_double(base), _double(slope * interval.ball(b - a))]
     return p, Sides(*sides)
+
+
+def _beside(q: Fraction) -> tuple[float, float]:
+    """Return a double that is not above a number, and one that is not below."""
+    x = float(q)
+    low = x if Fraction(x) <= q else math.nextafter(x, -math.inf)
+    return low, x if Fraction(x) >= q else math.nextafter(x, math.inf)
 
 
 def _double(x: Ball) -> Interval:

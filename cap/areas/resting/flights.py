@@ -189,12 +189,14 @@ def first_hit(p: Pull, grid: Table, cell: Cell) -> Hit:
     if x >= p.late:
         return _nothing(AWAY)
     a = max(x, _zero(p, cell, -1.0, y) - MARGIN)
-    if not x <= a < min(y, p.late):  # NaN, too
+    if not x <= a < y:  # NaN, too
         return _nothing(LOST)
     if a > x:
         after = _ends(cell, a, begin, sums(p, a))[0]
         if not _stays(before, after, extremes(grid, x, a)[0], a - x):
             return _nothing(LOST)
+    if a >= p.late:
+        return _nothing(AWAY)
     b = _zero(p, cell, 1.0, a + MARGIN) + MARGIN
     if not a < b < a + WIDEST * grid.step:
         return _nothing(LOST)

@@ -56,8 +56,8 @@ class Fates(NamedTuple):
         cell = Cell(0.0, Double(y.mid), Double(w.mid), same, (y.rad, w.rad), *v)
         for _ in range(HITS):
             flights = Flights(self.pull, cell)
-            hit = flights.window()
-            if hit is None or hit.a >= self.late:
+            hit = flights.window(self.late)
+            if hit is None:
                 return FLIES
             if hit.a == hit.b:
                 return UNKNOWN

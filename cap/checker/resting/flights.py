@@ -53,6 +53,9 @@ class Window(NamedTuple):
     speed: Double
 
 
+EMPTY = Window(0.0, 0.0, *(Double(0.0),) * 4)  # no window
+
+
 class Flights:
     """The flights of a cell until the first hit."""
 
@@ -72,7 +75,7 @@ class Flights:
     def first(self) -> tuple[float, float] | None:
         """Return x < y, h > 0 on (T, x], perhaps not at y; None if h > 0 until the grid ends.
 
-        x = y: it is not known where that would be.
+        If it is not known where that would be, y = x.
         """
         pull = self.pull
         return self._first(self.cell.T, 0.0, int(self.cell.T / pull.step) + 1, pull.steps - 1)[0]
@@ -118,43 +121,48 @@ class Flights:
         some = low >= 0 and after > 0 and after > 0.5 * bend
         return some or min(low, after) > 0.125 * bend
 
-    def window(self) -> Window | None:
-        """Return a window of the first hits; None if there is none until the grid ends.
+    def window(self, late: float) -> Window | None:
+        """Return a window of the first hits; None if h > 0 until a time for all flights.
 
-        If none is found it is one that is empty, a = b.
+        If neither is certain it is empty, a = b.
         """
         found = self.first()
         if found is None:
             return None
         x, y = found
+        if x >= late:
+            return None
         a = max(x, self.zero(-1, y) - ASIDE)
-        low = self.height(x, self.pull.sums(x))[0] if x > self.cell.T else 0.0
-        seen = x <= a < y
-        if seen and a > x:
-            seen = self._stays(x, low, a, self.height(a, self.pull.sums(a))[0])
-        b = self.zero(1, a) + ASIDE if seen else a
-        near = a < b < a + LONG * self.pull.step
-        return self.hits(a, b) if near else _empty(a)
+        if not a < y:
+            return EMPTY
+        if a > x:
+            low = self.height(x, self.pull.sums(x))[0] if x > self.cell.T else 0.0
+            if not self._stays(x, low, a, self.height(a, self.pull.sums(a))[0]):
+                return EMPTY
+        if a >= late:
+            return None
+        b = self.zero(1, a) + ASIDE
+        return self.hits(a, b) if a < b < a + LONG * self.pull.step else EMPTY
 
     def among(self, all_of: Window) -> Window:
         """Return the window of the hits of these flights, which are some of those of a window."""
         t = self.zero(1, 0.5 * (all_of.a + all_of.b))
         a, b = max(all_of.a, self.zero(-1, t) - ASIDE), min(all_of.b, t + ASIDE)
         if not a < b or (a > all_of.a and not self.height(a, self.pull.sums(a))[0] > 0):
-            return _empty(all_of.a)
+            return EMPTY
         return self.hits(a, b)
 
     def hits(self, a: float, b: float) -> Window:
         """Return a window before which there are no hits, if h < 0 at b and h' < 0."""
         if not self.height(b, self.pull.sums(b))[1] < 0:
-            return _empty(a)
+            return EMPTY
         pull, time = self.pull.during(a, b), between(a, b)
         first, second = self.pull.sums(time.mid)
         around = Double(0.0, time.rad)
         first = first + pull * around
         second = second + first * around
         speed = (first - self.begin[0]) - between(self.cell.down, self.cell.up)
-        return Window(a, b, first, second, pull, speed) if speed.lower > 0 else _empty(a)
+        return Window(a, b, first, second, pull, speed) if speed.lower > 0 else EMPTY
 
     def zero(self, side: int, near: float) -> float:
         """Return about when the first (side -1) or the last (1) of the flights hits; a guess."""
@@ -178,9 +186,3 @@ class Flights:
             if abs(height) < 1e-13 * (abs(rate) + 1):
                 break
         return s if 0 <= s < self.pull.steps * self.pull.step else near
-
-
-def _empty(a: float) -> Window:
-    """Return no window."""
-    none = Double(0.0)
-    return Window(a, a, none, none, none, none)

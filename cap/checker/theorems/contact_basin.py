@@ -15,6 +15,7 @@ The parameters are the system; the guard h names the mode of rest R (``given``).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
@@ -184,9 +185,9 @@ class ContactBasin(OwnSystem):
         wave = mean, c * clock[COS] + d * clock[SIN], d * clock[COS] - c * clock[SIN]
         omega = self.numbers.omega
         need(omega.upper * until <= LONGEST, f"omega (T - t_0) is more than {LONGEST}")
-        end = enclosing(until)
-        grid = Pull(Wave(*map(_double, (*wave, omega))), end.upper)
-        return Fates(grid, enclosing(e), end.lower, end.upper)
+        early, late = _beside(until)
+        grid = Pull(Wave(*map(_double, (*wave, omega))), late)
+        return Fates(grid, enclosing(e), early, late)
 
     def cells(self) -> Iterator[tuple[str, Place]]:
         """Give the cells with their letters: ends of x for h, and for h'."""
@@ -215,6 +216,13 @@ class ContactBasin(OwnSystem):
         return _BASIN.format_map(
             claims | numbers | {"system": told(self.p), "rest": rest, "box": box, "state": state}
         )
+
+
+def _beside(q: Fraction) -> tuple[float, float]:
+    """Return a double that is at most a number, and one that is at least that."""
+    x = float(q)
+    below, above = math.nextafter(x, -math.inf), math.nextafter(x, math.inf)
+    return (x if Fraction(x) <= q else below), (x if Fraction(x) >= q else above)
 
 
 def _double(x: Interval) -> Double:
