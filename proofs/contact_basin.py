@@ -41,8 +41,8 @@ CELLS = 10_000  # about so many, if nothing is said
 Tell = Callable[[str, float | None], None]
 
 
-class Asked(NamedTuple):
-    """The rectangle ``box`` at the time ``start``, and the time until which it is followed."""
+class Rectangle(NamedTuple):
+    """The states ``box`` at the time ``start``, and the time until which they are followed."""
 
     start: Fraction
     until: Fraction
@@ -50,7 +50,7 @@ class Asked(NamedTuple):
 
 
 def prove(
-    place: Wall, asked: Asked, cells: int = CELLS, tell: Tell = lambda *_: None
+    place: Wall, asked: Rectangle, cells: int = CELLS, tell: Tell = lambda *_: None
 ) -> dict[str, Any]:
     """Return a certificate, which the independent checker accepts.
 
@@ -58,7 +58,7 @@ def prove(
     """
     with interval.workprec(BITS):
         pull = driven(place)
-        swept = lemma_1_fates(*_numbers(place, pull, asked), cells, tell)
+        swept = lemma_1_fates(*numbers(place, pull, asked), cells, tell)
     if not (swept.rests or swept.flies):
         raise NotProved("cells", "of no cell it is certain that it rests, or that it does not")
     return _checked(place, asked, swept)
@@ -96,7 +96,7 @@ def lemma_1_fates(p: Pull, sides: Sides, cells: int, tell: Tell) -> Swept:
     return sweep(p, sides, cells, tell)
 
 
-def _numbers(place: Wall, pull: Polynomial, asked: Asked) -> tuple[Pull, Sides]:
+def numbers(place: Wall, pull: Polynomial, asked: Rectangle) -> tuple[Pull, Sides]:
     """Return the pull from the start on, and the sides of the rectangle, in doubles."""
     known = clock(place.system, interval.ball(asked.start))
     c, d = (value(pull.derivative(z), {}) for z in (COS, SIN))
@@ -136,7 +136,7 @@ def _double(x: Ball) -> Interval:
     return doubles.widened(middle, doubles.upper(doubles.enclosing(b - a)))
 
 
-def _checked(place: Wall, asked: Asked, swept: Swept) -> dict[str, Any]:
+def _checked(place: Wall, asked: Rectangle, swept: Swept) -> dict[str, Any]:
     """Return the certificate, if the checker accepts it."""
     claims = {
         "start": shown(asked.start),

@@ -5,7 +5,7 @@ The wall is a guard that names a mode of rest (`cap.proofs.contact_basin`).
 
 import argparse
 from collections.abc import Sequence
-from fractions import Fraction
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,18 +15,21 @@ from cap.command.own_capture import box_of, wall_of
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.option import integer
+from cap.orbits.wall import Wall
 from cap.parameters import exact
 from cap.proofs import contact_basin
-from cap.proofs.contact_basin import CELLS, Asked
+from cap.proofs.contact_basin import CELLS, Rectangle
 from cap.proofs.contacts import as_parameters
 from cap.system.files import assigned, read
+
+MOST = 100_000  # cells
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     options = parser().parse_args([protected(word) for word in words])
     progress = Progress()
-    return answered(lambda: _proved(options, progress), progress)
+    return answered(lambda: _proved(Asked.of(options), progress), progress)
 
 
 def parser() -> Parser:
@@ -72,27 +75,39 @@ def parser() -> Parser:
     return p
 
 
-def _proved(options: argparse.Namespace, progress: Progress) -> int:
+@dataclass(frozen=True)
+class Asked:
+    """What is asked for; all of it makes sense."""
+
+    wall: Wall
+    rectangle: Rectangle
+    cells: int
+    path: Path
+
+    @classmethod
+    def of(cls, options: argparse.Namespace) -> "Asked":
+        """Read the options; raise `BadInput` with what is wrong."""
+        values = assigned(options.set)
+        system = read(options.model, values)
+        place, box = wall_of(system, options.guard), box_of(system.state, options.box)
+        contact_basin.driven(place)
+        start, until = exact(options.start), exact(options.until)
+        if not start < until:
+            raise BadInput("--until is not after --start")
+        if any(a == b for a, b in box.values()):
+            raise BadInput("--box has no area")
+        cells = integer(options.cells, "cells", (1, MOST))
+        stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
+        told = {**values, "until": options.until, **({"start": options.start} if start else {})}
+        names, parameters = ["contact_basin", Path(stem).stem], as_parameters(system, rests=True)
+        path = own_map.place(options, names, told, parameters)
+        return cls(place, Rectangle(start, until, box), cells, path)
+
+
+def _proved(asked: Asked, progress: Progress) -> int:
     """Prove it, write the certificate and print it; return the status."""
-    values = assigned(options.set)
-    system = read(options.model, values)
-    place = wall_of(system, options.guard)
-    box = box_of(system.state, options.box)
-    start, until = exact(options.start), exact(options.until)
-    if not start < until:
-        raise BadInput("--until is not after --start")
-    if any(a == b for a, b in box.values()):
-        raise BadInput("--box has no area")
-    cells = integer(options.cells, "cells", (1, 100_000))
-    contact_basin.driven(place)
-    stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
-    told: dict[str, Any] = {**values, "until": options.until}
-    if start != Fraction(0):
-        told["start"] = options.start
-    names = ["contact_basin", Path(stem).stem]
-    path = own_map.place(options, names, told, as_parameters(system, rests=True))
 
     def prove() -> dict[str, Any]:
-        return contact_basin.prove(place, Asked(start, until, box), cells, progress.tell)
+        return contact_basin.prove(asked.wall, asked.rectangle, asked.cells, progress.tell)
 
-    return own_map.answered("contact_basin", prove, path, progress)
+    return own_map.answered("contact_basin", prove, asked.path, progress)
