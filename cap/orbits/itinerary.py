@@ -64,7 +64,11 @@ class Itinerary:
 
     def following(self, k: int) -> Contact:
         """Return the contact after the k-th, counted from 0; after the last it is the first."""
-        return self.contacts[(k + 1) % len(self.contacts)]
+        return self.contacts[self.after(k)]
+
+    def after(self, k: int) -> int:
+        """Return the number of that contact."""
+        return (k + 1) % len(self.contacts)
 
     def is_moved(self, k: int) -> bool:
         """Return whether the flight after the k-th contact is looked at as S moves it back."""

@@ -161,11 +161,15 @@ class Prover:
         return zero.contracted(hint, value, E, box), blocks
 
     def reasons(
-        self, box: Box, windows: Mapping[tuple[int, str], tuple[float, float]] | None = None
+        self,
+        box: Box,
+        windows: Mapping[tuple[int, str], tuple[float, float]] | None = None,
+        lost: int | None = None,
     ) -> list[Reason]:
         """Prove that nothing else happens on the orbits whose contacts lie in a box.
 
-        In the window of a leg and a guard nothing is proved of it.
+        In the window of a leg and a guard nothing is proved of it.  Where a contact is lost, L h <=
+        0 before it and L h >= 0 after it are given.
         """
         found, vanishing = list[Reason](), self.itinerary.vanishing
         for leg in self.legs(box):
@@ -174,8 +178,11 @@ class Prover:
             in_order(leg)
             for name, lemma in self.equations.kinds.lemmas(mode).items():
                 watch = self.equations.kinds.watch(mode, name)
-                zeros = vanishing[leg.number][name]
-                along = Along(leg, name, watch, zeros, name == following)
+                first, last = vanishing[leg.number][name], int(name == following)
+                if lost is not None and self.itinerary.contacts[lost].guard == name:
+                    first = 2 if leg.number == lost else first
+                    last = 2 * last if self.itinerary.after(leg.number) == lost else last
+                along = Along(leg, name, watch, first, last)
                 if self._pieces:
                     longest = self.equations.kinds.longest(mode)
                     window = (windows or {}).get((leg.number, name))
