@@ -225,9 +225,11 @@ def test_a_wall_that_is_no_binary_number(side):
     place, start = Fraction(side, 3), Fraction(0) if side > 0 else Fraction(3)
     state = [Interval.enclosing(q - d, q + d, 64) for q, d in ((place, 0), (0, Fraction(1, 1000)))]
     M = Mechanics(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
-    assert (M.walls[side] - M.x.value).contains_zero()
+    assert (M.walls[side] - M.variables[0].value).contains_zero()
     moment = M.moment(M.constant(M.number(start)))
-    hit = Event("hit r" if side > 0 else "hit l", moment, M.F, M.constant(M.v.value.magnitude()))
+    hit = Event(
+        "hit r" if side > 0 else "hit l", moment, M.F, M.constant(M.variables[1].value.magnitude())
+    )
     word = "capture r" if side > 0 else "capture l"
     event, _ = capture(M, None if side > 0 else hit, word, (start, start + Fraction(1, 2)))
     assert start < event.moment.t.value.upper < start + Fraction(1, 10)

@@ -37,7 +37,7 @@ class LossyMap(PeriodMap):
 
     sets: Mapping[str, Ends] = field(default_factory=dict)
 
-    def mechanics(self, box: Box, m: Box, order: int) -> Mechanics:
+    def mechanics(self, box: Box, m: Box, order: int) -> Lossy:
         """Return the mechanics over a box."""
         return Lossy(self.p, box, m, order, self.periods, self.sets)
 
@@ -70,7 +70,8 @@ def resting(state: Flight | Rest | None) -> Rest:
 
 def determinant(passage: Passage) -> Interval:
     """Return an enclosure of the determinant of (Phi^n)' by the formula above."""
-    M, events = passage.mechanics, passage.events
+    M: Any = passage.mechanics  # that of a ``LossyMap``
+    events = passage.events
     result = phi(0, -(M.horizon * M.mu.value))
     for event in events:
         if event.word == "stick" or event.word.startswith("capture"):

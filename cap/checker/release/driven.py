@@ -12,6 +12,7 @@ variables separately; conditions are tested with enclosures over the box, of f a
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from cap.checker.flow.events import LossyMap
@@ -44,7 +45,7 @@ class Driven(Lossy):
         self.cosine, self.sine = (self.centred(*jets) for jets in zip(*pairs, strict=True))
         return {"f": lift(lambda cos: cos * F, self.cosine)}
 
-    def _minima(self, periods: int) -> dict[int, Minima]:
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:  # noqa: ARG002
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
         half_turn = pi(self.bits)
 
