@@ -21,30 +21,19 @@ from typing import NamedTuple
 from cap.checker.flow.mechanics import Ends, Flight, Formula, Mechanics, Moment
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, tightened
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import need
 
 SIDES = {"r": 1, "right": 1, "l": -1, "left": -1}
 
 
-class Event(NamedTuple):
-    """An event: its moment, the forcing F cos wt there, before a hit the speed, and its flight.
-
-    A capture has the interval from the beginning to the end of the hits, and the forcing over the
-    window of the lemma.
-    """
+class Hit(NamedTuple):
+    """A hit: its moment, the forcing F cos wt there, the speed before it, and its flight."""
 
     word: str
     moment: Moment
     forcing: Interval
-    speed: Centred | None = None
-    flight: Flight | None = None
-
-    @property
-    def hit_speed(self) -> Interval:
-        """The speed before a hit."""
-        if self.speed is None:
-            raise Rejected("an event is not a hit")
-        return self.speed.value
+    speed: Centred
+    flight: Flight
 
 
 def windowed(M: Mechanics, flight: Flight, window: Ends) -> tuple[Moment, Moment]:
@@ -56,7 +45,7 @@ def windowed(M: Mechanics, flight: Flight, window: Ends) -> tuple[Moment, Moment
     return first, last
 
 
-def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:
+def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Hit, Flight]:
     """Prove that the flight ends with a hit in the window; return it and the flight after it."""
     s, wall = flight.s, M.walls[flight.s]
     need(SIDES[word.split()[1]] == s, "a hit of the wall from which the mass moves away")
@@ -68,8 +57,8 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, F
     moment = M.moment(event_time(M, flight, window, Zero(*M.course(s), wall)))
     speed = M.speed(flight, moment)
     v = lift(lambda u, e: u * e * -s, speed, M.e)
-    event = Event(word, moment, moment.cos.value * M.F, speed, flight)
-    return event, M.flight(-s, moment, M.constant(wall), v, M.minima[-s])
+    found = Hit(word, moment, moment.cos.value * M.F, speed, flight)
+    return found, M.flight(-s, moment, M.constant(wall), v, M.minima[-s])
 
 
 # the event times as jets

@@ -27,9 +27,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.flow.hits import SIDES, Event, Zero, event_time, windowed
+from cap.checker.flow.hits import SIDES, Zero, event_time, windowed
 from cap.checker.flow.losses import Lossy
-from cap.checker.flow.mechanics import Ends, Flight, Mechanics
+from cap.checker.flow.mechanics import Ends, Flight, Mechanics, Moment
 from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.elementary import arccos, pi
 from cap.checker.kernel.interval import Interval
@@ -45,6 +45,18 @@ class Rest(NamedTuple):
     since: Interval
     longest: Interval
     sides: tuple[int, ...]
+
+
+class Event(NamedTuple):
+    """An event that is no hit: its moment, and the forcing F cos wt there.
+
+    A capture has the interval from the beginning to the end of the hits, and the forcing over the
+    window of the lemma.
+    """
+
+    word: str
+    moment: Moment
+    forcing: Interval
 
 
 def rest_of(M: Lossy, s: int) -> Zero:
@@ -64,7 +76,7 @@ def stop(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Cent
     moment = M.moment(event_time(M, flight, window, rest_of(M, s)))
     x = M.place(flight, moment)
     need(M.is_between_walls(x.value), "the mass may stop at or beyond a wall")
-    return Event(word, moment, moment.cos.value * M.F, None, flight), x
+    return Event(word, moment, moment.cos.value * M.F), x
 
 
 def span(M: Mechanics, window: Ends) -> Interval:

@@ -16,7 +16,6 @@ from fractions import Fraction
 from typing import Any
 
 from cap.checker.flow.events import LossyMap
-from cap.checker.flow.hits import Event
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Box, Ends, Minima, Moment
 from cap.checker.kernel.elementary import arccos, pi
@@ -69,7 +68,7 @@ class DrivenMap(LossyMap):
         """Return the mechanics over a box, of which theta is the last side."""
         return Driven(self.p, box, m, order, self.periods)
 
-    def event(self, M: Any, before: list[Event], now: Any, word: str, window: Ends) -> Any:
+    def event(self, M: Any, before: list[Any], now: Any, word: str, window: Ends) -> Any:
         """Prove the next event, and return it with the state after it."""
         if word in HALTS:
             return halt(M, now, word, window)

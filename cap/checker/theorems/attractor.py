@@ -68,7 +68,8 @@ from cap.checker.maps.fixed_point import STATE, ends
 from cap.checker.release.cited import ENTROPY
 from cap.checker.release.kneading import doubling, order, tent
 from cap.checker.release.releases import next_release
-from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
+from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
+from cap.checker.system.walls import BetweenWalls
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods

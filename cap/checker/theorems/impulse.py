@@ -36,7 +36,8 @@ from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS
-from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
+from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
+from cap.checker.system.walls import BetweenWalls
 
 
 class Impulse(BetweenWalls):
