@@ -24,7 +24,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need

@@ -31,7 +31,7 @@ from cap.checker.flow.hits import SIDES, Zero, event_time, windowed
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Ends, Flight, Mechanics, Moment
 from cap.checker.flow.one_mass import MODES
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need

@@ -18,7 +18,7 @@ from typing import Any
 from cap.checker.flow.events import LossyMap
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Box, Ends, Minima, Moment
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, cos_sin_jet, lift
 from cap.checker.kernel.rejection import need

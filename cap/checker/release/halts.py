@@ -27,7 +27,7 @@ from typing import Any
 from cap.checker.flow.hits import SIDES
 from cap.checker.flow.mechanics import Ends, Flight
 from cap.checker.flow.stops import Event, Rest, stop
-from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, Power, raised
 from cap.checker.kernel.rejection import Rejected, need

@@ -31,10 +31,11 @@ from itertools import pairwise
 from math import gcd
 from typing import Any, NamedTuple
 
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.choices import OrNone
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.classics import MOSER
-from cap.checker.kernel.elementary import arccos, cos_sin, pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need

@@ -30,9 +30,9 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
-from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.fourier import Circle, Function
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.optional import Maybe
