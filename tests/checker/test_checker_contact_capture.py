@@ -235,6 +235,18 @@ def test_for_ever_among_others():
     rejected(given, "a guard of the mode of rest depends on other variables")
 
 
+@pytest.mark.parametrize("end", ["-11", "-3", "-2"])
+def test_a_window_that_ends_before_it_begins(end):
+    """Thrown up, a ball is first met at 11.7; backward in time it was below the table, too."""
+    given = changed(EVER, "claims", "box", {"y": ["9.9", "10"], "v": ["4.9", "5"]})
+    given = changed(given, "hints", "state", {"y": "9.95", "v": "4.95"})
+    given = changed(given, "claims", "accumulation_time", ["0", "8.1"])
+    given = changed(given, "claims", "followed", "1")
+    piece = {"hits": [["8", end]], "until": ["8.1"]}
+    given["hints"]["pieces"][0] |= piece
+    rejected(given, "has lower > upper")
+
+
 def test_times_are_exact():
     """The least time of accumulation is that of a fall, for a box that is above the table."""
     box = {"y": ["1", "2"], "v": ["0", "0"]}
