@@ -80,8 +80,9 @@ def prove(
         }
         tell("checking", None)
         cuts = [leg for shown in found.cells for leg in shown.legs]
-        told = certificate["hints"]
-        for end, hint in zip(beyond.each, [*told["grazes"], *told.get("lost", ())], strict=True):
+        found_hints = certificate["hints"]
+        told = [*found_hints["grazes"], *found_hints.get("lost", ())]
+        for end, hint in zip(beyond.every, told, strict=True):
             box = tuple(curve.expanded(end.piece.wider))
             hint["cuts"] = contacts.shown(contacts.legs(prover, box, end.reasons))
         return contacts.checked(certificate, cuts, _by_cell(len(itinerary.contacts))), why
@@ -94,8 +95,8 @@ class Beyond(NamedTuple):
     lost: list[Lost]
 
     @property
-    def each(self) -> list[Graze | Lost]:
-        """All of them."""
+    def every(self) -> list[Graze | Lost]:
+        """All of them: the grazes first."""
         return [*self.grazes, *self.lost]
 
 
@@ -126,7 +127,8 @@ def claims(itinerary: Itinerary, found: Branch[Legs], beyond: Beyond) -> dict[st
     """Return what is claimed of a curve."""
     values = [_parameter(shown.cell, s) for shown in found.cells for s in shown.cell.line.ends]
     turns = [interval.outward(p.cell.box[-1], DIGITS) for p in found.points if p.kind == "fold"]
-    reached = [interval.outward(wider(end.short.box[-1]), PLACES) for end in beyond.each]
+    ends = [end.short.box[-1] for end in beyond.every]
+    reached = [interval.outward(wider(x), PLACES) for x in ends]
     values += [(Fraction(lower), Fraction(upper)) for lower, upper in (*turns, *reached)]
     low, high = min(upper for _, upper in values), max(lower for lower, _ in values)
     if not low < high:

@@ -51,9 +51,7 @@ class PeriodicOrbit:
     @property
     def contacts(self) -> list[tuple[Ball, Box]]:
         """The times of the contacts and the states just before them, enclosed."""
-        step = len(self.itinerary.system.state) + 1
-        places = range(0, len(self.box), step)
-        return [(self.box[i], self.box[i + 1 : i + step]) for i in places]
+        return contacts_of(self.itinerary, self.box)
 
     @property
     def trace(self) -> Ball:
@@ -70,6 +68,12 @@ class PeriodicOrbit:
         return outside(
             [e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)]
         )
+
+
+def contacts_of(itinerary: Itinerary, box: Box) -> list[tuple[Ball, Box]]:
+    """Return the times and the states, of all of them in a row."""
+    step = len(itinerary.system.state) + 1
+    return [(box[i], box[i + 1 : i + step]) for i in range(0, len(box), step)]
 
 
 def in_order(leg: Leg) -> None:

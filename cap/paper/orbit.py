@@ -6,7 +6,6 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import (
     Comparison,
@@ -18,15 +17,13 @@ from cap.audit.comparison import (
     proved,
     taken_from,
 )
-from cap.floats.diagnostics.trajectory import Trajectory, trajectory
+from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats
 from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem
 from cap.paper.figure import Figure, Result, Run
 from cap.parameters import PAPER
-from cap.pictures import times
-from cap.pictures.style import parameters
 from cap.proofs.census import census
 from cap.sets import interval
 from cap.sets.jet import Jet, Space
@@ -207,13 +204,4 @@ def _difference(values: Floats, i: int, j: int, step: float) -> float:
     return float(weights @ values) / (step ** (i + j) * math.factorial(i) * math.factorial(j))
 
 
-def draw(data: Trajectory, figure: FigureBase) -> None:
-    """Draw it in time and in the plane."""
-    axes = figure.subplots(1, 2)
-    times.position(axes[0], data)
-    times.plane(axes[1], data)
-    times.legend(axes[1], figure)
-    figure.suptitle(f"The elliptic orbit that never turns\n{parameters(PAPER)}", fontsize=10)
-
-
-FIGURE = Figure("the elliptic orbit and its linearization", compute, draw, (7.4, 3.9))
+FIGURE = Figure("the elliptic orbit and its linearization", compute, "rows:orbit", (7.4, 3.9))
