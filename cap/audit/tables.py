@@ -21,7 +21,7 @@ from cap.audit.claim import Claim, Kind
 from cap.audit.comparison import PROVED, Comparison
 from cap.audit.comparison import Kind as Compared
 from cap.audit.subject import cached
-from cap.audit.verdict import Outcome, Strength, Verdict, uncheckable
+from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import NotProved
 from cap.files import replacing
 
@@ -122,19 +122,17 @@ def verdict(row: Comparison) -> Verdict:
     says too roughly, or of a procedure that it does not give, is imprecise; where it does not say
     what is to be computed, nothing is decided.
     """
-    if row.unstated:
-        return uncheckable(f"here: {row.ours.replace(PROVED, '')}", f"{row.reason}.")
     outcome = Outcome.REFUTED if row.kind is Compared.WORDS else Outcome.CORRECTED
-    if row.agrees:
+    strength = Strength.PROVED if row.rigorous else Strength.NUMERICAL
+    found = row.ours.replace(PROVED, "")
+    if row.unstated:
+        outcome, strength, found = Outcome.UNCHECKABLE, Strength.NONE, f"here: {found}"
+    elif row.agrees:
         outcome = Outcome.CONFIRMED
     elif row.imprecise:
         outcome = Outcome.IMPRECISE
-    return Verdict(
-        outcome=outcome,
-        strength=Strength.PROVED if row.rigorous else Strength.NUMERICAL,
-        found=row.ours.replace(PROVED, ""),
-        evidence=f"{row.reason}." if row.reason else "",
-    )
+    evidence = f"{row.reason}." if row.reason else ""
+    return Verdict(outcome=outcome, strength=strength, found=found, evidence=evidence)
 
 
 def rows(label: str, *, fresh: bool = False) -> tuple[Comparison, ...]:

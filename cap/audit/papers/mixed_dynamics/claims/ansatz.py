@@ -16,13 +16,6 @@ from cap.sets.interval import Ball
 HALF = Equation(Fraction(1, 2), Fraction(2))  # f = 1/2 at the paper's F, ω, R
 
 
-def symmetric_orbits_exist() -> Words:
-    branches = stored("symmetric.json").claims["branches"]
-    need(all(b["genuine"] == "yes" for b in branches.values()), "a branch is no orbit")
-    types = {name: str(branch["type"]) for name, branch in branches.items()}
-    return {"types": ", ".join(types)}
-
-
 def bijection() -> Words:
     with precisely():
         found = [HALF.bisected(root) for root in HALF.roots()]

@@ -2,9 +2,8 @@
 
 from fractions import Fraction
 
-from cap.audit.means.balls import between, pair, precisely
+from cap.audit.means.balls import between, precisely
 from cap.audit.means.need import need
-from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.equation import Equation
 from cap.audit.papers.mixed_dynamics.means.orbits import States, at
 from cap.audit.steps import Words
@@ -20,18 +19,6 @@ def exclusion_by_the_proposition() -> Words:
         need(len(found) == 2, "there are not two roots")
         words = " and ".join(between(theta, 5) for theta in found)
     return {"words": words}
-
-
-def integrated_equation() -> Words:
-    claims = stored("elliptic.json").claims
-    first, second = claims["hit_times"]
-    with precisely():
-        leftwards = interval.ball(second.lower - first.upper)
-        most = interval.ball(second.upper - first.lower)
-        balance = 2 * interval.pi() - 2 * interval.hull(leftwards, most)
-        need(balance > 1, "the integral may vanish")
-        words = between(balance, 6)
-    return {"words": words, "first": pair(first, 6), "second": pair(second, 6)}
 
 
 def path_length() -> Words:
