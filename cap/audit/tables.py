@@ -9,7 +9,6 @@ list decides nothing.
 
 import json
 import re
-import tomllib
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
@@ -63,17 +62,13 @@ class Row(Claim):
 @cached
 def listed() -> dict[str, list[list[str]]]:
     """Return what, the paper's value, the place and the kind of each row, by tables."""
-    path = subject.file("tables.json")
-    if not path.is_file():
-        return {}
-    found: dict[str, list[list[str]]] = json.loads(path.read_text(encoding="utf-8"))
-    return found
+    return subject.data("tables.json")
 
 
 @cached
 def _quotes() -> dict[str, str]:
     """Return what the rows are taken from, by their ids."""
-    return tomllib.loads(subject.file("quotes.toml").read_text(encoding="utf-8"))
+    return subject.data("quotes.toml")
 
 
 def claims() -> tuple[Row, ...]:

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from audit_verdicts import said
 
-from cap.audit import given, ledger, quotes, recorded, subject
+from cap.audit import given, ledger, recorded, subject
 from cap.audit.decide import all_decided, decided
 from cap.audit.means import accepted
 from cap.audit.means.need import need
@@ -171,7 +171,9 @@ def test_a_changed_sentence_is_noticed(monkeypatch, what):
 def test_a_changed_quotation_is_noticed(monkeypatch):
     """One digit of it is enough."""
     name = FEW[1]
-    monkeypatch.setitem(quotes.stored(), name, quotes.quote(name).replace("0.34790", "0.34791"))
+    claim = ledger.claims()[name]
+    other = replace(claim, quote=claim.quote.replace("0.34790", "0.34791"))
+    monkeypatch.setitem(ledger.claims(), name, other)
     (line,) = recorded.changes({name: recorded.recorded()[name]}, whole=False)
     assert "are not those recorded" in line
 

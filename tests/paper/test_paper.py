@@ -21,12 +21,12 @@ from cap.audit.comparison import (
     proved,
 )
 from cap.errors import BadInput, NotProved
+from cap.explore import paper as command
 from cap.explore.arrays import load
 from cap.floats import one_one
 from cap.paper import (
     bifurcation,
     certified,
-    command,
     continuation,
     forcing,
     sketches,
