@@ -23,11 +23,12 @@ from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import Citation
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, Integer, Many, Table, Whole
+from cap.checker.kernel.shapes import Field, Many, Table, Whole
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system import family
 from cap.checker.system.contacts import Equations, Round, return_map
