@@ -9,9 +9,10 @@ be released, and be hit while they rest.  If the lemmas below succeed, then
        an explicit box;
  (ii)  it attracts all orbits that begin near enough to its state at t = 0.
 
-Proof.  Lemmas 1 and 3: Krawczyk's inclusion for the equations between events.  Lemma 2: nothing
-else happens (`cap.particles.stays`).  Its inequalities are strict, so the map over nT is
-continuously differentiable near the orbit; Lemma 4: a power of its derivative there contracts.
+Proof.  Lemmas 1 and 3: Krawczyk's inclusion for the equations of the contacts (`cap.orbits.free`)
+of the system `cap.system.masses`.  Lemma 2: nothing else happens (`cap.orbits.quiet`), and motions
+near the orbit go on as it does (`cap.orbits.choice`), so the map over nT is continuously
+differentiable there; Lemma 4: a power of its derivative (`cap.orbits.strobe`) contracts.
 """
 
 from collections.abc import Sequence
@@ -22,14 +23,20 @@ from cap.certificate import writer
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps import zero
-from cap.maps.zero import Hint, Problem
-from cap.particles import stays
-from cap.particles.model import Model
-from cap.particles.stopping import Equations, Happening, unit_powers, unknowns, words_of
+from cap.maps.zero import Box, Hint, Problem
+from cap.orbits.choice import without_choice
+from cap.orbits.equations import Equations
+from cap.orbits.free import Free
+from cap.orbits.periodic import Prover, contacts_of
+from cap.orbits.strobe import Strobe
+from cap.particles.itinerary import itinerary, unknowns
+from cap.particles.model import Guess
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
 from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import LARGEST, ROUNDS, radius_of, system
 from cap.sets import bisection, interval
+from cap.sets.interval import Ball
+from cap.system.masses import masses
 
 SUMMARY = "an attracting periodic orbit, on which masses turn, stick, and are hit"
 GROUP = "masses"
@@ -45,14 +52,15 @@ def prove(setting: Setting) -> Proof:
     """
     guess, strings = system("particles_sink", setting)
     with interval.workprec(setting.bits):
-        model = Model(setting.parameters, guess.masses)
-        equations = Equations(model, tuple(words_of(model, guess)), guess.periods)
-        problem = Problem(equations.value, equations.slope)
-        units = _units(setting, equations)
-        start = [Fraction(q) for q in unknowns(equations.words, guess)]
-        hint, events = lemma_1_existence(setting, equations, problem, start)
-        stays.verify(equations, events)
-        claims = _claims(setting, equations, events) | lemma_4_contraction(equations, events)
+        model = masses(setting.parameters, guess.masses)
+        prover = Prover(Equations(itinerary(model, guess)))
+        free = Free(prover.equations, unknowns(guess))
+        problem, units = free.problem(prover.balls), units_of(setting, free)
+        start = [Fraction(q) for q in free.of(unknowns(guess))]
+        hint, box = lemma_1_existence(setting, problem, units, start)
+        round_of = lemma_2_events(prover, tuple(free.whole(box)))
+        claims = _claims(setting, guess, round_of)
+        claims |= lemma_4_contraction(setting, round_of)
         size = lemma_3_uniqueness(problem, hint, units)
 
     def certified(part: Fraction) -> dict[str, Any]:
@@ -64,30 +72,39 @@ def prove(setting: Setting) -> Proof:
     return certified
 
 
-def _units(setting: Setting, equations: Equations) -> list[Fraction]:
-    units = setting.units
-    sizes = {"time": units.time, "length": units.length, "speed": units.speed}
-    return [sizes[kind] for kinds in unit_powers(equations.words) for kind in kinds]
+def units_of(setting: Setting, free: Free) -> list[Fraction]:
+    """Return the units of the unknowns: times, places, velocities."""
+    units = {"x": setting.units.length, "v": setting.units.speed}
+    return [q for names in free.names for q in (setting.units.time, *(units[z[0]] for z in names))]
 
 
 def lemma_1_existence(
-    setting: Setting, equations: Equations, problem: Problem, guess: list[Fraction]
-) -> tuple[Hint, list[Happening]]:
+    setting: Setting, problem: Problem, units: Sequence[Fraction], guess: Sequence[Fraction]
+) -> tuple[Hint, Box]:
     """*Statement.* The equations have a zero near the guess.
 
-    *Computed.* Krawczyk's inclusion near a point refined by Newton's iteration; the events of the
-    zero are enclosed.
+    *Computed.* Krawczyk's inclusion near a point refined by Newton's iteration.
     """
-    units = _units(setting, equations)
     matrix = zero.inverse_of(problem.slope([interval.ball(q) for q in guess]))
     places = [setting.precise - interval.decade(unit) for unit in units]
     hint = zero.refined(problem, guess, matrix, places)
     box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
-    return hint, equations.happenings(problem.tightened(hint, box))
+    return hint, problem.tightened(hint, box)
+
+
+def lemma_2_events(prover: Prover, box: Box) -> Strobe:
+    """*Statement.* The orbit has these events and no others; so have those near it.
+
+    Returns the map over nT near it.
+    """
+    prover.reasons(box)
+    without_choice(prover, box)
+    contacts = contacts_of(prover.itinerary, box)
+    return Strobe(prover.itinerary, contacts, prover.equations.kinds, Fraction(0))
 
 
 def lemma_3_uniqueness(problem: Problem, hint: Hint, units: Sequence[Fraction]) -> Fraction:
-    """*Statement.* It is the only zero in a box, in which directions are certain.
+    """*Statement.* It is the only zero in a box.
 
     Returns its half-widths, as a multiple of the units of the unknowns.
     """
@@ -101,13 +118,13 @@ def lemma_3_uniqueness(problem: Problem, hint: Hint, units: Sequence[Fraction]) 
     return size
 
 
-def lemma_4_contraction(equations: Equations, events: Sequence[Happening]) -> dict[str, Any]:
+def lemma_4_contraction(setting: Setting, around: Strobe) -> dict[str, Any]:
     """*Statement.* A power of the derivative contracts in the coordinates x/R, v/(Rω).
 
     *Computed.* The greatest sum of absolute values in a row, for powers of two.
     """
-    omega = interval.ball(equations.model.parameters.omega)
-    D = stays.derivative(equations, events)
+    omega = interval.ball(setting.parameters.omega)
+    D = derivative(around)
     for i in (0, 1):
         D[i][2:] = [q * omega for q in D[i][2:]]
         D[2 + i][:2] = [q / omega for q in D[2 + i][:2]]
@@ -121,18 +138,21 @@ def lemma_4_contraction(equations: Equations, events: Sequence[Happening]) -> di
     raise NotProved("Lemma 4", "no power of the derivative contracts", {"row": sums[0]})
 
 
-def _claims(setting: Setting, equations: Equations, events: Sequence[Happening]) -> dict[str, Any]:
+def derivative(around: Strobe) -> list[list[Ball]]:
+    """Return the derivative of a map at its fixed point, by rows."""
+    return [jet.coefficients[1:] for jet in around.jet(1)]
+
+
+def _claims(setting: Setting, guess: Guess, around: Strobe) -> dict[str, Any]:
     """Return the claims on the orbit, rounded outwards."""
     pair, units = setting.rounding.pair, setting.units
-    o = equations.model.first
-    last = equations.stretches(events)[-1]
-    x, v = last.reached(o.moment(interval.ZERO)._replace(t=equations.whole))
+    x, v = around.point[:2], around.point[2:]
     return {
-        "period": str(equations.periods),
-        "itinerary": [word.word for word in equations.words],
+        "period": str(guess.periods),
+        "itinerary": [word for word, *_ in guess.events],
         "x": [pair(q, units.length) for q in x],
         "v": [pair(q, units.speed) for q in v],
-        "event_times": [pair(event.at.t, units.time) for event in events],
+        "event_times": [pair(t, units.time) for t, _ in around.contacts],
     }
 
 

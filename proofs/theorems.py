@@ -101,6 +101,7 @@ OWN = (
     "ball_curve",
     "contacts",
     "contacts_branch",
+    "contacts_family",
     "contact_attractor",
     "contact_basin",
     "contact_capture",

@@ -51,9 +51,7 @@ class PeriodicOrbit:
     @property
     def contacts(self) -> list[tuple[Ball, Box]]:
         """The times of the contacts and the states just before them, enclosed."""
-        step = len(self.itinerary.system.state) + 1
-        places = range(0, len(self.box), step)
-        return [(self.box[i], self.box[i + 1 : i + step]) for i in places]
+        return contacts_of(self.itinerary, self.box)
 
     @property
     def trace(self) -> Ball:
@@ -70,6 +68,12 @@ class PeriodicOrbit:
         return outside(
             [e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)]
         )
+
+
+def contacts_of(itinerary: Itinerary, box: Box) -> list[tuple[Ball, Box]]:
+    """Return the times and the states, of all of them in a row."""
+    step = len(itinerary.system.state) + 1
+    return [(box[i], box[i + 1 : i + step]) for i in range(0, len(box), step)]
 
 
 def in_order(leg: Leg) -> None:
@@ -161,11 +165,15 @@ class Prover:
         return zero.contracted(hint, value, E, box), blocks
 
     def reasons(
-        self, box: Box, windows: Mapping[tuple[int, str], tuple[float, float]] | None = None
+        self,
+        box: Box,
+        windows: Mapping[tuple[int, str], tuple[float, float]] | None = None,
+        lost: int | None = None,
     ) -> list[Reason]:
         """Prove that nothing else happens on the orbits whose contacts lie in a box.
 
-        In the window of a leg and a guard nothing is proved of it.
+        In the window of a leg and a guard nothing is proved of it.  Where a contact is lost, L h <=
+        0 before it and L h >= 0 after it are given.
         """
         found, vanishing = list[Reason](), self.itinerary.vanishing
         for leg in self.legs(box):
@@ -174,8 +182,11 @@ class Prover:
             in_order(leg)
             for name, lemma in self.equations.kinds.lemmas(mode).items():
                 watch = self.equations.kinds.watch(mode, name)
-                zeros = vanishing[leg.number][name]
-                along = Along(leg, name, watch, zeros, name == following)
+                first, last = vanishing[leg.number][name], int(name == following)
+                if lost is not None and self.itinerary.contacts[lost].guard == name:
+                    first = 2 if leg.number == lost else first
+                    last = 2 * last if self.itinerary.after(leg.number) == lost else last
+                along = Along(leg, name, watch, first, last)
                 if self._pieces:
                     longest = self.equations.kinds.longest(mode)
                     window = (windows or {}).get((leg.number, name))

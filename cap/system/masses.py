@@ -89,11 +89,19 @@ def _wall(h: Polynomial, signs: Signs, i: int, place: Fraction) -> Guard:
 
 
 def _meeting(m: Sequence[Fraction], signs: Signs, i: int) -> Guard:
-    """Return the contact of two neighbours, which separate after it, so not with signs + and -."""
+    """Return the contact of two neighbours, which separate after it, so not with signs + and -.
+
+    Where one is at rest L h has no velocity of it, which is 0: the bounce is written with it.
+    """
     after = ((1, 1), (-1, -1), (-1, 1))
     to = tuple(word(signs[:i] + pair + signs[i + 2 :]) for pair in after)
-    inertia = {f"v{k + 1}": Polynomial.of(m[k]) for k in (i, i + 1)}
-    return Guard(_x(i + 1) - _x(i), to, Bounce(Polynomial.of(1), inertia))
+    h, (a, b) = _x(i + 1) - _x(i), (f"v{i + 1}", f"v{i + 2}")
+    if 0 in signs[i : i + 2]:
+        push = (_v(i + 1) - _v(i)) * (2 / (m[i] + m[i + 1]))
+        return Guard(h, to, {a: _v(i) + push * m[i + 1], b: _v(i + 1) - push * m[i]})
+    return Guard(
+        h, to, Bounce(Polynomial.of(1), {a: Polynomial.of(m[i]), b: Polynomial.of(m[i + 1])})
+    )
 
 
 def _with(signs: Signs, i: int, s: int) -> Signs:

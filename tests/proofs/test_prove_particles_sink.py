@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from types import SimpleNamespace
 
 import particle_orbits
 import pytest
@@ -11,13 +12,16 @@ from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Request, attracting
 from cap.floats.masses import particle_candidates
 from cap.floats.masses.particles import Particles
-from cap.particles import stays
-from cap.particles.model import Model
-from cap.particles.stopping import Equations, unknowns, words_of
+from cap.orbits.choice import without_choice
+from cap.orbits.equations import Equations
+from cap.orbits.free import Free
+from cap.orbits.periodic import Prover
+from cap.particles.itinerary import itinerary, unknowns
 from cap.proofs import particles_sink
 from cap.proofs.fixed_point import Setting
 from cap.sets import interval
 from cap.sets.interval import Ball
+from cap.system.masses import masses
 
 
 @pytest.fixture(scope="module")
@@ -31,64 +35,67 @@ def found():
 
 @pytest.fixture(scope="module")
 def proved(found):
-    """Return the equations and the events proved, at 12 digits."""
-    setting = Setting(particle_orbits.A, found.guess, 12)
+    """Return the setting, what proves orbits with the itinerary, and this orbit, at 12 digits."""
+    setting, guess = Setting(particle_orbits.A, found.guess, 12), found.particles
     with interval.workprec(setting.bits):
-        model = Model(setting.parameters, found.particles.masses)
-        words = tuple(words_of(model, found.particles))
-        system = Equations(model, words, found.particles.periods)
-        problem = particles_sink.Problem(system.value, system.slope)
-        guess = [Fraction(q) for q in unknowns(words, found.particles)]
-        _, events = particles_sink.lemma_1_existence(setting, system, problem, guess)
-        yield system, events
+        model = masses(setting.parameters, guess.masses)
+        prover = Prover(Equations(itinerary(model, guess)))
+        free = Free(prover.equations, unknowns(guess))
+        start = [Fraction(q) for q in free.of(unknowns(guess))]
+        units = particles_sink.units_of(setting, free)
+        problem = free.problem(prover.balls)
+        _, box = particles_sink.lemma_1_existence(setting, problem, units, start)
+        words = [word for word, *_ in guess.events]
+        yield SimpleNamespace(
+            setting=setting, prover=prover, box=tuple(free.whole(box)), words=words
+        )
 
 
-def refused(proved, why, k, **changes):
-    """Check that an orbit with one event changed is not proved."""
-    system, events = proved
-    bad = list(events)
-    bad[k] = replace(bad[k], **changes)
+def refused(proved, why, k, number, value):
+    """Check that an orbit is not proved of which t, x1, x2, v1 or v2 is another at an event."""
+    bad = list(proved.box)
+    bad[5 * k + number] = value(bad[5 * k + number])
     with pytest.raises(NotProved, match=why):
-        stays.verify(system, bad)
+        particles_sink.lemma_2_events(proved.prover, tuple(bad))
 
 
 def test_what_is_no_such_orbit(proved):
-    """Conditions on events, flights and rests, broken one by one."""
-    system, events = proved
-    stays.verify(system, events)
-    words = [event.word.word for event in events]
-    turn, stick = words.index("turn 2 left"), words.index("stick 1")
-    refused(proved, "out of order", 4, at=events[3].at)
-    refused(proved, "simultaneous", turn, x=(events[turn].x[0], Ball(1)))
-    refused(proved, "hit r is not certain", 0, before=(events[0].before[0], Ball(-1)))
-    for cos, k in ((Ball(1) / 5, turn), (Ball(1), turn), (Ball(1) / 2, stick)):
-        at = events[k].at._replace(cos=cos)
-        refused(proved, f"{words[k]} is not certain", k, at=at)
-    refused(proved, "may stop", 1, before=(-events[1].before[0], events[1].before[1]))
+    """Conditions on events and flights, broken one by one."""
+    particles_sink.lemma_2_events(proved.prover, proved.box)
+    turn, stick = proved.words.index("turn 2 left"), proved.words.index("stick 1")
+    refused(proved, "may not be in order", stick, 0, lambda _: proved.box[5 * (stick - 1)])
+    refused(proved, "not between two contacts", 0, 0, lambda _: Ball(0))
+    refused(proved, "'hit r' is not certain to be positive", turn, 2, lambda _: Ball(1))
+    refused(proved, "'stop 2' is negative", 0, 4, lambda v: -v)
+    refused(proved, "'stop 1' is negative", 1, 3, lambda v: -v)
+    for k, time, modes in ((turn, 1.5, "'-0' .* '--'"), (stick, 3.2, "'--' .* '0-'")):
+        bad = list(proved.box)
+        bad[5 * k] = Ball(time)
+        with pytest.raises(NotProved, match=modes):
+            without_choice(proved.prover, tuple(bad))
 
 
 def test_a_rest_that_the_force_ends(proved):
-    """A rest past the time of a release, or under a force beyond friction, is refused."""
-    system, events = proved
-    k = [event.word.word for event in events].index("stick 2")
-    stretch = system.stretches(events)[k]
-    stays._rests(stretch)
-    moment = system.model.first.moment
-    late = replace(stretch, arrival=moment(stretch.arrival.t + Ball(1) / 10))
-    with pytest.raises(NotProved, match="may be released"):
-        stays._rests(late)
-    begun = replace(stretch.start, at=moment(stretch.arrival.t + Ball(1) / 10))
-    after = replace(stretch, start=begun, arrival=moment(stretch.arrival.t + Ball(1) / 5))
-    with pytest.raises(NotProved, match="may not stay at rest"):
-        stays._rests(after)
+    """A rest that lasts until after the force is beyond friction is refused."""
+    hit = proved.words.index("stick 1") + 1
+    refused(proved, "'release 1 r' is negative", hit, 0, lambda t: t + 1)
+    refused(proved, "'release 1 l' is negative", hit - 1, 0, lambda t: t - Ball(0.5))
 
 
 def test_no_contraction(proved, monkeypatch):
     """A derivative of which no power contracts is refused."""
     one = [[Ball(i == j) for j in range(4)] for i in range(4)]
-    monkeypatch.setattr(stays, "derivative", lambda *_: one)
+    monkeypatch.setattr(particles_sink, "derivative", lambda *_: one)
     with pytest.raises(NotProved, match="no power"):
-        particles_sink.lemma_4_contraction(*proved)
+        particles_sink.lemma_4_contraction(proved.setting, None)
+
+
+def test_words_that_are_no_contacts(found):
+    """A word is a guard of the system, or refused."""
+    model = masses(particle_orbits.A, particle_orbits.MASSES)
+    (_, *rest), *others = found.particles.events
+    with pytest.raises(NotProved, match="no contact"):
+        itinerary(model, replace(found.particles, events=(("hit x", *rest), *others)))
 
 
 def test_bad_input(capsys):

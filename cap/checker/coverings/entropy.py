@@ -32,11 +32,12 @@ from cap.checker.coverings.orbits import LONGEST, MOST_ORBITS, confirm_orbits
 from cap.checker.coverings.planar import Matrix, Planar
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
-from cap.checker.kernel.shapes import Field, Many, Maybe, Table, Whole, region
+from cap.checker.kernel.shapes import Field, Many, Table, Whole, region
 from cap.checker.kernel.theorem import Theorem
 
 MOST_SETS, MOST_TARGETS = 12_000, 12

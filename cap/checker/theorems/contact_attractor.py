@@ -46,20 +46,13 @@ from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Field,
-    Integer,
-    Many,
-    Maybe,
-    Table,
-    Whole,
-    enclosure,
-    region,
-)
+from cap.checker.kernel.shapes import Field, Many, Table, Whole, enclosure, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.given import printed, told
 from cap.checker.system.own import OwnSystem
