@@ -14,10 +14,11 @@ proof = "FILE.md#section"          # of a written proof, if it rests on one
 certificate = "NAME.json"          # stored, if it rests on one
 
 What is decided by algebra, or by what certificates claim, has ``steps``: see `cap.audit.steps`.
-What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, with what it is
-given, ``with``, after its steps, if it has some.  It raises `NotProved`, or returns the words that
-``verdict``, ``found`` and ``evidence`` ask for.  What has neither is decided by reading.  Symbols,
-steps and words that several claims share are under ``[common]``.
+What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, or of another's,
+``GROUP.function``, with what it is given, ``with``.  It is called after the steps, if there are
+some, raises `NotProved`, or returns the words that ``verdict``, ``found`` and ``evidence`` ask for.
+What has neither is decided by reading.  Symbols, steps and words that several claims share are
+under ``[common]``.
 """
 
 import hashlib
@@ -28,7 +29,7 @@ from functools import partial
 from importlib import import_module
 from pathlib import Path
 
-from cap.audit import errata, steps
+from cap.audit import errata, steps, subject
 from cap.audit.claim import Claim, Kind
 from cap.audit.filled import filled
 from cap.audit.steps import Given, Words
@@ -48,8 +49,9 @@ def claims(path: Path, module: str) -> tuple[Claim, ...]:
 def _claim(entry: Given, common: Given, module: str) -> Claim:
     function = None
     if "decide" in entry:
-        function = getattr(import_module(module), entry["decide"])
-        function = partial(function, **entry.get("with", {}))
+        group, _, name = entry["decide"].rpartition(".")
+        module = subject.group(group)[1] if group else module
+        function = partial(getattr(import_module(module), name), **entry.get("with", {}))
     formulas = [each.formula for each in errata.of(entry["id"])]
     content = json.dumps([entry, common, formulas], sort_keys=True)
     return Claim(

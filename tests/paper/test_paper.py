@@ -31,9 +31,9 @@ from cap.paper import (
     forcing,
     sketches,
 )
-from cap.paper.figure import Run, at
+from cap.paper.figure import Run
 from cap.paper.registry import LABELS, figure, labelled, module
-from cap.parameters import PAPER
+from cap.parameters import PAPER, at
 from cap.runner import Runner
 
 PRINTED = {  # every figure label of the paper's source

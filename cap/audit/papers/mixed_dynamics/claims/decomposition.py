@@ -3,11 +3,6 @@
 from fractions import Fraction
 
 from cap.audit.means.need import need
-from cap.audit.papers.mixed_dynamics.claims.saltation import (
-    LATER,
-    contraction_almost_everywhere,
-    stops_later,
-)
 from cap.audit.papers.mixed_dynamics.means import block
 from cap.audit.papers.mixed_dynamics.means.orbits import States
 from cap.audit.steps import Words
@@ -18,24 +13,6 @@ from cap.sets import interval
 HEIGHT = Fraction(8, 10**9)  # of the block around the saddle, half
 ARC = Fraction("-0.39"), Fraction("1.437170054123255357625761233795"), Fraction(2, 10**17)
 RETURNS = States("-0.73", "2.08", "0.001")  # turns in the first period, and not in the second
-
-
-def stop_in_every_period() -> Words:
-    first, _ = stops_later()
-    return {"later": LATER, "shown": first.shown()}
-
-
-def neighbourhood_in_the_set() -> None:
-    with interval.workprec(block.BITS):
-        around = block.around_the_saddle(HEIGHT, 2 * HEIGHT)
-        around.covers_itself()
-        words = [event.word for event in block.followed(around.edge(-1), 3).events]
-    need(any(word.startswith("turn") for word in words), "not all stop", events=words)
-
-
-def contraction() -> Words:
-    contraction_almost_everywhere()
-    return {"later": LATER}
 
 
 def not_forward_invariant() -> Words:

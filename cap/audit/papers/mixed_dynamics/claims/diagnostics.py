@@ -42,10 +42,8 @@ def elliptic_only_region() -> Words:
         pi = interval.pi()
         critical = 4 * (2 + 1 - pi) / (pi * pi)  # at R = 1
         need(critical < 0, "f_sc is not negative there")
-        equation = Equation(Fraction(11, 20), Fraction(1))
-        found = equation.roots()
-        need(len(found) == 2, "the number of roots is another", roots=found)
-        words = " and ".join(between(equation.bisected(each), 5) for each in found)
+        found = Equation(Fraction(11, 20), Fraction(1)).both()
+        words = " and ".join(between(each, 5) for each in found)
     return {"words": words}
 
 

@@ -4,9 +4,9 @@ from fractions import Fraction
 
 from cap.audit.means.balls import between
 from cap.audit.means.need import need
-from cap.audit.papers.mixed_dynamics.means.orbits import at
 from cap.audit.steps import Words
 from cap.flow.propagation import at_time_zero, propagate
+from cap.parameters import at
 from cap.sets import interval
 from cap.sets.interval import Ball
 

@@ -19,9 +19,7 @@ def number_of_roots() -> None:
 
 def branch_exists() -> Words:
     with precisely():
-        equation = Equation(Fraction(2, 5), PAPER_RHO)
-        found = [equation.bisected(root) for root in equation.roots()]
-        need(len(found) == 2, "there are not two roots")
+        found = Equation(Fraction(2, 5), PAPER_RHO).both()
         need(all(abs(theta.cos()) < Fraction(2, 5).numerator / Ball(5) for theta in found), "turns")
         words = " and ".join(between(theta.cos(), 5) for theta in found)
     return {"words": words}
