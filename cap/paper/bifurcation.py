@@ -24,8 +24,8 @@ from cap.floats.one_one import (
 )
 from cap.maps.fixed_point import Start
 from cap.paper import certified
-from cap.paper.figure import Figure, Result, Run, at, elliptic
-from cap.parameters import PAPER
+from cap.paper.figure import Figure, Result, Run, elliptic
+from cap.parameters import PAPER, at
 from cap.proofs.branch_curve import Curve
 from cap.proofs.fixed_point import Setting
 from cap.proofs.one_one import Scale

@@ -13,9 +13,9 @@ from cap.floats.engine import swarm
 from cap.floats.findings import State
 from cap.floats.search.inventory import PROVED, Entry
 from cap.paper.certified import theorem
-from cap.paper.figure import Figure, Result, Run, at
+from cap.paper.figure import Figure, Result, Run
 from cap.paper.rows import Row, Rows
-from cap.parameters import Parameters
+from cap.parameters import Parameters, at
 
 FOCUS, SADDLE = (0.4064, -0.6708), (0.1992, -1.4002)
 F = "3"

@@ -1,8 +1,7 @@
 """What a figure of the paper is here: its computation, its numbers, its picture."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from fractions import Fraction
+from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -11,9 +10,10 @@ from numpy.typing import ArrayLike
 
 from cap.audit.comparison import Comparison, markdown
 from cap.errors import BadInput
-from cap.floats.findings import Findings, State
+from cap.floats.engine import swarm
+from cap.floats.findings import Findings, Floats, State
 from cap.floats.search.fixed_point import elliptic_point
-from cap.parameters import PAPER, Parameters
+from cap.parameters import PAPER, at
 from cap.runner import Runner
 
 if TYPE_CHECKING:
@@ -97,9 +97,16 @@ class Figure:
         return drawn(f"paper.{self.draw}", compared.data, self.size, dpi)
 
 
-def at(**values: str) -> Parameters:
-    """Return the paper's parameters but for these."""
-    return replace(PAPER, **{name: Fraction(value) for name, value in values.items()})
+STEP = 1e-6  # of the paper's differences
+
+
+def differences(states: Floats) -> Floats:
+    """Return Φ' (N, 2, 2) at states (N, 2) by the paper's central differences."""
+    columns = []
+    for axis in np.eye(2):
+        ends = [swarm.follow(PAPER, states + side * STEP * axis, 1).states for side in (1, -1)]
+        columns.append((ends[0] - ends[1]) / (2 * STEP))
+    return np.stack(columns, axis=-1)
 
 
 def elliptic(F: str = "1") -> State:

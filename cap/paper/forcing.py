@@ -12,8 +12,8 @@ from cap.errors import BadInput
 from cap.floats.diagnostics.continuation import continuation
 from cap.floats.search.cycles import Cycle, StroboscopicMap
 from cap.floats.search.orbits import search
-from cap.paper.figure import Figure, Result, Run, at
-from cap.parameters import PAPER, Parameters
+from cap.paper.figure import Figure, Result, Run
+from cap.parameters import PAPER, Parameters, at
 from cap.proofs.census import census
 
 FORCES = ("0.65", "0.85", "1", "1.5", "2", "2.5", "3", "3.5", "4.5")

@@ -11,9 +11,9 @@ from cap.floats.engine import swarm
 from cap.floats.findings import Floats
 from cap.floats.one_one import asymmetry, pair_member, root, symmetric_member, turn
 from cap.floats.search import periodic
-from cap.paper.figure import Figure, Result, Run, at, elliptic
+from cap.paper.figure import Figure, Result, Run, elliptic
 from cap.paper.rows import Row, Rows
-from cap.parameters import PAPER
+from cap.parameters import PAPER, at
 
 HIGH = {"0.95": ("+1.157", "0.152"), "0.85": ("+0.538", "0.207")}  # F: trace, rotation number
 LOW, START = "0.62", (0.0, 0.7)

@@ -22,14 +22,13 @@ from cap.floats.engine import swarm
 from cap.floats.findings import Floats
 from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem
-from cap.paper.figure import Figure, Result, Run
+from cap.paper.figure import Figure, Result, Run, differences
 from cap.parameters import PAPER
 from cap.proofs.census import census
 from cap.sets import interval
 from cap.sets.jet import Jet, Space
 
 STATE = 0.1002798898441954, 0.5419433067664584  # the paper's
-STEP = 1e-6  # of its differences
 STENCILS = ([0, 0, 1, 0, 0], [0, -0.5, 0, 0.5, 0], [0, 1, -2, 1, 0], [-0.5, 1, 0, -1, 0.5])
 """Of the derivatives of order 0 to 3, by central differences."""
 ROUNDED = "float64 Newton's method: right to {} digits, not to the 16 printed"
@@ -91,7 +90,7 @@ def _right(value: float, pair: list[str]) -> int:
 
 def _linear(own: dict[str, Any]) -> list[Comparison]:
     """Compare Φ', by the paper's differences and as proved."""
-    rough = _differences(np.array(STATE), STEP)
+    rough = differences(np.array([STATE]))[0]
     entries = ("+1.12010470", "-3.28773202"), ("+0.84258812", "-1.58039153")
     names = ("11", "12"), ("21", "22")
     why = "an error of the paper's differences (step 1e-6), in the last two digits"
@@ -119,12 +118,6 @@ def _linear(own: dict[str, Any]) -> list[Comparison]:
         *taken_from("eq:elliptic-trdet", invariants),
         *taken_from("eq:elliptic-thetastar", angles),
     ]
-
-
-def _differences(z: Floats, step: float) -> Floats:
-    ends = [z + side * step * axis for axis in np.eye(2) for side in (1, -1)]
-    images = swarm.follow(PAPER, ends, 1).states
-    return np.stack([images[0] - images[1], images[2] - images[3]], axis=-1) / (2 * step)
 
 
 def _enclosures(own: dict[str, Any]) -> list[Comparison]:

@@ -25,8 +25,9 @@ from cap.floats.search import cycles
 from cap.floats.search.cycles import Cycle
 from cap.floats.search.orbits import search
 from cap.paper.coexistence import mirrored
-from cap.paper.figure import Figure, Result, Run, at
+from cap.paper.figure import Figure, Result, Run
 from cap.paper.rows import Row, Rows
+from cap.parameters import at
 
 
 class Printed(NamedTuple):

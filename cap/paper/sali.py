@@ -13,13 +13,12 @@ from cap.floats.diagnostics.grid import around, grid
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
 from cap.floats.search import periodic
-from cap.paper.figure import Figure, Result, Run, elliptic
+from cap.paper.figure import Figure, Result, Run, differences, elliptic
 from cap.parameters import PAPER
 
 REACH = 0.07, 0.05
 SIDE, PERIODS = 22, 15
 ALIGNED = 1e-8  # SALI of chaotic orbits after many periods
-STEP = 1e-6  # of the paper's differences
 SADDLE = 0.3435, 0.7753  # a state nearby
 SEEDS = 20  # of the random deviations
 
@@ -40,15 +39,6 @@ class Maps:
 
     paper: Alignment
     better: Alignment
-
-
-def differences(states: Floats) -> Floats:
-    """Return Φ' (N, 2, 2) at states by the paper's central differences."""
-    columns = []
-    for axis in np.eye(2):
-        ends = [swarm.follow(PAPER, states + side * STEP * axis, 1).states for side in (1, -1)]
-        columns.append((ends[0] - ends[1]) / (2 * STEP))
-    return np.stack(columns, axis=-1)
 
 
 def frames(angle: Floats) -> Floats:

@@ -12,8 +12,8 @@ from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import State
 from cap.paper.certified import theorem
-from cap.paper.figure import Figure, Result, Run, at
-from cap.parameters import PAPER
+from cap.paper.figure import Figure, Result, Run
+from cap.parameters import PAPER, at
 
 WEAK, START = "0.55", (0.0, 1.5)
 END = 12.0  # of the paper's panel (a), a time

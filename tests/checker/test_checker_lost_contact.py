@@ -159,15 +159,16 @@ def on_zero(*_):
 )
 def test_what_is_needed_of_the_speed(monkeypatch, name, value, reason):
     """It is monotone and changes its sign."""
+    given = certificate("wall")
     monkeypatch.setattr(LostContact, name, value)
-    rejected(certificate("wall"), reason)
+    rejected(given, reason)
 
 
 def test_a_short_cell_beside_its_piece(monkeypatch):
     """The short cell lies on the piece."""
-    theorem = "cap.checker.theorems.contacts_branch.ContactsBranch.lies"
-    monkeypatch.setattr(theorem, lambda *_: False)
-    rejected(certificate("wall"), "lost 0 is not certain to be on its piece")
+    given, theorem = certificate("wall"), "cap.checker.theorems.contacts_branch.ContactsBranch"
+    monkeypatch.setattr(f"{theorem}.lies", lambda *_: False)
+    rejected(given, "lost 0 is not certain to be on its piece")
 
 
 # what is needed of the reset

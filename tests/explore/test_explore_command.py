@@ -11,9 +11,9 @@ import pytest
 
 from cap.command.entry import INTERRUPTED
 from cap.explore import __main__ as explore
+from cap.explore import paper as command
 from cap.floats.engine import compiled
 from cap.floats.engine.compiled import announced
-from cap.paper import command
 from cap.pictures.paper import sketches
 
 ROOT = Path(__file__).parents[2]

@@ -21,19 +21,19 @@ from cap.audit.comparison import (
     proved,
 )
 from cap.errors import BadInput, NotProved
+from cap.explore import paper as command
 from cap.explore.arrays import load
 from cap.floats import one_one
 from cap.paper import (
     bifurcation,
     certified,
-    command,
     continuation,
     forcing,
     sketches,
 )
-from cap.paper.figure import Run, at
+from cap.paper.figure import Run
 from cap.paper.registry import LABELS, figure, labelled, module
-from cap.parameters import PAPER
+from cap.parameters import PAPER, at
 from cap.runner import Runner
 
 PRINTED = {  # every figure label of the paper's source

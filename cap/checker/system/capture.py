@@ -28,7 +28,8 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import cos_sin, pi
+from cap.checker.kernel.arctangent import pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import TooCoarse, need
 from cap.checker.system.chatter import Pull, States

@@ -26,19 +26,10 @@ from typing import Any, ClassVar, NamedTuple
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Field,
-    Many,
-    Maybe,
-    Table,
-    Whole,
-    Word,
-    bound,
-    enclosure,
-    region,
-)
+from cap.checker.kernel.shapes import Field, Many, Table, Whole, Word, bound, enclosure, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.capture import Known, Modes, Near, Numbers, Wall
 from cap.checker.system.chatter import Entry, States, chatter, first_hit, next_hit

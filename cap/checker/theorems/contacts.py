@@ -27,21 +27,13 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, Citation, cite
+from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Field,
-    Integer,
-    Many,
-    Maybe,
-    Quantity,
-    Table,
-    Whole,
-    Word,
-    region,
-)
+from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two

@@ -52,21 +52,13 @@ from math import ceil, floor
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, cite
+from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Enclosure,
-    Field,
-    Integer,
-    Many,
-    Maybe,
-    Quantity,
-    Table,
-    Whole,
-    Word,
-)
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, Whole, Word
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Cell, Curve, Line
