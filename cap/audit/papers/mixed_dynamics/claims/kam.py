@@ -1,15 +1,7 @@
 """Section 5.2: the twist theorem, its measure estimate, and the islands."""
 
-from fractions import Fraction
-
 from cap.audit.means.need import need
 from cap.audit.papers.mixed_dynamics.means.orbits import States
-from cap.proofs.census import census
-
-
-def existence_of_the_gallery_orbit() -> None:
-    found = [m for m in census(Fraction(2, 5), Fraction(2)) if m.kind == "elliptic"]
-    need([m.name for m in found] == ["pair"], "the elliptic orbits are others")
 
 
 def pattern_of_the_gallery() -> None:
