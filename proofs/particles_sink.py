@@ -22,21 +22,19 @@ from typing import Any
 from cap.certificate import writer
 from cap.errors import NotProved
 from cap.floats import candidates
-from cap.maps import zero
-from cap.maps.zero import Box, Hint, Problem
-from cap.orbits.choice import without_choice
-from cap.orbits.equations import Equations
-from cap.orbits.free import Free
-from cap.orbits.periodic import Prover, contacts_of
-from cap.orbits.strobe import Strobe
-from cap.particles.itinerary import itinerary, unknowns
-from cap.particles.model import Guess
+from cap.maps.zero import Hint
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
 from cap.proofs.options import OF_MASSES
-from cap.proofs.particle_orbit import LARGEST, ROUNDS, radius_of, system
-from cap.sets import bisection, interval
+from cap.proofs.particle_orbit import (
+    Orbit,
+    lemma_3_uniqueness,
+    nothing_else,
+    radius_of,
+    solved,
+    system,
+)
+from cap.sets import interval
 from cap.sets.interval import Ball
-from cap.system.masses import masses
 
 SUMMARY = "an attracting periodic orbit, on which masses turn, stick, and are hit"
 GROUP = "masses"
@@ -52,19 +50,13 @@ def prove(setting: Setting) -> Proof:
     """
     guess, strings = system("particles_sink", setting)
     with interval.workprec(setting.bits):
-        model = masses(setting.parameters, guess.masses)
-        prover = Prover(Equations(itinerary(model, guess)))
-        free = Free(prover.equations, unknowns(guess))
-        problem, units = free.problem(prover.balls), units_of(setting, free)
-        start = [Fraction(q) for q in free.of(unknowns(guess))]
-        hint, box = lemma_1_existence(setting, problem, units, start)
-        round_of = lemma_2_events(prover, tuple(free.whole(box)))
-        claims = _claims(setting, guess, round_of)
-        claims |= lemma_4_contraction(setting, round_of)
-        size = lemma_3_uniqueness(problem, hint, units)
+        orbit = solved(setting, guess)
+        nothing_else(orbit)
+        claims = _claims(orbit) | lemma_4_contraction(setting, orbit.monodromy)
+        size = lemma_3_uniqueness(orbit)
 
     def certified(part: Fraction) -> dict[str, Any]:
-        halves = [part * size * unit for unit in units]
+        halves, hint = [part * size * unit for unit in orbit.units], orbit.hint
         box = [inside(c, half) for c, half in zip(hint.centre, halves, strict=True)]
         content = claims | {"box": _by_event(box)}
         return assembled("particles_sink", setting, strings, (content, _hints(setting, hint)))
@@ -72,59 +64,13 @@ def prove(setting: Setting) -> Proof:
     return certified
 
 
-def units_of(setting: Setting, free: Free) -> list[Fraction]:
-    """Return the units of the unknowns: times, places, velocities."""
-    units = {"x": setting.units.length, "v": setting.units.speed}
-    return [q for names in free.names for q in (setting.units.time, *(units[z[0]] for z in names))]
-
-
-def lemma_1_existence(
-    setting: Setting, problem: Problem, units: Sequence[Fraction], guess: Sequence[Fraction]
-) -> tuple[Hint, Box]:
-    """*Statement.* The equations have a zero near the guess.
-
-    *Computed.* Krawczyk's inclusion near a point refined by Newton's iteration.
-    """
-    matrix = zero.inverse_of(problem.slope([interval.ball(q) for q in guess]))
-    places = [setting.precise - interval.decade(unit) for unit in units]
-    hint = zero.refined(problem, guess, matrix, places)
-    box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
-    return hint, problem.tightened(hint, box)
-
-
-def lemma_2_events(prover: Prover, box: Box) -> Strobe:
-    """*Statement.* The orbit has these events and no others; so have those near it.
-
-    Returns the map over nT near it.
-    """
-    prover.reasons(box)
-    without_choice(prover, box)
-    contacts = contacts_of(prover.itinerary, box)
-    return Strobe(prover.itinerary, contacts, prover.equations.kinds, Fraction(0))
-
-
-def lemma_3_uniqueness(problem: Problem, hint: Hint, units: Sequence[Fraction]) -> Fraction:
-    """*Statement.* It is the only zero in a box.
-
-    Returns its half-widths, as a multiple of the units of the unknowns.
-    """
-
-    def attempt(size: Fraction) -> None:
-        problem.isolate(hint, [size * unit for unit in units])
-
-    size = bisection.largest(attempt, LARGEST, ROUNDS)
-    if size is None:
-        raise NotProved("Lemma 3", "no box around the orbit succeeded", {})
-    return size
-
-
-def lemma_4_contraction(setting: Setting, around: Strobe) -> dict[str, Any]:
+def lemma_4_contraction(setting: Setting, D: list[list[Ball]]) -> dict[str, Any]:
     """*Statement.* A power of the derivative contracts in the coordinates x/R, v/(Rω).
 
     *Computed.* The greatest sum of absolute values in a row, for powers of two.
     """
     omega = interval.ball(setting.parameters.omega)
-    D = derivative(around)
+    D = [*map(list, D)]
     for i in (0, 1):
         D[i][2:] = [q * omega for q in D[i][2:]]
         D[2 + i][:2] = [q / omega for q in D[2 + i][:2]]
@@ -138,21 +84,15 @@ def lemma_4_contraction(setting: Setting, around: Strobe) -> dict[str, Any]:
     raise NotProved("Lemma 4", "no power of the derivative contracts", {"row": sums[0]})
 
 
-def derivative(around: Strobe) -> list[list[Ball]]:
-    """Return the derivative of a map at its fixed point, by rows."""
-    return [jet.coefficients[1:] for jet in around.jet(1)]
-
-
-def _claims(setting: Setting, guess: Guess, around: Strobe) -> dict[str, Any]:
+def _claims(orbit: Orbit) -> dict[str, Any]:
     """Return the claims on the orbit, rounded outwards."""
-    pair, units = setting.rounding.pair, setting.units
-    x, v = around.point[:2], around.point[2:]
+    pair, units, guess = orbit.setting.rounding.pair, orbit.setting.units, orbit.guess
     return {
         "period": str(guess.periods),
         "itinerary": [word for word, *_ in guess.events],
-        "x": [pair(q, units.length) for q in x],
-        "v": [pair(q, units.speed) for q in v],
-        "event_times": [pair(t, units.time) for t, _ in around.contacts],
+        "x": [pair(q, units.length) for q in orbit.strobe.point[:2]],
+        "v": [pair(q, units.speed) for q in orbit.strobe.point[2:]],
+        "event_times": [pair(t, units.time) for t, _ in orbit.contacts],
     }
 
 

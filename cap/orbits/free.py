@@ -8,7 +8,7 @@ contact, and moves then.  That is no unknown, and on arrival it is this number: 
 equation that says so, there is h = 0, divided by a number near L h.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -68,6 +68,26 @@ class Free:
             for i, w in weights.items():
                 rest[number] = rest[number] + interval.ball(w) * rest[i]
             found += [t, *rest]
+        return found
+
+    def moved(self, u: Sequence[Ball]) -> list[Ball]:
+        """Return derivatives of all times and states before contacts, from those of the free."""
+        still = self.whole([interval.ZERO] * len(u))
+        return [q - c for q, c in zip(self.whole(u), still, strict=True)]
+
+    def by_parameters(self, u: Sequence[Ball], of: Balls, rates: Mapping[str, Ball]) -> list[Ball]:
+        """Return an enclosure of the derivative of F where parameters move with these rates."""
+        names, found = self.equations.itinerary.system.parameters, list[Ball]()
+        every = [
+            [interval.total(q * rates[p] for p, q in zip(names, row, strict=True)) for row in rows]
+            for rows in self.equations.by_parameters(self.whole(u), of)
+        ]
+        for k, (_, *misses) in enumerate(every):
+            following = (k + 1) % len(every)
+            number, _, _, rate = self.solved[following]
+            if rate:
+                misses[number] = every[following][0] / interval.ball(rate)
+            found += misses
         return found
 
     def problem(self, of: Balls) -> Problem:

@@ -47,8 +47,6 @@ class Itinerary:
 
     def __post_init__(self) -> None:
         modes = self.system.modes
-        if self.system.parameters:
-            raise BadInput(f"the parameters {list(self.system.parameters)} have no values: use .at")
         if not self.contacts or self.periods < 1:
             raise BadInput("an itinerary has a contact and takes a period, at least")
         if self.symmetry and self.periods % 2 == 0:

@@ -11,8 +11,9 @@ from math import factorial
 from typing import Any
 
 from cap.errors import NotProved
-from cap.orbits.itinerary import Contact, Itinerary
-from cap.orbits.leg import END, START, Kinds
+from cap.orbits.equations import Equations
+from cap.orbits.itinerary import Contact
+from cap.orbits.leg import END, START
 from cap.orbits.motion import Motion, named, scalars
 from cap.orbits.numbers import Balls
 from cap.sets import interval
@@ -33,10 +34,10 @@ class Strobe:
     """
 
     def __init__(
-        self, itinerary: Itinerary, contacts: Sequence[Met], kinds: Kinds, s: Fraction
+        self, equations: Equations, of: Balls, contacts: Sequence[Met], s: Fraction
     ) -> None:
-        self.itinerary, self.contacts, self.kinds = itinerary, contacts, kinds
-        self.s, self.of = interval.ball(s), Balls(itinerary.system)
+        self.itinerary, self.kinds = equations.itinerary, equations.kinds
+        self.of, self.contacts, self.s, itinerary = of, contacts, interval.ball(s), self.itinerary
         self.round, last = self.of.period * self.itinerary.periods, itinerary.contacts[-1]
         self._omega = number(itinerary.system.omega)
         self._functions = dict[object, Function]()
@@ -120,7 +121,11 @@ class Strobe:
         t0, c0, s0 = map(tape.input, START)
         t1, c1, s1 = map(tape.input, END)
         reached = motion.arrival([tape.input(z) for z in q], (c0, s0), t1 - t0, (c1, s1))
-        return Function([*START, *q, *END, *motion.inputs], [reached[z] for z in system.state])
+        return Function(
+            [*START, *q, *END, *motion.inputs],
+            [reached[z] for z in system.state],
+            system.parameters,
+        )
 
 
 def contact(system: System, key: Contact) -> Function:
@@ -131,4 +136,4 @@ def contact(system: System, key: Contact) -> Function:
     reset = system.reset(key.mode, key.guard)
     outputs = [of.value(p, before) for p in (h, system.lie(key.mode, h))]
     outputs += [of.value(reset[z], before) for z in system.state]
-    return Function(["c0", "s0", *q], outputs)
+    return Function(["c0", "s0", *q], outputs, system.parameters)

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from cap.errors import NotProved
 from cap.orbits.itinerary import Contact, Itinerary
-from cap.particles.model import Guess
+from cap.particles.guess import Guess
 from cap.system.masses import word as mode_of
 from cap.system.model import System
 from cap.system.polynomial import Quotient, variable

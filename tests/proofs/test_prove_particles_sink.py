@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from fractions import Fraction
-from types import SimpleNamespace
 
 import particle_orbits
 import pytest
@@ -13,11 +12,9 @@ from cap.floats.candidates import Request, attracting
 from cap.floats.masses import particle_candidates
 from cap.floats.masses.particles import Particles
 from cap.orbits.choice import without_choice
-from cap.orbits.equations import Equations
-from cap.orbits.free import Free
-from cap.orbits.periodic import Prover
-from cap.particles.itinerary import itinerary, unknowns
-from cap.proofs import particles_sink
+from cap.particles import contacts
+from cap.particles.itinerary import itinerary
+from cap.proofs import particle_orbit, particles_sink
 from cap.proofs.fixed_point import Setting
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -34,60 +31,65 @@ def found():
 
 
 @pytest.fixture(scope="module")
-def proved(found):
-    """Return the setting, what proves orbits with the itinerary, and this orbit, at 12 digits."""
-    setting, guess = Setting(particle_orbits.A, found.guess, 12), found.particles
+def orbit(found):
+    """Return this orbit, at 12 digits."""
+    setting = Setting(particle_orbits.A, found.guess, 12)
     with interval.workprec(setting.bits):
-        model = masses(setting.parameters, guess.masses)
-        prover = Prover(Equations(itinerary(model, guess)))
-        free = Free(prover.equations, unknowns(guess))
-        start = [Fraction(q) for q in free.of(unknowns(guess))]
-        units = particles_sink.units_of(setting, free)
-        problem = free.problem(prover.balls)
-        _, box = particles_sink.lemma_1_existence(setting, problem, units, start)
-        words = [word for word, *_ in guess.events]
-        yield SimpleNamespace(
-            setting=setting, prover=prover, box=tuple(free.whole(box)), words=words
-        )
+        yield particle_orbit.solved(setting, found.particles)
 
 
-def refused(proved, why, k, number, value):
+def refused(orbit, why, k, number, value):
     """Check that an orbit is not proved of which t, x1, x2, v1 or v2 is another at an event."""
-    bad = list(proved.box)
+    bad = list(orbit.box)
     bad[5 * k + number] = value(bad[5 * k + number])
     with pytest.raises(NotProved, match=why):
-        particles_sink.lemma_2_events(proved.prover, tuple(bad))
+        particle_orbit.nothing_else(replace(orbit, box=tuple(bad)))
 
 
-def test_what_is_no_such_orbit(proved):
+def place_of(orbit, word):
+    """Return the number of the first event with a word."""
+    return [word for word, *_ in orbit.guess.events].index(word)
+
+
+def test_what_is_no_such_orbit(orbit):
     """Conditions on events and flights, broken one by one."""
-    particles_sink.lemma_2_events(proved.prover, proved.box)
-    turn, stick = proved.words.index("turn 2 left"), proved.words.index("stick 1")
-    refused(proved, "may not be in order", stick, 0, lambda _: proved.box[5 * (stick - 1)])
-    refused(proved, "not between two contacts", 0, 0, lambda _: Ball(0))
-    refused(proved, "'hit r' is not certain to be positive", turn, 2, lambda _: Ball(1))
-    refused(proved, "'stop 2' is negative", 0, 4, lambda v: -v)
-    refused(proved, "'stop 1' is negative", 1, 3, lambda v: -v)
+    particle_orbit.nothing_else(orbit)
+    turn, stick = place_of(orbit, "turn 2 left"), place_of(orbit, "stick 1")
+    refused(orbit, "may not be in order", stick, 0, lambda _: orbit.box[5 * (stick - 1)])
+    refused(orbit, "'hit r' is not certain to be positive", turn, 2, lambda _: Ball(1))
+    refused(orbit, "'stop 2' is negative", 0, 4, lambda v: -v)
+    refused(orbit, "'stop 1' is negative", 1, 3, lambda v: -v)
     for k, time, modes in ((turn, 1.5, "'-0' .* '--'"), (stick, 3.2, "'--' .* '0-'")):
-        bad = list(proved.box)
+        bad = list(orbit.box)
         bad[5 * k] = Ball(time)
         with pytest.raises(NotProved, match=modes):
-            without_choice(proved.prover, tuple(bad))
+            without_choice(orbit.prover, tuple(bad))
+    begun = replace(orbit, box=(Ball(0), *orbit.box[1:]))
+    with pytest.raises(NotProved, match="not between two contacts"):
+        particles_sink.lemma_4_contraction(begun.setting, begun.monodromy)
 
 
-def test_a_rest_that_the_force_ends(proved):
+def test_a_rest_that_the_force_ends(orbit):
     """A rest that lasts until after the force is beyond friction is refused."""
-    hit = proved.words.index("stick 1") + 1
-    refused(proved, "'release 1 r' is negative", hit, 0, lambda t: t + 1)
-    refused(proved, "'release 1 l' is negative", hit - 1, 0, lambda t: t - Ball(0.5))
+    hit = place_of(orbit, "stick 1") + 1
+    refused(orbit, "'release 1 r' is negative", hit, 0, lambda t: t + 1)
+    refused(orbit, "'release 1 l' is negative", hit - 1, 0, lambda t: t - Ball(0.5))
 
 
-def test_no_contraction(proved, monkeypatch):
+def test_no_contraction(orbit):
     """A derivative of which no power contracts is refused."""
     one = [[Ball(i == j) for j in range(4)] for i in range(4)]
-    monkeypatch.setattr(particles_sink, "derivative", lambda *_: one)
     with pytest.raises(NotProved, match="no power"):
-        particles_sink.lemma_4_contraction(proved.setting, None)
+        particles_sink.lemma_4_contraction(orbit.setting, one)
+
+
+def test_a_box_in_which_directions_are_not_certain(orbit):
+    """After a contact in it a mass may go the other way; one that stops there is not asked."""
+    contacts.directions(orbit.prover, orbit.box)
+    bad = list(orbit.box)
+    bad[4] = Ball(0, 1)
+    with pytest.raises(NotProved, match="a velocity may vanish after a contact"):
+        contacts.directions(orbit.prover, tuple(bad))
 
 
 def test_words_that_are_no_contacts(found):

@@ -65,8 +65,8 @@ ORBITS = Field(
 )  # fmt: skip
 CONES = Field(
     "cones", Maybe({"stretch": number, "shrink": number}), "", "",
-    "cones are mapped into cones: a lower bound of what they are stretched by, in the coordinates "
-    "of the sets, and an upper bound of what other vectors are shrunk by",
+    "cones are mapped into cones: a lower bound of what they are stretched by, in coordinates "
+    "along the directions given, and an upper bound of what other vectors are shrunk by",
 )  # fmt: skip
 LEANING = Field(
     "cones",
@@ -236,9 +236,9 @@ _ORBITS = (
 )
 _CONES_HOLD = (
     "; along each bi-infinite path of coverings there is one orbit only, so {g}, on the orbits in "
-    "Lambda, is conjugate to the two-sided subshift of A; Lambda is hyperbolic: in coordinates of "
-    "the sets{units} expanding vectors grow at least by the factor {stretch} each time, "
-    "contracting ones shrink at least by the factor {shrink}"
+    "Lambda, is conjugate to the two-sided subshift of A; Lambda is hyperbolic: in coordinates "
+    "along two directions of each set{units} expanding vectors grow at least by the factor "
+    "{stretch} each time, contracting ones shrink at least by the factor {shrink}"
 )
 _UNITS = ", in units of each,"
 _PLACES = 10**40  # overlaps are computed over a common denominator
