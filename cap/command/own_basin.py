@@ -20,7 +20,7 @@ from cap.parameters import exact
 from cap.proofs import contact_basin
 from cap.proofs.contact_basin import CELLS, Rectangle
 from cap.proofs.contacts import as_parameters
-from cap.system.files import assigned, read
+from cap.system.files import assigned, read, stem
 
 MOST = 100_000  # cells
 
@@ -97,9 +97,8 @@ class Asked:
         if any(a == b for a, b in box.values()):
             raise BadInput("--box has no area")
         cells = integer(options.cells, "cells", (1, MOST))
-        stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
         told = {**values, "until": options.until, **({"start": options.start} if start else {})}
-        names, parameters = ["contact_basin", Path(stem).stem], as_parameters(system, rests=True)
+        names, parameters = ["contact_basin", stem(options.model)], as_parameters(system, rests=True)
         path = own_map.place(options, names, told, parameters)
         return cls(place, Rectangle(start, until, box), cells, path)
 

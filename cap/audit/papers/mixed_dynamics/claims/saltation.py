@@ -36,25 +36,15 @@ def _turning_product(orbits: Followed, F: int) -> Ball:
     return product
 
 
-def stops_later() -> tuple[Followed, Followed]:
-    """Return what states do that do not stop in their first period, but in their second."""
+def contraction_almost_everywhere() -> Words:
     first, second = hits_only(LATER, 1), LATER.follow(2)
     need(second.has("turn") or second.has("stick"), "it does not stop in the second period either")
-    return first, second
-
-
-def dissipative_states_stop_at_once() -> Words:
-    _, second = stops_later()
-    return {"later": LATER, "shown": second.shown()}
-
-
-def contraction_almost_everywhere() -> Words:
-    first, second = stops_later()
     with interval.workprec(100):
         (a, b), (c, d) = first.monodromy
         need((a * d - b * c).contains(1), "the determinant is not 1")
     stop = next(word for word in second.words if not word.startswith("hit"))
-    return {"later": LATER, "shown": first.shown(), "stop": stop}
+    shown, longer = first.shown(), second.shown()
+    return {"later": LATER, "shown": shown, "stop": stop, "longer": longer}
 
 
 def unit_determinants() -> Words:
