@@ -98,7 +98,8 @@ class Asked:
             raise BadInput("--box has no area")
         cells = integer(options.cells, "cells", (1, MOST))
         told = {**values, "until": options.until, **({"start": options.start} if start else {})}
-        names, parameters = ["contact_basin", stem(options.model)], as_parameters(system, rests=True)
+        names = ["contact_basin", stem(options.model)]
+        parameters = as_parameters(system, rests=True)
         path = own_map.place(options, names, told, parameters)
         return cls(place, Rectangle(start, until, box), cells, path)
 
