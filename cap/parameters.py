@@ -1,7 +1,7 @@
 """The parameters of the oscillator, as exact rationals."""
 
 import re
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 
 from cap.errors import BadInput
@@ -96,3 +96,8 @@ class Parameters:
 
 
 PAPER = Parameters(Fraction(1), Fraction(1), Fraction(2, 5), Fraction(-1), Fraction(1))
+
+
+def at(**values: str) -> Parameters:
+    """Return the paper's parameters but for these."""
+    return replace(PAPER, **{name: Fraction(value) for name, value in values.items()})

@@ -89,7 +89,7 @@ def prove(
 def twist(orbit: PeriodicOrbit, prover: Prover, digits: int) -> dict[str, Any]:
     """Return the claims about Φ at the orbit."""
     s = phase(orbit, prover.balls.period * orbit.itinerary.periods)
-    strobe = Strobe(orbit, prover.equations.kinds, s)
+    strobe = Strobe(prover.equations, prover.balls, orbit.contacts, s)
     jets = strobe.jet(ORDER)
     a, d = jets[0][1, 0], jets[1][0, 1]
     if not abs(a + d) < 2:

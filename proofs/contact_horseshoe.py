@@ -38,7 +38,7 @@ from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps.graphs import in_time
 from cap.proofs.contacts import as_parameters
-from cap.proofs.coverings import PLACES, SCALE, Proved, Which, checked, proved
+from cap.proofs.coverings import PLACES, SCALE, Asked, Proved, Which, checked, proved
 from cap.runner import Runner
 from cap.sets import interval
 from cap.system.model import System
@@ -73,7 +73,7 @@ def prove(section: Section, effort: int, runner: Runner, which: Which) -> dict[s
             continue
         g = ContactMap(given, middle, [FAR] * len(found.sets), WORK // len(found.sets))
         try:
-            best = proved(g, found, runner, which)
+            best = proved(Asked(g), found, runner, which)
             return checked("contact_horseshoe", parameters, _content(g, best, middle), runner)
         except NotProved as failure:
             reason = str(failure)

@@ -11,16 +11,18 @@ contacts, with a guess.  If the lemmas below succeed, then
        circle, or p turns back and a multiplier is 1: a function changes its sign there.  That such
        a point is a bifurcation of a certain type is not claimed;
  (iv)  where an end is proved to be a graze: the curve goes on to an orbit of which one leg touches
-       the zero of a guard at one time, and nothing else happens until there.
+       the zero of a guard at one time, and nothing else happens until there;
+ (v)   where a contact is proved to be lost at an end: the curve goes on to where the speed at the
+       contact is 0, so that the guard only touches zero, and nothing else happens until there.
 
 Proof.  `cap.orbits.cells` (i), `cap.orbits.quiet` (ii), `cap.orbits.branch` (iii),
-`cap.orbits.graze` (iv).
+`cap.orbits.graze` (iv), `cap.orbits.lost_contact` (v).
 """
 
 from collections.abc import Sequence
 from contextlib import suppress
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from cap.certificate import writer
 from cap.certificate.writer import Rounding
@@ -31,6 +33,7 @@ from cap.orbits.cells import SHIFT, Cell, Cells, wider
 from cap.orbits.curve import Curve
 from cap.orbits.graze import Graze, Grazer
 from cap.orbits.itinerary import Itinerary
+from cap.orbits.lost_contact import Lost, LostContacts
 from cap.orbits.periodic import Prover
 from cap.proofs import contacts
 from cap.proofs.contacts import Cuts as Legs
@@ -39,6 +42,7 @@ from cap.sets.interval import exact_decimal as _decimal
 from cap.system.symmetry import Symmetry
 
 BITS, DIGITS = 96, 20
+PLACES = 9  # of what is said of the parameter
 
 
 def prove(
@@ -63,34 +67,55 @@ def prove(
 
         follower = Follower(Cells(curve), ends, quiet, tell)
         found = follower.branch(guess)
-        grazes, why = _grazes(Grazer(follower, prover), found)
+        beyond, why = _beyond(Grazer(follower, prover), LostContacts(follower, prover), found)
         certificate: dict[str, Any] = {
             "format": writer.FORMAT,
             "theorem": "contacts_branch",
             "parameters": parameters,
             "digits": str(DIGITS),
-            "claims": claims(itinerary, found, grazes),
-            "hints": hints(found, grazes),
+            "claims": claims(itinerary, found, beyond),
+            "hints": hints(found, beyond),
             "cites": list(load("contacts_branch").CITES),
             "provenance": writer.provenance(BITS),
         }
         tell("checking", None)
         cuts = [leg for shown in found.cells for leg in shown.legs]
-        for graze, hint in zip(grazes, certificate["hints"]["grazes"], strict=True):
-            box = tuple(curve.expanded(graze.piece.wider))
-            hint["cuts"] = contacts.shown(contacts.legs(prover, box, graze.reasons))
+        found_hints = certificate["hints"]
+        told = [*found_hints["grazes"], *found_hints.get("lost", ())]
+        for end, hint in zip(beyond.every, told, strict=True):
+            box = tuple(curve.expanded(end.piece.wider))
+            hint["cuts"] = contacts.shown(contacts.legs(prover, box, end.reasons))
         return contacts.checked(certificate, cuts, _by_cell(len(itinerary.contacts))), why
 
 
-def _grazes(grazer: Grazer, found: Branch[Legs]) -> tuple[list[Graze], tuple[str, str]]:
-    """Return the grazes at the ends, and why it ends where it has none."""
-    grazes, why, cells = [], list(found.ends), [shown.cell for shown in found.cells]
+class Beyond(NamedTuple):
+    """What is proved of the ends of a curve."""
+
+    grazes: list[Graze]
+    lost: list[Lost]
+
+    @property
+    def every(self) -> list[Graze | Lost]:
+        """All of them: the grazes first."""
+        return [*self.grazes, *self.lost]
+
+
+def _beyond(
+    grazer: Grazer, contacts: LostContacts, found: Branch[Legs]
+) -> tuple[Beyond, tuple[str, str]]:
+    """Return the grazes and the lost contacts at the ends, and why it ends where it has none."""
+    beyond, why = Beyond([], []), list(found.ends)
+    cells = [shown.cell for shown in found.cells]
     for side in (0, 1):
         if why[side]:
             with suppress(NotProved):
-                grazes.append(grazer.graze(cells, last=side == 1))
+                beyond.grazes.append(grazer.graze(cells, last=side == 1))
                 why[side] = ""
-    return grazes, (why[0], why[1])
+                continue
+            with suppress(NotProved):
+                beyond.lost.append(contacts.lost(cells, last=side == 1))
+                why[side] = ""
+    return beyond, (why[0], why[1])
 
 
 def _by_cell(count: int) -> Any:
@@ -98,11 +123,13 @@ def _by_cell(count: int) -> Any:
     return lambda cuts: [cuts[k : k + count] for k in range(0, len(cuts), count)]
 
 
-def claims(itinerary: Itinerary, found: Branch[Legs], grazes: Sequence[Graze]) -> dict[str, Any]:
+def claims(itinerary: Itinerary, found: Branch[Legs], beyond: Beyond) -> dict[str, Any]:
     """Return what is claimed of a curve."""
     values = [_parameter(shown.cell, s) for shown in found.cells for s in shown.cell.line.ends]
     turns = [interval.outward(p.cell.box[-1], DIGITS) for p in found.points if p.kind == "fold"]
-    values += [(Fraction(lower), Fraction(upper)) for lower, upper in turns]
+    ends = [end.short.box[-1] for end in beyond.every]
+    reached = [interval.outward(wider(x), PLACES) for x in ends]
+    values += [(Fraction(lower), Fraction(upper)) for lower, upper in (*turns, *reached)]
     low, high = min(upper for _, upper in values), max(lower for lower, _ in values)
     if not low < high:
         raise BadInput("the curve that is proved is too short: the parameter hardly moves on it")
@@ -113,7 +140,8 @@ def claims(itinerary: Itinerary, found: Branch[Legs], grazes: Sequence[Graze]) -
         "range": [_decimal(low), _decimal(high)],
         "cells": [_cell(*each) for each in zip(found.cells, found.counts, strict=True)],
         "points": [_point(point) for point in found.points],
-        "grazes": [_graze(graze) for graze in grazes],
+        "grazes": [_graze(graze) for graze in beyond.grazes],
+        **({"lost": [_lost(end) for end in beyond.lost]} if beyond.lost else {}),
     }
 
 
@@ -128,7 +156,7 @@ def _parameter(cell: Cell, s: Fraction) -> tuple[Fraction, Fraction]:
     """Return bounds of the parameter at an end of a cell, with room for the checker's."""
     if cell.line.along == len(cell.line.centre) - 1:
         return s, s
-    lower, upper = interval.outward(wider(cell.at(s)[-1]), 9)
+    lower, upper = interval.outward(wider(cell.at(s)[-1]), PLACES)
     return Fraction(lower), Fraction(upper)
 
 
@@ -174,8 +202,26 @@ def _graze(graze: Graze) -> dict[str, Any]:
     }
 
 
-def hints(found: Branch[Legs], grazes: Sequence[Graze]) -> dict[str, Any]:
+def _lost(end: Lost) -> dict[str, Any]:
+    rounding = Rounding(DIGITS)
+    with interval.workprec(FINE):
+        time = rounding.pair(end.time)
+    return {
+        "cell": str(end.inside),
+        "piece": _shape(end.piece),
+        "contact": str(end.contact + 1),
+        "short": _shape(end.short),
+        "at": rounding.pair(end.short.box[-1]),
+        "time": time,
+    }
+
+
+def hints(found: Branch[Legs], beyond: Beyond) -> dict[str, Any]:
     """Return what the checker need not search, but the cuts."""
+    lost = [
+        {"piece": _matrix(end.piece), "cuts": [], "short": _matrix(end.short)}
+        for end in beyond.lost
+    ]
     return {
         "bits": str(BITS),
         "fine": str(FINE),
@@ -189,8 +235,9 @@ def hints(found: Branch[Legs], grazes: Sequence[Graze]) -> dict[str, Any]:
                 "short": _matrix(graze.short),
                 "narrow": [_decimal(t) for t in graze.time],
             }
-            for graze in grazes
+            for graze in beyond.grazes
         ],
+        **({"lost": lost} if lost else {}),
     }
 
 

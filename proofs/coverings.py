@@ -13,6 +13,8 @@ from typing import Any, Literal, NamedTuple, get_args
 
 import numpy as np
 
+from cap.areas.parallelograms.covering import Engine, numbers
+from cap.areas.parallelograms.planar import Planar as Compiled
 from cap.certificate import writer
 from cap.checker.coverings.covering import Parallelogram, covers
 from cap.checker.coverings.graph import overlaps
@@ -38,6 +40,13 @@ ABOUT = (
     "semiconjugacy; hyperbolic: coverings without cones are left out, too, for hyperbolicity and "
     "a conjugacy"
 )
+
+
+class Asked(NamedTuple):
+    """A map: for the functions of the checker, and, if there is such code, compiled."""
+
+    exact: Planar
+    compiled: Compiled | None = None
 
 
 class Proved(NamedTuple):
@@ -71,7 +80,7 @@ class Proved(NamedTuple):
         }
 
 
-def first_that_grows(g: Planar, found: Iterable[Family], runner: Runner, which: Which) -> Proved:
+def first_that_grows(g: Asked, found: Iterable[Family], runner: Runner, which: Which) -> Proved:
     """Return what is proved of the first family whose graph grows; `NotProved` if none does."""
     reason = "no saddle of the map is found in floats"
     for each in found:
@@ -109,7 +118,7 @@ def checked(
     return certificate
 
 
-def proved(g: Planar, found: Family, runner: Runner, which: Which) -> Proved:
+def proved(g: Asked, found: Family, runner: Runner, which: Which) -> Proved:
     """Return what is proved of a family; `NotProved` if its graph does not grow."""
     sets = [[_short(float(n)) for n in row] for row in found.sets]
     edges = lemma_1_coverings(g, sets, found, runner)
@@ -117,30 +126,46 @@ def proved(g: Planar, found: Family, runner: Runner, which: Which) -> Proved:
     if part.growth <= 1:
         raise NotProved("Lemma 2", "the coverings that are proved make no two loops")
     if which == "hyperbolic":
-        edges = with_cones(g, sets, edges, runner)
+        edges = with_cones(g.exact, sets, edges, runner)
         part = _fastest(edges, len(sets))
         if part.growth <= 1:
             raise NotProved("Lemma 3", "the coverings with cones make no two loops")
     best = _certified(sets, part, edges)
-    found_cones = cones(g, best.sets, best.edges, runner) if best.together == 1 else None
+    found_cones = cones(g.exact, best.sets, best.edges, runner) if best.together == 1 else None
     if which == "hyperbolic" and found_cones is None:
         raise NotProved("Lemma 3", "not all cones are mapped into cones")
-    orbits = periodic_orbits(g, best.sets, best.edges)
+    orbits = periodic_orbits(g.exact, best.sets, best.edges)
     return best._replace(orbits=orbits, cones=found_cones)
 
 
-def lemma_1_coverings(g: Planar, sets: Sets, found: Family, runner: Runner) -> list[Edge]:
+def lemma_1_coverings(g: Asked, sets: Sets, found: Family, runner: Runner) -> list[Edge]:
     """*Statement.* Sets cover sets.
 
-    *Computed.* Each covering, by subdivision and the mean value form; those that are not proved are
-    left out.
+    *Computed.* Each covering, by subdivision and the mean value form, in intervals of doubles;
+    those that are not proved are left out.  Where the map is compiled, so is that.
     """
-    tasks = [Task(i, numbers, {}) for i, numbers in enumerate(sets)]
+    targets: list[list[int]] = [[] for _ in sets]
     for i, j in zip(found.source.tolist(), found.target.tolist(), strict=True):
-        tasks[i].targets[j] = sets[j]
-    work = partial(_covered, g)
+        targets[i].append(j)
+    if g.compiled is not None:
+        runner.tell("coverings are proved", None)
+        return _compiled(Engine(g.compiled), sets, targets)
+    tasks = [Task(i, sets[i], {j: sets[j] for j in of_i}) for i, of_i in enumerate(targets)]
+    work = partial(_covered, g.exact)
     proved = runner.map(work, tasks, "coverings are proved", processes=True)
     return [(task.number, j) for task, held in zip(tasks, proved, strict=True) for j in held]
+
+
+def _compiled(engine: Engine, sets: Sets, targets: list[list[int]]) -> list[Edge]:
+    """Return the coverings that compiled code proves."""
+    known = np.array([numbers(one) for one in sets])
+    held = [engine.covered(known[i], known[of_i]) for i, of_i in enumerate(targets)]
+    return [
+        (i, j)
+        for i, (of_i, which) in enumerate(zip(targets, held, strict=True))
+        for j, is_held in zip(of_i, which.tolist(), strict=True)
+        if is_held
+    ]
 
 
 class Task(NamedTuple):

@@ -26,7 +26,7 @@ from cap.maps import fixed_point
 from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.option import Option
 from cap.parameters import Parameters
-from cap.particles.model import Guess
+from cap.particles.guess import Guess
 from cap.runner import Runner
 from cap.sets import interval
 

@@ -25,11 +25,12 @@ grow until they cover those that follow them.  ``--effort`` is the length of the
 
 from fractions import Fraction
 
+from cap.areas.parallelograms import planar
 from cap.checker.coverings.half_period import HalfPeriod
 from cap.errors import BadInput
 from cap.floats import candidates
 from cap.option import Option, choice, count
-from cap.proofs.coverings import ABOUT, WHICH, Proved, first_that_grows
+from cap.proofs.coverings import ABOUT, WHICH, Asked, Proved, first_that_grows
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.options import JOBS
 from cap.runner import Runner
@@ -75,4 +76,5 @@ def _best(setting: Setting, phi: Fraction, a: Fraction) -> Proved:
     tell = lambda words: runner.tell(words, None)  # noqa: E731
     sigma = candidates.half_period(float(phi), float(a))
     found = candidates.families(sigma, setting.of(EFFORT), tell)
-    return first_that_grows(HalfPeriod(phi, a), found, runner, setting.of(SETS))
+    g = Asked(HalfPeriod(phi, a), planar.half_period(phi, a))
+    return first_that_grows(g, found, runner, setting.of(SETS))

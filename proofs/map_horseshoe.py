@@ -14,13 +14,14 @@ the unstable directions.  Nothing rests on that.
 
 from typing import Any
 
+from cap.areas.parallelograms import planar
 from cap.checker.coverings.formulas import Map as Doubles
 from cap.checker.coverings.formulas import formulas
 from cap.checker.kernel.shapes import matched
 from cap.checker.theorems.map_horseshoe import MapHorseshoe
 from cap.floats import candidates
 from cap.proofs.contacts import terms
-from cap.proofs.coverings import Which, checked, first_that_grows
+from cap.proofs.coverings import Asked, Which, checked, first_that_grows
 from cap.runner import Runner
 from cap.system.planar import Map
 
@@ -28,7 +29,8 @@ from cap.system.planar import Map
 def prove(given: Map, effort: int, runner: Runner, which: Which) -> dict[str, Any]:
     """Return a certificate, which the checker accepts; raise `NotProved`."""
     parameters = as_parameters(given)
-    g = Doubles(formulas(matched(parameters, MapHorseshoe.PARAMETERS, "the map")))
+    exact = Doubles(formulas(matched(parameters, MapHorseshoe.PARAMETERS, "the map")))
+    g = Asked(exact, planar.formulas(given))
     tell = lambda words: runner.tell(words, None)  # noqa: E731
     found = candidates.families_by_cells(candidates.formulas(given), effort, tell)
     best = first_that_grows(g, found, runner, which)

@@ -6,21 +6,29 @@ conclusion   what the theorem says of its multipliers
 Lemma 3      it is the only zero in an explicit box
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved
 from cap.maps import zero
 from cap.maps.zero import Box, Hint, Problem
-from cap.particles import derivative, equations, flights
-from cap.particles.model import Event, Guess, Model, events_of
+from cap.orbits.choice import without_choice
+from cap.orbits.equations import Equations
+from cap.orbits.free import Free
+from cap.orbits.periodic import Prover, contacts_of
+from cap.orbits.strobe import Strobe
+from cap.particles import contacts
+from cap.particles.guess import Guess
+from cap.particles.itinerary import itinerary, unknowns
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
+from cap.sets.jet import Jet
+from cap.system.masses import masses
 
 LARGEST = Fraction(1, 8)  # of the box, in the units of the unknowns
 ROUNDS = 4  # of bisection, for its size
@@ -28,30 +36,56 @@ ROUNDS = 4  # of bisection, for its size
 
 @dataclass(frozen=True)
 class Orbit:
-    """A proved orbit: its ``events`` enclose the only zero near the centre of ``hint``."""
+    """A proved orbit: the ``box`` encloses the only zero near the centre of ``hint``.
+
+    It has the times and states just before the contacts.
+    """
 
     setting: Setting
-    model: Model
-    contacts: tuple[int, ...]
-    problem: Problem
+    guess: Guess
+    prover: Prover
+    free: Free
     hint: Hint
-    events: list[Event]
-    least_speeds: list[Ball]
+    box: Box
+
+    @property
+    def problem(self) -> Problem:
+        """The equations by the free unknowns."""
+        return self.free.problem(self.prover.balls)
+
+    @property
+    def units(self) -> list[Fraction]:
+        """The units of these."""
+        return units_of(self.setting, self.free)
+
+    @cached_property
+    def contacts(self) -> list[tuple[Ball, Box]]:
+        """The times of contacts, and the states just before them."""
+        return contacts_of(self.prover.itinerary, self.box)
+
+    @cached_property
+    def strobe(self) -> Strobe:
+        """The period map, at t = 0."""
+        return Strobe(self.prover.equations, self.prover.balls, self.contacts, Fraction(0))
+
+    def jet(self, order: int) -> list[Jet]:
+        """Return jets, in the deviation at t = 0, of the deviation a period later."""
+        return [jet.above(0) for jet in self.strobe.jet(order)]
 
     @cached_property
     def monodromy(self) -> list[list[Ball]]:
         """The derivative of the period map at t = 0."""
-        return derivative.monodromy(self.model, self.events)
+        return [jet.coefficients[1:] for jet in self.jet(1)]
 
     @property
     def masses(self) -> list[Ball]:
         """The masses, enclosed."""
-        return [interval.ball(m) for m in self.model.masses]
+        return [interval.ball(m) for m in self.guess.masses]
 
     @property
     def inertia(self) -> Fraction:
         """The unit m R² ω of the actions, m the first mass."""
-        return self.model.masses[0] * self.setting.units.area
+        return self.guess.masses[0] * self.setting.units.area
 
 
 Conclusion = Callable[[Orbit], dict[str, Any]]
@@ -86,60 +120,66 @@ def system(theorem: str, setting: Setting) -> tuple[Guess, dict[str, Any]]:
 
 def located(setting: Setting, guess: Guess) -> Orbit:
     """Prove Lemmas 1 and 2, at the current precision."""
-    model = Model(setting.parameters, guess.masses)
-    contacts = tuple(model.contact(word) for word, *_ in guess.events)
-    problem = problem_of(model, contacts)
-    hint, box = lemma_1_existence(setting, problem, unknowns(model, guess))
-    events = events_of(model, contacts, box)
-    least = lemma_2_flights(model, events)
-    return Orbit(setting, model, contacts, problem, hint, events, least)
+    contacts.never_rest(guess)
+    orbit = solved(setting, guess)
+    lemma_2_flights(orbit)
+    return orbit
 
 
-def problem_of(model: Model, contacts: tuple[int, ...]) -> Problem:
-    """Return the equations of the orbits with these contacts."""
-    return Problem(
-        partial(equations.value, model, contacts), partial(equations.slope, model, contacts)
-    )
+def solved(setting: Setting, guess: Guess) -> Orbit:
+    """Prove Lemma 1, at the current precision."""
+    system = masses(setting.parameters, guess.masses)
+    prover = Prover(Equations(itinerary(system, guess)))
+    free = Free(prover.equations, unknowns(guess))
+    problem, start = free.problem(prover.balls), list(map(Fraction, free.of(unknowns(guess))))
+    hint, box = lemma_1_existence(setting, problem, units_of(setting, free), start)
+    return Orbit(setting, guess, prover, free, hint, tuple(free.whole(box)))
 
 
 def lemma_1_existence(
-    setting: Setting, problem: Problem, guess: list[Fraction]
+    setting: Setting, problem: Problem, units: Sequence[Fraction], guess: Sequence[Fraction]
 ) -> tuple[Hint, Box]:
-    """*Statement.* The equations of `cap.particles.equations` have a zero near the guess.
+    """*Statement.* The equations of `cap.orbits.free` have a zero near the guess.
 
     *Computed.* Krawczyk's inclusion for the points m within 10^(2 - digits), in the units of the
     unknowns, of a point refined by Newton's iteration.
     """
-    units = units_of(setting, len(guess))
-    point = [interval.ball(q) for q in guess]
-    matrix = zero.inverse_of(problem.slope(point))
+    matrix = zero.inverse_of(problem.slope([interval.ball(q) for q in guess]))
     places = [setting.precise - interval.decade(unit) for unit in units]
     hint = zero.refined(problem, guess, matrix, places)
     box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
     return hint, problem.tightened(hint, box)
 
 
-def lemma_2_flights(model: Model, events: list[Event]) -> list[Ball]:
+def lemma_2_flights(orbit: Orbit) -> None:
     """*Statement.* The orbit has these events and no others, and no mass ever stops.  The period
     map preserves Σ m_i dv_i ∧ dx_i near it.
 
-    *Computed.* See `cap.particles.flights`.
+    *Computed.* See `cap.orbits.quiet`, `cap.orbits.choice` and `cap.particles.contacts`.
     """
-    least = flights.least_speeds(model, events)
-    flights.signs_are_conserved(model, events)
-    return least
+    contacts.signs_are_kept(orbit.prover.itinerary)
+    nothing_else(orbit)
+
+
+def nothing_else(orbit: Orbit) -> None:
+    """Prove that the orbit has these events and no others, and so have motions near it."""
+    orbit.prover.reasons(orbit.box)
+    without_choice(orbit.prover, orbit.box)
 
 
 def lemma_3_uniqueness(orbit: Orbit) -> Fraction:
     """*Statement.* The orbit is the only one with this itinerary whose events lie in a box.
 
     *Computed.* Krawczyk's inclusion for the largest box found, of half-widths a multiple of the
-    units of the unknowns; the multiple is returned.  A smaller box that contains the orbit will do.
+    units of the unknowns; the multiple is returned.  Directions are certain in it: so the checker
+    asks.  A smaller box that contains the orbit will do.
     """
-    units = units_of(orbit.setting, len(orbit.hint.centre))
+    problem, hint, free, units = orbit.problem, orbit.hint, orbit.free, orbit.units
 
     def attempt(size: Fraction) -> None:
-        orbit.problem.isolate(orbit.hint, [size * unit for unit in units])
+        reach = [size * unit for unit in units]
+        contacts.directions(orbit.prover, tuple(free.whole(hint.box(reach))))
+        problem.isolate(hint, reach)
 
     size = bisection.largest(attempt, LARGEST, ROUNDS)
     if size is None:
@@ -152,25 +192,16 @@ def radius_of(setting: Setting) -> Fraction:
     return Fraction(100, 10**setting.precise)
 
 
-def units_of(setting: Setting, size: int) -> list[Fraction]:
-    """Return the units of the unknowns: of a time, a place and two velocities for each event."""
-    units = setting.units
-    return [units.time, units.length, units.speed, units.speed] * (size // 4)
-
-
-def unknowns(model: Model, guess: Guess) -> list[Fraction]:
-    """Return the unknowns of a guess."""
-    found = list[float]()
-    for word, t, x, v in guess.events:
-        place = model.place_of(model.contact(word))
-        found += [t, *(x[place.index(k)] for k in range(model.n - 1)), *v]
-    return [Fraction(q) for q in found]
+def units_of(setting: Setting, free: Free) -> list[Fraction]:
+    """Return the units of the unknowns: times, places, velocities."""
+    units = {"x": setting.units.length, "v": setting.units.speed}
+    return [q for names in free.names for q in (setting.units.time, *(units[z[0]] for z in names))]
 
 
 def _box(orbit: Orbit, size: Fraction) -> list[dict[str, Pair]]:
     """Return the box claimed, within ``size`` units of the centre of the hint."""
     centre = orbit.hint.centre
-    halves = [size * unit for unit in units_of(orbit.setting, len(centre))]
+    halves = [size * unit for unit in orbit.units]
     pairs = [inside(c, half) for c, half in zip(centre, halves, strict=True)]
     return [
         dict(zip(("t", "x", "v1", "v2"), pairs[k : k + 4], strict=True))
@@ -196,24 +227,25 @@ def by_event(hint: Hint) -> list[list[str]]:
 
 def _claims(orbit: Orbit) -> dict[str, Any]:
     """Return the claims on the orbit and its derivative, rounded outwards."""
-    model, events, units = orbit.model, orbit.events, orbit.setting.units
-    pair = orbit.setting.rounding.pair
-    x, v = derivative.state(model, events)
+    units, pair, point = orbit.setting.units, orbit.setting.rounding.pair, orbit.strobe.point
+    n = len(point) // 2
+    closing = contacts.closing_speeds(orbit.prover, orbit.contacts)
+    least = contacts.least_speeds(orbit.prover, orbit.box)
     return {
-        "itinerary": [model.word(contact) for contact in orbit.contacts],
-        "x": [pair(q, units.length) for q in x],
-        "v": [pair(q, units.speed) for q in v],
-        "hit_times": [pair(event.at.t, units.time) for event in events],
-        "closing_speeds": [pair(flights.closing_speed(model, e), units.speed) for e in events],
-        "least_speeds": [pair(q, units.speed) for q in orbit.least_speeds],
+        "itinerary": [word for word, *_ in orbit.guess.events],
+        "x": [pair(q, units.length) for q in point[:n]],
+        "v": [pair(q, units.speed) for q in point[n:]],
+        "hit_times": [pair(t, units.time) for t, _ in orbit.contacts],
+        "closing_speeds": [pair(q, units.speed) for q in closing],
+        "least_speeds": [pair(q, units.speed) for q in least],
         "monodromy": _monodromy(orbit),
     }
 
 
 def _monodromy(orbit: Orbit) -> list[list[Pair]]:
     """Return D, after a check of the computation: Dᵀ J D - J contains 0."""
-    n, pair, D = orbit.model.n, orbit.setting.rounding.pair, orbit.monodromy
-    defect = derivative.symplectic_defect(orbit.model, D)
+    pair, D, n = orbit.setting.rounding.pair, orbit.monodromy, len(orbit.masses)
+    defect = contacts.symplectic_defect(orbit.masses, D)
     if not all(q.contains(0) for q in defect):
         raise NotProved("Lemma 2", "the derivative does not preserve the form", {"D": defect[0]})
     time = orbit.setting.units.time

@@ -37,7 +37,6 @@ from cap.certificate.writer import Pair
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps import twist_matrix
-from cap.particles import derivative
 from cap.proofs.fixed_point import Proof, Setting
 from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import Orbit, proof_of
@@ -112,7 +111,7 @@ def lemma_5_twist(orbit: Orbit, frame: twist_matrix.Frame) -> dict[str, Any]:
     *Computed.* B from the jet of order 3 of Φ at P*; its imaginary parts, and the difference of its
     entries off the diagonal, are checked to contain zero.
     """
-    jets = derivative.jet(orbit.model, orbit.events)
+    jets = orbit.jet(3)
     (a, b), (_, d) = twist_matrix.twist_matrix(jets, frame)
     determinant = a * d - b * b
     if not (determinant > 0 or determinant < 0):

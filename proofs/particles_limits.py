@@ -26,7 +26,7 @@ in common.  Velocities at critical moments are positive by the mean value theore
 lower end of a cell, and their derivatives by m_2 along the family.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -35,20 +35,16 @@ from cap.certificate.writer import Pair
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.maps import twist_matrix
-from cap.particles import derivative, flights
-from cap.particles.family import Family
-from cap.particles.model import Event, Guess, Model, events_of
+from cap.maps.zero import Box
+from cap.orbits.periodic import Prover, contacts_of
+from cap.orbits.strobe import Strobe
+from cap.particles import contacts
+from cap.particles.guess import Guess
+from cap.particles.itinerary import unknowns
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.options import OF_MASSES
-from cap.proofs.particle_cells import NODE, REACH_OF_CELLS, Line, Solved, family
-from cap.proofs.particle_orbit import (
-    by_event,
-    lemma_1_existence,
-    problem_of,
-    radius_of,
-    units_of,
-    unknowns,
-)
+from cap.proofs.particle_cells import NODE, REACH_OF_CELLS, Line, Masses, Solved, family
+from cap.proofs.particle_orbit import by_event, lemma_1_existence, radius_of
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -59,17 +55,17 @@ OPTIONS = OF_MASSES
 
 REACH = Fraction(1, 10**8)  # half-width of the box for an interval of masses, in its units
 ROUNDS = 40  # of the secant method
-Quantity = Callable[[Model, Sequence[Event]], Ball]
+Quantity = Callable[[Solved], Ball]
 
 
 @dataclass(frozen=True)
 class Crossing:
-    """An interval of masses, at whose ends a quantity is negative and positive."""
+    """Masses at which a quantity is negative and positive; the orbits of all between them."""
 
     lower: Solved
     upper: Solved
-    family: Family
-    events: list[Event]
+    prover: Prover
+    box: Box
 
 
 def prove(setting: Setting) -> Proof:
@@ -81,9 +77,10 @@ def prove(setting: Setting) -> Proof:
     strings: dict[str, Any] = setting.parameters.elastic_strings()
     strings["masses"] = [str(mass)] * 2
     with interval.workprec(setting.bits):
-        flip, stop = lemma_1_flip(setting, guess), lemma_2_stop(setting, last)
-        line = Line.between(setting, flip.lower, stop.upper)
-        between = lemma_3_family(setting, line)
+        masses = Masses.of(setting, guess)
+        flip, stop = lemma_1_flip(masses, guess), lemma_2_stop(masses, last)
+        line = Line.between(masses, flip.lower, stop.upper)
+        between = lemma_3_family(line)
         claims = {
             "itinerary": [word for word, *_ in guess.events],
             "flip": _claim(setting, mass, flip),
@@ -107,71 +104,91 @@ def prove(setting: Setting) -> Proof:
     return lambda _part: proved
 
 
-def lemma_1_flip(setting: Setting, guess: Guess) -> Crossing:
+def lemma_1_flip(masses: Masses, guess: Guess) -> Crossing:
     """*Statement.* (i).  *Computed.* z_2 + 2 at both ends; flights and signs over all masses."""
-    crossing = _crossing(setting, guess, _beyond_minus_one)
-    flights.least_speeds(crossing.family, crossing.events)
-    flights.signs_are_conserved(crossing.family, crossing.events)
+    crossing = _crossing(masses, guess, _beyond_minus_one)
+    contacts.no_other_contacts(crossing.prover, crossing.box)
+    crossing.prover.reasons(crossing.box)
     for end in (crossing.lower, crossing.upper):
-        high, low = twist_matrix.reduced_traces(derivative.monodromy(end.model, end.events))
+        high, low = _reduced_traces(end)
         if not (-2 < high < 2 and low < 2):
             sets = {"z_1": high, "z_2": low}
             raise NotProved("Lemma 1", "the other pair may not be on the unit circle", sets)
     return crossing
 
 
-def lemma_2_stop(setting: Setting, guess: Guess) -> Crossing:
+def lemma_2_stop(masses: Masses, guess: Guess) -> Crossing:
     """*Statement.* (ii).  *Computed.* the speed at the slow moment of a flight at which it is the
     least near the guess, at both ends; contacts over all masses, and all speeds at the upper end.
     """
-    near = _solved(setting, guess.masses, guess, None)
-    speeds = [slow.speed for slow in flights.critical_moments(near.model, near.events)]
+    near = _solved(masses, guess.masses[1], guess, None)
+    speeds = _slow_speeds(near)
     slowest = min(range(len(speeds)), key=lambda k: interval.midpoint(speeds[k]))
-    crossing = _crossing(setting, guess, lambda m, e: flights.critical_moments(m, e)[slowest].speed)
-    flights.no_other_contacts(crossing.family, crossing.events)
-    flights.speeds_at_events(crossing.family, crossing.events)
-    flights.signs_are_conserved(crossing.family, crossing.events)
-    flights.least_speeds(crossing.upper.model, crossing.upper.events)
+    crossing = _crossing(masses, guess, lambda solved: _slow_speeds(solved)[slowest])
+    contacts.no_other_contacts(crossing.prover, crossing.box)
+    contacts.speeds_at_contacts(crossing.prover, crossing.box)
+    crossing.upper.prover.reasons(crossing.upper.box)
     return crossing
 
 
-def lemma_3_family(setting: Setting, line: Line) -> list[Solved]:
+def lemma_3_family(line: Line) -> list[Solved]:
     """*Statement.* (iii).  *Computed.* See `cap.proofs.particle_cells`; the preconditioner is
     interpolated between those of (i), (ii) and of the middle.
     """
-    return family(setting, line)
+    return family(line)
 
 
-def _beyond_minus_one(model: Model, events: Sequence[Event]) -> Ball:
+def _beyond_minus_one(solved: Solved) -> Ball:
     """Return z_2 + 2."""
-    return twist_matrix.reduced_traces(derivative.monodromy(model, events))[1] + 2
+    return _reduced_traces(solved)[1] + 2
 
 
-def _solved(
-    setting: Setting, masses: Sequence[Fraction], guess: Guess, near: Solved | None
-) -> Solved:
-    """Prove that the equations have a zero for these masses, near that for others."""
-    model = Model(setting.parameters, masses)
-    contacts = tuple(model.contact(word) for word, *_ in guess.events)
-    start = list(near.hint.centre) if near else unknowns(model, guess)
-    hint, box = lemma_1_existence(setting, problem_of(model, contacts), start)
-    return Solved(masses[1], hint, model, events_of(model, contacts, box))
+def _reduced_traces(solved: Solved) -> tuple[Ball, Ball]:
+    """Return z_1 and z_2."""
+    equations = solved.prover.equations
+    met = contacts_of(equations.itinerary, solved.box)
+    strobe = Strobe(equations, solved.prover.balls, met, Fraction(0))
+    high, low = twist_matrix.reduced_traces([jet.coefficients[1:] for jet in strobe.jet(1)])
+    return high, low
 
 
-def _crossing(setting: Setting, guess: Guess, quantity: Quantity) -> Crossing:
+def _slow_speeds(solved: Solved) -> list[Ball]:
+    """Return the speeds at the moments inside of flights at which they are smallest.
+
+    Raises `NotProved` if one may be at an event.
+    """
+    found = []
+    for name in contacts.stops(solved.prover):
+        for h, time, clock in solved.prover.moments(solved.box, name):
+            if not h.leg.start.time < time < h.leg.end.time:
+                sets = {"critical": time, "flight from": h.leg.start.time, "to": h.leg.end.time}
+                raise NotProved("flight", "a speed may be critical at an event", sets)
+            found.append(h.height(time, clock))
+    return found
+
+
+def _solved(masses: Masses, mass: Fraction, guess: Guess, near: Solved | None) -> Solved:
+    """Prove that the equations have a zero for this second mass, near that for another."""
+    free = masses.free
+    start = list(near.hint.centre) if near else list(map(Fraction, free.of(unknowns(guess))))
+    return masses.solved(
+        mass, *lemma_1_existence(masses.setting, masses.problem(mass), masses.units, start)
+    )
+
+
+def _crossing(masses: Masses, guess: Guess, quantity: Quantity) -> Crossing:
     """Find neighbouring masses between which a quantity changes its sign, and prove it.
 
     It is found by the secant method.
     """
-    first = guess.masses[0]
-    places = setting.digits + 1 - interval.decade(first)
+    places = masses.setting.digits + 1 - interval.decade(masses.m)
 
     def solved(mass: Fraction, near: Solved | None) -> Solved:
-        return _solved(setting, (first, mass), guess, near)
+        return _solved(masses, mass, guess, near)
 
     here = solved(guess.masses[1], None)
-    there = solved(here.mass - first / 10**6, here)
-    values = [interval.midpoint(quantity(each.model, each.events)) for each in (here, there)]
+    there = solved(here.mass - masses.m / 10**6, here)
+    values = [interval.midpoint(quantity(each)) for each in (here, there)]
     for _ in range(ROUNDS):
         slope = (values[1] - values[0]) / (there.mass - here.mass)
         if not slope:
@@ -180,33 +197,28 @@ def _crossing(setting: Setting, guess: Guess, quantity: Quantity) -> Crossing:
         if abs(mass - there.mass) * 10 ** (places + 2) < 1:
             break
         here, there = there, solved(mass, there)
-        values = [values[1], interval.midpoint(quantity(there.model, there.events))]
+        values = [values[1], interval.midpoint(quantity(there))]
     unit = Fraction(1, 10**places)
     lower = (there.mass - unit / 2) // unit * unit
-    return _proved(
-        setting, guess, quantity, (solved(lower, there), solved(lower + 2 * unit, there))
-    )
+    return _proved(masses, quantity, (solved(lower, there), solved(lower + 2 * unit, there)))
 
 
-def _proved(
-    setting: Setting, guess: Guess, quantity: Quantity, ends: tuple[Solved, Solved]
-) -> Crossing:
+def _proved(masses: Masses, quantity: Quantity, ends: tuple[Solved, Solved]) -> Crossing:
     """Prove that a quantity changes its sign, along one family of zeros."""
     lower, upper = ends
-    values = [quantity(each.model, each.events) for each in ends]
+    values = [quantity(each) for each in ends]
     if not values[0] < 0 < values[1]:
         sets = {"below": values[0], "above": values[1]}
         raise NotProved("crossing", "no change of sign between two masses", sets)
-    family = Family(setting.parameters, guess.masses[0], (lower.mass, upper.mass))
-    contacts = tuple(family.contact(word) for word, *_ in guess.events)
-    reach = [REACH * unit for unit in units_of(setting, len(upper.hint.centre))]
-    K = problem_of(family, contacts).isolate(upper.hint, reach)
-    small = [radius_of(setting) * unit for unit in units_of(setting, len(reach))]
+    reach = [REACH * unit for unit in masses.units]
+    prover = masses.prover(interval.hull(*(interval.ball(end.mass) for end in ends)))
+    K = masses.free.problem(prover.balls).isolate(upper.hint, reach)
+    small = [radius_of(masses.setting) * unit for unit in masses.units]
     for end in ends:
         sides = zip(end.hint.centre, upper.hint.centre, small, reach, strict=True)
         if not all(abs(c - m) + r < far for c, m, r, far in sides):
             raise NotProved("crossing", "the zeros at the ends may be others", {})
-    return Crossing(lower, upper, family, events_of(family, contacts, K))
+    return Crossing(lower, upper, prover, tuple(masses.free.whole(K)))
 
 
 def _claim(setting: Setting, mass: Fraction, crossing: Crossing) -> Pair:

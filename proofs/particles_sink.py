@@ -9,9 +9,10 @@ be released, and be hit while they rest.  If the lemmas below succeed, then
        an explicit box;
  (ii)  it attracts all orbits that begin near enough to its state at t = 0.
 
-Proof.  Lemmas 1 and 3: Krawczyk's inclusion for the equations between events.  Lemma 2: nothing
-else happens (`cap.particles.stays`).  Its inequalities are strict, so the map over nT is
-continuously differentiable near the orbit; Lemma 4: a power of its derivative there contracts.
+Proof.  Lemmas 1 and 3: Krawczyk's inclusion for the equations of the contacts (`cap.orbits.free`)
+of the system `cap.system.masses`.  Lemma 2: nothing else happens (`cap.orbits.quiet`), and motions
+near the orbit go on as it does (`cap.orbits.choice`), so the map over nT is continuously
+differentiable there; Lemma 4: a power of its derivative (`cap.orbits.strobe`) contracts.
 """
 
 from collections.abc import Sequence
@@ -21,15 +22,19 @@ from typing import Any
 from cap.certificate import writer
 from cap.errors import NotProved
 from cap.floats import candidates
-from cap.maps import zero
-from cap.maps.zero import Hint, Problem
-from cap.particles import stays
-from cap.particles.model import Model
-from cap.particles.stopping import Equations, Happening, unit_powers, unknowns, words_of
+from cap.maps.zero import Hint
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
 from cap.proofs.options import OF_MASSES
-from cap.proofs.particle_orbit import LARGEST, ROUNDS, radius_of, system
-from cap.sets import bisection, interval
+from cap.proofs.particle_orbit import (
+    Orbit,
+    lemma_3_uniqueness,
+    nothing_else,
+    radius_of,
+    solved,
+    system,
+)
+from cap.sets import interval
+from cap.sets.interval import Ball
 
 SUMMARY = "an attracting periodic orbit, on which masses turn, stick, and are hit"
 GROUP = "masses"
@@ -45,18 +50,13 @@ def prove(setting: Setting) -> Proof:
     """
     guess, strings = system("particles_sink", setting)
     with interval.workprec(setting.bits):
-        model = Model(setting.parameters, guess.masses)
-        equations = Equations(model, tuple(words_of(model, guess)), guess.periods)
-        problem = Problem(equations.value, equations.slope)
-        units = _units(setting, equations)
-        start = [Fraction(q) for q in unknowns(equations.words, guess)]
-        hint, events = lemma_1_existence(setting, equations, problem, start)
-        stays.verify(equations, events)
-        claims = _claims(setting, equations, events) | lemma_4_contraction(equations, events)
-        size = lemma_3_uniqueness(problem, hint, units)
+        orbit = solved(setting, guess)
+        nothing_else(orbit)
+        claims = _claims(orbit) | lemma_4_contraction(setting, orbit.monodromy)
+        size = lemma_3_uniqueness(orbit)
 
     def certified(part: Fraction) -> dict[str, Any]:
-        halves = [part * size * unit for unit in units]
+        halves, hint = [part * size * unit for unit in orbit.units], orbit.hint
         box = [inside(c, half) for c, half in zip(hint.centre, halves, strict=True)]
         content = claims | {"box": _by_event(box)}
         return assembled("particles_sink", setting, strings, (content, _hints(setting, hint)))
@@ -64,50 +64,13 @@ def prove(setting: Setting) -> Proof:
     return certified
 
 
-def _units(setting: Setting, equations: Equations) -> list[Fraction]:
-    units = setting.units
-    sizes = {"time": units.time, "length": units.length, "speed": units.speed}
-    return [sizes[kind] for kinds in unit_powers(equations.words) for kind in kinds]
-
-
-def lemma_1_existence(
-    setting: Setting, equations: Equations, problem: Problem, guess: list[Fraction]
-) -> tuple[Hint, list[Happening]]:
-    """*Statement.* The equations have a zero near the guess.
-
-    *Computed.* Krawczyk's inclusion near a point refined by Newton's iteration; the events of the
-    zero are enclosed.
-    """
-    units = _units(setting, equations)
-    matrix = zero.inverse_of(problem.slope([interval.ball(q) for q in guess]))
-    places = [setting.precise - interval.decade(unit) for unit in units]
-    hint = zero.refined(problem, guess, matrix, places)
-    box = problem.isolate(hint, [radius_of(setting) * unit for unit in units])
-    return hint, equations.happenings(problem.tightened(hint, box))
-
-
-def lemma_3_uniqueness(problem: Problem, hint: Hint, units: Sequence[Fraction]) -> Fraction:
-    """*Statement.* It is the only zero in a box, in which directions are certain.
-
-    Returns its half-widths, as a multiple of the units of the unknowns.
-    """
-
-    def attempt(size: Fraction) -> None:
-        problem.isolate(hint, [size * unit for unit in units])
-
-    size = bisection.largest(attempt, LARGEST, ROUNDS)
-    if size is None:
-        raise NotProved("Lemma 3", "no box around the orbit succeeded", {})
-    return size
-
-
-def lemma_4_contraction(equations: Equations, events: Sequence[Happening]) -> dict[str, Any]:
+def lemma_4_contraction(setting: Setting, D: list[list[Ball]]) -> dict[str, Any]:
     """*Statement.* A power of the derivative contracts in the coordinates x/R, v/(Rω).
 
     *Computed.* The greatest sum of absolute values in a row, for powers of two.
     """
-    omega = interval.ball(equations.model.parameters.omega)
-    D = stays.derivative(equations, events)
+    omega = interval.ball(setting.parameters.omega)
+    D = [*map(list, D)]
     for i in (0, 1):
         D[i][2:] = [q * omega for q in D[i][2:]]
         D[2 + i][:2] = [q / omega for q in D[2 + i][:2]]
@@ -121,18 +84,15 @@ def lemma_4_contraction(equations: Equations, events: Sequence[Happening]) -> di
     raise NotProved("Lemma 4", "no power of the derivative contracts", {"row": sums[0]})
 
 
-def _claims(setting: Setting, equations: Equations, events: Sequence[Happening]) -> dict[str, Any]:
+def _claims(orbit: Orbit) -> dict[str, Any]:
     """Return the claims on the orbit, rounded outwards."""
-    pair, units = setting.rounding.pair, setting.units
-    o = equations.model.first
-    last = equations.stretches(events)[-1]
-    x, v = last.reached(o.moment(interval.ZERO)._replace(t=equations.whole))
+    pair, units, guess = orbit.setting.rounding.pair, orbit.setting.units, orbit.guess
     return {
-        "period": str(equations.periods),
-        "itinerary": [word.word for word in equations.words],
-        "x": [pair(q, units.length) for q in x],
-        "v": [pair(q, units.speed) for q in v],
-        "event_times": [pair(event.at.t, units.time) for event in events],
+        "period": str(guess.periods),
+        "itinerary": [word for word, *_ in guess.events],
+        "x": [pair(q, units.length) for q in orbit.strobe.point[:2]],
+        "v": [pair(q, units.speed) for q in orbit.strobe.point[2:]],
+        "event_times": [pair(t, units.time) for t, _ in orbit.contacts],
     }
 
 

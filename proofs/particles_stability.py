@@ -26,7 +26,7 @@ from typing import Any
 from cap.certificate.writer import window
 from cap.floats import candidates
 from cap.maps import twist_matrix
-from cap.particles import derivative, integral
+from cap.particles import integral
 from cap.particles.integral import Ellipsoid
 from cap.proofs.fixed_point import Proof, Setting
 from cap.proofs.options import OF_MASSES, PERIODS
@@ -73,12 +73,11 @@ def around(orbit: Orbit, radius: Fraction) -> tuple[dict[str, Any], dict[str, An
     setting, exact = orbit.setting, interval.exact_decimal
     z = twist_matrix.reduced_traces(orbit.monodromy)
     frame = twist_matrix.frame(orbit.monodromy, orbit.masses, z)
-    H = integral.integral(derivative.jet(orbit.model, orbit.events), frame)
-    x, v = derivative.state(orbit.model, orbit.events)
+    H = integral.integral(orbit.jet(3), frame)
     size = radius * interval.short(Fraction(float(orbit.inertia) ** 0.5))
-    E = integral.ellipsoid(H, frame, [*x, *v], size, (CENTRE, COEFFICIENTS))
+    E = integral.ellipsoid(H, frame, orbit.strobe.point, size, (CENTRE, COEFFICIENTS))
     reach = radius * WIDE * setting.units.time
-    windows = [interval.around(interval.midpoint(e.at.t), reach) for e in orbit.events]
+    windows = [interval.around(interval.midpoint(t), reach) for t, _ in orbit.contacts]
     claims = {
         "centre": [exact(c) for c in E.centre],
         "axes": [[exact(q) for q in row] for row in E.axes],

@@ -25,6 +25,7 @@ from functools import cache
 from typing import Any
 
 from cap.certificate import writer as certificate
+from cap.checker.flow.events import CELL_WORK
 from cap.checker.flow.itinerary import MAX_WORK, work
 from cap.errors import NotProved
 from cap.floats import candidates
@@ -270,7 +271,7 @@ class _Builder:
 
 def _most_cells(events: int, bits: int) -> int:
     """Return how many cells a certificate may have, which the checker must finish in time."""
-    return (MAX_WORK - work(events, bits)) // work(events, 0, cells=1)
+    return (MAX_WORK - work(events, bits)) // (events * CELL_WORK)
 
 
 def _start(centre: Pair, events: Itinerary) -> Start:

@@ -101,6 +101,7 @@ OWN = (
     "ball_curve",
     "contacts",
     "contacts_branch",
+    "contacts_family",
     "contact_attractor",
     "contact_capture",
     "contact_elliptic",

@@ -40,6 +40,27 @@ def pair():
     return prove(Itinerary(system, contacts), guess, ends)
 
 
+def thrice():
+    """Return the curve of an impact pair with two hits of the top, to where one of them is lost."""
+    ends = Fraction("0.173"), Fraction("0.178")
+    system = moving(lambda s: read("examples/harvester.py", {"s": s}), "s", ends, ["free"])
+    contacts = [Contact("free", end, "free") for end in ("top", "bottom", "top")]
+    guess = [0.7976, 0.088645, 0.006581, 1.466816, -0.088645, -0.441985, 1.979846, 0.088645]
+    return prove(Itinerary(system, contacts), [*guess, 0.568737, 0.17729], ends)
+
+
+def wall():
+    """Return the curve of a spring that hits a wall, to where it only touches it."""
+    ends = Fraction("0.189"), Fraction("0.191")
+
+    def at(gap):
+        return read("examples/impact_oscillator.py", {"omega": "5/2", "gap": gap})
+
+    system = moving(at, "gap", ends, ["free"])
+    contacts = [Contact("free", "wall", "free")]
+    return prove(Itinerary(system, contacts), [1.2374, 0.19, 0.0007, 0.19], ends)
+
+
 def symmetric(range_=("0.465", "0.467")):
     """Return the curve of symmetric orbits of the oscillator over its friction."""
     ends = Fraction(range_[0]), Fraction(range_[1])
@@ -55,6 +76,8 @@ CASES = {
     "flip": lambda: ball(FLIP, [0.8, 1.1, -3.14159, 1.525]),
     "clock": clock,
     "graze": pair,
+    "thrice": thrice,
+    "wall": wall,
 }
 
 

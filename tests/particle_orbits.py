@@ -7,7 +7,6 @@ from pathlib import Path
 
 from cap.floats.candidates import Request, particles
 from cap.parameters import PAPER
-from cap.particles.derivative import state
 from cap.proofs.fixed_point import Setting
 from cap.proofs.particle_orbit import located
 from cap.sets import interval
@@ -36,4 +35,4 @@ def orbit(p=A, kind="particles", digits=30):
 
 def state_of(orbit):
     """Return the state at t = 0, (x, v), in floats."""
-    return [float(q.mid()) for side in state(orbit.model, orbit.events) for q in side]
+    return [float(q.mid()) for q in orbit.strobe.point]

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from enum import StrEnum
-from fractions import Fraction
 
 MORE = 3  # digits shown beyond those of the paper
 PROVED = " (proved)"
@@ -170,8 +169,3 @@ def markdown(rows: Iterable[Comparison]) -> list[str]:
 def percent(part: float, whole: float) -> str:
     """Return a share in words."""
     return f"{100 * part / whole:.3g}%" if whole else "none"
-
-
-def decimals(value: Fraction | float, places: int) -> str:
-    """Return a number with so many places."""
-    return f"{float(value):.{places}f}"

@@ -6,7 +6,6 @@ not repaired by them: what may be cited instead of it is in ``statements.toml``.
 
 import difflib
 import re
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -37,8 +36,7 @@ class Change:
 @cached
 def changes() -> tuple[Change, ...]:
     """Return all changes, in the order of the paper."""
-    found = tomllib.loads(subject.file("errata.toml").read_text(encoding="utf-8"))["change"]
-    return tuple(map(_change, found))
+    return tuple(map(_change, subject.data("errata.toml")["change"]))
 
 
 def _change(entry: dict[str, Any]) -> Change:

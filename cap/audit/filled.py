@@ -9,6 +9,7 @@
 import re
 from collections.abc import Mapping
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Any
 
 from cap.audit.means import algebra, balls
@@ -17,16 +18,21 @@ from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.sets.interval import Ball
 
+Balls = Mapping[Any, Ball]
 _HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|)(\d+))?\}")
 _ROUNDED = {"": balls.pair, "<": balls.below, ">": balls.above, "in": balls.inner}
 
 
-def filled(text: str, words: Mapping[str, object]) -> str:
+def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyType({})) -> str:
     """Return a text with every hole filled, from words or from what a certificate claims.
 
-    Raises `NotProved` if there is nothing of some name.
+    ``balls`` enclose symbols in the words.  Raises `NotProved` if there is nothing of some name.
     """
-    return _HOLE.sub(lambda hole: _shown(_value(hole[1], words), hole[2] or "", hole[3]), text)
+
+    def shown(hole: re.Match[str]) -> str:
+        return _shown(_value(hole[1], words), hole[2] or "", hole[3], balls)
+
+    return _HOLE.sub(shown, text)
 
 
 def _value(name: str, words: Mapping[str, object]) -> object:
@@ -36,7 +42,7 @@ def _value(name: str, words: Mapping[str, object]) -> object:
     return value
 
 
-def _shown(value: Any, way: str, places: str | None) -> str:
+def _shown(value: Any, way: str, places: str | None, known: Balls) -> str:
     if places is None:
         return algebra.shown(value) if hasattr(value, "free_symbols") else str(value)
     if isinstance(value, Fraction):
@@ -44,5 +50,5 @@ def _shown(value: Any, way: str, places: str | None) -> str:
     if isinstance(value, Enclosure):
         return _ROUNDED[way](value, int(places))
     with balls.precisely():
-        ball = value if isinstance(value, Ball) else algebra.enclosure(value)
+        ball = value if isinstance(value, Ball) else algebra.enclosure(value, known)
         return balls.between(ball, int(places))

@@ -3,7 +3,6 @@
 ``findings.toml`` has them, in words that were written for the verdict on the first claim of each.
 """
 
-import tomllib
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -11,8 +10,6 @@ from enum import StrEnum
 from cap.audit import subject
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Verdict
-
-MOST = 10  # of the findings, the first: those that matter most
 
 
 class Severity(StrEnum):
@@ -54,7 +51,6 @@ class Finding:
 @cached
 def findings() -> tuple[Finding, ...]:
     """Return all findings, those that matter most first."""
-    entries = tomllib.loads(subject.file("findings.toml").read_text(encoding="utf-8"))["finding"]
     return tuple(
         Finding(
             title=each["title"],
@@ -64,7 +60,7 @@ def findings() -> tuple[Finding, ...]:
             says=each["says"],
             change=each["change"],
         )
-        for each in entries
+        for each in subject.data("findings.toml")["finding"]
     )
 
 

@@ -14,26 +14,28 @@ proof = "FILE.md#section"          # of a written proof, if it rests on one
 certificate = "NAME.json"          # stored, if it rests on one
 
 What is decided by algebra, or by what certificates claim, has ``steps``: see `cap.audit.steps`.
-What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, with what it is
-given, ``with``, after its steps, if it has some.  It raises `NotProved`, or returns a verdict, or
-the words that ``found`` and ``evidence`` ask for.  What has neither is decided by reading.
+What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, or of another's,
+``GROUP.function``, with what it is given, ``with``.  It is called after the steps, if there are
+some, raises `NotProved`, or returns the words that ``verdict``, ``found`` and ``evidence`` ask for.
+What has neither is decided by reading.  Symbols, steps and words that several claims share are
+under ``[common]``.
 """
 
 import hashlib
 import json
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import partial
 from importlib import import_module
 from pathlib import Path
 
-from cap.audit import errata, steps
+from cap.audit import errata, steps, subject
 from cap.audit.claim import Claim, Kind
 from cap.audit.filled import filled
-from cap.audit.steps import Given
+from cap.audit.steps import Given, Words
 from cap.audit.verdict import UNDECIDABLE, Outcome, Strength, Verdict
 
-WORDS = "found", "evidence", "proof", "certificate"
+WORDS = "verdict", "found", "evidence", "proof", "certificate"
 
 
 def claims(path: Path, module: str) -> tuple[Claim, ...]:
@@ -45,12 +47,11 @@ def claims(path: Path, module: str) -> tuple[Claim, ...]:
 
 
 def _claim(entry: Given, common: Given, module: str) -> Claim:
-    decide: Callable[[], Verdict]
+    function = None
     if "decide" in entry:
-        function = getattr(import_module(module), entry["decide"])
-        decide = partial(_decided, entry, common, partial(function, **entry.get("with", {})))
-    else:
-        decide = partial(_derived, entry, common)
+        group, _, name = entry["decide"].rpartition(".")
+        module = subject.group(group)[1] if group else module
+        function = partial(getattr(import_module(module), name), **entry.get("with", {}))
     formulas = [each.formula for each in errata.of(entry["id"])]
     content = json.dumps([entry, common, formulas], sort_keys=True)
     return Claim(
@@ -59,30 +60,32 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
         kind=Kind(entry["kind"]),
         says=entry["says"],
         stated=entry["stated"],
-        decide=decide,
+        decide=partial(decided, entry, common, function),
         quote=entry["quote"],
         module=module,
         content=hashlib.sha256(content.encode()).hexdigest(),
     )
 
 
-def _decided(
-    entry: Given, common: Given, function: Callable[[], Verdict | Mapping[str, object] | None]
+def decided(
+    entry: Given, common: Given, function: Callable[[], Words | None] | None = None
 ) -> Verdict:
-    """Return what a function decides; its words are put where ``found`` and ``evidence`` ask."""
-    made = steps.made(common, entry) if "steps" in entry else steps.Steps()
-    done = function()
+    """Return the verdict that follows when all steps hold, and what a function asks for.
+
+    It is what a rule says, or the words of the function, or the one that is named.
+    """
+    every = function is None or "steps" in entry
+    made = steps.made(common, entry) if every else steps.Steps()
+    words = {**made.names, **((function and function()) or {})}
     as_in_the_erratum(entry["id"], made)
-    return done if isinstance(done, Verdict) else _verdict(entry, {**made.names, **(done or {})})
-
-
-def _derived(entry: Given, common: Given) -> Verdict:
-    """Return the verdict that follows when all steps hold, or from the rule that it names."""
-    done = steps.made(common, entry)
-    as_in_the_erratum(entry["id"], done)
-    rule = steps.RULES.get(entry["verdict"])
-    verdict = rule(done, entry["stated"]) if rule else entry["verdict"]
-    return _verdict({**entry, "verdict": verdict}, done.names)
+    texts = {name: {**common, **entry}.get(name, "") for name in WORDS}
+    if rule := steps.RULES.get(texts["verdict"]):
+        texts["verdict"] = rule(made, entry["stated"])
+    filled_in = {name: filled(text, words, made.balls) for name, text in texts.items()}
+    outcome = Outcome(filled_in.pop("verdict"))
+    strength = Strength.NONE if outcome in UNDECIDABLE else Strength.PROVED
+    strength = Strength(entry.get("strength", strength))
+    return Verdict(outcome=outcome, strength=strength, **filled_in)
 
 
 def as_in_the_erratum(name: str, done: steps.Steps) -> None:
@@ -90,10 +93,3 @@ def as_in_the_erratum(name: str, done: steps.Steps) -> None:
     for each in errata.of(name):
         for formula in each.formula if each.claims[0] == name else ():
             done.agrees(formula, each.new)
-
-
-def _verdict(entry: Given, words: Mapping[str, object]) -> Verdict:
-    outcome = Outcome(entry["verdict"])
-    strength = Strength.NONE if outcome in UNDECIDABLE else Strength.PROVED
-    texts = {name: filled(entry.get(name, ""), words) for name in WORDS}
-    return Verdict(outcome=outcome, strength=Strength(entry.get("strength", strength)), **texts)

@@ -209,6 +209,6 @@ def dumps(paper: Paper) -> str:
 @cached
 def stored() -> Paper:
     """Return the places as they are stored."""
-    found = json.loads(subject.file("labels.json").read_text(encoding="utf-8"))
+    found = subject.data("labels.json")
     places = tuple(Place(**each) for each in found.pop("places"))
     return Paper(places=places, **found)

@@ -21,11 +21,6 @@ def stored() -> dict[str, str]:
     return {name: each.quote for name, each in ledger.claims().items()}
 
 
-def quote(name: str) -> str:
-    """Return the piece that the claim of this id is taken from."""
-    return stored().get(name, "")
-
-
 def lines(manuscript: Manuscript) -> dict[str, int]:
     """Return the lines in which the pieces begin, of those that are in the text once."""
     found = {name: manuscript.lines(piece) for name, piece in stored().items()}

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 from cap import __version__
-from cap.audit import ledger, quotes, subject
+from cap.audit import ledger, subject
 from cap.audit.cache import verdict
 from cap.audit.subject import cached
 from cap.audit.tables import Row
@@ -20,11 +20,7 @@ from cap.files import replacing
 @cached
 def _file() -> dict[str, Any]:
     """Return what is in the file."""
-    path = subject.file("recorded.json")
-    if not path.is_file():
-        return {"date": "", "program": "", "verdicts": {}}
-    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    return found
+    return {"date": "", "program": "", "verdicts": {}} | subject.data("recorded.json")
 
 
 @cached
@@ -61,7 +57,7 @@ def _short(decided: Verdict) -> dict[str, str]:
 def sentence(name: str) -> str:
     """Return a digest of what a claim says: place, kind, words, value and quotation."""
     claim = ledger.claims()[name]
-    parts = (claim.where, claim.kind, claim.says, claim.stated, quotes.quote(name))
+    parts = (claim.where, claim.kind, claim.says, claim.stated, claim.quote)
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from enum import StrEnum
 
-from cap.audit import errata, ledger, quotes, recorded
+from cap.audit import errata, ledger, recorded
 from cap.audit.claim import Kind
 from cap.audit.manuscript import Manuscript
 from cap.audit.verdict import Outcome, Verdict
@@ -48,7 +48,7 @@ def sentence(name: str, manuscript: Manuscript, verdict: Verdict | None) -> Sent
     done = [_made(each, manuscript) for each in wanted]
     if wanted and all(done):
         return Sentence(name, State.CORRECTED, "as the erratum has it")
-    piece = quotes.quote(name)
+    piece = ledger.claims()[name].quote
     if manuscript.count(piece):
         return Sentence(name, State.STANDS, "" if not any(done) else "corrected elsewhere only")
     if any(done):

@@ -4,7 +4,6 @@ The status follows from the verdicts on the claims that decide it; the words in 
 were written for these verdicts, and `cap.audit.recorded` holds them.
 """
 
-import tomllib
 from dataclasses import dataclass
 
 from cap.audit import labels, subject
@@ -54,6 +53,5 @@ class Statement:
 @cached
 def statements() -> tuple[Statement, ...]:
     """Return the statements of the paper, in its order."""
-    path = subject.file("statements.toml")
-    found = tomllib.loads(path.read_text(encoding="utf-8"))["statement"] if path.is_file() else []
+    found = subject.data("statements.toml").get("statement", [])
     return tuple(Statement(e["label"], tuple(e["decided_by"]), e["instead"]) for e in found)

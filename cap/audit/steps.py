@@ -8,6 +8,9 @@
     2*f != f                             certain at an exact point, in balls
     pi/2 > 1                             a sign: of a number in balls, else by those of the symbols
     elliptic.twist > 0                   what elliptic.json claims, once the checker has accepted it
+    elliptic.hit_forcing > 0             each entry of a list, or of a table
+    "turn left" in segment.itinerary     an entry of a list
+    elliptic.box.x.lower < paper.r       an end of an enclosure; a parameter of the paper
     elliptic.at == paper                 it is about the paper's parameters
     hit(1).det() == 1                    of a derivative of `cap.audit.means.linear`: hit, turn
     '''
@@ -42,8 +45,8 @@ SYMBOLS = {
 }
 _DEFINES = re.compile(r"(\w+) = (.+)")
 _DECIMAL = re.compile(r"-?\d+\.\d+")
-_HOLDS = re.compile(r"(.+) (==|!=|<|>) (.+)")
-_CLAIMED = re.compile(r"(?<![\w.])[a-z]+(?:-\d+)?(?:\.\w+)+")
+_HOLDS = re.compile(r"(.+) (==|!=|<|>|in) (.+)")
+_CLAIMED = re.compile(r"(?<![\w.])[a-z_]+(?:-\d+)?(?:\.\w+)+")
 
 
 class Steps:
@@ -93,15 +96,30 @@ class Steps:
             with balls.precisely():
                 self.balls[symbol] = interval.hull(*map(interval.ball, value[:2]))
             return symbol
+        if isinstance(value, dict):
+            return {name: self._exact(each) for name, each in value.items()}
+        if isinstance(value, list | tuple):
+            return [self._exact(each) for each in value]
         return sp.Rational(value) if isinstance(value, Fraction | int) else value
 
     def _holds(self, left: Any, relation: str, right: Any) -> bool:
+        if relation == "in":
+            return left in right
+        if isinstance(left, dict | list) and not isinstance(right, dict | list):
+            entries = list(left.values() if isinstance(left, dict) else left)
+            return entries != [] and all(self._holds(each, relation, right) for each in entries)
         if relation in "<>":
             return self._positive(left - right if relation == ">" else right - left)
         if relation == "!=":
-            return algebra.differs(left, right)
-        symbolic = isinstance(left, sp.Basic | sp.MatrixBase)
+            return self._differs(left, right)
+        symbolic = all(isinstance(each, sp.Basic | sp.MatrixBase) for each in (left, right))
         return bool(left == right) or (symbolic and algebra.same(left, right))
+
+    def _differs(self, left: Any, right: Any) -> bool:
+        """Return whether numbers, or expressions, certainly differ."""
+        if self.balls and (left - right).free_symbols & self.balls.keys():
+            return self._positive(left - right) or self._positive(right - left)
+        return algebra.differs(left, right)
 
     def _positive(self, value: Any) -> bool:
         """Return whether a number or an expression is certainly positive."""

@@ -8,6 +8,7 @@ places have none, and which rows of its tables are decided elsewhere.  Nothing o
 knows what the paper says.
 """
 
+import json
 import tomllib
 from collections.abc import Callable
 from functools import cache
@@ -66,7 +67,14 @@ def group(name: str) -> tuple[Path, str]:
     return file(f"claims/{name}.toml"), f"{__package__}.papers.{_chosen[0]}.claims.{name}"
 
 
+def data(name: str) -> dict[str, Any]:
+    """Return what one of its files says, in TOML or JSON; nothing if it is not there."""
+    path = file(name)
+    read = tomllib.loads if path.suffix == ".toml" else json.loads
+    return read(path.read_text(encoding="utf-8")) if path.is_file() else {}
+
+
 @cached
 def paper() -> dict[str, Any]:
     """Return what ``paper.toml`` says."""
-    return tomllib.loads(file("paper.toml").read_text(encoding="utf-8"))
+    return data("paper.toml")

@@ -9,7 +9,6 @@ list decides nothing.
 
 import json
 import re
-import tomllib
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
 from importlib import import_module
@@ -21,7 +20,7 @@ from cap.audit.claim import Claim, Kind
 from cap.audit.comparison import PROVED, Comparison
 from cap.audit.comparison import Kind as Compared
 from cap.audit.subject import cached
-from cap.audit.verdict import Outcome, Strength, Verdict, uncheckable
+from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import NotProved
 from cap.files import replacing
 
@@ -63,17 +62,13 @@ class Row(Claim):
 @cached
 def listed() -> dict[str, list[list[str]]]:
     """Return what, the paper's value, the place and the kind of each row, by tables."""
-    path = subject.file("tables.json")
-    if not path.is_file():
-        return {}
-    found: dict[str, list[list[str]]] = json.loads(path.read_text(encoding="utf-8"))
-    return found
+    return subject.data("tables.json")
 
 
 @cached
 def _quotes() -> dict[str, str]:
     """Return what the rows are taken from, by their ids."""
-    return tomllib.loads(subject.file("quotes.toml").read_text(encoding="utf-8"))
+    return subject.data("quotes.toml")
 
 
 def claims() -> tuple[Row, ...]:
@@ -122,19 +117,17 @@ def verdict(row: Comparison) -> Verdict:
     says too roughly, or of a procedure that it does not give, is imprecise; where it does not say
     what is to be computed, nothing is decided.
     """
-    if row.unstated:
-        return uncheckable(f"here: {row.ours.replace(PROVED, '')}", f"{row.reason}.")
     outcome = Outcome.REFUTED if row.kind is Compared.WORDS else Outcome.CORRECTED
-    if row.agrees:
+    strength = Strength.PROVED if row.rigorous else Strength.NUMERICAL
+    found = row.ours.replace(PROVED, "")
+    if row.unstated:
+        outcome, strength, found = Outcome.UNCHECKABLE, Strength.NONE, f"here: {found}"
+    elif row.agrees:
         outcome = Outcome.CONFIRMED
     elif row.imprecise:
         outcome = Outcome.IMPRECISE
-    return Verdict(
-        outcome=outcome,
-        strength=Strength.PROVED if row.rigorous else Strength.NUMERICAL,
-        found=row.ours.replace(PROVED, ""),
-        evidence=f"{row.reason}." if row.reason else "",
-    )
+    evidence = f"{row.reason}." if row.reason else ""
+    return Verdict(outcome=outcome, strength=strength, found=found, evidence=evidence)
 
 
 def rows(label: str, *, fresh: bool = False) -> tuple[Comparison, ...]:

@@ -16,24 +16,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from cap.checker.kernel.certificate import DIGITS
-from cap.checker.kernel.choices import Cases, OneOrOther, OrNone, Taken
+from cap.checker.kernel.choices import Cases, OneOrOther, OrNone
+from cap.checker.kernel.integers import Integer
+from cap.checker.kernel.later import Later
 from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.named import NAME, Named, name
+from cap.checker.kernel.optional import First, Maybe
 from cap.checker.kernel.reading import MAX_CHARACTERS, NUMBER, number, text
-from cap.checker.kernel.shapes import (
-    First,
-    Integer,
-    Later,
-    Many,
-    Maybe,
-    Quantity,
-    Table,
-    Whole,
-    Word,
-    bound,
-    enclosure,
-    region,
-)
+from cap.checker.kernel.shapes import Many, Quantity, Table, Whole, Word, bound, enclosure, region
+from cap.checker.kernel.taken import Taken
 from cap.checker.kernel.theorem import Theorem
 from cap.checker.theorems import NAMES, load
 from cap.files import replacing

@@ -11,9 +11,11 @@ from math import ceil, floor
 from typing import Any
 
 from cap.checker.kernel.choices import Cases, OneOrOther, OrNone
+from cap.checker.kernel.later import Later
+from cap.checker.kernel.optional import First, Maybe
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Enclosure, First, Later, Many, Maybe, region
+from cap.checker.kernel.shapes import Enclosure, Many, region
 from cap.checker.kernel.theorem import Certificate
 from cap.checker.theorems import load
 

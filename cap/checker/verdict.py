@@ -28,12 +28,6 @@ def check(
     return certificate
 
 
-def seconds(data: bytes) -> int:
-    """Return about how long a check takes, if that is known, or raise an exception."""
-    certificate = read(data)
-    return load(certificate.theorem)(certificate, lambda _: None).seconds()
-
-
 def words(certificate: Certificate) -> str:
     """Return the theorem of a certificate in one line."""
     return load(certificate.theorem)(certificate, lambda _: None).words()

@@ -18,6 +18,7 @@ from cap.command import (
     own_attractor,
     own_branch,
     own_capture,
+    own_family,
     own_horseshoe,
     own_refusals,
     own_table,
@@ -37,6 +38,7 @@ from cap.words import printable, quoted, say
 ATTRACTOR = ("attractor", "contact_attractor")
 BRANCH = ("branch", "contacts_branch")
 CAPTURE = ("capture", "contact_capture")
+FAMILY = ("family", "contacts_family")
 HORSESHOE = ("horseshoe", "contact_horseshoe")
 PERIODIC = ("periodic", "contacts")
 ELLIPTIC = ("elliptic", "contact_elliptic")
@@ -52,6 +54,8 @@ def main(words: Sequence[str]) -> int:
         return own_branch.main(words)
     if named in CAPTURE:
         return own_capture.main(words)
+    if named in FAMILY:
+        return own_family.main(words)
     if named in HORSESHOE:
         return own_horseshoe.main(words)
     options = parser(named).parse_args([protected(word) for word in words])
@@ -261,7 +265,7 @@ def _others(met: Met) -> Iterable[str]:
         k = len(met.neutral)
         yield (
             f"{k} with a multiplier that is 1 up to rounding, as {met.neutral[0].shown()}: "
-            + ("a family of orbits, it seems; " if k > 2 else "")
+            + ("a family of orbits, it seems (see `family --model`); " if k > 2 else "")
             + "an orbit that is not isolated is not proved by its contacts"
         )
     if met.captured:

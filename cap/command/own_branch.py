@@ -54,9 +54,9 @@ def parser() -> Parser:
         description="Prove a curve of periodic orbits of a system of your own over a range of a "
         "parameter: it exists, in pieces on which it is the only one, nothing else happens on its "
         "orbits, how many multipliers are outside the unit circle, and where one passes -1, two "
-        "pass the circle elsewhere, the curve turns back, or ends in a graze, to 20 digits; with "
-        "--symmetric through pitchforks.  The parameter must stand in guards, resets or constant "
-        "forces.",
+        "pass the circle elsewhere, the curve turns back, or ends in a graze, of a guard or of a "
+        "contact whose speed goes to 0, to 20 digits; with --symmetric through pitchforks.  The "
+        "parameter must stand in guards, resets or constant forces.",
         epilog="Example: python -m cap.prove branch --model examples/ball.py --parameter A "
         "--range 1 3 --set e=1/2",
     )

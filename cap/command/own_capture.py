@@ -36,9 +36,9 @@ def parser() -> Parser:
         prog=f"{program('cap.prove')} capture --model FILE",
         description="Prove that a system of your own comes to rest: from a box of states every "
         "motion hits a guard infinitely often in a finite time, and then stays in the mode of rest "
-        "that the guard names, for ever or until its release.  FILE.py has a function of the "
-        "parameters that returns a cap.System (see docs/own-system.md).  The certificate holds the "
-        "system: `python -m cap.verify` needs no FILE.py.",
+        "that the guard names, for ever or at least until a time that is printed.  FILE.py has a "
+        "function of the parameters that returns a cap.System (see docs/own-system.md).  The "
+        "certificate holds the system: `python -m cap.verify` needs no FILE.py.",
         epilog="Examples: python -m cap.prove capture --model examples/ball.py --set A=1/5 --box 0 "
         "10 -5 5;  python -m cap.prove capture --model examples/ball.py",
     )

@@ -29,6 +29,11 @@ def add_common(p: argparse.ArgumentParser, theorem: str) -> None:
 def add_ends(p: argparse.ArgumentParser) -> None:
     """Add how many processes there are, and where the certificate goes."""
     p.add_argument("--jobs", default="1", metavar="N", help="processes (default 1)")
+    add_out(p)
+
+
+def add_out(p: argparse.ArgumentParser) -> None:
+    """Add where the certificate goes."""
     p.add_argument(
         "--out",
         type=Path,

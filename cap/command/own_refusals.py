@@ -6,14 +6,15 @@ from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
 PROVED = (
-    "of a system of one's own `periodic`, `elliptic`, `branch`, `capture`, `attractor` and "
-    "`horseshoe` are proved"
+    "of a system of one's own `periodic`, `elliptic`, `branch`, `family`, `capture`, "
+    "`attractor` and `horseshoe` are proved"
 )
 
 LISTED = {
     "periodic --model FILE": "periodic orbits by their contacts; their type, the basin of a sink",
     "elliptic --model FILE": "an elliptic orbit where nothing is lost: its twist, tori around it",
     "branch --model FILE": "a curve of periodic orbits over a parameter: its folds and flips",
+    "family --model FILE": "a family of periodic orbits at one value of the parameters, exactly",
     "capture --model FILE": "infinitely many contacts in finite time, then rest, from a box",
     "attractor --model FILE": "releases: one motion that the others tend to, or entropy",
     "horseshoe --model FILE": "entropy of motions from contact to contact",
@@ -24,6 +25,7 @@ LISTED = {
 """What is proved of a system or a map of one's own, for ``--list``."""
 
 REASONS: Mapping[str, str] = {
+    "family": "name it first: `family --model FILE`",
     "capture": "name it first: `capture --model FILE`",
     "attractor": "name it first: `attractor --model FILE`",
     "entropies": "its map is that of one mass under dry friction; see `attractor --model`",

@@ -62,31 +62,23 @@ class Command:
 
     def function(self) -> Callable[..., Any]:
         """Return the computation."""
-        return _found("cap.floats.diagnostics", self.run)
+        module, function = self.run.split(":")
+        path = module if "." in module else f"cap.floats.diagnostics.{module}"
+        found: Callable[..., Any] = getattr(import_module(path), function)
+        return found
 
     def picture(
         self, findings: Any, size: tuple[float, float] | None = None, dpi: float = 200
     ) -> "Figure":
         """Return the picture of findings, of a size in inches."""
-        from cap.pictures import style  # noqa: PLC0415 (matplotlib, only where it draws)
+        from cap.pictures.style import drawn  # noqa: PLC0415 (matplotlib, only where it draws)
 
-        figure = style.blank(size or self.size, dpi)
-        with style.style():
-            _found("cap.pictures", self.draw)(findings, figure)
-            figure.draw_without_rendering()
-        return figure
+        return drawn(self.draw, findings, size or self.size, dpi)
 
     @staticmethod
     def status(findings: Any) -> int:
         """Return the exit status: 1 if something was not proved."""
         return int(getattr(findings, "failed", 0) > 0)
-
-
-def _found(package: str, name: str) -> Callable[..., Any]:
-    module, function = name.split(":")
-    path = module if "." in module else f"{package}.{module}"
-    found: Callable[..., Any] = getattr(import_module(path), function)
-    return found
 
 
 ORBIT = Option("orbit", option.numbers, "the fixed point near this state", ("X", "V"), 2)

@@ -184,8 +184,8 @@ def _paper(labels: Sequence[str], out: Sequence[Path], progress: Progress) -> in
     if len(set(labels)) > 1:
         raise BadInput("one figure at a time, --paper LABEL; or --paper all")
     with entry.loading():  # numpy is slow to load: not for --help
-        from cap.paper import command  # noqa: PLC0415
-    return command.run(labels[0], out, progress.tell)
+        from cap.explore import paper  # noqa: PLC0415
+    return paper.run(labels[0], out, progress.tell)
 
 
 def _run(options: argparse.Namespace, command: Command, progress: Progress) -> int:

@@ -27,7 +27,9 @@ class Leg(NamedTuple):
 
 
 class Along(NamedTuple):
-    """A guard h on a leg; ``vanishing`` of h, L h, .. are zero at the start, h at the end if last.
+    """A guard h on a leg; ``vanishing`` of h, L h, .. are zero at the start, ``last`` at the end.
+
+    Where h is zero and L h has its sign by another reason, both are counted.
 
     Each function returns an enclosure for all orbits that the leg encloses.
     """
@@ -36,7 +38,7 @@ class Along(NamedTuple):
     name: str
     watch: Watch
     vanishing: int
-    last: bool
+    last: int
 
     def at(self, end: End) -> Ball:
         """Return h at an end of the leg."""

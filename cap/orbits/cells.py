@@ -57,7 +57,7 @@ class Line(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """A proved piece of a curve; ``error`` encloses b, ``multipliers`` e_1, ..., e_n."""
+    """A proved piece of a curve; ``error`` encloses b, ``multipliers``, if any, e_1, ..., e_n."""
 
     line: Line
     reach: Sequence[Fraction]
@@ -174,6 +174,11 @@ class Cells:
         return Line(along, ends, centre, slope, rows)
 
     def prove(self, line: Line) -> Cell:
+        """Prove the same as `zeros`, and enclose the multipliers."""
+        cell = self.zeros(line)
+        return cell._replace(multipliers=self.multipliers(cell.wider))
+
+    def zeros(self, line: Line) -> Cell:
         """Prove that the curve has one point for each s; see the statement of this module."""
         along, curve, of = line.along, self.curve, self.balls
         size = curve.size
@@ -195,16 +200,11 @@ class Cells:
             B = interval.column([aside[k] for k in others])
             K = (E * B - F - forced * offset).entries()
             if all(abs(x) < MARGIN * aside[k].rad() for x, k in zip(K, others, strict=True)):
-                return self._cell(line, reach, K)
+                return Cell(line, reach, (*K[:along], interval.ZERO, *K[along:]), [])
             least = max(map(_above, K)) / EVEN
             for x, k in zip(K, others, strict=True):
                 reach[k] = max(least, _above(x))
         raise NotProved("curve", "K does not lie inside of the box of a cell", {"s": place[along]})
-
-    def _cell(self, line: Line, reach: Sequence[Fraction], K: Sequence[Ball]) -> Cell:
-        error = (*K[: line.along], interval.ZERO, *K[line.along :])
-        cell = Cell(line, reach, error, [])
-        return cell._replace(multipliers=self.multipliers(cell.wider))
 
     def multipliers(self, box: Box) -> list[Ball]:
         """Return the elementary symmetric functions of the multipliers of the orbits in a box."""

@@ -88,6 +88,14 @@ class Equations:
             found.append(Block(flat[: n + 1], rows))
         return found
 
+    def by_parameters(self, z: Unknowns, of: Numbers) -> list[list[list[Any]]]:
+        """Return for each leg the derivatives of h, and of each variable on arrival, by each."""
+        count, found = len(self.itinerary.system.parameters), []
+        for leg, _, arguments in self._arguments(z, of):
+            flat = of.of(leg.by_parameters)(*arguments)
+            found.append([[*flat[i : i + count]] for i in range(0, len(flat), count)])
+        return found
+
     def rows(self, blocks: Sequence[Block]) -> list[list[Any]]:
         """Return F' by rows."""
         result: list[list[Any]] = []

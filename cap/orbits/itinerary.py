@@ -47,8 +47,6 @@ class Itinerary:
 
     def __post_init__(self) -> None:
         modes = self.system.modes
-        if self.system.parameters:
-            raise BadInput(f"the parameters {list(self.system.parameters)} have no values: use .at")
         if not self.contacts or self.periods < 1:
             raise BadInput("an itinerary has a contact and takes a period, at least")
         if self.symmetry and self.periods % 2 == 0:
@@ -64,7 +62,11 @@ class Itinerary:
 
     def following(self, k: int) -> Contact:
         """Return the contact after the k-th, counted from 0; after the last it is the first."""
-        return self.contacts[(k + 1) % len(self.contacts)]
+        return self.contacts[self.after(k)]
+
+    def after(self, k: int) -> int:
+        """Return the number of that contact."""
+        return (k + 1) % len(self.contacts)
 
     def is_moved(self, k: int) -> bool:
         """Return whether the flight after the k-th contact is looked at as S moves it back."""
@@ -76,19 +78,27 @@ class Itinerary:
         return self.symmetry.modes[to] if self.symmetry and self.is_moved(k) else to
 
     @cached_property
+    def known(self) -> list[Facts]:
+        """For each contact the variables that are numbers just before it, on every orbit."""
+        facts: Facts = {}
+        found = list[Facts]()
+        for _ in range(2):  # the first round shows what the first contact begins with
+            found = []
+            for k, contact in enumerate(self.contacts):
+                found.append(facts)
+                facts = self._back(k, self._moved(contact, self._reset(contact, facts)))
+        return found
+
+    @cached_property
     def vanishing(self) -> list[dict[str, int]]:
         """For each contact and guard of the mode after it: how many of h, L h, .. vanish there."""
-        facts: Facts = {}
-        for k, contact in enumerate(self.contacts):  # to know what the first contact begins with
-            facts = self._back(k, self._moved(contact, self._reset(contact, facts)))
-        found = []
-        for k, contact in enumerate(self.contacts):
-            after = self._reset(contact, facts)
-            guards = self.system.modes[self.flown(k)].guards
-            found.append({name: self._order(contact, self._image(k, name), facts)
-                          for name in guards})  # fmt: skip
-            facts = self._back(k, self._moved(contact, after))
-        return found
+        return [
+            {
+                name: self._order(contact, self._image(k, name), facts)
+                for name in self.system.modes[self.flown(k)].guards
+            }
+            for k, (contact, facts) in enumerate(zip(self.contacts, self.known, strict=True))
+        ]
 
     def _image(self, k: int, name: str) -> str:
         """Return the guard of the mode after a contact that this one is on the flight."""

@@ -6,6 +6,7 @@ Functions take times, states and, with each time, the clock (cos wt, sin wt); th
 (`cap.orbits.motion`).
 """
 
+from collections.abc import Sequence
 from functools import cached_property
 
 from cap.orbits.itinerary import Contact
@@ -95,8 +96,7 @@ class Leg:
         self.motion, self._system, tape = motion, system, Tape()
         self._q = [f"q{i}" for i in range(len(system.state))]
         self.inputs = [*START, *self._q, *END, *motion.inputs]
-        t0, t1 = tape.input("t0"), tape.input("t1")
-        start, end = _clock(tape, "c0", "s0"), _clock(tape, "c1", "s1")
+        start = _clock(tape, "c0", "s0")
         before = named(system, [tape.input(q) for q in self._q], start)
         of, reset = scalars(tape), system.reset(contact.mode, contact.guard)
         self._tape = tape
@@ -105,34 +105,85 @@ class Leg:
         if signs:
             self._after = [q if s > 0 else -q for q, s in zip(self._after, signs, strict=True)]
             start = -start[0], -start[1]
-        reached = motion.arrival(self._after, start, t1 - t0, end)
-        self._reached = [reached[z] for z in system.state]
+        self._start = start
+        self._reached = self._arrival(self._after)
+
+    def _arrival(self, after: Sequence[Term]) -> list[Term]:
+        """Return the state on arrival, from that after the reset."""
+        tape = self._tape
+        duration, end = tape.input("t1") - tape.input("t0"), _clock(tape, "c1", "s1")
+        reached = self.motion.arrival(after, self._start, duration, end)
+        return [reached[z] for z in self._system.state]
 
     @cached_property
     def after(self) -> Function:
         """The state after the reset, of (cos, sin, q)."""
-        return Function(["c0", "s0", *self._q], self._after)
+        return self._function(["c0", "s0", *self._q], self._after)
 
     @cached_property
     def value(self) -> Function:
         """h at the start, and the state on arrival."""
-        return Function(self.inputs, [self._h, *self._reached])
+        return self._function(self.inputs, [self._h, *self._reached])
 
     @cached_property
     def slope(self) -> Function:
-        """dh by (t0, q), then for each variable on arrival its derivatives by (t0, q, t1)."""
-        tape, one = self._tape, self._tape.number(1)
-        w = scalars(tape).value(self._system.omega, {})
-        by: dict[str, Gradient] = {name: {name: one} for name in ("t0", "t1", *self._q)}
-        for t, c, s in (START, END):
-            by |= {c: {t: -w * tape.input(s)}, s: {t: w * tape.input(c)}}
-        rates = self.motion.rates(tape)
-        by |= {x: {"t1": rate, "t0": -rate} for x, rate in rates.items()}
-        h, *reached = gradients([self._h, *self._reached], by)
-        zero, start = tape.number(0), ["t0", *self._q]
+        """dh by (t0, q), then for each variable on arrival its derivatives by (t0, q, t1).
+
+        A flight from z at t0 moves as z does: by t0 it has the derivative -J f(z, t0), with J = exp
+        (A d) its derivative by z, and f the field.  That has no terms that cancel.
+        """
+        tape, zero = self._tape, self._tape.number(0)
+        h, *after = gradients([self._h, *self._after], self._clocked("t0", START, self._q))
+        end = self._clocked("t1", END, [])
+        end |= {x: {"t1": rate} for x, rate in self.motion.rates(tape).items()}
+        arrived = gradients(self._reached, end)
+        start = ["t0", *self._q]
         rows = [h.get(v, zero) for v in start]
-        rows += [z.get(v, zero) for z in reached for v in (*start, "t1")]
-        return Function(self.inputs, rows)
+        fields = [*zip(after, self._leaving(), strict=True)]
+        slopes = [
+            {v: q.get(v, zero) for v in start} | {"t0": q.get("t0", zero) - f} for q, f in fields
+        ]
+        for by_state, by_end in zip(self._by_state(), arrived, strict=True):
+            for v in start:
+                parts = [J * q[v] for J, q in zip(by_state, slopes, strict=True)]
+                rows.append(sum(parts, zero))
+            rows.append(by_end.get("t1", zero))
+        return self._function(self.inputs, rows)
+
+    @cached_property
+    def by_parameters(self) -> Function:
+        """The derivatives of h and of each variable on arrival by each parameter of the system."""
+        tape, names = self._tape, self._system.parameters
+        by: dict[str, Gradient] = {name: {name: tape.number(1)} for name in names}
+        found = gradients([self._h, *self._reached], by)
+        zero = tape.number(0)
+        return self._function(self.inputs, [q.get(p, zero) for q in found for p in names])
+
+    def _function(self, inputs: Sequence[str], outputs: Sequence[Term]) -> Function:
+        return Function(inputs, outputs, self._system.parameters)
+
+    def _clocked(self, t: str, clock: Sequence[str], others: Sequence[str]) -> dict[str, Gradient]:
+        """Return the derivatives of a time, its clock, and other inputs, by time and these."""
+        tape, (_, c, s) = self._tape, clock
+        w = scalars(tape).value(self._system.omega, {})
+        by: dict[str, Gradient] = {name: {name: tape.number(1)} for name in (t, *others)}
+        return by | {c: {t: -w * tape.input(s)}, s: {t: w * tape.input(c)}}
+
+    def _leaving(self) -> list[Term]:
+        """Return the field of the flight at its start."""
+        field, here = self._system.modes[self.motion.mode].field, self._start
+        known = named(self._system, self._after, here)
+        return [scalars(self._tape).value(field[z], known) for z in self._system.state]
+
+    def _by_state(self) -> list[list[Term]]:
+        """Return J, by rows: no variable of the state occurs in it, as flights are affine."""
+        tape, names = self._tape, [f"a{i}" for i in range(len(self._after))]
+        zero, one = tape.number(0), tape.number(1)
+        reached = self._arrival([tape.input(a) for a in names])
+        return [
+            [row.get(a, zero) for a in names]
+            for row in gradients(reached, {a: {a: one} for a in names})
+        ]
 
 
 class Watch:
@@ -162,34 +213,46 @@ class Watch:
     @cached_property
     def along(self) -> Function:
         """h and L h."""
-        return Function(self.inputs, [self._of(q, along=True) for q in self._towers[:2]])
+        return Function(
+            self.inputs,
+            [self._of(q, along=True) for q in self._towers[:2]],
+            self._system.parameters,
+        )
 
     @cached_property
     def height(self) -> Function:
         """h alone."""
-        return Function(self.inputs, [self._of(self._towers[0], along=True)])
+        return Function(
+            self.inputs, [self._of(self._towers[0], along=True)], self._system.parameters
+        )
 
     @cached_property
     def bend(self) -> Function:
         """L² h."""
-        return Function(self.inputs, [self._of(self._towers[2], along=True)])
+        return Function(
+            self.inputs, [self._of(self._towers[2], along=True)], self._system.parameters
+        )
 
     @cached_property
     def at(self) -> Function:
         """h at a place."""
-        return Function(self._place, [self._of(self._towers[0], along=False)])
+        return Function(
+            self._place, [self._of(self._towers[0], along=False)], self._system.parameters
+        )
 
     @cached_property
     def gradient(self) -> Function:
         """The derivatives of h by the state at a place."""
         h = self._towers[0]
         rows = [self._of(h.derivative(z), along=False) for z in self._system.state]
-        return Function(self._place, rows)
+        return Function(self._place, rows, self._system.parameters)
 
     @cached_property
     def rate(self) -> Function:
         """L h at a place."""
-        return Function(self._place, [self._of(self._towers[1], along=False)])
+        return Function(
+            self._place, [self._of(self._towers[1], along=False)], self._system.parameters
+        )
 
 
 def flown(system: System, motion: Motion) -> Function:
@@ -198,7 +261,7 @@ def flown(system: System, motion: Motion) -> Function:
     start, end = _clock(tape, "c0", "s0"), _clock(tape, "c1", "s1")
     there = motion.arrival([tape.input(z) for z in q], start, tape.input("d"), end)
     inputs = ["c0", "s0", *q, "d", "c1", "s1", *motion.inputs]
-    return Function(inputs, [there[z] for z in system.state])
+    return Function(inputs, [there[z] for z in system.state], system.parameters)
 
 
 def _clock(tape: Tape, c: str, s: str) -> Clock:

@@ -30,7 +30,7 @@ class Motion:
     """The flights of a mode; ``generator`` is N, empty if A is nilpotent."""
 
     def __init__(self, system: System, mode: str) -> None:
-        self.system, self.generator = system, Generator()
+        self.system, self.mode, self.generator = system, mode, Generator()
         try:
             found = flights(system, mode)
         except BadInput:
@@ -41,6 +41,8 @@ class Motion:
 
     def _exponential(self, mode: str) -> None:
         """Choose N, and the response, with as few rows as will do."""
+        if self.system.parameters:
+            raise BadInput(f"with parameters, flights of {mode} must be polynomials in time")
         system, M, n = self.system, self.system.matrix(mode), len(self.system.state)
         places = [*range(n), *range(n, n + 3)]
         try:
@@ -88,8 +90,9 @@ class Motion:
         self, of: Scalars, z: Sequence[Term], start: Clock, duration: Term, end: Clock
     ) -> list[Term]:
         if self.flights:
-            rest = self.flights.launch(z, start, {}, of)
-            return self.flights.state_at(rest, duration, end, {}, of)
+            values = parameters(self.system, duration.tape)
+            rest = self.flights.launch(z, start, values, of)
+            return self.flights.state_at(rest, duration, end, values, of)
         tape, vector = duration.tape, list(z)
         if self.response:
             vector = list(self.response.launch(z, start, {}, of).values())
@@ -114,8 +117,14 @@ def scalars(tape: Tape) -> Scalars:
 
 
 def named(system: System, state: Sequence[Term], clock: Clock) -> dict[str, Term]:
-    """Return terms by the names of the variables that they stand for."""
-    return {**dict(zip(system.state, state, strict=True)), COS: clock[0], SIN: clock[1]}
+    """Return terms by the names of the variables and parameters that they stand for."""
+    given = parameters(system, clock[0].tape)
+    return given | dict(zip(system.state, state, strict=True)) | {COS: clock[0], SIN: clock[1]}
+
+
+def parameters(system: System, tape: Tape) -> dict[str, Term]:
+    """Return the parameters of a system as inputs."""
+    return {name: tape.input(name) for name in system.parameters}
 
 
 def _sum(tape: Tape, terms: Sequence[Term]) -> Term:

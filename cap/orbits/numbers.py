@@ -3,16 +3,18 @@
 `Balls` enclose, at the precision at which they are made; `Floats` are for searches.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import cos, pi, sin
 from typing import Any, Protocol
 
+from cap.errors import BadInput
 from cap.orbits.motion import BITS, Motion
 from cap.sets import interval
 from cap.sets.interval import Ball, Matrix
 from cap.system.exponential import enclosed, exponential, number
 from cap.system.model import System
 from cap.system.source import Evaluated, Function
+from cap.system.source import enclosed as enclosed_number
 
 Clock = tuple[Any, Any]
 
@@ -33,10 +35,13 @@ class Numbers(Protocol):
 
 
 class Balls:
-    """Balls at the precision at which this is made."""
+    """Balls at the precision at which this is made; ``values`` are those of parameters, or sets."""
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: System, values: Mapping[str, Ball] | None = None) -> None:
+        self.values = dict(values or {})
+        _given(system, self.values)
         self.bits, self._omega = interval.working_bits(), number(system.omega)
+        self._bound = dict[Function, Evaluated]()
         self.period = 2 * interval.pi() * number(system.omega.reciprocal())
         self._generators = dict[Motion, Matrix]()
 
@@ -53,13 +58,18 @@ class Balls:
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of balls."""
-        return function.balls()
+        if not function.parameters:
+            return function.balls()
+        if function not in self._bound:
+            self._bound[function] = function.bound(enclosed_number, self.values)
+        return self._bound[function]
 
 
 class Floats:
     """Doubles; nothing is rounded outwards."""
 
     def __init__(self, system: System) -> None:
+        _given(system, {})
         self._omega = float(number(system.omega))
         self.period = 2 * pi / self._omega
 
@@ -76,3 +86,10 @@ class Floats:
     def of(self, function: Function) -> Evaluated:
         """Return a function of doubles."""
         return function.floats()
+
+
+def _given(system: System, values: Mapping[str, Any]) -> None:
+    """Refuse parameters without values."""
+    left = [name for name in system.parameters if name not in values]
+    if left:
+        raise BadInput(f"the parameters {left} have no values: use .at")

@@ -12,10 +12,10 @@
    and 0.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any
 
 import numpy as np
@@ -27,8 +27,8 @@ from cap.orbits.along import Along, End, Leg
 from cap.orbits.equations import Block, Equations, derivative
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.minima import Minimum, minima
-from cap.orbits.numbers import Balls, Floats
-from cap.orbits.quiet import Reason, reason
+from cap.orbits.numbers import Balls, Clock, Floats
+from cap.orbits.quiet import Reason, inside, reason
 from cap.sets import interval
 from cap.sets.interval import Ball, Matrix
 
@@ -51,9 +51,7 @@ class PeriodicOrbit:
     @property
     def contacts(self) -> list[tuple[Ball, Box]]:
         """The times of the contacts and the states just before them, enclosed."""
-        step = len(self.itinerary.system.state) + 1
-        places = range(0, len(self.box), step)
-        return [(self.box[i], self.box[i + 1 : i + step]) for i in places]
+        return contacts_of(self.itinerary, self.box)
 
     @property
     def trace(self) -> Ball:
@@ -70,6 +68,12 @@ class PeriodicOrbit:
         return outside(
             [e / interval.ball(radius**k) for k, e in enumerate(self.symmetric, start=1)]
         )
+
+
+def contacts_of(itinerary: Itinerary, box: Box) -> list[tuple[Ball, Box]]:
+    """Return the times and the states, of all of them in a row."""
+    step = len(itinerary.system.state) + 1
+    return [(box[i], box[i + 1 : i + step]) for i in range(0, len(box), step)]
 
 
 def in_order(leg: Leg) -> None:
@@ -116,10 +120,18 @@ def _inside(p: Sequence[Ball]) -> int | None:
 class Prover:
     """Proves orbits with one itinerary; what depends on that alone, or the precision, is kept.
 
-    With ``pieces`` Lemma B stands for C, and its pieces are such as the checker takes.
+    With ``pieces`` Lemma B stands for C, and its pieces are such as the checker takes.  ``values``
+    are those of the parameters of the system, or sets of them: then what is proved holds for all.
     """
 
-    def __init__(self, equations: Equations, *, pieces: bool = False) -> None:
+    def __init__(
+        self,
+        equations: Equations,
+        *,
+        pieces: bool = False,
+        values: Mapping[str, Ball] | None = None,
+    ) -> None:
+        self._values = values
         self.equations, self.itinerary, self._pieces = equations, equations.itinerary, pieces
         self._balls = dict[int, Balls]()
         self._minima = dict[tuple[int, str, str], list[Minimum] | None]()
@@ -129,7 +141,7 @@ class Prover:
         """The numbers at the precision here."""
         bits = interval.working_bits()
         if bits not in self._balls:
-            self._balls[bits] = Balls(self.itinerary.system)
+            self._balls[bits] = Balls(self.itinerary.system, self._values)
         return self._balls[bits]
 
     @property
@@ -161,11 +173,16 @@ class Prover:
         return zero.contracted(hint, value, E, box), blocks
 
     def reasons(
-        self, box: Box, windows: Mapping[tuple[int, str], tuple[float, float]] | None = None
+        self,
+        box: Box,
+        windows: Mapping[tuple[int, str], tuple[float, float]] | None = None,
+        lost: int | None = None,
+        without: Collection[str] = (),
     ) -> list[Reason]:
         """Prove that nothing else happens on the orbits whose contacts lie in a box.
 
-        In the window of a leg and a guard nothing is proved of it.
+        In the window of a leg and a guard nothing is proved of it, nor of guards ``without``.
+        Where a contact is lost, L h <= 0 before it and L h >= 0 after it are given.
         """
         found, vanishing = list[Reason](), self.itinerary.vanishing
         for leg in self.legs(box):
@@ -173,9 +190,14 @@ class Prover:
             following = self.itinerary.following(leg.number).guard
             in_order(leg)
             for name, lemma in self.equations.kinds.lemmas(mode).items():
+                if name in without:
+                    continue
                 watch = self.equations.kinds.watch(mode, name)
-                zeros = vanishing[leg.number][name]
-                along = Along(leg, name, watch, zeros, name == following)
+                first, last = vanishing[leg.number][name], int(name == following)
+                if lost is not None and self.itinerary.contacts[lost].guard == name:
+                    first = 2 if leg.number == lost else first
+                    last = 2 * last if self.itinerary.after(leg.number) == lost else last
+                along = Along(leg, name, watch, first, last)
                 if self._pieces:
                     longest = self.equations.kinds.longest(mode)
                     window = (windows or {}).get((leg.number, name))
@@ -183,6 +205,41 @@ class Prover:
                 else:
                     found.append(reason(along, lemma, self._minima_of(mode, name)))
         return found
+
+    def least(self, box: Box, name: str) -> Ball:
+        """Return an enclosure of the least value of a guard, which all modes have and none meets.
+
+        It is that on the orbits whose contacts lie in a box.  Raises `NotProved` if it is not
+        certain where its minima are.
+        """
+        found = list[Ball]()
+        for leg in self.legs(box):
+            h = self.along(leg, name)
+            found += [h.at(leg.start), h.at(leg.end)]
+        for h, time, clock in self.moments(box, name):
+            if not h.leg.start.time < time < h.leg.end.time:
+                raise h.failed("has a minimum where the leg may end", time, h.height(time, clock))
+            found.append(h.height(time, clock))
+        return reduce(interval.least, found)
+
+    def moments(self, box: Box, name: str) -> list[tuple[Along, Ball, Clock]]:
+        """Return the times at which a guard may have a minimum inside a leg, by Lemma C.
+
+        All modes have the guard.
+        """
+        found = []
+        for leg in self.legs(box):
+            minima = self._minima_of(self.itinerary.flown(leg.number), name)
+            if minima is None:
+                raise NotProved("minima", f"those of the guard '{name}' are not known")
+            h = self.along(leg, name)
+            found += [(h, time, clock) for time, clock in inside(h, minima)]
+        return found
+
+    def along(self, leg: Leg, name: str) -> Along:
+        """Return a guard along a leg, at whose ends it does not vanish by an identity."""
+        watch = self.equations.kinds.watch(self.itinerary.flown(leg.number), name)
+        return Along(leg, name, watch, 0, last=0)
 
     def legs(self, box: Box) -> list[Leg]:
         """Return the legs of the orbits whose contacts lie in a box."""

@@ -54,7 +54,7 @@ def _failed(along: Along, time: float) -> Exception:
 def is_positive(along: Along, a: Cut, b: Cut) -> bool:
     """Return whether h > 0 on a piece, its ends apart where h vanishes there."""
     leg = along.leg
-    starts, ends = a is None and along.vanishing > 0, b is None and along.last
+    starts, ends = a is None and along.vanishing > 0, b is None and along.last > 0
     if starts and ends:
         return False
     begin = leg.start.time if a is None else Ball(a)
@@ -62,8 +62,9 @@ def is_positive(along: Along, a: Cut, b: Cut) -> bool:
     bend = along.bend(interval.hull(begin, end))
     s, concave = end - begin, bend <= 0
     dip = interval.least(interval.lower(bend), interval.ZERO) * s
-    if starts and along.vanishing > 1:
-        return along.vanishing == 2 and bool(bend > 0)
+    zeros = along.vanishing if starts else along.last if ends else 0
+    if zeros > 1:
+        return zeros == 2 and bool(bend > 0)
     if starts:
         return bool(along.rate(leg.start) + dip / 2 > 0 or (concave and along.height(end) > 0))
     if ends:

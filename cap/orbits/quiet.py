@@ -56,7 +56,7 @@ def reason(
     if not along.vanishing:
         along.positive(along.at(along.leg.start), along.leg.start.time)
     _end(along)
-    for time, clock in _inside(along, minima):
+    for time, clock in inside(along, minima):
         along.positive(along.height(time, clock), time)
     return Reason(number, name, "C")
 
@@ -67,7 +67,7 @@ def _end(along: Along) -> None:
         along.positive(along.at(along.leg.end), along.leg.end.time)
 
 
-def _inside(along: Along, minima: Sequence[Minimum]) -> Iterator[tuple[Ball, Clock]]:
+def inside(along: Along, minima: Sequence[Minimum]) -> Iterator[tuple[Ball, Clock]]:
     """Yield the minima that may lie in the leg.
 
     If L h vanishes at the start and L² h > 0, the start itself is a minimum: that is left out.

@@ -11,11 +11,11 @@ from math import factorial
 from typing import Any
 
 from cap.errors import NotProved
+from cap.orbits.equations import Equations
 from cap.orbits.itinerary import Contact
-from cap.orbits.leg import END, START, Kinds
+from cap.orbits.leg import END, START
 from cap.orbits.motion import Motion, named, scalars
 from cap.orbits.numbers import Balls
-from cap.orbits.periodic import PeriodicOrbit
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.jet import Jet
@@ -24,37 +24,41 @@ from cap.system.model import System
 from cap.system.source import Function
 from cap.system.tape import Tape
 
+Met = tuple[Ball, Sequence[Ball]]
+
 
 class Strobe:
-    """The map around a proved orbit, from the time s on; ``point`` encloses its state at s."""
+    """The map around a proved orbit, from the time s on; ``point`` encloses its state at s.
 
-    def __init__(self, orbit: PeriodicOrbit, kinds: Kinds, s: Fraction) -> None:
-        self.orbit, self.kinds, self.s = orbit, kinds, interval.ball(s)
-        self.itinerary, self.of = orbit.itinerary, Balls(orbit.itinerary.system)
-        self.round, last = self.of.period * self.itinerary.periods, self.itinerary.contacts[-1]
-        self._omega = number(self.itinerary.system.omega)
+    ``contacts``: the times of these, and the states just before them, enclosed.
+    """
+
+    def __init__(
+        self, equations: Equations, of: Balls, contacts: Sequence[Met], s: Fraction
+    ) -> None:
+        self.itinerary, self.kinds = equations.itinerary, equations.kinds
+        self.of, self.contacts, self.s, itinerary = of, contacts, interval.ball(s), self.itinerary
+        self.round, last = self.of.period * self.itinerary.periods, itinerary.contacts[-1]
+        self._omega = number(itinerary.system.omega)
         self._functions = dict[object, Function]()
-        t, q = orbit.contacts[-1]
-        if not t - self.round < self.s < orbit.contacts[0][0]:
+        t, q = contacts[-1]
+        if not t - self.round < self.s < contacts[0][0]:
             raise NotProved("phase", "it is not between two contacts", {"s": self.s})
         _, _, *after = self._contact(last, t - self.round, q)
         self.point = self._flight(last.to, t - self.round, after, self.s)
 
-    def jet(self, order: int) -> tuple[Jet, Jet]:
+    def jet(self, order: int) -> list[Jet]:
         """Return the jets of the map at its fixed point."""
         z: list[Any] = list(Jet.variables(self.point, order))
         t = Jet.constant(self.s, z[0].space)
-        for contact, (time, state) in zip(
-            self.itinerary.contacts, self.orbit.contacts, strict=True
-        ):
-            t, z = self._met(contact, (time, state), t, z)
+        for contact, met in zip(self.itinerary.contacts, self.contacts, strict=True):
+            t, z = self._met(contact, met, t, z)
             _, _, *z = self._contact(contact, t, z)
         end = Jet.constant(self.s + self.round, t.space)
-        x, v = self._flight(self.itinerary.contacts[-1].to, t, z, end)
-        return x, v
+        return self._flight(self.itinerary.contacts[-1].to, t, z, end)
 
     def _met(
-        self, contact: Contact, at: tuple[Ball, Sequence[Ball]], start: Jet, z: Sequence[Any]
+        self, contact: Contact, at: Met, start: Jet, z: Sequence[Any]
     ) -> tuple[Jet, list[Any]]:
         """Return the time of a contact and the state just before it."""
         time, state = at
@@ -69,7 +73,10 @@ class Strobe:
             lacking = [0] * lower + [c / rate for c in h.coefficients[lower:terms]]
             t = t - Jet(t.space, lacking + [0] * (t.space.size - terms))
         arrived = self._flight(contact.mode, start, z, t)
-        return t, [q.above(0) + known for q, known in zip(arrived, state, strict=True)]
+        return t, [
+            q.above(0) + known if isinstance(q, Jet) else known
+            for q, known in zip(arrived, state, strict=True)
+        ]
 
     def _contact(self, contact: Contact, t: Any, z: Sequence[Any]) -> tuple[Any, ...]:
         """Return h, L h, and the state just after a contact."""
@@ -114,7 +121,11 @@ class Strobe:
         t0, c0, s0 = map(tape.input, START)
         t1, c1, s1 = map(tape.input, END)
         reached = motion.arrival([tape.input(z) for z in q], (c0, s0), t1 - t0, (c1, s1))
-        return Function([*START, *q, *END, *motion.inputs], [reached[z] for z in system.state])
+        return Function(
+            [*START, *q, *END, *motion.inputs],
+            [reached[z] for z in system.state],
+            system.parameters,
+        )
 
 
 def contact(system: System, key: Contact) -> Function:
@@ -125,4 +136,4 @@ def contact(system: System, key: Contact) -> Function:
     reset = system.reset(key.mode, key.guard)
     outputs = [of.value(p, before) for p in (h, system.lie(key.mode, h))]
     outputs += [of.value(reset[z], before) for z in system.state]
-    return Function(["c0", "s0", *q], outputs)
+    return Function(["c0", "s0", *q], outputs, system.parameters)

@@ -4,7 +4,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
 from cap.audit.comparison import (
@@ -16,17 +15,13 @@ from cap.audit.comparison import (
     roughly,
     taken_from,
 )
-from cap.errors import BadInput
 from cap.floats.diagnostics import entropy
 from cap.floats.diagnostics.entropy import Entropy
 from cap.floats.diagnostics.fate import Fate, fate
 from cap.floats.diagnostics.grid import Box, around, grid
 from cap.floats.diagnostics.stops import stops
-from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.figure import Figure, Result, Run
+from cap.paper.figure import Figure, Result, Run, elliptic
 from cap.parameters import PAPER
-from cap.pictures.states import fates
-from cap.pictures.style import parameters
 
 REACH = 0.10, 0.07
 SIDE, PERIODS, BOX = 60, 25, 5
@@ -66,9 +61,7 @@ def spread(box: Box, runs: int) -> Spread:
 
 def compute(run: Run) -> Result:
     """Reproduce the paper's partition, and compute a better one."""
-    centre = elliptic_point(PAPER)
-    if centre is None:
-        raise BadInput("the elliptic orbit was not found")
+    centre = elliptic()
     box = around(PAPER, centre, REACH)
     paper = fate(PAPER, orbit=centre, box=box, points=SIDE, periods=PERIODS)
     side, periods = run.size(360, 120), run.size(200, 50)
@@ -182,17 +175,4 @@ def _isolated(paper: Fate, run: Run) -> Comparison:
     )  # fmt: skip
 
 
-def draw(data: Basins, figure: FigureBase) -> None:
-    """Draw both partitions."""
-    axes = figure.subplots(1, 2, sharey=True)
-    for each, basin in zip(axes, (data.paper, data.better), strict=True):
-        fates(each, basin)
-        grid = f"{len(basin.x)} x {len(basin.v)} states, {basin.periods} periods"
-        each.set_xlabel(f"{each.get_xlabel()}\n{grid}")
-        each.set_xlim(basin.x[0], basin.x[-1])
-        each.set_ylim(basin.v[0], basin.v[-1])
-    axes[1].set_ylabel("")
-    figure.suptitle(f"Who turns or sticks around $P_*$\n{parameters(PAPER)}", fontsize=10)
-
-
-FIGURE = Figure("basin partition and basin entropy", compute, draw, (8.0, 4.6))
+FIGURE = Figure("basin partition and basin entropy", compute, "states:basins", (8.0, 4.6))

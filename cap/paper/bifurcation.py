@@ -6,28 +6,26 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import Comparison, claim, number, proved, roughly
 from cap.certificate.writer import Pair
 from cap.errors import BadInput
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
-from cap.floats.search.fixed_point import elliptic_point
-from cap.maps.fixed_point import Start
-from cap.paper import certified, closed_form
-from cap.paper.closed_form import (
+from cap.floats.one_one import (
     asymmetry,
     pair_member,
+    root,
     state,
     symmetric_member,
     symmetric_state,
     turn,
+    twist,
 )
-from cap.paper.figure import Figure, Result, Run, at
-from cap.parameters import PAPER
-from cap.pictures.style import BLACK, BLUE, GREEN, GREY, PURPLE, RED, SKY, parameters
+from cap.maps.fixed_point import Start
+from cap.paper import certified
+from cap.paper.figure import Figure, Result, Run, elliptic
+from cap.parameters import PAPER, at
 from cap.proofs.branch_curve import Curve
 from cap.proofs.fixed_point import Setting
 from cap.proofs.one_one import Scale
@@ -37,7 +35,6 @@ from cap.sets import interval
 RHO = float(PAPER.R * PAPER.omega**2 / PAPER.F)
 FOLD = 0.467  # the paper's
 MOST_STEPS = 40  # of Newton's method
-SHOWN = ("1/3", "1/4", "1/5", "1/6")
 ASYMMETRIC = 1e-6  # of x_*, against the symmetric orbit
 
 
@@ -68,6 +65,7 @@ class Branches:
     pitchfork: float
     landmarks: Landmarks
     sweep: list[Step]
+    fold: float  # the paper's
 
 
 def landmarks() -> Landmarks:
@@ -85,16 +83,13 @@ def landmarks() -> Landmarks:
 
         resonances = {str(q): force(ends) for q, ends in curve.resonances(last).items()}
         found = Landmarks(force(end), resonances, math.nan)
-    zero = closed_form.root(lambda d: closed_form.twist(d, RHO), 0.35, 0.37)
+    zero = root(lambda d: twist(d, RHO), 0.35, 0.37)
     return found._replace(twist=pair_member(zero, RHO).alpha * float(PAPER.F))
 
 
 def sweep(values: Floats) -> list[Step]:
     """Follow the orbit by Newton's method on Φ - 1, from each fixed point to the next f."""
-    z = elliptic_point(PAPER)
-    if z is None:
-        raise BadInput("the elliptic orbit was not found")
-    found = []
+    z, found = elliptic(), []
     for f in values.tolist():
         z, trace, steps = _newton(f, z)
         found.append(Step(f, z[0], float(turn(trace)), steps))
@@ -134,7 +129,7 @@ def compute(run: Run) -> Result:
         symmetric.append((alpha * float(PAPER.F), _x(way), member.trace))
     values = np.linspace(0.40, FOLD - 0.001, run.size(25, 9))
     steps = sweep(values)
-    data = Branches(pair, mirror, np.array(symmetric), birth, marks, steps)
+    data = Branches(pair, mirror, np.array(symmetric), birth, marks, steps, FOLD)
     return Result(tuple(_rows(data)), data)
 
 
@@ -220,62 +215,4 @@ def _exponent() -> float:
     return float(np.polyfit(np.log(birth - f), np.log(numbers), 1)[0])
 
 
-def draw(data: Branches, figure: FigureBase) -> None:
-    """Draw positions and rotation numbers."""
-    axes = figure.subplots(1, 2)
-    _positions(axes[0], data)
-    _numbers(axes[1], data)
-    for each in axes:
-        each.set_xlabel("$f$  [force]")
-        each.set_xlim(0.32, 0.645)
-    handles, labels = axes[0].get_legend_handles_labels()
-    more, words = axes[1].get_legend_handles_labels()
-    known = dict(zip(words + labels, more + handles, strict=True))
-    figure.legend(known.values(), known.keys(), loc="outside lower center", ncols=4)
-    given = parameters(PAPER, but=("f",))
-    heading = "Orbits over $f$ that never turn, with one hit of each wall"
-    figure.suptitle(f"{heading}\n{given}", fontsize=10)
-
-
-def _positions(axes: Axes, data: Branches) -> None:
-
-    axes.plot(data.pair[:, 0], data.pair[:, 1], color=BLUE, lw=1.5, label="the paper's orbit")
-    axes.plot(data.mirror[:, 0], data.mirror[:, 1], color=SKY, lw=1.5, label="its mirror image")
-    f, x, trace = data.symmetric.T
-    for chosen, line in ((abs(trace) < 2, "-"), (abs(trace) > 2, "--")):
-        kind = "elliptic" if line == "-" else "saddle"
-        axes.plot(np.where(chosen, f, np.nan), x, line, color=BLACK, lw=1.1,
-                  label=f"symmetric, {kind}")  # fmt: skip
-    axes.plot([s.f for s in data.sweep], [s.x for s in data.sweep], ".", ms=4, color=RED,
-              label="Newton's sweep as in the paper")  # fmt: skip
-    k = int(np.argmin(abs(f - data.pitchfork)))
-    axes.plot(data.pitchfork, x[k], "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, ls="none",
-              label=f"pitchfork, $f = {data.pitchfork:.7f}$")  # fmt: skip
-    axes.axvline(FOLD, color=RED, ls=":", lw=1.0, label=f"the paper's fold, {FOLD}")
-    axes.set_ylabel("$x_*$ at $t = 0$  [length]")
-
-
-def _numbers(axes: Axes, data: Branches) -> None:
-
-    axes.plot(data.pair[:, 0], turn(data.pair[:, 2]), color=BLUE, lw=1.5)
-    f, _, trace = data.symmetric.T
-    numbers = turn(trace)
-    axes.plot(f, numbers, color=BLACK, lw=1.1)
-    axes.plot([s.f for s in data.sweep], [s.turn for s in data.sweep], ".", ms=4, color=RED)
-    for name in SHOWN:
-        level = float(Fraction(name))
-        axes.axhline(level, color=GREY, ls=":", lw=0.7)
-        axes.annotate(name, (0.322, level), xytext=(0, 1.5), textcoords="offset points",
-                      fontsize=8, color="#555555")  # fmt: skip
-        axes.plot(float(data.landmarks.resonances[name][0]), level, "o", ms=4.5, mfc="white",
-                  mec=BLUE, mew=1.1)  # fmt: skip
-    axes.plot(data.landmarks.twist, np.interp(data.landmarks.twist, data.pair[::-1, 0],
-              turn(data.pair[::-1, 2])), "s", ms=5.5, mfc="white", mec=GREEN, mew=1.2, ls="none",
-              label=rf"$\tau_1 = 0$, $f = {data.landmarks.twist:.7f}$")  # fmt: skip
-    axes.plot(data.pitchfork, 0, "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, clip_on=False)
-    axes.axvline(FOLD, color=RED, ls=":", lw=1.0)
-    axes.set_ylim(0, 0.5)
-    axes.set_ylabel(r"rotation number $\Theta_*/2\pi$")
-
-
-FIGURE = Figure("the branch of the elliptic orbit over f", compute, draw, (7.8, 4.4))
+FIGURE = Figure("the branch of the elliptic orbit over f", compute, "one_one:over_f", (7.8, 4.4))

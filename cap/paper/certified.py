@@ -6,8 +6,7 @@ from typing import Any
 
 from cap.floats import candidates
 from cap.floats.candidates import Request
-from cap.paper.figure import at
-from cap.parameters import PAPER, Parameters
+from cap.parameters import PAPER, Parameters, at
 from cap.proofs import theorems
 from cap.proofs.fixed_point import Setting
 

@@ -5,7 +5,6 @@ from collections import Counter
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import Comparison, claim, count, proved, roughly, taken_from
 from cap.explore.inventory import inventory
@@ -14,11 +13,9 @@ from cap.floats.engine import swarm
 from cap.floats.findings import State
 from cap.floats.search.inventory import PROVED, Entry
 from cap.paper.certified import theorem
-from cap.paper.figure import Figure, Result, Run, at
-from cap.paper.impulse_bound import Rows
-from cap.paper.rows import Row, rows
-from cap.parameters import Parameters
-from cap.pictures.style import parameters
+from cap.paper.figure import Figure, Result, Run
+from cap.paper.rows import Row, Rows
+from cap.parameters import Parameters, at
 
 FOCUS, SADDLE = (0.4064, -0.6708), (0.1992, -1.4002)
 F = "3"
@@ -41,7 +38,7 @@ def compute(run: Run) -> Result:
             f"{name}: $(x_*, v_*) = ({state[0]:.4f}, {state[1]:.4f})$")
         for name, state in (("sink (focus)", FOCUS), ("saddle", SADDLE))
     )  # fmt: skip
-    return Result(tuple(compared), Rows(shown))
+    return Result(tuple(compared), Rows(shown, "Two $T$-periodic orbits", forcing=False))
 
 
 def _orbit(
@@ -126,9 +123,4 @@ def _both(p: Parameters, found: tuple[Entry, ...]) -> list[Comparison]:
     ]  # fmt: skip
 
 
-def draw(data: Rows, figure: FigureBase) -> None:
-    """Draw both orbits."""
-    rows(figure, data.rows, f"Two $T$-periodic orbits\n{parameters(at(F=F))}", forcing=False)
-
-
-FIGURE = Figure("two coexisting orbits at F = 3", compute, draw, (7.8, 5.2))
+FIGURE = Figure("two coexisting orbits at F = 3", compute, "rows:rows", (7.8, 5.2))

@@ -11,27 +11,19 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.colors import BoundaryNorm, ListedColormap
-from matplotlib.figure import FigureBase
-from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from cap.audit.comparison import Comparison, claim, count, number, percent, taken_from, unstated
 from cap.floats.findings import Floats
-from cap.paper.closed_form import pair_curve, symmetric_member
+from cap.floats.one_one import pair_curve, symmetric_member
 from cap.paper.figure import Figure, Result, Run
 from cap.paper.nine_points import FORCES, GAPS, PAPER_KINDS, nine, others
 from cap.parameters import PAPER
-from cap.pictures.style import BLACK, GREEN, GREY, PURPLE, RED, parameters
 from cap.proofs.census import census
 
 BOX = 0.01, 0.65, 0.2, 4.5
 SIDE = 220
 NAMES = ("plus", "minus", "pair")
-CLASSES = (  # which orbits there are: e elliptic, s saddle, - none; of plus, minus, pair
-    "---", "s--", "-s-", "e--", "es-", "ss-", "sse", "sss", "s-e", "s-s", "--e", "--s",
-)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -53,19 +45,19 @@ class Map:
         """Which of them are elliptic."""
         return self.exists & (abs(self.trace) < 2)
 
-    def classes(self) -> NDArray[np.int64]:
-        """Return the places (M, N) in `CLASSES`."""
+    def kinds(self) -> NDArray[np.str_]:
+        """Return for (M, N) points the kinds of plus, minus and pair: "se-", where - is none."""
         letters = np.where(self.elliptic, "e", np.where(self.exists, "s", "-"))
-        words = np.char.add(np.char.add(letters[0], letters[1]), letters[2])
-        return np.array([[CLASSES.index(str(w)) for w in row] for row in words])
+        return np.char.add(np.char.add(letters[0], letters[1]), letters[2])
 
 
 @dataclass(frozen=True)
 class Sampled:
-    """The map, and what is proved at the nine points: words like "elliptic, saddle"."""
+    """The map, what is proved at the nine points, and what the paper found there."""
 
     map: Map
     points: dict[tuple[str, str], dict[str, str]]
+    found: dict[tuple[str, str], str]
 
 
 def mapped(side: int, run: Run) -> Map:
@@ -101,7 +93,7 @@ def compute(run: Run) -> Result:
     }
     found = mapped(run.size(SIDE if run.drawn else SIDE // 2, 24), run)
     rows = [*nine(points), *others(), *_formulas(points), *_shading(found), *_limits()]
-    return Result(tuple(rows), Sampled(found, points))
+    return Result(tuple(rows), Sampled(found, points, PAPER_KINDS))
 
 
 def _sc(R: float) -> float:
@@ -189,91 +181,9 @@ def _least_gap(R: float) -> float:
     return float(f[1] + c[1] * (f[1] - f[0]) / (c[0] - c[1]))
 
 
-LABELS = {
-    "---": "none of them", "s--": "saddle (+)", "-s-": "saddle (−)", "e--": "elliptic (+)",
-    "es-": "elliptic (+), saddle (−)", "ss-": "2 saddles", "sse": "2 saddles, elliptic pair",
-    "sss": "2 saddles, saddle pair", "s-e": "saddle (+), elliptic pair",
-    "s-s": "saddle (+), saddle pair", "--e": "elliptic pair", "--s": "saddle pair",
-}  # fmt: skip
-
-
-def draw(data: Sampled, figure: FigureBase) -> None:
-    """Draw the map, the curves, and the nine points."""
-    axes = figure.subplots()
-    patches = _regions(axes, data.map)
-    _curves(axes, data.map)
-    _markers(axes)
-    axes.set_xlim(*BOX[:2])
-    axes.set_ylim(*BOX[2:])
-    axes.set_xlabel("$f$  [force]")
-    axes.set_ylabel("$R$  [length]")
-    handles = [*patches, *axes.get_legend_handles_labels()[0]]
-    figure.legend(handles=handles, loc="outside right center", handlelength=1.6)
-    given = parameters(PAPER, but=("f", "R"))
-    heading = "Orbits that never turn or stick, with one hit of each wall"
-    figure.suptitle(f"{heading}\n{given}", fontsize=10)
-
-
-def _regions(axes: Axes, found: Map) -> list[Patch]:
-    """Shade the regions; return what explains the shades, ascending in size."""
-    shades = {
-        "---": "#FFFFFF", "s--": "#F7DDB0", "-s-": "#F7DDB0", "e--": "#9ECAE9",
-        "es-": "#9ECAE9", "ss-": "#EDBE72", "sse": "#7FCDB4", "sss": "#D98F4E",
-        "s-e": "#4FB093", "s-s": "#B5651D", "--e": "#2F8F74", "--s": "#8C4A12",
-    }  # fmt: skip
-    code = found.classes()
-    norm = BoundaryNorm(np.arange(-0.5, len(CLASSES)), len(CLASSES))
-    df, dR = (float(a[1] - a[0]) / 2 for a in (found.f, found.R))
-    extent = (found.f[0] - df, found.f[-1] + df, found.R[0] - dR, found.R[-1] + dR)
-    axes.imshow(code, origin="lower", extent=extent, aspect="auto", norm=norm,
-                cmap=ListedColormap([shades[name] for name in CLASSES]))  # fmt: skip
-    return [
-        Patch(fc=shades[name], ec=BLACK, lw=0.4, label=LABELS[name])
-        for k, name in enumerate(CLASSES)
-        if (code == k).mean() > 1e-3
-    ]
-
-
-def _curves(axes: Axes, found: Map) -> None:
-
-    R = np.linspace(*BOX[2:], 1000)
-    axes.axvline(2 / math.pi, color=BLACK, ls=":", lw=1.1, label=r"$f = 2F/\pi$: the formulas meet")
-    for level, colour, words in (
-        ((math.pi**2 - 4) / 2, PURPLE, "pitchfork: the pair is born"),
-        (math.pi**2 - 2, GREEN, r"$\Phi' = -1$ at the symmetric orbit"),
-    ):
-        own = R[level > R]
-        alpha = 2 / np.pi * np.sqrt(1 - (own / level) ** 2)
-        least = [symmetric_member(*each, 1).least_speed for each in zip(alpha, own, strict=True)]
-        alpha[np.array(least) < 0] = np.nan
-        axes.plot(alpha, own, color=colour, lw=1.3, label=words)
-    for k, line, name in ((0, "-", "+"), (1, "--", "−"), (2, "-.", "pair")):
-        axes.contour(found.f, found.R, found.least[k], [0], colors=[BLACK], linewidths=0.9,
-                     linestyles=[line])  # fmt: skip
-        axes.plot([], [], line, color=BLACK, lw=0.9, label=f"least speed 0 ({name})")
-    shown = np.where(found.exists[2], found.trace[2], np.nan)
-    axes.contour(found.f, found.R, shown, [-2], colors=[GREY], linewidths=1.3)
-    if np.isfinite(shown).any() and np.nanmin(shown) < -2:
-        axes.plot([], [], color=GREY, lw=1.3, label="trace −2 (pair)")
-    axes.plot(4 * (2 + R - np.pi) / np.pi**2, R, color=RED, ls=(0, (5, 2)), lw=1.4,
-              label=r"$f_{\rm sc}(R)$ of the paper: no orbit")  # fmt: skip
-
-
-def _markers(axes: Axes) -> None:
-    look = {"elliptic": ("o", "found: elliptic"), "saddle": ("^", "found: saddle"),
-            "none": ("x", "found: none")}  # fmt: skip
-    seen = set()
-    for (f, R), kind in PAPER_KINDS.items():
-        marker, words = look[kind]
-        label = None if kind in seen else f"the paper {words}"
-        seen.add(kind)
-        axes.plot(float(f), float(R), marker, ms=6.5, mfc="white", mec=BLACK, mew=1.2, ls="none",
-                  label=label, zorder=5)  # fmt: skip
-
-
 FIGURE = Figure(
     "(1,1) orbits (velocity never zero, one hit of each wall) over (f, R)",
     compute,
-    draw,
+    "one_one:over_f_and_gap",
     (8.2, 5.2),
 )

@@ -1,20 +1,23 @@
 """What a figure of the paper is here: its computation, its numbers, its picture."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from fractions import Fraction
+from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.figure import Figure as Canvas
-from matplotlib.figure import FigureBase
 from numpy.typing import ArrayLike
 
 from cap.audit.comparison import Comparison, markdown
-from cap.floats.findings import Findings
-from cap.parameters import PAPER, Parameters
+from cap.errors import BadInput
+from cap.floats.engine import swarm
+from cap.floats.findings import Findings, Floats, State
+from cap.floats.search.fixed_point import elliptic_point
+from cap.parameters import PAPER, at
 from cap.runner import Runner
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Canvas
 
 
 @dataclass(frozen=True)
@@ -66,11 +69,14 @@ class Result:
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure: ``compute`` gives its rows and data, ``draw`` draws the data; size in inches."""
+    """A figure: ``compute`` gives its rows and data; its picture, and the size in inches.
+
+    ``draw``: a function ``module:function`` of `cap.pictures.paper`, which draws the data.
+    """
 
     title: str
     compute: Callable[[Run], Result]
-    draw: Callable[[Any, FigureBase], None]
+    draw: str
     size: tuple[float, float] = (7.4, 4.2)
 
     def compared(self, label: str, run: Run) -> Compared:
@@ -84,17 +90,28 @@ class Figure:
             data=result.data,
         )
 
-    def picture(self, compared: Compared, dpi: float = 200) -> Canvas:
+    def picture(self, compared: Compared, dpi: float = 200) -> "Canvas":
         """Draw it."""
-        from cap.pictures import style  # noqa: PLC0415 (matplotlib, only where it draws)
+        from cap.pictures.style import drawn  # noqa: PLC0415 (matplotlib, only where it draws)
 
-        figure = style.blank(self.size, dpi)
-        with style.style():
-            self.draw(compared.data, figure)
-            figure.draw_without_rendering()
-        return figure
+        return drawn(f"paper.{self.draw}", compared.data, self.size, dpi)
 
 
-def at(**values: str) -> Parameters:
-    """Return the paper's parameters but for these."""
-    return replace(PAPER, **{name: Fraction(value) for name, value in values.items()})
+STEP = 1e-6  # of the paper's differences
+
+
+def differences(states: Floats) -> Floats:
+    """Return Φ' (N, 2, 2) at states (N, 2) by the paper's central differences."""
+    columns = []
+    for axis in np.eye(2):
+        ends = [swarm.follow(PAPER, states + side * STEP * axis, 1).states for side in (1, -1)]
+        columns.append((ends[0] - ends[1]) / (2 * STEP))
+    return np.stack(columns, axis=-1)
+
+
+def elliptic(F: str = "1") -> State:
+    """Return the elliptic fixed point at F with the smallest x."""
+    found = elliptic_point(at(F=F))
+    if found is None:
+        raise BadInput(f"no elliptic orbit was found at F = {F}")
+    return found

@@ -5,22 +5,18 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import Comparison, claim, number, taken_from, unstated
-from cap.errors import BadInput
 from cap.floats.diagnostics.lyapunov import Lyapunov, exponents
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
 from cap.floats.engine.swarm import Swarm
 from cap.floats.findings import Floats, State
-from cap.floats.search.fixed_point import elliptic_point
 from cap.paper.escape import Escape, escape
-from cap.paper.figure import Figure, Result, Run
-from cap.paper.impulse_bound import Rows, _thickness
-from cap.paper.rows import Row, rows
+from cap.paper.figure import Figure, Result, Run, elliptic
+from cap.paper.impulse_bound import thickness
+from cap.paper.rows import Row, Rows
 from cap.parameters import PAPER
-from cap.pictures.style import parameters
 
 ITERATES, TRANSIENT = 800, 4
 SMALL, LARGE = 0.003, 0.012
@@ -53,9 +49,7 @@ def panels(centre: State) -> list[Panel]:
 
 def compute(run: Run) -> Result:
     """Follow the orbits of the panels."""
-    centre = elliptic_point(PAPER)
-    if centre is None:
-        raise BadInput("the elliptic orbit was not found")
+    centre = elliptic()
     own = panels(centre)
     starts = np.array([panel.start for panel in own])
     seen = swarm.follow(PAPER, starts[:3], ITERATES, every=True)
@@ -65,7 +59,7 @@ def compute(run: Run) -> Result:
     ends = f", then it {found.word}" if found.word else ""
     shown.append(_row(own[3], found.states[TRANSIENT:], ends))
     table = [*_regular(own, seen, centre), *_chaotic(found, run), *_spectrum(spectrum, found)]
-    return Result(tuple(table), Rows(tuple(shown)))
+    return Result(tuple(table), Rows(tuple(shown), "Around the elliptic orbit"))
 
 
 def _row(panel: Panel, states: Floats, words: str = "") -> Row:
@@ -84,7 +78,7 @@ def _regular(own: list[Panel], seen: Swarm, centre: State) -> list[Comparison]:
               "rounding errors grow"),
     ]  # fmt: skip
     for k in (1, 2):
-        off, never = _thickness(states[k] - np.array(centre)), not lost[k]
+        off, never = thickness(states[k] - np.array(centre)), not lost[k]
         radius = (SMALL, LARGE)[k - 1]
         found.append(
             claim(f"({own[k].letter}) displacement {radius}: 800 iterates", "a closed curve",
@@ -138,9 +132,4 @@ def _spectrum(findings: Lyapunov, found: Escape) -> list[Comparison]:
     ])  # fmt: skip
 
 
-def draw(data: Rows, figure: FigureBase) -> None:
-    """Draw the panels."""
-    rows(figure, data.rows, f"Around the elliptic orbit\n{parameters(PAPER)}")
-
-
-FIGURE = Figure("orbits near the elliptic orbit", compute, draw, (7.8, 9.4))
+FIGURE = Figure("orbits near the elliptic orbit", compute, "rows:rows", (7.8, 9.4))

@@ -1,43 +1,23 @@
 """fig:impulse-bound: the elliptic orbit as F falls, and a forcing that holds no such orbit."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import Comparison, claim, number
-from cap.errors import BadInput
 from cap.floats.diagnostics.grid import grid, whole
 from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
-from cap.floats.findings import Floats, State
+from cap.floats.findings import Floats
+from cap.floats.one_one import asymmetry, pair_member, root, symmetric_member, turn
 from cap.floats.search import periodic
-from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.closed_form import asymmetry, pair_member, root, symmetric_member, turn
-from cap.paper.figure import Figure, Result, Run, at
-from cap.paper.rows import Row, rows
-from cap.parameters import PAPER
-from cap.pictures.style import parameters
+from cap.paper.figure import Figure, Result, Run, elliptic
+from cap.paper.rows import Row, Rows
+from cap.parameters import PAPER, at
 
 HIGH = {"0.95": ("+1.157", "0.152"), "0.85": ("+0.538", "0.207")}  # F: trace, rotation number
 LOW, START = "0.62", (0.0, 0.7)
 SHIFT, ITERATES = 0.005, 800
-
-
-@dataclass(frozen=True)
-class Rows:
-    """The rows of the picture."""
-
-    rows: tuple[Row, ...]
-
-
-def elliptic(F: str) -> State:
-    """Return the elliptic fixed point at F with the smallest x."""
-    found = elliptic_point(at(F=F))
-    if found is None:
-        raise BadInput(f"no elliptic orbit was found at F = {F}")
-    return found
 
 
 def compute(run: Run) -> Result:
@@ -50,7 +30,7 @@ def compute(run: Run) -> Result:
     low = trajectory(at(F=LOW), orbit=START, exactly=True, periods=4)
     shown.append(Row(low, f"(c) $F = {LOW}$: from $(0, 0.7)$"))
     compared += [*_bound(run), *_resonances()]
-    return Result(tuple(compared), Rows(tuple(shown)))
+    return Result(tuple(compared), Rows(tuple(shown), "Towards the bound $F = \\pi f/2$", ("F",)))
 
 
 def _panel(F: str, trace: str, turns: str) -> tuple[Row, list[Comparison]]:
@@ -69,7 +49,7 @@ def _panel(F: str, trace: str, turns: str) -> tuple[Row, list[Comparison]]:
               f"{len(own.hit_times)}, in turn; never turns", len(own.hit_times) == 2),
         claim(f"F = {F}: {ITERATES + 1} iterates from (x_*, v_* + {SHIFT})",
               "a smooth closed curve", "turns" if turned else "never turns, "
-              f"strays {_thickness(found.states[0] - np.array(centre)):.0e} of the "
+              f"strays {thickness(found.states[0] - np.array(centre)):.0e} of the "
               "distance from a curve", not turned, "the orbit leaves"),
         claim(f"F = {F}: the orbit is the continuation of that at F = 1", "yes", kind,
               not symmetric, "continuation passed a pitchfork, where the pair ends: see below"),
@@ -79,7 +59,7 @@ def _panel(F: str, trace: str, turns: str) -> tuple[Row, list[Comparison]]:
     return Row(picture, words, found.states[0]), rows_
 
 
-def _thickness(points: Floats) -> float:
+def thickness(points: Floats) -> float:
     """Return how far points are from a curve given by some harmonics of their angle."""
     points = points - points.mean(axis=0)
     axes = np.linalg.svd(points, full_matrices=False)[2]
@@ -159,10 +139,4 @@ def _resonances() -> list[Comparison]:
     ]  # fmt: skip
 
 
-def draw(data: Rows, figure: FigureBase) -> None:
-    """Draw the panels."""
-    given = parameters(PAPER, but=("F",))
-    rows(figure, data.rows, f"Towards the bound $F = \\pi f/2$\n{given}")
-
-
-FIGURE = Figure("approach to the impulse bound", compute, draw, (7.8, 7.4))
+FIGURE = Figure("approach to the impulse bound", compute, "rows:rows", (7.8, 7.4))

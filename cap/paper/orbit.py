@@ -6,7 +6,6 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import (
     Comparison,
@@ -18,21 +17,18 @@ from cap.audit.comparison import (
     proved,
     taken_from,
 )
-from cap.floats.diagnostics.trajectory import Trajectory, trajectory
+from cap.floats.diagnostics.trajectory import trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats
 from cap.maps.twist import regular_twist
 from cap.paper.certified import theorem
-from cap.paper.figure import Figure, Result, Run
+from cap.paper.figure import Figure, Result, Run, differences
 from cap.parameters import PAPER
-from cap.pictures import times
-from cap.pictures.style import parameters
 from cap.proofs.census import census
 from cap.sets import interval
 from cap.sets.jet import Jet, Space
 
 STATE = 0.1002798898441954, 0.5419433067664584  # the paper's
-STEP = 1e-6  # of its differences
 STENCILS = ([0, 0, 1, 0, 0], [0, -0.5, 0, 0.5, 0], [0, 1, -2, 1, 0], [-0.5, 1, 0, -1, 0.5])
 """Of the derivatives of order 0 to 3, by central differences."""
 ROUNDED = "float64 Newton's method: right to {} digits, not to the 16 printed"
@@ -94,7 +90,7 @@ def _right(value: float, pair: list[str]) -> int:
 
 def _linear(own: dict[str, Any]) -> list[Comparison]:
     """Compare Φ', by the paper's differences and as proved."""
-    rough = _differences(np.array(STATE), STEP)
+    rough = differences(np.array([STATE]))[0]
     entries = ("+1.12010470", "-3.28773202"), ("+0.84258812", "-1.58039153")
     names = ("11", "12"), ("21", "22")
     why = "an error of the paper's differences (step 1e-6), in the last two digits"
@@ -122,12 +118,6 @@ def _linear(own: dict[str, Any]) -> list[Comparison]:
         *taken_from("eq:elliptic-trdet", invariants),
         *taken_from("eq:elliptic-thetastar", angles),
     ]
-
-
-def _differences(z: Floats, step: float) -> Floats:
-    ends = [z + side * step * axis for axis in np.eye(2) for side in (1, -1)]
-    images = swarm.follow(PAPER, ends, 1).states
-    return np.stack([images[0] - images[1], images[2] - images[3]], axis=-1) / (2 * step)
 
 
 def _enclosures(own: dict[str, Any]) -> list[Comparison]:
@@ -207,13 +197,4 @@ def _difference(values: Floats, i: int, j: int, step: float) -> float:
     return float(weights @ values) / (step ** (i + j) * math.factorial(i) * math.factorial(j))
 
 
-def draw(data: Trajectory, figure: FigureBase) -> None:
-    """Draw it in time and in the plane."""
-    axes = figure.subplots(1, 2)
-    times.position(axes[0], data)
-    times.plane(axes[1], data)
-    times.legend(axes[1], figure)
-    figure.suptitle(f"The elliptic orbit that never turns\n{parameters(PAPER)}", fontsize=10)
-
-
-FIGURE = Figure("the elliptic orbit and its linearization", compute, draw, (7.4, 3.9))
+FIGURE = Figure("the elliptic orbit and its linearization", compute, "rows:orbit", (7.4, 3.9))

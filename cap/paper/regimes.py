@@ -6,7 +6,6 @@ from math import gcd
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import (
     Comparison,
@@ -26,11 +25,9 @@ from cap.floats.search import cycles
 from cap.floats.search.cycles import Cycle
 from cap.floats.search.orbits import search
 from cap.paper.coexistence import mirrored
-from cap.paper.figure import Figure, Result, Run, at
-from cap.paper.impulse_bound import Rows
-from cap.paper.rows import Row, rows
-from cap.parameters import PAPER
-from cap.pictures.style import parameters
+from cap.paper.figure import Figure, Result, Run
+from cap.paper.rows import Row, Rows
+from cap.parameters import at
 
 
 class Printed(NamedTuple):
@@ -128,7 +125,11 @@ def low(run: Run) -> Result:
               f"not at F = {', '.join(symmetric)}", not symmetric,
               "the orbit at F = 3 is its own mirror image"),
     ]  # fmt: skip
-    return Result(tuple(table), Rows(tuple(each.row for each in seen.values())))
+    return _result(table, [each.row for each in seen.values()])
+
+
+def _result(table: list[Comparison], shown: list[Row]) -> Result:
+    return Result(tuple(table), Rows(tuple(shown), "Regimes over $F$", ("F",)))
 
 
 def _hits(orbit: Trajectory) -> tuple[int, int]:
@@ -155,7 +156,7 @@ def high(run: Run) -> Result:
         row, own = _generic(F, (transient, window), most, run)
         shown.append(row)
         table += own
-    return Result(tuple(table), Rows(tuple(shown)))
+    return _result(table, shown)
 
 
 def _generic(F: str, spans: tuple[int, int], most: int, run: Run) -> tuple[Row, list[Comparison]]:
@@ -201,10 +202,5 @@ def _generic(F: str, spans: tuple[int, int], most: int, run: Run) -> tuple[Row, 
     return Row(shown, title), table
 
 
-def draw(data: Rows, figure: FigureBase) -> None:
-    """Draw the orbits."""
-    rows(figure, data.rows, f"Regimes over $F$\n{parameters(PAPER, but=('F',))}")
-
-
-LOW = Figure("regimes at F = 1.5, 3, 4.5", low, draw, (7.8, 7.4))
-HIGH = Figure("regimes at F = 6, 12, 50", high, draw, (7.8, 7.4))
+LOW = Figure("regimes at F = 1.5, 3, 4.5", low, "rows:rows", (7.8, 7.4))
+HIGH = Figure("regimes at F = 6, 12, 50", high, "rows:rows", (7.8, 7.4))

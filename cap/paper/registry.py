@@ -1,12 +1,16 @@
-"""The figures of the paper, by their labels, in its order."""
+"""The figures of the paper, by their labels, in its order; their tables, for the audit."""
 
+import os
 from importlib import import_module
+from multiprocessing import parent_process
 from typing import TYPE_CHECKING
 
 from cap.errors import BadInput
+from cap.runner import Runner
 from cap.words import meant
 
 if TYPE_CHECKING:
+    from cap.audit.comparison import Comparison
     from cap.paper.figure import Figure
 
 _MODULES = {
@@ -52,3 +56,11 @@ def labelled(label: str) -> list[str]:
         return list(LABELS)
     figure(label)
     return [label if label in _MODULES else f"fig:{label}"]
+
+
+def rows(label: str) -> "tuple[Comparison, ...]":
+    """Compute the table of a figure, on all cores unless this is one process of several."""
+    from cap.paper.figure import Run  # noqa: PLC0415 (numpy, where a table is computed)
+
+    jobs = 1 if parent_process() else os.cpu_count() or 1
+    return figure(label).compute(Run(runner=Runner(jobs=jobs, whole=True), drawn=False)).rows

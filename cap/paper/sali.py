@@ -4,27 +4,21 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import FigureBase
 from numpy.typing import NDArray
 
 from cap.audit.comparison import Comparison, among, claim, count, number, percent
-from cap.errors import BadInput
 from cap.floats.diagnostics import alignment
 from cap.floats.diagnostics.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
 from cap.floats.diagnostics.grid import around, grid
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
 from cap.floats.search import periodic
-from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.figure import Figure, Result, Run
+from cap.paper.figure import Figure, Result, Run, differences, elliptic
 from cap.parameters import PAPER
-from cap.pictures.states import index_map
-from cap.pictures.style import parameters
 
 REACH = 0.07, 0.05
 SIDE, PERIODS = 22, 15
 ALIGNED = 1e-8  # SALI of chaotic orbits after many periods
-STEP = 1e-6  # of the paper's differences
 SADDLE = 0.3435, 0.7753  # a state nearby
 SEEDS = 20  # of the random deviations
 
@@ -45,15 +39,6 @@ class Maps:
 
     paper: Alignment
     better: Alignment
-
-
-def differences(states: Floats) -> Floats:
-    """Return Φ' (N, 2, 2) at states by the paper's central differences."""
-    columns = []
-    for axis in np.eye(2):
-        ends = [swarm.follow(PAPER, states + side * STEP * axis, 1).states for side in (1, -1)]
-        columns.append((ends[0] - ends[1]) / (2 * STEP))
-    return np.stack(columns, axis=-1)
 
 
 def frames(angle: Floats) -> Floats:
@@ -88,9 +73,7 @@ def _counts(index: Floats, turned: NDArray[np.bool_]) -> Counts:
 
 def compute(run: Run) -> Result:
     """Reproduce the paper's map from its description, and compute a better one."""
-    centre = elliptic_point(PAPER)
-    if centre is None:
-        raise BadInput("the elliptic orbit was not found")
+    centre = elliptic()
     box = around(PAPER, centre, REACH)
     cells = grid(PAPER, box, SIDE)
     states = cells.states(slice(0, cells.count))
@@ -217,18 +200,4 @@ def _later(fine: Alignment) -> Comparison:
     )  # fmt: skip
 
 
-def draw(data: Maps, figure: FigureBase) -> None:
-    """Draw both maps."""
-    axes = figure.subplots(1, 2, sharey=True)
-    for each, findings in zip(axes, (data.paper, data.better), strict=True):
-        image = index_map(each, findings)
-        never = np.isfinite(findings.index).mean()
-        states = f"{len(findings.x)} x {len(findings.v)} states, {findings.periods} periods"
-        each.set_title(f"{states}: {never:.1%} never turn")
-    axes[1].set_ylabel("")
-    label = r"$\log_{10}$ SALI (grey: turns or sticks)"
-    figure.colorbar(image, ax=axes, label=label, extend="min")
-    figure.suptitle(f"SALI around the elliptic orbit\n{parameters(PAPER)}", fontsize=10)
-
-
-FIGURE = Figure("SALI map around the elliptic orbit", compute, draw, (8.6, 4.4))
+FIGURE = Figure("SALI map around the elliptic orbit", compute, "states:alignment", (8.6, 4.4))

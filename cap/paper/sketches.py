@@ -5,33 +5,18 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import FigureBase
-from matplotlib.patches import FancyArrowPatch, Rectangle
 
 from cap.audit.comparison import Comparison, claim, number, percent, roughly
-from cap.errors import BadInput
 from cap.floats.diagnostics.attractor import Attractor, attractors
 from cap.floats.diagnostics.fate import Fate, fate
 from cap.floats.diagnostics.portrait import Portrait, portrait
 from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.findings import Floats, State
 from cap.floats.search import periodic
-from cap.floats.search.fixed_point import elliptic_point
-from cap.paper.figure import Figure, Result, Run
+from cap.paper.figure import Figure, Result, Run, elliptic
 from cap.parameters import PAPER
-from cap.pictures.states import fates
-from cap.pictures.style import BLACK, BLUE, GREEN, GREY, RED, UNITS, parameters
 
 MASSES = 1.0, 0.9
-SADDLE = 0.3435, 0.7753
-
-
-def _centre() -> State:
-    found = elliptic_point(PAPER)
-    if found is None:
-        raise BadInput("the elliptic orbit was not found")
-    return found
 
 
 # the model
@@ -50,66 +35,15 @@ def model(run: Run) -> Result:
     return Result(rows, None)
 
 
-def draw_model(data: None, figure: FigureBase) -> None:
-    """Draw the mass between the walls."""
-    del data
-
-    axes = _stage(figure)
-    _body(axes, 0.0, 0.35, "$m = 1$")
-    _arrow(axes, (-0.1, 0.62), (0.45, 0.62), r"$F\cos\omega t$", "blue")
-    _arrow(axes, (0.3, -0.28), (-0.15, -0.28), r"$-f\,\mathrm{sgn}\,\dot x$", "red")
-    _arrow(axes, (0.2, 0.22), (0.5, 0.22), r"$\dot x$", "green")
-    _measure(axes, "$R = r - l$")
-    figure.suptitle(f"The oscillator\n{parameters(PAPER)}", fontsize=10)
-
-
-def _stage(figure: FigureBase) -> Axes:
-    """Draw the floor and the walls."""
-    axes = figure.subplots()
-    axes.set_axis_off()
-    for x, name in ((-1.0, "$l$"), (1.0, "$r$")):
-        left = x - 0.12 if x < 0 else x
-        axes.add_patch(Rectangle((left, -0.18), 0.12, 0.9, fc="#DDDDDD", ec="none", hatch="////"))
-        axes.plot([x, x], [-0.18, 0.72], color="black", lw=1.2)
-        axes.annotate(name, (x, -0.42), ha="center")
-    axes.add_patch(Rectangle((-1, -0.2), 2, 0.05, fc="#DDDDDD", ec="none", hatch="////"))
-    axes.plot([-1, 1], [-0.15, -0.15], color="black", lw=1.0)
-    axes.annotate("$x$", (1.22, -0.42), ha="center")
-    axes.annotate("", (1.18, -0.36), (-1.18, -0.36), arrowprops={"arrowstyle": "->", "lw": 0.7})
-    axes.set_xlim(-1.3, 1.3)
-    axes.set_ylim(-0.55, 1.0)
-    axes.set_aspect("equal")
-    return axes
-
-
-def _body(axes: Axes, x: float, width: float, name: str) -> None:
-    axes.add_patch(Rectangle((x - width / 2, -0.15), width, 0.3, fc="#CFE3F1", ec="black", lw=0.8))
-    axes.annotate(name, (x, 0.0), ha="center", va="center", fontsize=9)
-
-
-def _arrow(axes: Axes, begin: State, end: State, words: str, colour: str) -> None:
-
-    own = {"blue": BLUE, "red": RED, "green": GREEN}[colour]
-    axes.add_patch(
-        FancyArrowPatch(begin, end, arrowstyle="-|>", mutation_scale=11, color=own, lw=1.3)
-    )
-    x, y = max(begin[0], end[0]), begin[1]
-    axes.annotate(words, (x + 0.03, y), va="center", color=own, fontsize=9)
-
-
-def _measure(axes: Axes, words: str) -> None:
-    axes.annotate("", (1, 0.88), (-1, 0.88), arrowprops={"arrowstyle": "<->", "lw": 0.7})
-    axes.annotate(words, (0, 0.88), ha="center", va="center", backgroundcolor="white")
-
-
 # the cover
 
 
 class Lifted(NamedTuple):
-    """An orbit and its lift q(t)."""
+    """An orbit, its lift q(t), and x over q."""
 
     orbit: Trajectory
     q: Floats
+    wave: tuple[Floats, Floats]
 
 
 def wave(q: Floats) -> Floats:
@@ -121,7 +55,7 @@ def wave(q: Floats) -> Floats:
 def cover(run: Run) -> Result:
     """Lift the elliptic orbit."""
     del run
-    orbit = trajectory(PAPER, orbit=_centre(), exactly=True, periods=3)
+    orbit = trajectory(PAPER, orbit=elliptic(), exactly=True, periods=3)
     length = float(PAPER.R)
     way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(orbit.x)))]) / length
     q = (orbit.x[0] - float(PAPER.l)) / length + way
@@ -140,30 +74,9 @@ def cover(run: Run) -> Result:
                f"{2 * float(PAPER.f) / length:.4f}", jump,
                "the force changes its sign with W', friction does not: it is 2F |cos wt|/R"),
     )  # fmt: skip
-    return Result(rows, Lifted(orbit, q))
-
-
-def draw_cover(data: Lifted, figure: FigureBase) -> None:
-    """Draw the wave, the lift, and the orbit."""
-    axes = figure.subplots(1, 3)
-    q = np.linspace(0, 7, 701)
-    axes[0].plot(q, float(PAPER.l) + float(PAPER.R) * wave(q), color=BLUE)
-    axes[0].set_xlabel("$q$")
-    axes[0].set_ylabel(r"$\pi(q) = R\,W(q) + l$  [length]")
-    t = data.orbit.t / data.orbit.period
-    axes[1].plot(t, data.q, color=RED)
-    for k in range(1, int(data.q[-1]) + 1):
-        axes[1].axhline(k, color=GREY, ls=":", lw=0.7)
-    axes[1].set_ylabel("$q(t)$")
-    axes[2].plot(t, data.orbit.x, color="black", lw=0.9)
-    for wall in (PAPER.l, PAPER.r):
-        axes[2].axhline(float(wall), color=GREY, ls="--", lw=0.7)
-    axes[2].set_ylabel(UNITS["x"])
-    for each in axes[1:]:
-        each.set_xlabel(UNITS["t"])
-        each.set_xlim(0, 3)
-    figure.suptitle(f"The cover, and the lift of the elliptic orbit\n{parameters(PAPER)}",
-                    fontsize=10)  # fmt: skip
+    shown = np.linspace(0, 7, 701)
+    wave_of_x = float(PAPER.l) + length * wave(shown)
+    return Result(rows, Lifted(orbit, q, (shown, wave_of_x)))
 
 
 # the decomposition
@@ -220,32 +133,6 @@ def decomposition(run: Run) -> Result:
     return Result(rows, Decomposition(basin, (islands[0], islands[-1]), orbits, turning))
 
 
-def draw_decomposition(data: Decomposition, figure: FigureBase) -> None:
-    """Draw the plane."""
-    axes = figure.subplots()
-    fates(axes, data.basin)
-    handles = list(axes.get_legend().legend_handles)  # type: ignore[union-attr]
-    labels = [text.get_text() for text in axes.get_legend().get_texts()]  # type: ignore[union-attr]
-    axes.get_legend().remove()  # type: ignore[union-attr]
-    for each in data.islands:
-        own = each.states[~each.turned].reshape(-1, 2)
-        axes.scatter(own[:, 0], own[:, 1], s=0.3, c=BLUE, lw=0, rasterized=True)
-    for kind, marker, colour in (("elliptic", "*", RED), ("saddle", "s", "white")):
-        (line,) = axes.plot(*np.array(data.points[kind]).reshape(-1, 2).T, marker, ms=7, mfc=colour,
-                            mec=BLACK, mew=0.7, ls="none")  # fmt: skip
-        handles.append(line)
-        labels.append(f"{kind} fixed point")
-    for found in data.attractors:
-        (line,) = axes.plot(*found.states[:500].T, ".", ms=1.6, color=GREEN)
-    handles.append(line)
-    labels.append("attractors")
-    axes.set_xlim(data.basin.x[0], data.basin.x[-1])
-    axes.set_ylim(data.basin.v[0], data.basin.v[-1])
-    figure.legend(handles, labels, loc="outside lower center", ncols=3, markerscale=1.4)
-    words = f"Who turns within {data.basin.periods} periods, and the islands"
-    figure.suptitle(f"{words}\n{parameters(PAPER)}", fontsize=10)
-
-
 # many particles
 
 
@@ -283,22 +170,8 @@ def particles(run: Run) -> Result:
     return Result(rows, None)
 
 
-def draw_particles(data: None, figure: FigureBase) -> None:
-    """Draw the particles."""
-    del data
-    axes = _stage(figure)
-    for k, (x, width) in enumerate(((-0.7, 0.24), (-0.25, 0.34), (0.15, 0.2), (0.72, 0.3)), 1):
-        _body(axes, x, width, f"$m_{k}$" if k < 4 else "$m_N$")
-        axes.add_patch(FancyArrowPatch((x - 0.09, 0.32), (x + 0.13, 0.32), arrowstyle="-|>",
-                       mutation_scale=9, color="#0072B2", lw=1.1))  # fmt: skip
-    axes.annotate("…", (0.42, 0.0), ha="center", va="center", fontsize=13)
-    axes.annotate(r"$F\cos\omega t$ on each", (0, 0.5), ha="center", color="#0072B2", fontsize=9)
-    _measure(axes, "$R = r - l$")
-    figure.suptitle(r"$N$ particles: $m_i\ddot x_i = F\cos\omega t - f\,\mathrm{sgn}\,\dot x_i$",
-                    fontsize=10)  # fmt: skip
-
-
-MODEL = Figure("the model", model, draw_model, (5.6, 3.4))
-COVER = Figure("the cover and the lift", cover, draw_cover, (8.4, 3.2))
-DECOMPOSITION = Figure("decomposition of the plane", decomposition, draw_decomposition, (6.0, 6.0))
-PARTICLES = Figure("N particles", particles, draw_particles, (5.6, 3.4))
+MODEL = Figure("the model", model, "sketches:model", (5.6, 3.4))
+COVER = Figure("the cover and the lift", cover, "sketches:cover", (8.4, 3.2))
+DECOMPOSITION = Figure("decomposition of the plane", decomposition, "sketches:decomposition",
+                       (6.0, 6.0))  # fmt: skip
+PARTICLES = Figure("N particles", particles, "sketches:particles", (5.6, 3.4))

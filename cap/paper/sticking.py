@@ -5,8 +5,6 @@ from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import FigureBase
 
 from cap.audit.comparison import Comparison, claim, count, number, taken_from
 from cap.floats.diagnostics.chatter import Chatter, chatter
@@ -14,10 +12,8 @@ from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import State
 from cap.paper.certified import theorem
-from cap.paper.figure import Figure, Result, Run, at
-from cap.parameters import PAPER
-from cap.pictures import times
-from cap.pictures.style import BLUE, GREY, ORANGE, RED, UNITS
+from cap.paper.figure import Figure, Result, Run
+from cap.parameters import PAPER, at
 
 WEAK, START = "0.55", (0.0, 1.5)
 END = 12.0  # of the paper's panel (a), a time
@@ -129,42 +125,4 @@ def _captured(caught: Chatter) -> list[Comparison]:
     ]  # fmt: skip
 
 
-def draw(data: Panels, figure: FigureBase) -> None:
-    """Draw the three panels."""
-    axes = figure.subplot_mosaic([["a", "a"], ["b", "c"]], width_ratios=[1.15, 1])
-    times.position(axes["a"], data.slow)
-    axes["a"].set_title(f"(a) $F = {WEAK}$, from $(0, 1.5)$", loc="left")
-    handles, labels = axes["a"].get_legend_handles_labels()
-    axes["a"].legend(handles, labels, ncols=3, loc="upper right")
-    _shadow(axes["b"], data)
-    _accumulation(axes["c"], data.captured)
-    figure.suptitle("Sticking, neighbours, and hits that accumulate\n"
-                    r"$\omega = 1,\ f = 0.4,\ R = 2$", fontsize=10)  # fmt: skip
-
-
-def _shadow(axes: Axes, data: Panels) -> None:
-
-    for orbit, colour, (_, v) in zip(data.two, (BLUE, ORANGE), TWO, strict=True):
-        axes.plot(orbit.x, orbit.v, color=colour, lw=0.8, label=rf"$v_0 = {v:g}$")
-    for wall in (PAPER.l, PAPER.r):
-        axes.axvline(float(wall), color=GREY, ls="--", lw=0.7)
-    axes.axhline(0, color=GREY, lw=0.5)
-    axes.set_xlabel(UNITS["x"])
-    axes.set_ylabel(UNITS["v"])
-    axes.set_title(f"(b) $F = {STRONG}$, from $x_0 = -0.95$, $4T$", loc="left")
-    axes.legend(loc="center", bbox_to_anchor=(0.8, 0.45))
-
-
-def _accumulation(axes: Axes, caught: Chatter) -> None:
-
-    k = np.arange(1, len(caught.times) + 1)
-    axes.semilogy(k, caught.speeds, "o", ms=3.5, mfc="white", mec=BLUE, label="speed after hit $k$")
-    left = np.maximum(caught.end - caught.times, 1e-16)
-    axes.semilogy(k, left, "s", ms=3, mfc="white", mec=RED, label=r"$t_\infty - t_k$")
-    axes.set_xlabel("hit $k$ of the right wall")
-    axes.set_ylabel("[length / time], [time]")
-    axes.set_title(f"(c) $F = 1$, from $(0.99, 0.01)$: $t_\\infty = {caught.end:.5f}$", loc="left")
-    axes.legend(loc="lower left")
-
-
-FIGURE = Figure("sticking, grazing, and accumulation", compute, draw, (7.8, 6.0))
+FIGURE = Figure("sticking, grazing, and accumulation", compute, "sticking:sticking", (7.8, 6.0))

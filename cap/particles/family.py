@@ -1,30 +1,22 @@
-"""Two masses, the second one anywhere in an interval: the mechanics for all of them at once."""
+"""Two masses, the second one anywhere in a set: the parameters of `second_mass`."""
 
-from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 
-from cap.parameters import Parameters
-from cap.particles.model import Model
 from cap.sets import interval
+from cap.sets.interval import Ball
+
+Values = dict[str, Ball]
 
 
-class Family(Model):
-    """The models with the masses (m, q) for all q of an interval.
+def values(m: Fraction, q: Ball) -> Values:
+    """Return k = 1/q, a = 2q/(m + q), b = 2m/(m + q), c = (q - m)/(m + q), for all q of a set."""
+    ratio = interval.ball(m) / q
+    a, b = 2 / (1 + ratio), 2 / (1 + 1 / ratio)
+    return {"k": 1 / q, "a": a, "b": b, "c": 1 - b}
 
-    What is enclosed is enclosed for all of them.  ``masses`` are those at the upper end.
-    """
 
-    def __init__(self, p: Parameters, mass: Fraction, second: Sequence[Fraction]) -> None:
-        lower, upper = second
-        super().__init__(p, (mass, upper))
-        first, q = self.oscillators[0], interval.hull(interval.ball(lower), interval.ball(upper))
-        each = interval.ball(mass) / q  # the forces of the first mass, per unit of the second
-        self.oscillators[1] = replace(
-            first, F=first.F * each, f=first.f * each, F_v=first.F_v * each, F_x=first.F_x * each
-        )
-        m = interval.ball(mass)
-        # p of a collision, n = (-1, 1)
-        self.pushes[1] = -2 / (1 + m / q), 2 / (1 + q / m)
-        one, (a, b) = interval.ONE, self.pushes[1]
-        self.rules[1] = (one + a, -a), (b, one - b)
+def rates(m: Fraction, q: Ball) -> Values:
+    """Return their derivatives by q."""
+    whole = interval.ball(m) + q
+    a = 2 * interval.ball(m) / (whole * whole)
+    return {"k": -1 / (q * q), "a": a, "b": -a, "c": a}

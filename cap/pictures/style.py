@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from fractions import Fraction
+from importlib import import_module
 from typing import Any
 
 import matplotlib as mpl
@@ -63,6 +64,17 @@ def blank(size: tuple[float, float], dpi: float = 200) -> Figure:
     """Return an empty figure of a size in inches."""
     figure = Figure(figsize=size, dpi=dpi, layout="constrained")
     FigureCanvasAgg(figure)
+    return figure
+
+
+def drawn(name: str, data: Any, size: tuple[float, float], dpi: float = 200) -> Figure:
+    """Return the picture of data by a function ``module:function`` of `cap.pictures`."""
+    module, function = name.split(":")
+    draw = getattr(import_module(f"cap.pictures.{module}"), function)
+    figure = blank(size, dpi)
+    with style():
+        draw(data, figure)
+        figure.draw_without_rendering()
     return figure
 
 

@@ -11,16 +11,17 @@ named for them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import product
 
 from cap.errors import BadInput
 from cap.parameters import Parameters
 from cap.system.model import Bounce, Guard, Mode, System
-from cap.system.polynomial import COS, ZERO, Polynomial, variable
+from cap.system.polynomial import COS, ZERO, Polynomial, Quotient, variable, variables
 
 Signs = tuple[int, ...]
+Reset = Mapping[str, Polynomial | Quotient] | Bounce
 MOST = 5  # masses: 3^5 modes
 
 
@@ -28,12 +29,36 @@ def masses(p: Parameters, m: Sequence[Fraction]) -> System:
     """Return the model of N masses, in order from the left wall."""
     if not 1 <= len(m) <= MOST or min(m) <= 0:
         raise BadInput(f"give from 1 to {MOST} masses, and positive ones")
+    inverse = [Polynomial.of(1 / q) for q in m]
+    return _system(p, inverse, lambda signs, i: _bounce(m, signs, i))
+
+
+def second_mass(p: Parameters, m: Fraction) -> System:
+    """Return the model of the masses m and q for all q.
+
+    Its parameters are k = 1/q, a = 2q/(m + q), b = 2m/(m + q), c = (q - m)/(m + q): a collision
+    makes (v_1, v_2) to (a v_2 - c v_1, b v_1 + c v_2).
+    """
+    k, a, b, c = variables("k a b c")
+    reset = {"v1": a * _v(1) - c * _v(0), "v2": b * _v(0) + c * _v(1)}
+    return _system(p, [Polynomial.of(1 / m), k], lambda _signs, _i: reset, ("k", "a", "b", "c"))
+
+
+def _system(
+    p: Parameters,
+    inverse: Sequence[Polynomial],
+    collision: Callable[[Signs, int], Reset],
+    parameters: tuple[str, ...] = (),
+) -> System:
+    """Return the model, from the inverse masses, and the resets of neighbours that meet."""
     if not p.conserves:
         raise BadInput("the walls must be elastic, without viscosity: e = 1, mu = 0")
-    n = len(m)
+    n = len(inverse)
     state = tuple(f"{kind}{i}" for kind in "xv" for i in range(1, n + 1))
-    modes = {word(s): Mode(_field(p, m, s), dict(_guards(p, m, s))) for s in _signs(n)}
-    return System(state, Polynomial.of(p.omega), modes)
+    modes = {
+        word(s): Mode(_field(p, inverse, s), dict(_guards(p, collision, s))) for s in _signs(n)
+    }
+    return System(state, Polynomial.of(p.omega), modes, parameters)
 
 
 def word(signs: Signs) -> str:
@@ -53,16 +78,18 @@ def _v(i: int) -> Polynomial:
     return variable(f"v{i + 1}")
 
 
-def _field(p: Parameters, m: Sequence[Fraction], signs: Signs) -> dict[str, Polynomial]:
+def _field(p: Parameters, inverse: Sequence[Polynomial], signs: Signs) -> dict[str, Polynomial]:
     """Return the field of a mode."""
     force = variable(COS) * p.F
     rates = {f"x{i + 1}": _v(i) if s else ZERO for i, s in enumerate(signs)}
     return rates | {
-        f"v{i + 1}": (force - s * p.f) / m[i] if s else ZERO for i, s in enumerate(signs)
+        f"v{i + 1}": (force - s * p.f) * inverse[i] if s else ZERO for i, s in enumerate(signs)
     }
 
 
-def _guards(p: Parameters, m: Sequence[Fraction], signs: Signs) -> Iterator[tuple[str, Guard]]:
+def _guards(
+    p: Parameters, collision: Callable[[Signs, int], Reset], signs: Signs
+) -> Iterator[tuple[str, Guard]]:
     """Yield the guards of a mode with their names."""
     last, force = len(signs) - 1, variable(COS) * p.F
     if signs[0] < 0:
@@ -71,7 +98,7 @@ def _guards(p: Parameters, m: Sequence[Fraction], signs: Signs) -> Iterator[tupl
         yield "hit r", _wall(p.r - _x(last), signs, last, p.r)
     for i in range(last):
         if signs[i] >= signs[i + 1] and signs[i : i + 2] != (0, 0):
-            yield f"meet {i + 1} {i + 2}", _meeting(m, signs, i)
+            yield f"meet {i + 1} {i + 2}", _meeting(signs, i, collision(signs, i))
     for i, s in enumerate(signs):
         if s:
             to = (word(_with(signs, i, -s)), word(_with(signs, i, 0)))
@@ -88,12 +115,23 @@ def _wall(h: Polynomial, signs: Signs, i: int, place: Fraction) -> Guard:
     return Guard(h, (word(_with(signs, i, -signs[i])),), reset)
 
 
-def _meeting(m: Sequence[Fraction], signs: Signs, i: int) -> Guard:
+def _meeting(signs: Signs, i: int, reset: Reset) -> Guard:
     """Return the contact of two neighbours, which separate after it, so not with signs + and -."""
     after = ((1, 1), (-1, -1), (-1, 1))
     to = tuple(word(signs[:i] + pair + signs[i + 2 :]) for pair in after)
-    inertia = {f"v{k + 1}": Polynomial.of(m[k]) for k in (i, i + 1)}
-    return Guard(_x(i + 1) - _x(i), to, Bounce(Polynomial.of(1), inertia))
+    return Guard(_x(i + 1) - _x(i), to, reset)
+
+
+def _bounce(m: Sequence[Fraction], signs: Signs, i: int) -> Reset:
+    """Return the reset of two neighbours that meet.
+
+    Where one is at rest L h has no velocity of it, which is 0: the bounce is written with it.
+    """
+    a, b = f"v{i + 1}", f"v{i + 2}"
+    if 0 in signs[i : i + 2]:
+        push = (_v(i + 1) - _v(i)) * (2 / (m[i] + m[i + 1]))
+        return {a: _v(i) + push * m[i + 1], b: _v(i + 1) - push * m[i]}
+    return Bounce(Polynomial.of(1), {a: Polynomial.of(m[i]), b: Polynomial.of(m[i + 1])})
 
 
 def _with(signs: Signs, i: int, s: int) -> Signs:

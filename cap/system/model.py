@@ -143,9 +143,16 @@ class System:
 
     def reset(self, mode: str, name: str) -> dict[str, Quotient]:
         """Return the state just after an event, each variable a rational function of y before."""
-        given = self.guard(mode, name).reset
-        changed = self._impact(mode, name, given) if isinstance(given, Bounce) else given
-        return {z: Quotient.of(changed.get(z, variable(z))) for z in self.state}
+        if (mode, name) not in self._resets:
+            given = self.guard(mode, name).reset
+            changed = self._impact(mode, name, given) if isinstance(given, Bounce) else given
+            after = {z: Quotient.of(changed.get(z, variable(z))) for z in self.state}
+            self._resets[mode, name] = after
+        return {**self._resets[mode, name]}
+
+    @cached_property
+    def _resets(self) -> dict[tuple[str, str], dict[str, Quotient]]:
+        return {}
 
     def rest(self, mode: str, name: str) -> str:
         """Return the mode in which infinitely many of these events end."""

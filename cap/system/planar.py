@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from cap.errors import BadInput
-from cap.system.polynomial import COS, PI, SIN, Polynomial
+from cap.system.polynomial import COS, PI, SIN, Polynomial, variable
 
 _NAME = re.compile("[A-Za-z][A-Za-z_0-9]{0,19}", re.ASCII)
 _TAKEN = COS, SIN, PI, "t", "omega"
@@ -44,6 +44,16 @@ class Map:
         object.__setattr__(self, "image", image)
         for z, q in image.items():
             self._fits(z, q)
+
+    @property
+    def derivative(self) -> tuple[tuple[Polynomial, Polynomial], ...]:
+        """The rows of the derivative."""
+        x, y = self.state
+        cos, sin = variable(COS), variable(SIN)
+        return tuple(
+            (q.derivative(x) - q.derivative(COS) * sin + q.derivative(SIN) * cos, q.derivative(y))
+            for q in (self.image[z] for z in self.state)
+        )
 
     def _fits(self, z: str, q: Polynomial) -> None:
         if unknown := sorted(q.variables - {*self.state, COS, SIN}):

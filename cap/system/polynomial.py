@@ -17,6 +17,7 @@ from typing import Any
 from cap.errors import BadInput
 
 Monomial = tuple[tuple[str, int], ...]
+DIVISIONS = 100  # of terms, at most
 PI, COS, SIN = "pi", "cos", "sin"  # the names that have a meaning
 
 
@@ -149,6 +150,28 @@ class Polynomial:
             factor = self.terms.get(monomial, Fraction(0)) / c
             return factor if self == other * factor else None
         return None if self else Fraction(0)
+
+    def divided(self, other: Polynomial) -> Polynomial | None:
+        """Return q with self = q other, q without negative powers; None if it is not found soon.
+
+        By division with the order of monomials by their powers of the variables, one by one.
+        """
+        names = sorted({name for q in (self, other) for m in q.terms for name, _ in m})
+        rest, quotient = self, ZERO
+
+        def leading(q: Polynomial) -> Monomial:
+            return max(q.terms, key=lambda m: [dict(m).get(name, 0) for name in names])
+
+        for _ in range(DIVISIONS):
+            if not rest:
+                return quotient
+            top, bottom = leading(rest), leading(other)
+            monomial = _product(top, tuple((name, -k) for name, k in bottom))
+            if any(k < 0 for _, k in monomial):
+                return None
+            term = Polynomial({monomial: rest.terms[top] / other.terms[bottom]})
+            quotient, rest = quotient + term, rest - term * other
+        return None
 
     def without(self, *names: str) -> Polynomial:
         """Return the terms in which none of these variables occurs."""

@@ -3,10 +3,10 @@
 from pathlib import Path
 
 import pytest
+from audit_verdicts import said
 
 from cap.audit import subject
 from cap.audit.claim import Claim, Kind
-from cap.audit.verdict import confirmed
 
 
 @pytest.fixture(autouse=True)
@@ -40,7 +40,7 @@ def example():
 
     def decide():
         calls.append(1)
-        return confirmed("yes", f"decided {len(calls)} times")
+        return said("confirmed", "yes", f"decided {len(calls)} times")
 
     module = "cap.audit.papers.mixed_dynamics.claims.strobe"
     one = Claim("strobe.example", "def:Phi", Kind.THEOREM, "An example.", "", decide, "", module)

@@ -3,11 +3,12 @@
 from dataclasses import replace
 
 import pytest
+from audit_verdicts import said
 
 from cap.audit import cache, dependencies
 from cap.audit.decide import decided
 from cap.audit.means import stored
-from cap.audit.verdict import Outcome, Strength, confirmed, still_open
+from cap.audit.verdict import Outcome, Strength
 
 pytest_plugins = ["audit_fixtures"]
 
@@ -41,7 +42,7 @@ def test_other_data_decide_anew(example):
 def test_another_certificate_decides_anew(example, monkeypatch):
     """Certificates that were asked for have to be the same; others may change."""
     one, calls = example
-    cache.keep(one, confirmed("kept", ""), {"capture.json": stored.digest("capture.json")})
+    cache.keep(one, said("confirmed", "kept", ""), {"capture.json": stored.digest("capture.json")})
     assert decided(one).found == "kept"
     monkeypatch.setattr(stored, "digest", lambda name: f"another {name}")
     assert decided(one).found == "yes"
@@ -131,6 +132,6 @@ def test_a_digest_depends_on_every_source(monkeypatch, tmp_path, name):
 def test_verdicts_survive_the_way_to_the_cache_and_back(example):
     """All fields."""
     one, _ = example
-    verdict = still_open("found", "evidence", numerical=True)
+    verdict = said("open", "found", "evidence", strength=Strength.NUMERICAL)
     cache.keep(one, verdict, {})
     assert cache.known(one) == verdict

@@ -4,13 +4,14 @@ import os
 from dataclasses import replace
 
 import pytest
+from audit_verdicts import said
 
-from cap.audit import ledger, quotes, recorded, subject
+from cap.audit import given, ledger, recorded, subject
 from cap.audit.decide import all_decided, decided
 from cap.audit.means import accepted
 from cap.audit.means.need import need
 from cap.audit.means.stored import FOLDER, stored
-from cap.audit.verdict import Outcome, Strength, confirmed, refuted, still_open
+from cap.audit.verdict import Outcome, Strength
 from cap.errors import BadInput, NotProved
 
 pytest_plugins = ["audit_fixtures"]
@@ -36,7 +37,7 @@ def test_a_step_that_fails_decides_nothing(example):
 def test_a_written_proof_must_be_there(example):
     """An argument without its text decides nothing."""
     verdict = decided(
-        with_function(example[0], lambda: confirmed("yes", "", proof="setup.md#nothing"))
+        with_function(example[0], lambda: said("confirmed", "yes", "", proof="setup.md#nothing"))
     )
     assert verdict.outcome is Outcome.UNDECIDED
     assert "setup.md#nothing is missing" in verdict.evidence
@@ -50,7 +51,7 @@ def rests(example, *, proof="", checks=0, certificate="", asks=False):
             need(True, "no")
         if asks:
             stored("impulse-1.json")
-        return confirmed("yes", "", proof=proof, certificate=certificate)
+        return said("confirmed", "yes", "", proof=proof, certificate=certificate)
 
     return decided(with_function(example[0], decide), fresh=True)
 
@@ -62,8 +63,9 @@ def test_the_strength_follows_from_what_was_done(example):
     assert rests(example, checks=1, asks=True).strength is Strength.CERTIFIED
     by = rests(example, checks=1, asks=True, proof="setup.md#the-contact-law")
     assert by.strength is Strength.BY_ARGUMENT
-    assert still_open("", "").strength is Strength.NONE
-    assert still_open("", "", numerical=True).strength is Strength.NUMERICAL
+    entry = {"id": "strobe.example", "verdict": "open", "stated": ""}
+    assert given.decided(entry, {}).strength is Strength.NONE
+    assert given.decided({**entry, "strength": "numerical"}, {}).strength is Strength.NUMERICAL
 
 
 def test_a_certificate_that_is_named_must_be_checked(example):
@@ -114,7 +116,7 @@ def test_certificates_accepted_by_processes_are_recorded(tmp_path, monkeypatch, 
 
     def decide():
         accepted.note(accepted.LONG[0], b"{}")
-        return confirmed("yes", "")
+        return said("confirmed", "yes", "")
 
     monkeypatch.setitem(ledger.claims(), claim.id, with_function(claim, decide))
     monkeypatch.setattr(accepted, "STORED", tmp_path / "accepted.json")
@@ -135,7 +137,7 @@ def test_changes_are_noticed():
     assert recorded.changes({name: old}, whole=False) == []
     assert len(recorded.changes({name: old}, whole=True)) == len(ledger.claims()) - 1
     for new, words in (
-        (refuted(old.found, ""), "recorded corrected, now refuted"),
+        (said("refuted", old.found, ""), "recorded corrected, now refuted"),
         (replace(old, found="else"), "now 'else'"),
         (replace(old, evidence="else"), "recorded evidence"),
         (replace(old, proof="else"), "recorded proof"),
@@ -169,7 +171,9 @@ def test_a_changed_sentence_is_noticed(monkeypatch, what):
 def test_a_changed_quotation_is_noticed(monkeypatch):
     """One digit of it is enough."""
     name = FEW[1]
-    monkeypatch.setitem(quotes.stored(), name, quotes.quote(name).replace("0.34790", "0.34791"))
+    claim = ledger.claims()[name]
+    other = replace(claim, quote=claim.quote.replace("0.34790", "0.34791"))
+    monkeypatch.setitem(ledger.claims(), name, other)
     (line,) = recorded.changes({name: recorded.recorded()[name]}, whole=False)
     assert "are not those recorded" in line
 
@@ -177,7 +181,7 @@ def test_a_changed_quotation_is_noticed(monkeypatch):
 def test_recording(elsewhere):
     """What is written is read back, other entries stay; what is no verdict is not recorded."""
     first, second = FEW[:2]
-    one, two = still_open("found", "evidence"), refuted("x", "y", certificate="z")
+    one, two = said("open", "found", "evidence"), said("refuted", "x", "y", certificate="z")
     elsewhere("recorded.json")
     assert recorded.recorded() == {}
     recorded.write({first: one})

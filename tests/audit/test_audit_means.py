@@ -8,13 +8,13 @@ from support import holds
 from cap.audit.means import stored
 from cap.audit.means.balls import above, below, between, compared, inner, pair, roots
 from cap.audit.papers.mixed_dynamics.means.equation import Equation
-from cap.audit.papers.mixed_dynamics.means.orbits import States, at, before_a_stop, hits_only, until
+from cap.audit.papers.mixed_dynamics.means.orbits import States, before_a_stop, hits_only, until
 from cap.audit.papers.mixed_dynamics.means.quadrature import over_the_line
 from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.floats.engine import swarm
-from cap.parameters import PAPER
+from cap.parameters import PAPER, at
 from cap.sets import interval
 from cap.sets.interval import Ball
 

@@ -44,7 +44,7 @@ def test_the_ledger_of_the_tables(tables):
     assert wrong == {name for names in shared.values() for name in names}
     for name, each in claims.items():
         text = (deciding.DATA / f"{each.where}.csv").read_text("utf-8")
-        assert text.count(f"\n{quotes.quote(name)}\n") == 1
+        assert text.count(f"\n{quotes.stored()[name]}\n") == 1
 
 
 @pytest.mark.parametrize("name", FEW)

@@ -6,6 +6,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
+from audit_verdicts import said
 
 from cap.audit import ledger, recorded
 from cap.audit.claim import Claim, Kind
@@ -18,7 +19,7 @@ from cap.audit.report.page import page
 from cap.audit.report.text import WIDTH, plain
 from cap.audit.report.view import report
 from cap.audit.statements import Statement
-from cap.audit.verdict import Outcome, confirmed, corrected, refuted, vacuous
+from cap.audit.verdict import Outcome
 
 ROOT = Path(__file__).resolve().parents[2]
 NASTY = '<b> & "quotes" | `code` *stars* _under_ \\command{x} $5 #1 100% ~ ^ -- μ^(1/2) θ̃ ö'
@@ -33,11 +34,11 @@ def whole():
 @pytest.fixture
 def nasty():
     """Return a report of one claim whose words have every special sign."""
-    one = Claim("stops.nasty", "eq:model", Kind.WORDS, NASTY, NASTY, lambda: confirmed("", ""))
+    one = Claim("stops.nasty", "eq:model", Kind.WORDS, NASTY, NASTY, lambda: said("confirmed"))
     known = ledger.claims()
     known[one.id] = one
     try:
-        yield report({one.id: confirmed(NASTY, NASTY)})
+        yield report({one.id: said("confirmed", NASTY, NASTY)})
     finally:
         del known[one.id]
 
@@ -155,11 +156,11 @@ def test_links_within_the_stored_report():
 @pytest.mark.parametrize(
     ("verdicts", "status"),
     [
-        ([confirmed("", "")], "stands"),
-        ([confirmed("", ""), refuted("", "")], "stands when changed"),
-        ([corrected("", "")], "stands when changed"),
-        ([refuted("", ""), confirmed("", "")], "falls"),
-        ([vacuous("", ""), confirmed("", "")], "vacuous"),
+        ([said("confirmed")], "stands"),
+        ([said("confirmed"), said("refuted")], "stands when changed"),
+        ([said("corrected")], "stands when changed"),
+        ([said("refuted"), said("confirmed")], "falls"),
+        ([said("vacuous"), said("confirmed")], "vacuous"),
     ],
 )
 def test_what_becomes_of_a_statement(verdicts, status):

@@ -11,7 +11,7 @@ from cap.audit import given, steps
 from cap.audit.decide import decided
 from cap.audit.filled import filled
 from cap.audit.means import stored
-from cap.audit.papers.mixed_dynamics.claims import gallery, persistence
+from cap.audit.papers.mixed_dynamics.claims import gallery
 from cap.audit.verdict import Outcome, Strength
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
@@ -29,6 +29,14 @@ HOLD = [
     "elliptic.at.f == 2/5",
     'periodic-1.type == "sink focus"',
     "hit(1).det() == 1",
+    "elliptic.hit_forcing > 0",
+    "elliptic.resonance_distances > 0",
+    '"capture r" in capture.itinerary',
+    "capture.box.x.lower < capture.box.x.upper",
+    "elliptic.twist != 0",
+    "paper.r == -paper.l",
+    "periodic-1.at == periodic-3.at",
+    "particles.at.masses == [1, Rational(9, 10)]",
 ]
 FAIL = [
     "sin(t)**2 - cos(t)**2 == 1",
@@ -43,6 +51,16 @@ FAIL = [
     "elliptic.at.f == 1/2",
     'periodic-1.type == "saddle"',
     "hit(1).det() == 2",
+    "elliptic.hit_forcing > 1/10",
+    "elliptic.resonance_distances > 1/10",
+    "elliptic.taylor > 0",
+    "segment-2.itinerary > 0",
+    '"turn left" in capture.itinerary',
+    "capture.box.x.upper < capture.box.x.lower",
+    "elliptic.determinant != 1",
+    "paper.r == paper.l",
+    "periodic-1.at == elliptic.at",
+    "particles.at.masses == [1, 1]",
 ]
 
 
@@ -109,7 +127,7 @@ def claim_of(example, **data):
         "evidence": "{x:3}",
         **data,
     }
-    return replace(example[0], decide=lambda: given._derived(entry, {}))
+    return replace(example[0], decide=lambda: given.decided(entry, {}))
 
 
 @pytest.mark.parametrize(
@@ -194,20 +212,22 @@ def test_other_data_decide_nothing(group, name, old, new):
 
 def test_another_orbit_does_not_persist(monkeypatch):
     """P* must be the one that is continued, without the eigenvalue 1, and must not stop."""
-    true = stored.stored("elliptic.json")
-    assert persistence.persistence_of_the_orbit()["boxes"] > 1
+    true, accepted = stored.stored("elliptic.json"), stored._accepted
+    common, claims = data_of("persistence")
+    claim = claims["persistence-of-the-orbit"]
+    assert given.decided(claim, common).outcome is Outcome.CONFIRMED
     third = Enclosure(Fraction(1, 3), Fraction(2, 3), ("1/3", "2/3"))
     negative = Enclosure(Fraction(-1), Fraction(1), ("-1", "1"))
     two = Enclosure(Fraction(1), Fraction(2), ("1", "2"))
     for name, other in (("x", third), ("v", third), ("trace", two), ("least_speed", negative)):
         wrong = true._replace(claims={**true.claims, name: other})
         monkeypatch.setattr(
-            persistence,
-            "stored",
-            lambda name, wrong=wrong: wrong if name == "elliptic.json" else stored.stored(name),
+            stored,
+            "_accepted",
+            lambda name, wrong=wrong: wrong if name == "elliptic.json" else accepted(name),
         )
         with pytest.raises(NotProved):
-            persistence.persistence_of_the_orbit()
+            given.decided(claim, common)
 
 
 @pytest.mark.parametrize(

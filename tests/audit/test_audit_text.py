@@ -80,7 +80,7 @@ def test_a_patch_is_one_for_git(tmp_path, monkeypatch):
 )
 def test_a_number_that_changes(new, expected):
     """It is corrected if it is the one found, in any number of digits; words are gone."""
-    text = quotes.quote(TWIST).replace("-0.42", new)
+    text = quotes.stored()[TWIST].replace("-0.42", new)
     assert state(TWIST, text) is expected
 
 
@@ -91,14 +91,14 @@ def test_the_erratum_is_recognised():
     assert state(name, " ".join(news)) is State.CORRECTED
     assert state(name, " ".join([news[0], *olds[1:]])) is State.CHANGED
     around = "fig-hist-cont.f-imp-pi-f-2"
-    assert state(around, quotes.quote(around).replace(olds[-1], news[-1])) is State.CORRECTED
+    assert state(around, quotes.stored()[around].replace(olds[-1], news[-1])) is State.CORRECTED
     assert state(around, news[-1]) is State.GONE
     beside = "linearization.value-of-the-bound"  # its quotation begins inside of a change
     assert state(beside, news[-1]) is State.CORRECTED
     assert state(beside, f"{news[-1]} {olds[-1]}") is State.GONE
     inside = "fig-hist-cont.orbits-at-each-f-but-2"  # and here a change is a part of it
     (change,) = errata.of("gallery.range-of-the-counts")
-    corrected = quotes.quote(inside).replace(change.old, change.new)
+    corrected = quotes.stored()[inside].replace(change.old, change.new)
     assert state(inside, corrected) is State.CORRECTED
     assert state(inside, corrected.replace("$3$", "$4$")) is State.CHANGED
 

@@ -9,7 +9,7 @@ import pytest
 from mpmath import mp, workdps
 
 from cap.checker.kernel.angles import cos_sin, of, rounded
-from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.rejection import Rejected
 
 

@@ -121,6 +121,12 @@ def test_enclosing_is_the_least_interval(q):
         assert x.width == (0 if (q * (1 << bits)).denominator == 1 else 1)
 
 
+def test_enclosing_refuses_ends_that_are_not_in_order():
+    """Such an interval has no points, so it would prove everything."""
+    with pytest.raises(Rejected, match="not in order"):
+        Interval.enclosing(Fraction(2), Fraction(1), 8)
+
+
 def test_enclosing_rounds_each_end_outwards():
     """±1/3 in units 2^-8: the ends are rounded away from zero, by hand -86 and 86."""
     x = Interval.enclosing(Fraction(-1, 3), Fraction(1, 3), 8)

@@ -10,7 +10,8 @@ from cap.checker.kernel.certificate import read
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.ball_curve import BallCurve
-from cap.checker.verdict import seconds, words
+from cap.checker.verdict import words
+from cap.command.outcome import seconds
 from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
 

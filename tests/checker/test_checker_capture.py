@@ -11,8 +11,9 @@ from mpmath import mp, mpf
 from support import number, rational, rounds, seeded
 
 from cap.certificate.latex import macros
-from cap.checker.flow.hits import Event
+from cap.checker.flow.hits import Hit
 from cap.checker.flow.losses import Lossy as Mechanics
+from cap.checker.flow.stops import Event
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.verdict import words
@@ -45,6 +46,11 @@ CASES = {
 def forged():
     """Return the valid certificates."""
     return {name: forge_capture(**case) for name, case in CASES.items()}
+
+
+def hit(word, moment, forcing, speed):
+    """Return a hit, of which it does not matter on what flight it is."""
+    return Hit(word, moment, forcing, speed, None)
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -208,7 +214,9 @@ def test_the_hit_before_a_capture(l, speed, word, why):
     state = [Interval.enclosing(q, q, 64) for q in (Fraction(9, 10), Fraction(1))]
     M = Mechanics(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
     moment = M.moment(M.constant(M.number(Fraction(1, 10))))
-    before = Event(word, moment, M.F, M.constant(M.number(Fraction(speed))))
+    before = hit(word, moment, M.F, M.constant(M.number(Fraction(speed))))
+    if word.startswith("turn"):
+        before = Event(word, moment, M.F)
     window = Fraction(0), Fraction(1, 2)
     if why is None:
         event, rest = capture(M, before, "capture r", window)
@@ -226,11 +234,13 @@ def test_a_wall_that_is_no_binary_number(side):
     place, start = Fraction(side, 3), Fraction(0) if side > 0 else Fraction(3)
     state = [Interval.enclosing(q - d, q + d, 64) for q, d in ((place, 0), (0, Fraction(1, 1000)))]
     M = Mechanics(Parameters(**{k: Fraction(q) for k, q in parameters.items()}), state, state, 2)
-    assert (M.walls[side] - M.x.value).contains_zero()
+    assert (M.walls[side] - M.variables[0].value).contains_zero()
     moment = M.moment(M.constant(M.number(start)))
-    hit = Event("hit r" if side > 0 else "hit l", moment, M.F, M.constant(M.v.value.magnitude()))
+    before = hit(
+        "hit r" if side > 0 else "hit l", moment, M.F, M.constant(M.variables[1].value.magnitude())
+    )
     word = "capture r" if side > 0 else "capture l"
-    event, _ = capture(M, None if side > 0 else hit, word, (start, start + Fraction(1, 2)))
+    event, _ = capture(M, None if side > 0 else before, word, (start, start + Fraction(1, 2)))
     assert start < event.moment.t.value.upper < start + Fraction(1, 10)
 
 
@@ -278,17 +288,19 @@ def test_the_lemma_for_random_systems(side):
             high = lemma(flow, force, number(u), height=number(u) / 10)
         M = in_time(parameters, (a, b), short(x, x), short(-u, u / 2))
         moment = M.moment(M.constant(short(a, a + u)))
-        hit = Event(f"hit {walls[side]}", moment, M.F, M.constant(short(u / 2, u)))
-        event, rest = capture(M, hit, word, (a, b))
+        before = hit(f"hit {walls[side]}", moment, M.F, M.constant(short(u / 2, u)))
+        event, rest = capture(M, before, word, (a, b))
         assert event.moment.t.value.lo == moment.t.value.lo
         assert 0 <= event.moment.t.value.upper - rational(late[0]) < Fraction(1, 10**6)
         assert (
-            0 <= bounces(M, hit, word, (a, b)).ratio.upper - rational(late[1]) < Fraction(1, 10**6)
+            0
+            <= bounces(M, before, word, (a, b)).ratio.upper - rational(late[1])
+            < Fraction(1, 10**6)
         )
         assert rest.since.lower <= b <= rest.since.upper
         assert rest.x.value.lower <= parameters[walls[side]] <= rest.x.value.upper
         with pytest.raises(Rejected, match="begins after the hit before it"):
-            capture(M, hit, word, (a + little, b))
+            capture(M, before, word, (a + little, b))
         if side > 0:
             event, _ = capture(M, None, word, (a, b))
             assert event.moment.t.value.lo == 0

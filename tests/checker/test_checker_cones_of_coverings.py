@@ -131,7 +131,7 @@ def test_a_strip_has_all_points():
 
 @pytest.mark.parametrize(
     ("stored", "where"),
-    [(CERTIFICATE, "coordinates of the sets exp"), (WITH_UNITS, "the sets, in units of each, exp")],
+    [(CERTIFICATE, "directions of each set exp"), (WITH_UNITS, "each set, in units of each, exp")],
 )
 def test_those_stored(stored, where):
     """Conjugate, hyperbolic: said with the rates."""

@@ -19,8 +19,14 @@ STORED = Path(__file__).parents[2] / "certificates"
 EVER, RELEASED, MASSES, FOLLOWED = (
     json.loads((STORED / f"contact_capture-{n}.json").read_text("utf-8")) for n in (1, 2, 3, 4)
 )
+TURNING = json.loads(
+    (Path(__file__).parents[1] / "certificates/accept/contact_capture_oscillator.json").read_text(
+        "utf-8"
+    )
+)
 FLY, REST = ("parameters", "modes", "fly"), ("parameters", "modes", "rest")
 TABLE = (*FLY, "guards", "table")
+STOP, BACK = (("parameters", "modes", m, "guards", "stop") for m in ("left", "right"))
 
 
 def without(given, *path):
@@ -183,6 +189,42 @@ def test_other_systems(path, value, why):
     rejected(changed(EVER, *path, value), why)
 
 
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        ((*STOP, "rest"), "held right", None),
+        ((*STOP, "rest"), "rest", "stop of left names another mode of rest than held right"),
+        ((*STOP, "rest"), "held left", "stop of left names another mode of rest than held right"),
+        ((*STOP, "value"), [["1"]], "is constant"),
+        ((*STOP, "value"), [["1", "v"]], "not one guard of left is h' times a positive number"),
+        ((*STOP, "value"), [["-1", "v"], ["1"]], "not one guard of left is h' times a positive"),
+        ((*STOP, "to"), ["rest"], "stop of left does not lead to right"),
+        ((*STOP, "to"), ["right", "held right"], "the mode held right may be open where h' is 0"),
+        ((*STOP, "reset"), {"x": [["1"]]}, "stop of left changes the state"),
+        ((*STOP, "reset"), {"v": [["-1/2", "v"]]}, None),
+        ((*BACK, "value"), [["-1", "v"]], "no guard of right is h' times a negative number"),
+        (("claims", "rising"), "right", "h' after a hit|to 0"),
+        (("parameters", "modes", "right", "guards", "wall", "to"), ["left", "rest"], None),
+        (
+            ("parameters", "modes", "right", "guards", "wall", "to"),
+            ["left", "held right"],
+            "the mode held right may be open after a hit",
+        ),
+        (("parameters", "modes", "right", "guards", "wall", "to"), ["left", "right"], None),
+        (("parameters", "modes", "right", "guards", "wall", "to"), ["right"], "does not lead to"),
+        (("parameters", "modes", "left", "field", "v"), [["-2/5"], ["1", "cos"]], "may leave the"),
+        (("parameters", "modes", "left", "field", "v"), [["-2"], ["1", "cos"]], "be held off"),
+    ],
+)
+def test_turns(path, value, why):
+    """Where h rises in another mode than it falls, a turn leads from the one to the other."""
+    given = changed(TURNING, *path, value)
+    if why:
+        rejected(given, why)
+    else:
+        verify(given)
+
+
 def test_no_mode_of_rest():
     """Where the model does not say what follows infinitely many hits, nothing is proved."""
     rejected(without(EVER, *TABLE, "rest"), "the guard table of fly names no mode of rest")
@@ -234,6 +276,18 @@ def test_for_ever_among_others():
     """What depends on other variables is not claimed for all times."""
     given = changed(without(MASSES, "claims", "rests_until"), "claims", "for_ever", "yes")
     rejected(given, "a guard of the mode of rest depends on other variables")
+
+
+@pytest.mark.parametrize("end", ["-11", "-3", "-2"])
+def test_a_window_that_ends_before_it_begins(end):
+    """Thrown up, a ball is first met at 11.7; backward in time it was below the table, too."""
+    given = changed(EVER, "claims", "box", {"y": ["9.9", "10"], "v": ["4.9", "5"]})
+    given = changed(given, "hints", "state", {"y": "9.95", "v": "4.95"})
+    given = changed(given, "claims", "accumulation_time", ["0", "8.1"])
+    given = changed(given, "claims", "followed", "1")
+    piece = {"hits": [["8", end]], "until": ["8.1"]}
+    given["hints"]["pieces"][0] |= piece
+    rejected(given, "has lower > upper")
 
 
 def test_times_are_exact():

@@ -13,14 +13,8 @@ from mpmath import mp
 from support import rounds, seeded
 
 from cap.checker.flow.exponential import phi
-from cap.checker.kernel.elementary import (
-    _arctan_of_inverse,
-    _cos_sin_at,
-    _sine_series,
-    arccos,
-    cos_sin,
-    pi,
-)
+from cap.checker.kernel.arctangent import _arctan_of_inverse, arccos, pi
+from cap.checker.kernel.elementary import _cos_sin_at, _sine_series, cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from checker.intervals import BITS, contains, some_interval

@@ -181,7 +181,8 @@ def test_a_turn_is_nothing_else(word, window, why):
 def test_a_turn_at_a_wall_and_beyond():
     """The turn is accepted with walls far off, and refused where the wall is met before."""
     good = passage(FREE, "0", "0.5", ["turn left", "turn right"], [("2.3", "2.5"), ("5.2", "5.5")])
-    x = good.mechanics.place(good.events[0].flight, good.events[0].moment).value
+    M = good.mechanics
+    x = M.place(M.launch(), good.events[0].moment).value
     assert good.events[0].moment.t.value.lower > Fraction(238, 100)
     nearer = FREE | {"r": str(x.lower)}
     with pytest.raises(Rejected, match="beyond a wall"):

@@ -10,7 +10,6 @@ from support import number, rational
 
 from cap.checker.flow.hits import slope
 from cap.checker.flow.mechanics import Mechanics, least
-from cap.checker.system.polynomial import variable
 from checker.hybrid import Flow
 from checker.parts import (
     Interval,
@@ -69,7 +68,7 @@ def test_a_minimum_that_may_come_after_the_end(t, after):
 @pytest.mark.parametrize("mu", ["0", "1/5", "7"])
 @pytest.mark.parametrize("s", [1, -1])
 def test_the_slope_at_an_event(mu, s):
-    """Over an interval of times, v and (s v)' contain their values, and are not far off."""
+    """Over an interval of times, v and v' contain their values, and are not far off."""
     parameters = UNIT | {"mu": mu, "omega": "3/2", "F": "2"}
     M = mechanics(parameters, "1/3", F(s, 2))
     arc = [q.centre for q in M.arc(M.launch())]
@@ -77,12 +76,12 @@ def test_the_slope_at_an_event(mu, s):
     with mp.workdps(40):
         flow, start = Flow(parameters), (mpf(0), mpf(1) / 3, mpf(s) / 2)
         for a, b in ((low, high), (low, low)):
-            zeros = (rest_of(M, s), Zero.of(M, s, variable("x") - 9))
+            zeros = (rest_of(M, s), Zero(*M.course(s), point(9)))
             values = [slope(M, arc, over(a, b), zero) for zero in zeros]
             for n in range(5):
                 t = number(a + (b - a) * n / 4)
                 v = flow.state(start, s, t)[1]
-                exact = s * (flow.force(t) - s * flow.f - flow.mu * v), v
+                exact = flow.force(t) - s * flow.f - flow.mu * v, v
                 for value, truth in zip(values, exact, strict=True):
                     assert value.lower <= rational(truth) <= value.upper
             widths = [float(v.upper - v.lower) for v in values]

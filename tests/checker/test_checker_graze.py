@@ -207,15 +207,16 @@ def test_lies(what):
 )
 def test_what_is_needed_of_the_least_value(monkeypatch, name, value, reason):
     """It changes its sign, and is monotone."""
+    given = certificate("graze")
     monkeypatch.setattr(f"cap.checker.theorems.contacts_branch.{name}", value)
-    rejected(certificate("graze"), reason)
+    rejected(given, reason)
 
 
 def test_a_graze_beside_its_piece(monkeypatch):
     """The short cell lies on the piece."""
-    theorem = "cap.checker.theorems.contacts_branch.ContactsBranch.lies"
-    monkeypatch.setattr(theorem, lambda *_: False)
-    rejected(certificate("graze"), "graze 0 is not certain to be on its piece")
+    given, theorem = certificate("graze"), "cap.checker.theorems.contacts_branch.ContactsBranch"
+    monkeypatch.setattr(f"{theorem}.lies", lambda *_: False)
+    rejected(given, "graze 0 is not certain to be on its piece")
 
 
 # parts

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 
-from cap.checker.flow.hits import Event
 from cap.checker.flow.mechanics import Ends
+from cap.checker.flow.stops import Event
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.release import halts
 from cap.checker.release.driven import DrivenMap, phases

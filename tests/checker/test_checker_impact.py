@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 from mpmath import mp, mpf
 
-from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.one_one import closed_form as impact

@@ -28,6 +28,7 @@ ROOMS |= {"impulse": BARE, "mixed": BARE | {"attracting", "folded", "release"}}
 ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
 ROOMS |= {"contact_attractor": BARE}
 ROOMS |= {"conservative": BARE | {"strips"}, "contacts": BARE, "contacts_branch": BARE}
+ROOMS |= {"contacts_family": BARE}
 ROOMS |= {"contact_elliptic": BARE | {"maps"}, "contact_capture": BARE}
 ROOMS |= {"inventory": BARE | {"flow", "one_one"}, "horseshoe": BARE | {"coverings"}}
 ROOMS |= dict.fromkeys(("contact_horseshoe", "map_horseshoe"), BARE | {"coverings"})
@@ -40,6 +41,7 @@ ROOMS |= {"particles_stability": FLOW | {"particles"}}
 MORE = {
     "contact_elliptic": {"contacts"},
     "contacts_branch": {"contacts"},
+    "contacts_family": {"contacts"},
     "homoclinic": {"saddle"},
     "islands": {"island"},
     "window": {"attractor"},

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cap.checker.flow.itinerary import limit_work
+from cap.checker.flow.events import limit_events
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.kernel.shapes import matched, tabled
@@ -41,7 +41,8 @@ def hinted(theorem, bits, events, order=None, cells=None):
         cell = {key: POINT[key] for key in ("centre", "preconditioner")}
         hints["cells"] = [cell | {"events": hints["events"]}] * cells
     read_hints = tabled(hints, load(theorem).HINTS, "hints")
-    limit_work(read_hints)
+    limit = load(theorem).limit if theorem in ("saddle", "elliptic") else limit_events
+    limit(read_hints, dict.fromkeys(("itinerary", "event_times"), [None] * events))
     return read_hints["bits"]
 
 

@@ -13,7 +13,8 @@ from cap.checker.kernel.fourier import Circle, Function
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.map_curve import MapCurve
 from cap.checker.tori.values import extent
-from cap.checker.verdict import seconds, words
+from cap.checker.verdict import words
+from cap.command.outcome import seconds
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
 

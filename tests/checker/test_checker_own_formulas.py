@@ -9,8 +9,9 @@ import pytest
 import sympy
 from mpmath import mp, mpf
 
-from cap.checker.flow import free, launches
+from cap.checker.flow import free, launches, mechanics
 from cap.checker.flow.free import Free
+from cap.checker.flow.one_mass import MODES
 from cap.checker.strips import arc, ceiling
 from cap.checker.system.course import course, response
 from cap.checker.system.friction import RIGHT
@@ -72,15 +73,15 @@ def value(q, known, rational):
     return sum((c * sympy.prod(factors) for c, factors in terms), 0)
 
 
-def from_the_model(model, z, start, times, functions):
-    """Return x or v on the flight to the right, from a state ``start`` at the first time, at the
+def from_the_model(model, z, start, times, functions, mode=RIGHT):
+    """Return x or v on the flight in a mode, from a state ``start`` at the first time, at the
     second one: by ``course``, and the response."""
     rational, cos, sin, exp = functions
     w = rational(model.omega)
     clock = [{COS: cos(w * time), SIN: sin(w * time)} for time in times]
-    forced = {y: response(model, RIGHT, y) for y in "xv"}
+    forced = {y: response(model, mode, y) for y in "xv"}
     known = {y: start[y] - value(forced[y], clock[0], rational) for y in "xv"} | {"f": f}
-    terms, rate = course(model, RIGHT, variable(z))
+    terms, rate = course(model, mode, variable(z))
     d, k = times[1] - times[0], len(terms) - 1
     powers, lam = [d**n / factorial(n) for n in range(k + 1)], value(rate, {}, rational)
     if lam:  # d^k phi_k(lam d) is what e^(lam d) has beyond its first k terms
@@ -97,6 +98,24 @@ X, W = (from_the_model(UNITS, z, {"x": 0, "v": u}, (t, T), SYMBOLS) for z in "xv
 def same(found, truth):
     """Return whether two expressions are equal."""
     return sympy.simplify(sympy.expand(of(found) - truth)) == 0
+
+
+# flights without losses
+
+
+@pytest.mark.parametrize("s", MODES)
+def test_flights_without_losses(monkeypatch, s):
+    """Of ``mechanics``: place and speed on a flight from any state, to both sides."""
+    monkeypatch.setattr(mechanics, "lift", lambda formula, *q: formula(*q))
+    F, w, state = Fraction(3, 2), Fraction(2, 3), dict(zip("xv", sympy.symbols("x v"), strict=True))
+    M = mechanics.Mechanics.__new__(mechanics.Mechanics)
+    M.f, M.swing, M.sway = (Scalar(q) for q in (f, sympy.Rational(F / w), sympy.Rational(F / w**2)))
+    start, end = (mechanics.Moment(Scalar(q), *both(sympy.Rational(w) * q)) for q in (t, T))
+    flight = M.flight(s, start, *map(Scalar, state.values()), [])
+    model = oscillator(omega=w, F=F, f=variable("f"), mu=Fraction(0))
+    x, v = (from_the_model(model, z, state, (t, T), SYMBOLS, MODES[s]) for z in "xv")
+    assert same(M.place(flight, end), x)
+    assert same(M.speed(flight, end), v * s)
 
 
 # launches in intervals

@@ -5,7 +5,7 @@ from math import cos, sin
 
 import pytest
 
-from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.tori import passage

@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 import time
-from dataclasses import replace
 from pathlib import Path
 from threading import Thread
 
@@ -12,10 +11,10 @@ import pytest
 
 from cap.command.entry import INTERRUPTED
 from cap.explore import __main__ as explore
+from cap.explore import paper as command
 from cap.floats.engine import compiled
 from cap.floats.engine.compiled import announced
-from cap.paper import command
-from cap.paper.registry import figure
+from cap.pictures.paper import sketches
 
 ROOT = Path(__file__).parents[2]
 
@@ -77,12 +76,8 @@ def test_an_interrupt_while_a_picture_is_written(tmp_path, monkeypatch, capsys):
     def interrupted(_data, _figure):
         raise KeyboardInterrupt
 
-    def stopping(label):
-        one = figure(label)
-        return one if label == "fig:cover" else replace(one, draw=interrupted)
-
     monkeypatch.setattr(command, "labelled", lambda _: ["fig:cover", "fig:multi-particle"])
-    monkeypatch.setattr(command, "figure", stopping)
+    monkeypatch.setattr(sketches, "particles", interrupted)
     status = command.run("all", [tmp_path], lambda _words, _part: None, quick=True)
     assert status == INTERRUPTED
     assert "## fig:cover" in (tmp_path / "comparison.md").read_text("utf-8")

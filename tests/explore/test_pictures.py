@@ -10,9 +10,10 @@ from cap.explore.commands import COMMANDS
 from cap.floats.diagnostics import alignment, attractor, fate, plane
 from cap.floats.diagnostics.continuation import continuation
 from cap.paper.figure import Run
-from cap.paper.sketches import decomposition, draw_decomposition
+from cap.paper.sketches import decomposition
 from cap.parameters import PAPER
 from cap.pictures import diagrams, states
+from cap.pictures.paper import sketches
 from cap.pictures.style import BLUE, blank
 from cap.runner import Runner
 
@@ -146,7 +147,7 @@ def test_islands_have_the_colour_of_what_never_turns():
     """The orbits of an island never turn: the legend says what their colour is."""
     data = decomposition(Run(Runner(1), quick=True)).data
     figure = blank((6, 6), 50)
-    draw_decomposition(data, figure)
+    sketches.decomposition(data, figure)
     (axes,) = figure.axes
     islands = {to_hex(c) for each in axes.collections for c in each.get_facecolors()}
     assert islands == {BLUE.lower()}

@@ -17,7 +17,6 @@ from cap.flow.strobe import oscillator
 from cap.maps import fixed_point, normal_form, twist_matrix
 from cap.maps.twist_matrix import Frame
 from cap.parameters import PAPER
-from cap.particles import derivative as derivatives
 from cap.sets import interval
 from cap.sets.interval import Ball, ComplexBall
 from cap.sets.jet import Jet
@@ -134,7 +133,7 @@ def test_equal_masses():
     asked = replace(particle_orbits.setting(), parameters=PAPER, guess=found.guess)
     with interval.workprec(asked.bits):
         orbit = particle_orbits.located(asked, found.particles)
-        jets = derivatives.jet(orbit.model, orbit.events)
+        jets = orbit.jet(3)
         masses = balls(equal)
         D = orbit.monodromy
         B = twist_matrix.twist_matrix(jets, planes(D, masses))

@@ -8,6 +8,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 
+from cap.audit import dependencies
 from cap.audit.comparison import (
     among,
     claim,
@@ -20,19 +21,19 @@ from cap.audit.comparison import (
     proved,
 )
 from cap.errors import BadInput, NotProved
+from cap.explore import paper as command
 from cap.explore.arrays import load
+from cap.floats import one_one
 from cap.paper import (
     bifurcation,
     certified,
-    closed_form,
-    command,
     continuation,
     forcing,
     sketches,
 )
-from cap.paper.figure import Run, at
-from cap.paper.registry import LABELS, figure, labelled
-from cap.parameters import PAPER
+from cap.paper.figure import Run
+from cap.paper.registry import LABELS, figure, labelled, module
+from cap.parameters import PAPER, at
 from cap.runner import Runner
 
 PRINTED = {  # every figure label of the paper's source
@@ -185,23 +186,23 @@ def test_a_table_is_markdown():
 def test_the_closed_form_gives_the_proved_orbit():
     """State, trace and twist from the closed form are those of the theorem."""
     own = certified.theorem("elliptic", (0.1003, 0.5419))
-    delta = closed_form.asymmetry(0.4, 2.0)
-    alpha, way, speed = closed_form.state(-delta, 2.0)
+    delta = one_one.asymmetry(0.4, 2.0)
+    alpha, way, speed = one_one.state(-delta, 2.0)
     assert alpha == pytest.approx(0.4, abs=1e-14)
     assert 1 - way == pytest.approx(float(own["x"][0]), abs=1e-13)
     assert speed == pytest.approx(float(own["v"][0]), abs=1e-13)
-    assert closed_form.pair_member(delta, 2.0).trace == pytest.approx(float(own["trace"][0]))
-    assert closed_form.twist(delta, 2.0) == pytest.approx(float(own["twist"][0]), rel=1e-9)
-    way, speed = closed_form.symmetric_state(0.4, 2.0, 1)
+    assert one_one.pair_member(delta, 2.0).trace == pytest.approx(float(own["trace"][0]))
+    assert one_one.twist(delta, 2.0) == pytest.approx(float(own["twist"][0]), rel=1e-9)
+    way, speed = one_one.symmetric_state(0.4, 2.0, 1)
     assert (1 - way, speed) == pytest.approx((0.34352606, 0.7753195), abs=1e-7)
-    assert math.isnan(closed_form.asymmetry(0.5, 2.0))  # above the pitchfork
+    assert math.isnan(one_one.asymmetry(0.5, 2.0))  # above the pitchfork
 
 
 def test_the_map_agrees_with_the_census():
     """The map in floats has the orbits that are proved, with their types."""
     run = Run(Runner(1), quick=True)
     small = continuation.mapped(12, run)
-    code = small.classes()
+    kinds = small.kinds()
     for i in (2, 6, 9):
         for j in (3, 7):
             members = {
@@ -212,7 +213,7 @@ def test_the_map_agrees_with_the_census():
                 )
             }
             words = "".join(members.get(name, "-") for name in continuation.NAMES)
-            assert continuation.CLASSES[code[i, j]] == words
+            assert kinds[i, j] == words
 
 
 def test_the_landmarks_of_the_branch():
@@ -312,6 +313,14 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
     monkeypatch.setattr(command, "figure", lambda _label: one)
     assert command.run("fig:cover", [], lambda _words, _part: None) == 1
     assert "fig:cover: not proved: Lemma 1" in capsys.readouterr().err
+
+
+def test_tables_load_no_pictures():
+    """What a figure looks like does not count for its numbers: the audit's cache knows."""
+    for label in LABELS:
+        found = dependencies.closure(module(label))
+        assert module(label) in found
+        assert not [name for name in found if name.startswith("cap.pictures.paper")]
 
 
 def test_parameters_but_for_some():

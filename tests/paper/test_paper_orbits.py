@@ -9,8 +9,8 @@ import pytest
 from cap.floats.engine import swarm
 from cap.floats.search.orbits import search
 from cap.paper import escape, forcing
-from cap.paper.figure import Run, at
-from cap.parameters import PAPER
+from cap.paper.figure import Run
+from cap.parameters import PAPER, at
 from cap.runner import Runner
 
 

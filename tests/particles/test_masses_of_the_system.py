@@ -1,4 +1,4 @@
-"""The mechanics of two masses, prover's and checker's, follows from the model as data.
+"""The checker's mechanics of two masses follows from the model as data.
 
 The checker's own functions are run on symbols, and compared with what the model of
 `cap.system.masses` says: its fields, guards, resets and Lie derivatives.  Equalities are exact.
@@ -7,7 +7,6 @@ The checker's own functions are run on symbols, and compared with what the model
 from __future__ import annotations
 
 from fractions import Fraction
-from itertools import product
 from types import SimpleNamespace
 
 import pytest
@@ -15,11 +14,9 @@ import sympy
 
 from cap.checker.particles import family, mechanics, monodromy, orbit, passage, stops
 from cap.parameters import Parameters
-from cap.particles.model import Model
-from cap.sets import interval
 from cap.system.lemmas import Falls, lemmas
-from cap.system.masses import masses
-from cap.system.polynomial import Quotient
+from cap.system.masses import masses, second_mass
+from cap.system.polynomial import ZERO, Quotient
 
 P = Parameters(*map(Fraction, ("3/2", 2, "91/200", -1, "6/5")))
 M = Fraction(1), Fraction(9, 10)
@@ -183,27 +180,23 @@ def test_saltation_of_the_checker(of, word, monkeypatch):
             assert equal(S, expected) == of.same
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 4])
-def test_contacts_and_forces_of_the_prover(count):
-    """For any number of masses: the rule C of each contact, and the force in each mode."""
-    m = tuple(Fraction(2 + i * i, 2 + i) for i in range(count))
-    model, system = Model(P, m), masses(P, m)
-    v = sympy.symbols(" ".join(f"v{i + 1}" for i in range(count)), seq=True)
-    for k in range(count + 1):
-        mode = next(name for name, q in system.modes.items() if model.word(k) in q.guards)
-        reset, push, normal = system.reset(mode, model.word(k)), model._push(k), model.normal(k)
-        for i, p in enumerate(push):
-            expected = v[i] - plain(p) * sum(n * u for n, u in zip(normal, v, strict=True))
-            assert equal(formula(reset[f"v{i + 1}"]), expected)
-    at = model.first.moment(interval.ball(Fraction(1, 3)))
-    values = {"cos": at.cos, "sin": at.sin}
-    for i, s in product(range(count), (1, -1)):
-        o = model.oscillators[i]
-        found = o.acceleration(o.launch(s, at, interval.ZERO, interval.ball(s)), at)
-        rate = system.modes["+-"[s < 0] * count].field[f"v{i + 1}"]
-        expected = rate.evaluated(values, interval.ball, interval.pi())
-        assert found.overlaps(expected)
-        assert float((found - expected).mid()) == pytest.approx(0, abs=1e-14)
+def test_the_second_mass_as_a_parameter():
+    """With k = 1/q and so on it is the model of two numbers, but for how a bounce is written."""
+    m, q = M
+    numbers = {"k": 1 / q, "a": 2 * q / (m + q), "b": 2 * m / (m + q), "c": (q - m) / (m + q)}
+    found, model = second_mass(P, m).at(numbers), masses(P, M)
+    assert found.state == model.state
+    for name, mode in model.modes.items():
+        assert found.modes[name].field == mode.field
+        assert found.modes[name].guards.keys() == mode.guards.keys()
+        for guard, h in mode.guards.items():
+            other = found.guard(name, guard)
+            assert (other.value, other.to) == (h.value, h.to)
+            zero = {f"v{i + 1}": ZERO for i in range(2) if name[i] == "0"}
+            for z, new in model.reset(name, guard).items():
+                q = found.reset(name, guard)[z]
+                assert q.denominator == new.denominator == 1
+                assert q.numerator.substituted(zero) == new.numerator.substituted(zero)
 
 
 def test_the_rule_of_a_family(of):

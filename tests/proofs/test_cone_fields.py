@@ -78,8 +78,8 @@ def test_hyperbolic_or_nothing(monkeypatch):
     family = Family(squares, *ends, 2.0)
     monkeypatch.setattr(cones, "matrices", lambda *_: {})
     with pytest.raises(NotProved, match="with cones make no two loops"):
-        coverings.proved(Linear(), family, Runner(), "hyperbolic")
-    assert coverings.proved(Linear(), family, Runner(), "disjoint").cones is None
+        coverings.proved(coverings.Asked(Linear()), family, Runner(), "hyperbolic")
+    assert coverings.proved(coverings.Asked(Linear()), family, Runner(), "disjoint").cones is None
     monkeypatch.setattr(coverings, "with_cones", lambda *_: pairs)
     with pytest.raises(NotProved, match="not all cones"):
-        coverings.proved(Linear(), family, Runner(), "hyperbolic")
+        coverings.proved(coverings.Asked(Linear()), family, Runner(), "hyperbolic")

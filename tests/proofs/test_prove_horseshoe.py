@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cap.areas.parallelograms.planar import half_period as compiled_half_period
 from cap.checker.coverings.half_period import HalfPeriod
 from cap.errors import BadInput, NotProved
 from cap.floats.coverings.family import Family
@@ -17,13 +18,14 @@ from cap.maps.fixed_point import Start
 from cap.maps.graphs import components, fastest
 from cap.parameters import PAPER
 from cap.proofs import horseshoe
-from cap.proofs.coverings import diamonds, entropy, lemma_2_no_diamond, proved
+from cap.proofs.coverings import Asked, diamonds, entropy, lemma_2_no_diamond, proved
 from cap.proofs.fixed_point import Setting
 from cap.proofs.theorems import THEOREMS, accepted
 from cap.runner import Runner
 from cap.system.files import planar
 
 STANDARD = planar(Path(__file__).parents[2] / "examples/maps/standard.py")
+PHI_A = Fraction(2, 5), Fraction(1)
 SETTING = Setting(PAPER, Start(0.0, 0.0, ()), 6)
 
 
@@ -117,12 +119,13 @@ def test_diamonds_are_cut():
         assert 1 < part.growth < 2
 
 
-def test_coverings_that_do_not_hold_are_left_out():
+@pytest.mark.parametrize("compiled", [None, compiled_half_period(*PHI_A)])
+def test_coverings_that_do_not_hold_are_left_out(compiled):
     """Of sets that cover nothing, nothing is proved."""
     sets = np.array([[0.3, 0.7, 0.01, 0, 0, 0.01], [0.35, 0.8, 0.01, 0, 0, 0.01]])
     family = Family(sets, *arrays([(0, 0), (0, 1), (1, 0), (1, 1)]), 2.0)
     with pytest.raises(NotProved, match="two loops"):
-        proved(HalfPeriod(Fraction(2, 5), Fraction(1)), family, Runner(), "any")
+        proved(Asked(HalfPeriod(*PHI_A), compiled), family, Runner(), "any")
 
 
 def test_entropy_is_rounded_down():

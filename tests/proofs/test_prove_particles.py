@@ -132,7 +132,7 @@ def test_the_other_kind_of_orbit():
 
 def test_a_derivative_that_is_not_symplectic(monkeypatch):
     """The check of the computation: Dᵀ J D - J without 0 is no proof."""
-    monkeypatch.setattr(particle_orbit.derivative, "symplectic_defect", lambda _m, _d: [Ball(1)])
+    monkeypatch.setattr(particle_orbit.contacts, "symplectic_defect", lambda _m, _d: [Ball(1)])
     with pytest.raises(NotProved, match="does not preserve the form"):
         theorem.prove(particle_orbits.setting())
 

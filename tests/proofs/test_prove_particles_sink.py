@@ -11,13 +11,14 @@ from cap.errors import BadInput, NotProved
 from cap.floats.candidates import Request, attracting
 from cap.floats.masses import particle_candidates
 from cap.floats.masses.particles import Particles
-from cap.particles import stays
-from cap.particles.model import Model
-from cap.particles.stopping import Equations, unknowns, words_of
-from cap.proofs import particles_sink
+from cap.orbits.choice import without_choice
+from cap.particles import contacts
+from cap.particles.itinerary import itinerary
+from cap.proofs import particle_orbit, particles_sink
 from cap.proofs.fixed_point import Setting
 from cap.sets import interval
 from cap.sets.interval import Ball
+from cap.system.masses import masses
 
 
 @pytest.fixture(scope="module")
@@ -30,65 +31,73 @@ def found():
 
 
 @pytest.fixture(scope="module")
-def proved(found):
-    """Return the equations and the events proved, at 12 digits."""
+def orbit(found):
+    """Return this orbit, at 12 digits."""
     setting = Setting(particle_orbits.A, found.guess, 12)
     with interval.workprec(setting.bits):
-        model = Model(setting.parameters, found.particles.masses)
-        words = tuple(words_of(model, found.particles))
-        system = Equations(model, words, found.particles.periods)
-        problem = particles_sink.Problem(system.value, system.slope)
-        guess = [Fraction(q) for q in unknowns(words, found.particles)]
-        _, events = particles_sink.lemma_1_existence(setting, system, problem, guess)
-        yield system, events
+        yield particle_orbit.solved(setting, found.particles)
 
 
-def refused(proved, why, k, **changes):
-    """Check that an orbit with one event changed is not proved."""
-    system, events = proved
-    bad = list(events)
-    bad[k] = replace(bad[k], **changes)
+def refused(orbit, why, k, number, value):
+    """Check that an orbit is not proved of which t, x1, x2, v1 or v2 is another at an event."""
+    bad = list(orbit.box)
+    bad[5 * k + number] = value(bad[5 * k + number])
     with pytest.raises(NotProved, match=why):
-        stays.verify(system, bad)
+        particle_orbit.nothing_else(replace(orbit, box=tuple(bad)))
 
 
-def test_what_is_no_such_orbit(proved):
-    """Conditions on events, flights and rests, broken one by one."""
-    system, events = proved
-    stays.verify(system, events)
-    words = [event.word.word for event in events]
-    turn, stick = words.index("turn 2 left"), words.index("stick 1")
-    refused(proved, "out of order", 4, at=events[3].at)
-    refused(proved, "simultaneous", turn, x=(events[turn].x[0], Ball(1)))
-    refused(proved, "hit r is not certain", 0, before=(events[0].before[0], Ball(-1)))
-    for cos, k in ((Ball(1) / 5, turn), (Ball(1), turn), (Ball(1) / 2, stick)):
-        at = events[k].at._replace(cos=cos)
-        refused(proved, f"{words[k]} is not certain", k, at=at)
-    refused(proved, "may stop", 1, before=(-events[1].before[0], events[1].before[1]))
+def place_of(orbit, word):
+    """Return the number of the first event with a word."""
+    return [word for word, *_ in orbit.guess.events].index(word)
 
 
-def test_a_rest_that_the_force_ends(proved):
-    """A rest past the time of a release, or under a force beyond friction, is refused."""
-    system, events = proved
-    k = [event.word.word for event in events].index("stick 2")
-    stretch = system.stretches(events)[k]
-    stays._rests(stretch)
-    moment = system.model.first.moment
-    late = replace(stretch, arrival=moment(stretch.arrival.t + Ball(1) / 10))
-    with pytest.raises(NotProved, match="may be released"):
-        stays._rests(late)
-    begun = replace(stretch.start, at=moment(stretch.arrival.t + Ball(1) / 10))
-    after = replace(stretch, start=begun, arrival=moment(stretch.arrival.t + Ball(1) / 5))
-    with pytest.raises(NotProved, match="may not stay at rest"):
-        stays._rests(after)
+def test_what_is_no_such_orbit(orbit):
+    """Conditions on events and flights, broken one by one."""
+    particle_orbit.nothing_else(orbit)
+    turn, stick = place_of(orbit, "turn 2 left"), place_of(orbit, "stick 1")
+    refused(orbit, "may not be in order", stick, 0, lambda _: orbit.box[5 * (stick - 1)])
+    refused(orbit, "'hit r' is not certain to be positive", turn, 2, lambda _: Ball(1))
+    refused(orbit, "'stop 2' is negative", 0, 4, lambda v: -v)
+    refused(orbit, "'stop 1' is negative", 1, 3, lambda v: -v)
+    for k, time, modes in ((turn, 1.5, "'-0' .* '--'"), (stick, 3.2, "'--' .* '0-'")):
+        bad = list(orbit.box)
+        bad[5 * k] = Ball(time)
+        with pytest.raises(NotProved, match=modes):
+            without_choice(orbit.prover, tuple(bad))
+    begun = replace(orbit, box=(Ball(0), *orbit.box[1:]))
+    with pytest.raises(NotProved, match="not between two contacts"):
+        particles_sink.lemma_4_contraction(begun.setting, begun.monodromy)
 
 
-def test_no_contraction(proved, monkeypatch):
+def test_a_rest_that_the_force_ends(orbit):
+    """A rest that lasts until after the force is beyond friction is refused."""
+    hit = place_of(orbit, "stick 1") + 1
+    refused(orbit, "'release 1 r' is negative", hit, 0, lambda t: t + 1)
+    refused(orbit, "'release 1 l' is negative", hit - 1, 0, lambda t: t - Ball(0.5))
+
+
+def test_no_contraction(orbit):
     """A derivative of which no power contracts is refused."""
     one = [[Ball(i == j) for j in range(4)] for i in range(4)]
-    monkeypatch.setattr(stays, "derivative", lambda *_: one)
     with pytest.raises(NotProved, match="no power"):
-        particles_sink.lemma_4_contraction(*proved)
+        particles_sink.lemma_4_contraction(orbit.setting, one)
+
+
+def test_a_box_in_which_directions_are_not_certain(orbit):
+    """After a contact in it a mass may go the other way; one that stops there is not asked."""
+    contacts.directions(orbit.prover, orbit.box)
+    bad = list(orbit.box)
+    bad[4] = Ball(0, 1)
+    with pytest.raises(NotProved, match="a velocity may vanish after a contact"):
+        contacts.directions(orbit.prover, tuple(bad))
+
+
+def test_words_that_are_no_contacts(found):
+    """A word is a guard of the system, or refused."""
+    model = masses(particle_orbits.A, particle_orbits.MASSES)
+    (_, *rest), *others = found.particles.events
+    with pytest.raises(NotProved, match="no contact"):
+        itinerary(model, replace(found.particles, events=(("hit x", *rest), *others)))
 
 
 def test_bad_input(capsys):

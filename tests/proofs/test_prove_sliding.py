@@ -10,7 +10,7 @@ from support import only
 from cap.errors import BadInput, NotProved
 from cap.floats.masses.particles import Particles, follow
 from cap.parameters import PAPER
-from cap.particles.model import Guess
+from cap.particles.guess import Guess
 from cap.proofs import sliding
 from cap.proofs.fixed_point import Setting
 

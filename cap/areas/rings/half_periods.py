@@ -51,6 +51,15 @@ class Flown(NamedTuple):
     k: float
 
 
+class Hit(NamedTuple):
+    """Times and speeds of hits, the kick, and the times from there to the end."""
+
+    t: Interval
+    u: Interval
+    k: Interval
+    d: Interval
+
+
 class Strand(NamedTuple):
     """The states (y, v) + (dy, dv) r + (p -q; q p) s, |r| <= 1, |s| <= (r1, r2)."""
 
@@ -75,18 +84,26 @@ def laws(alpha: Fraction, a: Fraction) -> Laws:
 
 @kernel
 def hit(y: float, v: float, alpha: float, a: float, e: float) -> float:
-    """Return when a state hits the wall a; NaN if no hit is found."""
+    """Return when a state hits the wall a; NaN if no hit is found.
+
+    Newton's method, kept in a bracket: where the mass has turned, it is too late.
+    """
+    low, high = 0.0, math.pi
     t = min(max((a - y) / v, 0.0), 3.0)
     step = 0.0
     for _ in range(NEWTON):
         speed = v + e * (math.sin(t) - alpha * t)
-        if not speed > LEAST:
-            return math.nan
-        step = (y + v * t + e * (1 - math.cos(t) - 0.5 * alpha * t * t) - a) / speed
-        t -= step
-        if abs(step) < 1e-14:
-            break
-        t = min(max(t, 0.0), math.pi)
+        if speed > LEAST:
+            beyond = y + v * t + e * (1 - math.cos(t) - 0.5 * alpha * t * t) - a
+            step = beyond / speed
+            low, high = (low, t) if beyond > 0 else (t, high)
+            t -= step
+            if abs(step) < 1e-14:
+                break
+        else:
+            high = t
+        if not low < t < high:
+            t = 0.5 * (low + high)
     return t if 0 < t < math.pi and abs(step) < 1e-12 else math.nan
 
 
@@ -128,7 +145,7 @@ def nowhere() -> Strand:
 
 
 @kernel
-def column(p: float, q: float, t: Interval, k: Interval, d: Interval) -> tuple[Any, Any]:
+def column(p: Any, q: Any, t: Interval, k: Interval, d: Interval) -> tuple[Any, Any]:
     """Return the derivative times (p, q)."""
     above = t * q + p
     below = k * above + q
@@ -159,6 +176,34 @@ def begins(z: Strand, given: Laws, e: float) -> bool:
 
 
 @kernel
+def gap(x: Any, v: Any, t: Interval, given: Laws, e: float) -> Any:
+    """Return how far beyond the wall states are at a time, if there were none."""
+    fallen = 0.5 * (given.alpha * t * t)
+    return t * v + x + (1.0 - sin_cos(t)[1] - fallen) * e - given.a
+
+
+@kernel
+def first_hit(guess: float, beyond: Interval, V: Interval, given: Laws, e: float) -> Hit:
+    """Return the first hit of states with the velocities V, which at a time are so far beyond.
+
+    The speed is NaN if it is not certain that all hit, in half a period.
+    """
+    t = Interval(guess, 0.0)
+    speed = V.mid + e * (sin_cos(t)[0].mid - given.alpha.mid * guess)
+    far = magnitude(beyond)
+    near = Interval(guess, 1.2 * far / speed + 12 * far * far + 1e-12)
+    moved = beyond / (V + (sin_cos(near)[0] - given.alpha * near) * e)
+    if not (is_finite(moved) and magnitude(moved) < near.rad):
+        return Hit(moved, Interval(math.nan, math.nan), moved, moved)
+    times = widened(t, magnitude(moved))
+    s, c = sin_cos(times)
+    u = V + (s - given.alpha * times) * e
+    if not (is_positive(u) and is_positive(times) and is_positive(PI - times)):
+        return Hit(times, Interval(math.nan, math.nan), moved, moved)
+    return Hit(times, u, c * (-2 * e) / u, PI - times)
+
+
+@kernel
 def after(z: Strand, given: Laws, e: float) -> Strand:
     """Return the states of a strand half a period later, or `nowhere` if that is not certain."""
     V = Interval(z.v, reach(z, 0.0, 1.0))
@@ -166,22 +211,12 @@ def after(z: Strand, given: Laws, e: float) -> Strand:
     if not (is_positive(V) and guess > 0):
         return nowhere()
     t = Interval(guess, 0.0)
-    sin, cos = sin_cos(t)
-    fallen = 0.5 * (given.alpha * t * t)
-    defect = t * z.v + z.y + (1.0 - cos - fallen) * e - given.a
+    defect = gap(z.y, z.v, t, given, e)
     every = widened(defect, reach(z, 1.0, guess))
-    speed = z.v + e * (sin.mid - given.alpha.mid * guess)
-    far = magnitude(every)
-    near = Interval(guess, 1.2 * far / speed + 12 * far * far + 1e-12)
-    moved = every / (V + (sin_cos(near)[0] - given.alpha * near) * e)
-    if not (is_finite(moved) and magnitude(moved) < near.rad):
+    found = first_hit(guess, every, V, given, e)
+    if not is_positive(found.u):
         return nowhere()
-    times = widened(t, magnitude(moved))
-    s, c = sin_cos(times)
-    u = V + (s - given.alpha * times) * e
-    if not (is_positive(u) and is_positive(times) and is_positive(PI - times)):
-        return nowhere()
-    k, d = c * (-2 * e) / u, PI - times
+    times, u, k, d = found
     at = t - defect / u
     Y, W = image(z.v, at, given, e)
     moved_strand = carried(
@@ -200,7 +235,7 @@ def after(z: Strand, given: Laws, e: float) -> Strand:
 
 
 @kernel
-def image(v: float, t: Interval, given: Laws, e: float) -> tuple[Any, Any]:
+def image(v: Any, t: Interval, given: Laws, e: float) -> tuple[Any, Any]:
     """Return the state at the end of the half period of the middle, which hits at t."""
     sin, cos = sin_cos(t)
     d = PI - t

@@ -1,6 +1,5 @@
 """The parameters of the paper's system, as exact numbers: ``parameters.json``, if it has some."""
 
-import json
 from fractions import Fraction
 
 from cap.audit import subject
@@ -10,6 +9,4 @@ from cap.audit.subject import cached
 @cached
 def of_the_paper() -> dict[str, Fraction]:
     """Return the parameters at which the numbers of the paper are, by their names."""
-    path = subject.file("parameters.json")
-    found = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
-    return {name: Fraction(text) for name, text in found.items()}
+    return {name: Fraction(text) for name, text in subject.data("parameters.json").items()}

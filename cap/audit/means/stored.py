@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from cap.audit.means import accepted, parameters
 from cap.audit.means.need import need
+from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.tree import inside
 
@@ -46,21 +47,31 @@ def at_the_paper(each: Stored) -> bool:
 def claimed(name: str) -> Any:
     """Return what a stored certificate claims: ``elliptic.twist``, or nothing if there is none.
 
-    ``elliptic.at`` is where it holds: THE_PAPER, or parameters, as in ``elliptic.at.f``.
+    ``elliptic.at`` is where it holds: THE_PAPER, or parameters, as in ``elliptic.at.f``; the
+    paper's own are ``paper.f``.  An enclosure has the ends ``lower`` and ``upper``.
     """
     stem, *path = name.split(".")
-    if not path or not (FOLDER / f"{stem}.json").is_file():
-        return None
-    found = stored(f"{stem}.json")
-    if path == ["at"] and at_the_paper(found):
-        return THE_PAPER
-    value: Any = {**found.claims, "at": found.parameters}
+    value: Any = parameters.of_the_paper()
+    if stem != "paper":
+        if not path or not (FOLDER / f"{stem}.json").is_file():
+            return None
+        found = stored(f"{stem}.json")
+        if path == ["at"] and at_the_paper(found):
+            return THE_PAPER
+        value = {**found.claims, "at": found.parameters}
     for each in path:
-        named = isinstance(value, dict)
-        inside = value.get(each) if named else value[int(each)] if each.isdigit() else None
-        need(inside is not None, f"{stem}.json claims no {name}")
-        value = inside
+        value = _inside(value, each)
+        need(value is not None, f"{stem}.json claims no {name}")
     return value
+
+
+def _inside(value: Any, name: str) -> Any:
+    """Return what is of this name in a table, an enclosure or a list, or nothing."""
+    if isinstance(value, dict):
+        return value.get(name)
+    if isinstance(value, Enclosure) and name in ("lower", "upper"):
+        return getattr(value, name)
+    return value[int(name)] if isinstance(value, list | tuple) and name.isdigit() else None
 
 
 @cache

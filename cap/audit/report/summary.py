@@ -10,6 +10,7 @@ from cap.audit.report.view import Report, identity, title
 from cap.audit.statements import CHANGED, FALLS, NOTHING, STANDS, UNCLEAR, UNKNOWN
 from cap.audit.verdict import Outcome
 
+MOST = 10  # of the findings, the first: those that matter most
 _KEYS = {
     STANDS: "Stand",
     CHANGED: "Stand when changed",
@@ -67,7 +68,7 @@ def _short(label: str) -> str:
 
 def _most(report: Report) -> list[str]:
     lines = []
-    for count, found in enumerate(report.most(), 1):
+    for count, found in enumerate(report.findings()[:MOST], 1):
         line = f", line {found.core.line}" if found.core.line else ""
         head = f"{count:>2}. {found.finding.title} ({_short(found.core.claim.where)}{line})."
         lines += wrapped(f"{head} {found.finding.change}", rest="    ")

@@ -4,9 +4,9 @@ from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
-from cap.audit import labels, ledger, quotes, recorded, subject
+from cap.audit import labels, ledger, recorded, subject
 from cap.audit.claim import Claim
-from cap.audit.findings import MOST, Finding, members
+from cap.audit.findings import Finding, members
 from cap.audit.statements import Statement, statements
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Verdict
@@ -71,7 +71,7 @@ class Entry:
     @property
     def quote(self) -> str:
         """The words of the TeX file from which it is taken, on one line."""
-        return " ".join(quotes.quote(self.claim.id).split())
+        return " ".join(self.claim.quote.split())
 
     @property
     def section(self) -> str:
@@ -175,10 +175,6 @@ class Report:
             Found(each, tuple(by_id[name] for name in names))
             for each, names in members(self.verdicts).items()
         ]
-
-    def most(self) -> list[Found]:
-        """Return the findings that matter most."""
-        return self.findings()[:MOST]
 
     def statements(self) -> list[tuple[Statement, str]]:
         """Return the statements of the paper with what became of them."""

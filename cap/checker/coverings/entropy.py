@@ -32,11 +32,12 @@ from cap.checker.coverings.orbits import LONGEST, MOST_ORBITS, confirm_orbits
 from cap.checker.coverings.planar import Matrix, Planar
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
-from cap.checker.kernel.shapes import Field, Many, Maybe, Table, Whole, region
+from cap.checker.kernel.shapes import Field, Many, Table, Whole, region
 from cap.checker.kernel.theorem import Theorem
 
 MOST_SETS, MOST_TARGETS = 12_000, 12
@@ -64,8 +65,8 @@ ORBITS = Field(
 )  # fmt: skip
 CONES = Field(
     "cones", Maybe({"stretch": number, "shrink": number}), "", "",
-    "cones are mapped into cones: a lower bound of what they are stretched by, in the coordinates "
-    "of the sets, and an upper bound of what other vectors are shrunk by",
+    "cones are mapped into cones: a lower bound of what they are stretched by, in coordinates "
+    "along the directions given, and an upper bound of what other vectors are shrunk by",
 )  # fmt: skip
 LEANING = Field(
     "cones",
@@ -235,9 +236,9 @@ _ORBITS = (
 )
 _CONES_HOLD = (
     "; along each bi-infinite path of coverings there is one orbit only, so {g}, on the orbits in "
-    "Lambda, is conjugate to the two-sided subshift of A; Lambda is hyperbolic: in coordinates of "
-    "the sets{units} expanding vectors grow at least by the factor {stretch} each time, "
-    "contracting ones shrink at least by the factor {shrink}"
+    "Lambda, is conjugate to the two-sided subshift of A; Lambda is hyperbolic: in coordinates "
+    "along two directions of each set{units} expanding vectors grow at least by the factor "
+    "{stretch} each time, contracting ones shrink at least by the factor {shrink}"
 )
 _UNITS = ", in units of each,"
 _PLACES = 10**40  # overlaps are computed over a common denominator

@@ -22,8 +22,9 @@ from cap.checker.coverings.planar import Image, Planar
 from cap.checker.coverings.sums import Sum
 from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Maybe, Word
+from cap.checker.kernel.shapes import Word
 from cap.checker.system.given import POLYNOMIAL, confirm_names, polynomial, printed
 from cap.checker.system.model import COS, SIN
 from cap.checker.system.model import PI as NUMBER

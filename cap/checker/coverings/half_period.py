@@ -37,8 +37,8 @@ import math
 from fractions import Fraction
 
 from cap.checker.coverings.planar import Image, Planar
+from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.doubles import GROWTH, PI, Double, cos_sin, enclosing
-from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 

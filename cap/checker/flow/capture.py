@@ -23,13 +23,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from cap.checker.flow.hits import SIDES, Event
-from cap.checker.flow.mechanics import Ends, Mechanics
+from cap.checker.flow.hits import SIDES, Hit
+from cap.checker.flow.losses import Lossy
+from cap.checker.flow.mechanics import Ends
 from cap.checker.flow.one_mass import MODES
-from cap.checker.flow.stops import Rest, span
+from cap.checker.flow.stops import Event, Rest, span
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet
-from cap.checker.kernel.rejection import need
+from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.system.chatter import Chatter, Entry, Pull, States, chatter
 from cap.checker.system.evaluation import evaluate
 from cap.checker.system.friction import REST, STOP, WALL
@@ -48,7 +49,7 @@ def captures(itinerary: Sequence[str]) -> str:
     return _MEANING if any(word.startswith("capture") for word in itinerary) else ""
 
 
-def capture(M: Mechanics, before: Event | None, word: str, window: Ends) -> tuple[Event, Rest]:
+def capture(M: Lossy, before: Event | Hit | None, word: str, window: Ends) -> tuple[Event, Rest]:
     """Prove that hits of the wall on this side, and turns between, accumulate within [t_a, t_d].
 
     ``before`` is the hit of this wall that the mass leaves, or None: then the mass is in the box at
@@ -64,7 +65,7 @@ def capture(M: Mechanics, before: Event | None, word: str, window: Ends) -> tupl
     return Event(word, moment, span(M, window)), rest
 
 
-def bounces(M: Mechanics, before: Event | None, word: str, window: Ends) -> Chatter:
+def bounces(M: Lossy, before: Event | Hit | None, word: str, window: Ends) -> Chatter:
     """Return what the lemma says of the hits that begin in this window, if it is long enough."""
     near = Near(M, SIDES[word.split()[1]], window)
     held = near.over(M.laws.model.modes[REST].guards[MODES[near.side]].value, near.standing)
@@ -76,22 +77,23 @@ def bounces(M: Mechanics, before: Event | None, word: str, window: Ends) -> Chat
     return found
 
 
-def _entry(M: Mechanics, before: Event | None, side: int, window: Ends) -> Entry:
+def _entry(M: Lossy, before: Event | Hit | None, side: int, window: Ends) -> Entry:
     """Return how a capture begins."""
     if before is None:
         need(window[0] == 0, "the window of a capture does not begin at 0")
-        height = (M.walls[side] - M.x.value) * side
-        return Entry(_ends(M.v.value.magnitude())[1], _ends(height)[1])
-    need(before.word == ("hit r" if side > 0 else "hit l"), "a capture not after its hit")
+        height = (M.walls[side] - M.variables[0].value) * side
+        return Entry(_ends(M.variables[1].value.magnitude())[1], _ends(height)[1])
+    if not isinstance(before, Hit) or before.word != ("hit r" if side > 0 else "hit l"):
+        raise Rejected("a capture not after its hit")
     late = window[0] > before.moment.t.value.lower
     need(not late, "the window of a capture begins after the hit before it")
-    return Entry(_ends(before.hit_speed)[1])
+    return Entry(_ends(before.speed.value)[1])
 
 
 class Near:
     """States near a wall during a window, with a guard h that is 0 at the wall."""
 
-    def __init__(self, M: Mechanics, side: int, window: Ends) -> None:
+    def __init__(self, M: Lossy, side: int, window: Ends) -> None:
         self.M, self.side, self.model = M, side, M.laws.model
         when = M.moment(M.constant(Interval.enclosing(*window, M.bits)))
         self.known = {name: q.value for name, q in M.parameters.items()}

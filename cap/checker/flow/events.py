@@ -12,15 +12,16 @@ from typing import Any
 
 from cap.checker.flow.capture import capture
 from cap.checker.flow.exponential import phi
-from cap.checker.flow.hits import Event, hit
-from cap.checker.flow.itinerary import Passage, PeriodMap, limit_work
+from cap.checker.flow.hits import Hit, hit
+from cap.checker.flow.itinerary import Passage, PeriodMap, limit_work, passage, work
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics
-from cap.checker.flow.stops import Rest, release, stick, turn
+from cap.checker.flow.stops import Event, Rest, release, stick, turn
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
 from cap.checker.kernel.shapes import Enclosure
 
+CELL_WORK = 1 << 10  # an event in a rectangle of persistence: 64 bits, four variables
 WORDS = (
     "stick",
     *(f"{event} {wall}" for event in ("hit", "capture") for wall in "rl"),
@@ -35,13 +36,31 @@ class LossyMap(PeriodMap):
     ``sets`` are intervals for e and mu in the place of those in the parameters.
     """
 
+    periods: int = 1
     sets: Mapping[str, Ends] = field(default_factory=dict)
 
-    def mechanics(self, box: Box, m: Box, order: int) -> Mechanics:
+    def mechanics(self, box: Box, m: Box, order: int) -> Lossy:
         """Return the mechanics over a box."""
         return Lossy(self.p, box, m, order, self.periods, self.sets)
 
-    def event(self, M: Any, before: list[Event], now: Any, word: str, window: Ends) -> Any:
+    def over(self, box: Box, m: Box, order: int) -> Passage:
+        """Return the orbits from a box; on return, all of them have exactly the itinerary.
+
+        Their initial and final states are strictly between the walls, of constant sign of v.
+        """
+        M = self.mechanics(box, m, order)
+        events, last = self.follow(M, M.launch())
+        return passage(M, events, moving(last))
+
+    def follow(self, M: Lossy, now: Any) -> tuple[list[Any], Any]:
+        """Prove the itinerary from a state on, and return its events and the state after it."""
+        events = list[Any]()
+        for word, window in zip(self.itinerary, self.windows, strict=True):
+            event, now = self.event(M, events, now, word, window)
+            events.append(event)
+        return events, now
+
+    def event(self, M: Any, before: list[Any], now: Any, word: str, window: Ends) -> Any:
         """Prove the next event, and return it with the state after it.
 
         The state None is that of a box which may touch a wall; only a capture can follow it.
@@ -70,12 +89,13 @@ def resting(state: Flight | Rest | None) -> Rest:
 
 def determinant(passage: Passage) -> Interval:
     """Return an enclosure of the determinant of (Phi^n)' by the formula above."""
-    M, events = passage.mechanics, passage.events
+    M: Any = passage.mechanics  # that of a ``LossyMap``
+    events = passage.events
     result = phi(0, -(M.horizon * M.mu.value))
     for event in events:
         if event.word == "stick" or event.word.startswith("capture"):
             return result.integer(0)
-        if event.speed is not None:
+        if isinstance(event, Hit):
             result = result * M.e.value.square()
         elif event.word.startswith("turn"):
             result = result * turning_factor(M, event)
@@ -89,8 +109,8 @@ def turning_factor(M: Mechanics, turn: Event) -> Interval:
 
 def limit_events(hints: dict[str, Any], claims: dict[str, Any]) -> None:
     """Reject what would take too long, and what has not as many events everywhere."""
-    limit_work(hints)
-    events = len(hints["events"])
+    events, cells = len(hints["events"]), len(hints.get("cells", ()))
+    limit_work(work(events, hints["bits"]) + events * CELL_WORK * cells)
     for name in ("itinerary", "event_times"):
         need(len(claims[name]) == events, f"claims.{name} is not a list of {events}")
 

@@ -5,12 +5,12 @@ a < W.  If s v > 0 after the start of the flight up to b, x is monotone there, a
 - wall) is negative at the beginning of W and positive at its end, then every orbit reaches the wall
 exactly once in [a, b], inside W, with a speed that is not zero, and touches nothing before.
 
-*Event times as jets.*  Let g be the guard that comes to zero along the flight, of the wall or of
-the stop, and g' its Lie derivative.  Let t_0 be the event time at a point of the box and t_<k the
-jet of the event time below degree k.  As g(t_<k + h) = g(t_<k) + g'(t_0) h + ... and g of the event
-time is zero, the terms of degree k of the event time are -1/g'(t_0) times those of g(t_<k).  At
-first t_0 is only known to lie in W: at the centre, the interval Newton operator mid - g(mid)/g'(t)
-narrows it; over the box, the mean value form does.
+*Event times as jets.*  Let g come to a level along the flight, x to a wall or v to zero, and let g'
+be its derivative in time.  Let t_0 be the event time at a point of the box and t_<k the jet of the
+event time below degree k.  As g(t_<k + h) = g(t_<k) + g'(t_0) h + ... and g of the event time is
+constant, the terms of degree k of the event time are -1/g'(t_0) times those of g(t_<k).  At first
+t_0 is only known to lie in W: at the centre, the interval Newton operator mid - (g(mid) -
+level)/g'(t) narrows it; over the box, the mean value form does.
 """
 
 from __future__ import annotations
@@ -19,35 +19,21 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from cap.checker.flow.mechanics import Ends, Flight, Formula, Mechanics, Moment
-from cap.checker.flow.one_mass import MODES
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, tightened
-from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.system.friction import WALL
-from cap.checker.system.polynomial import Polynomial
+from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, tightened
+from cap.checker.kernel.rejection import need
 
 SIDES = {"r": 1, "right": 1, "l": -1, "left": -1}
 
 
-class Event(NamedTuple):
-    """An event: its moment, the forcing F cos wt there, before a hit the speed, and its flight.
-
-    A capture has the interval from the beginning to the end of the hits, and the forcing over the
-    window of the lemma.
-    """
+class Hit(NamedTuple):
+    """A hit: its moment, the forcing F cos wt there, the speed before it, and its flight."""
 
     word: str
     moment: Moment
     forcing: Interval
-    speed: Centred | None = None
-    flight: Flight | None = None
-
-    @property
-    def hit_speed(self) -> Interval:
-        """The speed before a hit."""
-        if self.speed is None:
-            raise Rejected("an event is not a hit")
-        return self.speed.value
+    speed: Centred
+    flight: Flight
 
 
 def windowed(M: Mechanics, flight: Flight, window: Ends) -> tuple[Moment, Moment]:
@@ -59,7 +45,7 @@ def windowed(M: Mechanics, flight: Flight, window: Ends) -> tuple[Moment, Moment
     return first, last
 
 
-def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:
+def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Hit, Flight]:
     """Prove that the flight ends with a hit in the window; return it and the flight after it."""
     s, wall = flight.s, M.walls[flight.s]
     need(SIDES[word.split()[1]] == s, "a hit of the wall from which the mass moves away")
@@ -68,26 +54,22 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, F
     before, after = ((M.place(flight, m).value - wall) * s for m in (first, last))
     need((-before).is_positive(), "the wall may be reached before a window begins")
     need(after.is_positive(), "the wall may not be reached when a window ends")
-    guard = M.laws.guard(s, WALL)
-    moment = M.moment(event_time(M, flight, window, Zero.of(M, s, guard.value)))
-    event = Event(word, moment, moment.cos.value * M.F, M.speed(flight, moment), flight)
-    x, v = M.known(guard.reset["x"]), M.value(flight, guard.reset["v"], moment)
-    return event, M.flight(-s, moment, x, v, M.minima[-s])
+    moment = M.moment(event_time(M, flight, window, Zero(*M.course(s), wall)))
+    speed = M.speed(flight, moment)
+    v = lift(lambda u, e: u * e * -s, speed, M.e)
+    found = Hit(word, moment, moment.cos.value * M.F, speed, flight)
+    return found, M.flight(-s, moment, M.constant(wall), v, M.minima[-s])
 
 
 # the event times as jets
 
 
 class Zero(NamedTuple):
-    """A function of a flight and a time, of which an event is a zero, and its derivative in t."""
+    """A function of a flight and a time, its derivative in t, and the level of it at an event."""
 
     value: Formula
     slope: Formula
-
-    @classmethod
-    def of(cls, M: Mechanics, s: int, guard: Polynomial) -> Zero:
-        """Return a guard along the flights of a direction: its derivative is L h."""
-        return cls(M.along(s, guard), M.along(s, M.laws.model.lie(MODES[s], guard)))
+    level: Interval
 
 
 def event_time(M: Mechanics, flight: Flight, window: Ends, zero: Zero) -> Centred:
@@ -122,7 +104,7 @@ def root(M: Mechanics, arc: Sequence[RealJet], t: Interval, zero: Zero) -> Inter
     point = [q.truncated(0) for q in arc]
     while True:
         mid = t.midpoint()
-        value = zero.value(point, instant(M, Jet(0, {arc[0].origin: mid}))).constant
+        value = zero.value(point, instant(M, Jet(0, {arc[0].origin: mid}))).constant - zero.level
         narrowed = t.intersection(mid - value / slope(M, point, t, zero))
         if 2 * narrowed.width >= t.width:
             return narrowed

@@ -1,10 +1,10 @@
-"""Itineraries: the events of all orbits from a box, in their order, and the map over n periods.
+"""Itineraries: the events of all orbits from a box, in their order, and the map over a period.
 
-Each word of an itinerary is proved by ``hits``, ``stops`` or ``capture``: on the flight after the
-last event (or the rest, before a release), this is the next event, and it lies in its time window.
+Each word of an itinerary is proved, here by ``hits``: on the flight after the last event (or the
+rest, before a release), this is the next event, and it lies in its time window.
 
-*The end.*  All events certified lie before nT.  If after the last event s v > 0 up to nT, and x(nT)
-lies strictly between the walls, there are no more events.
+*The end.*  All events certified lie before nT, n = 1 here.  If after the last event s v > 0 up
+to nT, and x(nT) lies strictly between the walls, there are no more events.
 
 *Smoothness.*  An event time is a zero of g with g' /= 0, so near the box it is an analytic function
 of the initial state, of e and of mu; so is the state after the event.  A release is at a constant
@@ -19,28 +19,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from cap.checker.flow.hits import Event, hit
+from cap.checker.flow.hits import Hit, hit
 from cap.checker.flow.mechanics import Box, Ends, Flight, Mechanics, least
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, lift
-from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.kernel.rejection import need
 from cap.checker.system.walls import Parameters
 
 MAX_EVENTS = 64
 MAX_WORK = 3 << 18
-CELL_WORK = 1 << 10  # an event in a rectangle of persistence: 64 bits, four variables
 
 
-def work(events: int, bits: int, order: int = 0, cells: int = 0) -> int:
+def work(events: int, bits: int, order: int = 0) -> int:
     """Return a measure of the time: 10 to 50 microseconds for each unit.  Jets have order >= 4."""
-    return events * (bits * (max(order, 4) + 1) ** 2 + CELL_WORK * cells)
+    return events * bits * (max(order, 4) + 1) ** 2
 
 
-def limit_work(hints: dict[str, Any]) -> None:
+def limit_work(needed: int) -> None:
     """Reject what would take too long to check."""
-    windows = hints["events" if "events" in hints else "hit_times"]
-    cells = hints.get("cells", ())
-    needed = work(len(windows), hints["bits"], int(hints.get("order", 0)), len(cells))
     need(needed <= MAX_WORK, f"bits, order, events and cells are too much: {needed} > {MAX_WORK}")
 
 
@@ -48,63 +44,54 @@ class Passage(NamedTuple):
     """The orbits from a box over n periods: the events, the last flight, the state at the end."""
 
     mechanics: Mechanics
-    events: list[Event]
+    events: list[Any]
     last: Flight
     x: Centred
     v: Centred
 
     @property
-    def hits(self) -> list[Event]:
+    def hits(self) -> list[Hit]:
         """The hits."""
-        return [e for e in self.events if e.speed is not None]
+        return [e for e in self.events if isinstance(e, Hit)]
 
     @property
     def least_speed(self) -> Interval:
         """The least speed, if all events are hits and mu = 0."""
         M = self.mechanics
-        slowest = [M.least_speed(e.flight, e.moment) for e in self.events if e.flight is not None]
+        slowest = [M.least_speed(h.flight, h.moment) for h in self.hits]
         return least([*slowest, M.least_speed(self.last, M.full_turns(M.horizon))])
+
+
+def passage(M: Mechanics, events: list[Any], last: Flight) -> Passage:
+    """Return the orbits after all their events; on return, the final states are between the walls,
+    and of constant sign of v.
+    """
+    end = M.full_turns(M.horizon)
+    moves = M.least_speed(last, end).is_positive()
+    need(moves, "the velocity may vanish between the last event and T")
+    x, speed = M.place(last, end), M.speed(last, end)
+    need(M.is_between_walls(x.value), "x(T) is not certainly between the walls")
+    return Passage(M, events, last, x, lift(lambda u: u * last.s, speed))
 
 
 @dataclass(frozen=True)
 class PeriodMap:
-    """Phi^n near an orbit, with the itinerary that is to be proved, and a time window for each
-    word.
+    """Phi near an orbit, with the itinerary that is to be proved, of hits, and a time window for
+    each word.
     """
 
     p: Parameters
     itinerary: Sequence[str]
     windows: Sequence[Ends]
-    periods: int = 1
-
-    def mechanics(self, box: Box, m: Box, order: int) -> Mechanics:
-        """Return the mechanics over a box."""
-        return Mechanics(self.p, box, m, order, self.periods)
-
-    def event(self, M: Mechanics, before: list[Event], now: Any, word: str, window: Ends) -> Any:  # noqa: ARG002
-        """Prove the next event, and return it with the state after it: here, a hit."""
-        return hit(M, now, word, window)
-
-    def follow(self, M: Mechanics, now: Any) -> tuple[list[Event], Any]:
-        """Prove the itinerary from a state on, and return its events and the state after it."""
-        events = list[Event]()
-        for word, window in zip(self.itinerary, self.windows, strict=True):
-            event, now = self.event(M, events, now, word, window)
-            events.append(event)
-        return events, now
 
     def over(self, box: Box, m: Box, order: int) -> Passage:
         """Return the orbits from a box; on return, all of them have exactly the itinerary.
 
         Their initial and final states are strictly between the walls, of constant sign of v.
         """
-        M = self.mechanics(box, m, order)
-        events, last = self.follow(M, M.launch())
-        if not isinstance(last, Flight):
-            raise Rejected("the mass rests, and no release follows")
-        end = M.full_turns(M.horizon)
-        moves = M.least_speed(last, end).is_positive()
-        need(moves, "the velocity may vanish between the last event and T")
-        x, speed = M.place(last, end), M.speed(last, end)
-        need(M.is_between_walls(x.value), "x(T) is not certainly between the walls")
-        return Passage(M, events, last, x, lift(lambda u: u * last.s, speed))
+        M = Mechanics(self.p, box, m, order)
+        flight, hits = M.launch(), list[Hit]()
+        for word, window in zip(self.itinerary, self.windows, strict=True):
+            found, flight = hit(M, flight, word, window)
+            hits.append(found)
+        return passage(M, hits, flight)

@@ -54,7 +54,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import arccos, cos_sin, pi
+from cap.checker.kernel.arctangent import arccos, pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
 

@@ -7,7 +7,7 @@ from functools import cache
 from cap.checker.flow.one_mass import MODES, one_mass
 from cap.checker.system.course import ELAPSED, flight, response
 from cap.checker.system.friction import friction
-from cap.checker.system.model import Guard, Model
+from cap.checker.system.model import Model
 from cap.checker.system.polynomial import Polynomial, variable
 from cap.checker.system.walls import Parameters
 
@@ -23,10 +23,6 @@ class Laws:
             s: {z: variable(z) - response(model, mode, z) for z in state} for s, mode in modes
         }
         self._along: dict[tuple[int, Polynomial], list[Polynomial]] = {}
-
-    def guard(self, s: int, name: str) -> Guard:
-        """Return a guard of the mode of a direction."""
-        return self.model.modes[MODES[s]].guards[name]
 
     def along(self, s: int, g: Polynomial) -> list[Polynomial]:
         """Return a polynomial in the state on the flights of a direction, by the powers of d."""

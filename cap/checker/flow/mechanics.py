@@ -1,14 +1,15 @@
-"""The flights of a mass between two walls, from the data of its model (``friction``).
+"""The flights of a mass between two walls: x'' = F cos wt - s f, in the direction s = +-1.
 
-*Flights.*  ``course`` gives x(t) and v(t) in each mode as polynomials: for the direction s = +-1,
-x'' = F cos wt - s f - mu x'.  Any polynomial in the state, as a guard, and its derivative in time,
-its Lie derivative, is known along a flight with them.
+*Flights.*  Let X, V be x and v less their responses -(F/w^2) cos wt and (F/w) sin wt to the force,
+at a time t_0 of the flight; with d = t - t_0
 
-*The sign of the velocity.*  p(t) = e^(mu t) s v(t) has p' = e^(mu t) (s F cos wt - f) (Lemma C of
-``lemmas``; ``one_mass``).  Since f < F, p' has simple zeros, and p its local minima at those with s
-sin wt < 0: at the times (2 pi k - theta)/w for s = 1 and (2 pi k + pi - theta)/w for s = -1, where
-theta = arccos(f/F).  So s v > 0 on [a, b] if it is so at a, at b, and at those of these times that
-lie in (a, b).
+    x(t) = X + V d - s f d^2/2 - (F/w^2) cos wt,      v(t) = V - s f d + (F/w) sin wt.
+
+*The sign of the velocity.*  p(t) = s v(t) has p' = s F cos wt - f; with viscosity (``losses``) what
+is said here of p holds for p = e^(mu t) s v(t), p' = e^(mu t) (s F cos wt - f).  Since f < F, p'
+has simple zeros, and p its local minima at those with s sin wt < 0: at the times (2 pi k - theta)/w
+for s = 1 and (2 pi k + pi - theta)/w for s = -1, where theta = arccos(f/F).  So s v > 0 on [a, b]
+if it is so at a, at b, and at those of these times that lie in (a, b).
 
 *A flight that begins with v = 0*, after a turn or a release: s F cos wt > f just after its
 beginning, for at a turn this holds, and a release is at one of these times.  So p increases from
@@ -19,19 +20,14 @@ one of them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.flow.laws import laws
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
-from cap.checker.system.evaluation import evaluate
-from cap.checker.system.friction import STOP
-from cap.checker.system.model import COS, SIN
-from cap.checker.system.polynomial import Polynomial, variable
 from cap.checker.system.walls import Parameters
 
 Ends = tuple[Fraction, Fraction]
@@ -68,24 +64,25 @@ class Mechanics:
     """The mechanics at given parameters, over a box of initial states with a centre m.
 
     Every method holds for all orbits from the box, and rejects if it does not succeed.  Here
-    all constants are numbers, and mu = 0; with mu > 0 the flights have exponentials (``losses``).
+    all constants are numbers, and mu = 0.
     """
 
     def __init__(self, p: Parameters, box: Box, m: Box, order: int, periods: int = 1) -> None:
         self.bits, self.order = box[0].bits, order
         self.offsets = [z - c for z, c in zip(box, m, strict=True)]
         self.variables = [self._variable(n, *q) for n, q in enumerate(zip(box, m, strict=True))]
-        self.x, self.v = (*self.variables, self.constant(self.number(Fraction(0))))[:2]
-        self.parameters = self._parameters(p)
-        self.laws = laws(p, tuple(self.parameters))
-        mass = self.laws.mass
-        self.omega, self.F = self.number(self.laws.model.omega), self.number(mass.F)
-        self.friction, self.e, self.mu = (self.known(q) for q in (mass.f, mass.e, mass.mu))
-        self.f = self.friction.value
-        self.walls = {s: self.known(wall).value for s, wall in mass.walls.items()}
+        self.constants(p)
         self.period = pi(self.bits) * 2 / self.omega
         self.horizon = self.period * periods
-        self.minima = self._minima(periods)
+        self.minima = self._minima(p.f / p.F, periods)
+
+    def constants(self, p: Parameters) -> None:
+        """Set the constants of the flights and of the walls."""
+        need(p.mu == 0, "mu = 0 does not hold")
+        self.omega, self.F, self.f = map(self.number, (p.omega, p.F, p.f))
+        self.swing, self.sway = self.number(p.F / p.omega), self.number(p.F / p.omega**2)
+        self.walls = {1: self.number(p.r), -1: self.number(p.l)}
+        self.e = self.constant(self.number(p.e))
 
     def _variable(self, n: int, box: Interval, m: Interval) -> Centred:
         """Return the n-th variable."""
@@ -94,15 +91,11 @@ class Mechanics:
         jets = (Jet(self.order, {origin: z, unit: z.integer(1)}) for z in (m, box))
         return self.centred(*jets)
 
-    def _parameters(self, p: Parameters) -> dict[str, Centred]:  # noqa: ARG002
-        """Return the constants that are no numbers."""
-        return {}
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:
+        """Return the moments in [0, horizon] at which p has its local minima, for each sign s.
 
-    def _minima(self, periods: int) -> dict[int, Minima]:
-        """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
-        f, F = self.laws.mass.f, self.laws.mass.F
-        need(not f.variables, "the friction is a parameter")
-        ratio = f.number / F
+        The ratio is f/F.
+        """
         cos, half_turn = self.number(ratio), pi(self.bits)
         sin, theta = self.number(1 - ratio**2).sqrt(), arccos(cos)
 
@@ -125,15 +118,6 @@ class Mechanics:
         jet = Jet(self.order, {(0,) * len(self.offsets): c})
         return self.centred(jet, jet)
 
-    def known(self, q: Polynomial) -> Centred:
-        """Return a number, or a polynomial in parameters."""
-        return self.of(q, {}) if q.variables else self.constant(self.number(q.number))
-
-    def of(self, q: Polynomial, values: Mapping[str, Centred]) -> Centred:
-        """Return a polynomial in these values and in parameters."""
-        given = {**values, **self.parameters}
-        return lift(lambda *jets: evaluate(q, dict(zip(given, jets, strict=True))), *given.values())
-
     def instant(self, t: Interval, cos: Interval, sin: Interval) -> Moment:
         """Return a moment that is the same for all orbits."""
         return Moment(self.constant(t), self.constant(cos), self.constant(sin))
@@ -148,27 +132,24 @@ class Mechanics:
         """Return the moment of a time that is a multiple of the period."""
         return self.instant(t, t.integer(1), t.integer(0))
 
-    # formulas for jets: of a flight, that is of its rests, its start and the parameters (``arc``);
-    # and of t, cos wt, sin wt
+    def course(self, s: int) -> tuple[Formula, Formula]:
+        """Return the formulas of x and v on the flights of a direction.
 
-    def along(self, s: int, g: Polynomial) -> Formula:
-        """Return the formula of a polynomial in the state on the flights of a direction."""
-        powers, names = self.laws.along(s, g), ("x", "v", "start", *self.parameters, "t", COS, SIN)
+        They take jets: what determines a flight (``arc``), and t, cos wt, sin wt.
+        """
 
-        def formula(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
-            values = dict(zip(names, (*arc, *when), strict=True))
-            return self.after(values["t"] - values["start"], powers, values)
+        def x(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
+            d = when[0] - arc[2]
+            return arc[0] + (arc[1] - d * (self.f * s / 2)) * d - when[1] * self.sway
 
-        return formula
+        def v(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
+            return arc[1] - (when[0] - arc[2]) * (self.f * s) + when[2] * self.swing
 
-    def after(
-        self, d: RealJet, powers: Sequence[Polynomial], values: Mapping[str, RealJet]
-    ) -> RealJet:
-        """Return the sum of polynomials times powers of d, by Horner's rule."""
-        *lower, total = (evaluate(q, values) for q in powers)
-        for q in reversed(lower):
-            total = d * total + q
-        return total
+        return x, v
+
+    def arc(self, flight: Flight) -> tuple[Centred, ...]:
+        """Return what determines the state on a flight."""
+        return flight.x, flight.v, flight.start.t
 
     # flights over the box
 
@@ -176,38 +157,33 @@ class Mechanics:
         self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
     ) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
-        given = {"x": x, "v": v, COS: start.cos, SIN: start.sin}
-        rest_x, rest_v = (self.of(q, given) for q in self.laws.rests[s].values())
+        rest_x = lift(lambda x, cos: x + cos * self.sway, x, start.cos)
+        rest_v = lift(lambda v, sin: v - sin * self.swing, v, start.sin)
         return Flight(s, rest_x, rest_v, start, at_rest, minima)
-
-    def arc(self, flight: Flight) -> tuple[Centred, ...]:
-        """Return what determines the state on a flight."""
-        return flight.x, flight.v, flight.start.t, *self.parameters.values()
 
     def launch(self) -> Flight:
         """Return the first flight; the box must lie between the walls and away from v = 0."""
-        need(self.is_between_walls(self.x.value), "the box is not certainly between the walls")
-        need(not self.v.value.contains_zero(), "the velocity vanishes in the box")
-        s = 1 if self.v.value.is_positive() else -1
-        start = self.full_turns(self.period.integer(0))
-        return self.flight(s, start, self.x, self.v, self.minima[s])
+        x, v = self.variables[:2]
+        need(self.is_between_walls(x.value), "the box is not certainly between the walls")
+        need(not v.value.contains_zero(), "the velocity vanishes in the box")
+        s = 1 if v.value.is_positive() else -1
+        return self.flight(s, self.full_turns(self.period.integer(0)), x, v, self.minima[s])
 
     def is_between_walls(self, x: Interval) -> bool:
         """Return whether x certainly lies strictly between the walls."""
         return self.walls[-1].is_before(x) and x.is_before(self.walls[1])
 
-    def value(self, flight: Flight, g: Polynomial, at: Moment) -> Centred:
-        """Return a polynomial in the state on a flight at a moment."""
-        formula = self.along(flight.s, g)
+    def value(self, flight: Flight, formula: Formula, at: Moment) -> Centred:
+        """Return the value of a formula on a flight at a moment."""
         return lift(lambda *q: formula(q[:-3], q[-3:]), *self.arc(flight), *at)
 
     def place(self, flight: Flight, at: Moment) -> Centred:
         """Return the position on a flight at a moment."""
-        return self.value(flight, variable("x"), at)
+        return self.value(flight, self.course(flight.s)[0], at)
 
     def speed(self, flight: Flight, at: Moment) -> Centred:
         """Return the speed s v on a flight at a moment."""
-        return self.value(flight, self.laws.guard(flight.s, STOP).value, at)
+        return lift(lambda v: v * flight.s, self.value(flight, self.course(flight.s)[1], at))
 
     def least_speed(self, flight: Flight, end: Moment) -> Interval:
         """Return an enclosure of the least of s v at the start, the end, and the minima of p.

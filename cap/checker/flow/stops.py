@@ -17,22 +17,25 @@ stop, and less than the length of an arc later, it is the end of the arc of the 
 wall until a = -f, for the first time after t_d, where a decreases: a time of a minimum of p for s =
 -1, which recur with the period.  The mirror image holds at the left wall.
 
-*The time of a stop* is a zero of g = s v, with g' = s F cos wt - f - mu s v.  That a turn goes on
+*The time of a stop* is a zero of v, with v' = F cos wt - s f - mu v.  That a turn goes on
 to the side s where s F cos wt > f, and a rest ends where s F cos wt comes above f, is read from the
 model (``one_mass``).
 """
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.flow.hits import SIDES, Event, Zero, event_time, windowed
-from cap.checker.flow.mechanics import Ends, Flight, Mechanics
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.flow.hits import SIDES, Zero, event_time, windowed
+from cap.checker.flow.losses import Lossy
+from cap.checker.flow.mechanics import Ends, Flight, Mechanics, Moment
+from cap.checker.flow.one_mass import MODES
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.rejection import need
-from cap.checker.system.friction import STOP
+from cap.checker.system.polynomial import variable
 
 
 class Rest(NamedTuple):
@@ -44,12 +47,25 @@ class Rest(NamedTuple):
     sides: tuple[int, ...]
 
 
-def rest_of(M: Mechanics, s: int) -> Zero:
-    """Return s v(t), for a direction s."""
-    return Zero.of(M, s, M.laws.guard(s, STOP).value)
+class Event(NamedTuple):
+    """An event that is no hit: its moment, and the forcing F cos wt there.
+
+    A capture has the interval from the beginning to the end of the hits, and the forcing over the
+    window of the lemma.
+    """
+
+    word: str
+    moment: Moment
+    forcing: Interval
 
 
-def stop(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Centred]:
+def rest_of(M: Lossy, s: int) -> Zero:
+    """Return v and its Lie derivative on the flights of a direction; v is zero at a stop."""
+    rate = M.laws.model.lie(MODES[s], variable("v"))
+    return Zero(M.course(s)[1], M.along(s, rate), M.number(Fraction(0)))
+
+
+def stop(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Centred]:
     """Prove that v vanishes in the window, strictly between the walls; return x there, too."""
     s = flight.s
     first, last = windowed(M, flight, window)
@@ -60,7 +76,7 @@ def stop(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, 
     moment = M.moment(event_time(M, flight, window, rest_of(M, s)))
     x = M.place(flight, moment)
     need(M.is_between_walls(x.value), "the mass may stop at or beyond a wall")
-    return Event(word, moment, moment.cos.value * M.F, None, flight), x
+    return Event(word, moment, moment.cos.value * M.F), x
 
 
 def span(M: Mechanics, window: Ends) -> Interval:
@@ -68,7 +84,7 @@ def span(M: Mechanics, window: Ends) -> Interval:
     return M.moment(M.constant(Interval.enclosing(*window, M.bits))).cos.value * M.F
 
 
-def turn(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:
+def turn(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:
     """Prove that the flight ends with a turn to this side; return it and the flight after it."""
     event, x = stop(M, flight, word, window)
     side = SIDES[word.split()[1]]
@@ -78,7 +94,7 @@ def turn(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, 
     return event, M.flight(side, event.moment, x, v, M.minima[side], at_rest=True)
 
 
-def stick(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Event, Rest]:
+def stick(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Rest]:
     """Prove that the flight ends and the mass sticks; return the event and the rest after it."""
     event, x = stop(M, flight, word, window)
     held = (M.f - event.forcing.magnitude()).is_positive()

@@ -35,7 +35,7 @@ from typing import Any, NamedTuple
 
 from cap.checker.folded.numbers import TURN, UP, Pair
 from cap.checker.kernel.angles import of, rounded
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import need_doubles

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.kernel.elementary import pi
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from functools import lru_cache
-from typing import Any
-
 from cap.checker.kernel.reading import MAX_BYTES, parsed, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Whole, matched, tabled
@@ -27,19 +23,12 @@ def read(data: bytes) -> Certificate:
     known = isinstance(fields["cites"], list) and all(q in theorem.CITES for q in fields["cites"])
     need(known, "cites is not of the checker's own list")
     need(isinstance(fields["provenance"], dict), "provenance is not an object")
-    p = _parameters(name, json.dumps(fields["parameters"]))
+    p = theorem.parameters(matched(fields["parameters"], theorem.PARAMETERS, "parameters"))
     hints = tabled(fields["hints"], theorem.HINTS, "hints")
     claims = tabled(fields["claims"], theorem.CLAIMS, "claims")
     need(fields["cites"] == theorem.cited(claims), "cites is not the checker's own list")
     theorem.limit(hints, claims)
     return Certificate(name, p, fields["digits"], claims, hints)
-
-
-@lru_cache(maxsize=8)
-def _parameters(name: str, text: str) -> Any:
-    """Return the parameters of a theorem; those of certificates about one system are one object."""
-    theorem = load(name)
-    return theorem.parameters(matched(json.loads(text), theorem.PARAMETERS, "parameters"))
 
 
 def _anything(value: object, _: str) -> object:

@@ -7,18 +7,7 @@ from typing import Any, NamedTuple
 
 from cap.checker.kernel.reading import text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Enclosure, enclosure, matched
-
-
-class Taken(NamedTuple):
-    """An enclosure of what a quantity takes, each end so many digits sharp."""
-
-    unit: str | None
-    digits: int
-
-    def __call__(self, value: Any, where: str) -> Enclosure:
-        """Read it."""
-        return enclosure(value, where)._replace(unit=self.unit)
+from cap.checker.kernel.shapes import matched
 
 
 class OrNone(NamedTuple):

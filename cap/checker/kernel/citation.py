@@ -7,16 +7,6 @@ from typing import Any
 Citation = dict[str, Any]
 
 NEUMAIER = "Neumaier, Interval Methods for Systems of Equations, 1990, Section 5.1"
-MOSER = (
-    "Moser twist theorem",
-    "Siegel and Moser, Lectures on Celestial Mechanics, 1971, Chapter III; "
-    "Theorem kam of the paper",
-)
-HADAMARD_PERRON = (
-    "Hadamard-Perron",
-    "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
-    "Theorem 6.2.8",
-)
 
 
 def cite(theorem: str, reference: str, *hypotheses: tuple[str, str, str]) -> Citation:

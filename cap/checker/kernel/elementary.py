@@ -1,10 +1,6 @@
-"""Pi, cosine, sine and arccosine of intervals, from series.
+"""Cosine and sine of intervals, from a series.
 
 For an alternating series of decreasing terms the remainder is at most the first term left out.
-
-*Pi* = 16 arctan(1/5) - 4 arctan(1/239) (Machin).  With u_j = floor(2^p / n^(2j+1)) and each term
-floor(u_j / (2j+1)), a term is wrong by less than 2 units 2^-p; the loop ends when u_j = 0, so the
-remainder is below one unit.  N terms give an error below 2N + 1.
 
 *Sine and cosine at a point a.*  With k the integer nearest to a / (pi/2), r = a - k pi/2 is at most
 pi/4 in size (and a little, by the error of pi), and the quadrant k mod 4 gives cos a, sin a from
@@ -18,41 +14,15 @@ Then cos r = sqrt(1 - sin^2 r) > 1/2 has at most twice the error of sin r, since
 
 *Over an interval* [a, b], cosine and sine have their extrema at the ends or at the multiples n pi/2
 in [a, b]: a maximum 1 of the sine at n = 1 mod 4, a minimum -1 at n = 3; of the cosine at 0 and 2.
-
-*Arccosine* decreases; arccos y = 2 arctan sqrt((1 - y)/(1 + y)).  For x >= 0, arctan x = 2 arctan(x
-/ (1 + sqrt(1 + x^2))) makes the argument at most tan(pi/4) = 1 after one step and then less than
-half of itself at each step.
 """
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import cache, lru_cache
 from math import isqrt
 
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.rejection import need
-
-_HALVINGS = 9  # then x <= 2^-8, so each term of the arctangent is 16 bits smaller than the last
-
-
-@cache
-def pi(bits: int) -> Interval:
-    """Return an enclosure of pi, at most two units 2^-bits wide."""
-    p = bits + bits.bit_length() + 8  # the error is below 20 (p + 1) < 2^(p - bits - 1)
-    (a, error_a), (b, error_b) = _arctan_of_inverse(5, p), _arctan_of_inverse(239, p)
-    value, error = 16 * a - 4 * b, 16 * error_a + 4 * error_b
-    return Interval(value - error, value + error, p).with_bits(bits)
-
-
-def _arctan_of_inverse(n: int, p: int) -> tuple[int, int]:
-    """Return arctan(1/n) in units 2^-p, and a bound of the error."""
-    power, total, j = (1 << p) // n, 0, 0
-    while power:
-        total += (-1) ** j * (power // (2 * j + 1))
-        power //= n * n
-        j += 1
-    return total, 2 * j + 1
 
 
 def cos_sin(x: Interval) -> tuple[Interval, Interval]:
@@ -117,30 +87,3 @@ def _sine_series(r: int, p: int) -> tuple[int, int]:
         j += 1
         term = (term * square >> p) // (2 * j * (2 * j + 1))
     return total, 2 * j + 2
-
-
-def arccos(y: Interval) -> Interval:
-    """Return an enclosure of {arccos t : t in y}; y must lie in the open interval (-1, 1)."""
-    need(
-        y.lies_inside(Fraction(-1), Fraction(1)), "arccosine of an interval that is not in (-1, 1)"
-    )
-    return Interval(_arccos_at(y.hi, y.bits).lo, _arccos_at(y.lo, y.bits).hi, y.bits)
-
-
-def _arccos_at(a: int, bits: int) -> Interval:
-    """Return an enclosure of the arccosine of the point a 2^-bits."""
-    y = Interval(a, a, bits).with_bits(2 * bits + 16)  # the square root may halve the precision
-    x = ((y.integer(1) - y) / (y.integer(1) + y)).sqrt()
-    for _ in range(_HALVINGS):
-        x = x / ((x.square() + 1).sqrt() + 1)
-    return (_arctan_series(x) * (1 << _HALVINGS + 1)).with_bits(bits)
-
-
-def _arctan_series(x: Interval) -> Interval:
-    """Return an enclosure of arctan x for 0 <= x <= 1: x - x^3/3 + x^5/5 - ..."""
-    square, power, total, j = x.square(), x, x.integer(0), 0
-    while power.hi > 1:
-        total = total + power / ((-1) ** j * (2 * j + 1))
-        power = power * square
-        j += 1
-    return total + Interval(-power.hi, power.hi, x.bits)

@@ -33,6 +33,7 @@ class Interval:
         """Return the least interval in units 2^-bits that contains [lower, upper]."""
         lo = (lower.numerator << bits) // lower.denominator
         hi = -((-upper.numerator << bits) // upper.denominator)
+        need(lo <= hi, "the ends of an interval are not in order")
         return cls(lo, hi, bits)
 
     @property

@@ -1,7 +1,7 @@
 """What a certificate may say, declared: tables of fields, each with the shape of its value.
 
 A *shape* is a dictionary, a list, or a reader: a function of a value, and of its place.  A value
-must match it exactly: the same keys, but for those that are ``Maybe``; the same length.
+must match it exactly: the same keys, but for those that are ``optional``; the same length.
 
 *Numbers* are exact (``number``), or upper bounds.  *Sets* [lower, upper] are of three kinds:
 
@@ -15,7 +15,7 @@ A *unit* is a product of powers of the units of the theorem, as "R^2 omega^-1".
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -47,7 +47,6 @@ class Field(NamedTuple):
 
 
 Table = tuple[Field, ...]
-_INTEGER = re.compile("-?[0-9]+", re.ASCII)
 
 
 def matched(value: Any, shape: Any, where: str) -> Any:
@@ -66,7 +65,7 @@ def fields(value: Any, shape: dict[str, Any], where: str) -> dict[str, Any]:
     """Return an object with its values read, in the order of its shape."""
     if not isinstance(value, dict):
         raise Rejected(f"{where} is not an object")
-    optional = {key for key, part in shape.items() if isinstance(part, Maybe)}
+    optional = {key for key, part in shape.items() if getattr(part, "optional", False)}
     complete = shape.keys() - optional <= value.keys() <= shape.keys()
     need(complete, f"{where} has missing or unknown fields")
     present = [(key, part) for key, part in shape.items() if key in value]
@@ -136,18 +135,6 @@ class Whole(NamedTuple):
         return int(value)
 
 
-class Integer(NamedTuple):
-    """An integer of either sign, of so many digits at most."""
-
-    digits: int
-
-    def __call__(self, value: Any, where: str) -> int:
-        """Read it."""
-        if _INTEGER.fullmatch(text(value, where)) and len(value) <= self.digits + (value[0] == "-"):
-            return int(value)
-        raise Rejected(f"{where} is not an integer of at most {self.digits} digits")
-
-
 class Many(NamedTuple):
     """A list of values of one shape, so many at least and at most."""
 
@@ -165,39 +152,3 @@ class Many(NamedTuple):
             return [matched(part, self.shape, "") for part in value]
         except Rejected:  # once more, to say where
             return matched(value, [self.shape] * len(value), where)
-
-
-class First(NamedTuple):
-    """A list of the first few of these values."""
-
-    shapes: Sequence[Any]
-
-    def __call__(self, value: Any, where: str) -> Any:
-        """Read it."""
-        count = len(value) if isinstance(value, list) else 0
-        return matched(value, list(self.shapes[:count]), where)
-
-
-class Maybe(NamedTuple):
-    """The value of a field that may be missing."""
-
-    shape: Any
-
-    def __call__(self, value: Any, where: str) -> Any:
-        """Read it."""
-        return matched(value, self.shape, where)
-
-
-class Later(NamedTuple):
-    """A value of a shape that is looked up when there is one: its file may not be loaded before."""
-
-    look_up: Callable[[], Any]
-
-    @property
-    def shape(self) -> Any:
-        """The shape."""
-        return self.look_up()
-
-    def __call__(self, value: Any, where: str) -> Any:
-        """Read it."""
-        return matched(value, self.shape, where)

@@ -12,8 +12,8 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple
 
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.citation import Citation
-from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Table, Whole

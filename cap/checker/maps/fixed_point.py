@@ -24,7 +24,7 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap, limit_work
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.citation import NEUMAIER, Citation, cite
 from cap.checker.kernel.interval import Interval
@@ -99,11 +99,6 @@ class FixedPoint(BetweenWalls):
     )
     # fmt: on
 
-    @classmethod
-    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
-        """Bound the time."""
-        limit_work(hints)
-
     def prove(self) -> None:
         """Prove the theorem."""
         self.existence()
@@ -116,7 +111,7 @@ class FixedPoint(BetweenWalls):
         """Compare the claims about P* and its orbit with what is computed."""
         jacobian = [[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)]
         self.confirm(x=fixed_point[0], v=fixed_point[1], jacobian=jacobian)
-        self.confirm(hit_speeds=[h.hit_speed for h in orbit.hits])
+        self.confirm(hit_speeds=[h.speed.value for h in orbit.hits])
         self.confirm(trace=jacobian[0][0] + jacobian[1][1])
         self.orbit(orbit, jacobian)
 

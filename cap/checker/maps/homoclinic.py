@@ -31,7 +31,7 @@ from typing import NamedTuple
 
 from cap.checker.flow.itinerary import PeriodMap
 from cap.checker.flow.mechanics import Ends
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.maps.cones import Cones

@@ -6,9 +6,9 @@ On the orbit of P* the velocity never vanishes; flights and hits preserve dx^dv,
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
+from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap, limit_work, work
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table
 from cap.checker.maps.fixed_point import (
@@ -46,6 +46,11 @@ class NonSticking(FixedPoint):
               "the minimum of |v| on the orbit of P*, positive"),
     )
     # fmt: on
+
+    @classmethod
+    def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:  # noqa: ARG003
+        """Bound the time."""
+        limit_work(work(len(hints["hit_times"]), hints["bits"], int(hints.get("order", 0))))
 
     @property
     def phi(self) -> PeriodMap:

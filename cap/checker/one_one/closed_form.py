@@ -61,7 +61,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 

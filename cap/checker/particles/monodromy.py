@@ -34,8 +34,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.complex import Complex
-from cap.checker.kernel.elementary import arccos
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.particles.existence import Matrix, dot

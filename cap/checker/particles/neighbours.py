@@ -132,10 +132,8 @@ class Neighbours:
         def along(of: Formula, arc: Sequence[RealJet], now: Sequence[RealJet]) -> RealJet:
             return of(0, signs[0], arc, now) * n[0] + of(1, signs[1], arc, now) * n[1]
 
-        def distance(arc: Sequence[RealJet], now: Sequence[RealJet]) -> RealJet:
-            return along(self.place, arc, now) + Jet(now[0].order, {(0,) * 4: -level})
-
-        return Zero(distance, lambda arc, now: along(self.velocity, arc, now))
+        place, velocity = ((lambda *q, of=of: along(of, *q)) for of in (self.place, self.velocity))
+        return Zero(place, velocity, level)
 
     # contacts
 
@@ -164,7 +162,7 @@ class Neighbours:
         values = []
         for end in window:
             now = [Jet(0, {(0,) * 4: q}) for q in self.M.instant(self.M.number(end))]
-            values.append(guard.value(parts, now).constant * towards)
+            values.append((guard.value(parts, now).constant - guard.level) * towards)
         need((-values[0]).is_positive(), "a contact may be before its window")
         need(values[1].is_positive(), "a contact may be after its window")
         M: Any = self

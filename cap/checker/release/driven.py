@@ -12,13 +12,13 @@ variables separately; conditions are tested with enclosures over the box, of f a
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from cap.checker.flow.events import LossyMap
-from cap.checker.flow.hits import Event
 from cap.checker.flow.losses import Lossy
 from cap.checker.flow.mechanics import Box, Ends, Minima, Moment
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, cos_sin_jet, lift
 from cap.checker.kernel.rejection import need
@@ -44,7 +44,7 @@ class Driven(Lossy):
         self.cosine, self.sine = (self.centred(*jets) for jets in zip(*pairs, strict=True))
         return {"f": lift(lambda cos: cos * F, self.cosine)}
 
-    def _minima(self, periods: int) -> dict[int, Minima]:
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:  # noqa: ARG002
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
         half_turn = pi(self.bits)
 
@@ -68,7 +68,7 @@ class DrivenMap(LossyMap):
         """Return the mechanics over a box, of which theta is the last side."""
         return Driven(self.p, box, m, order, self.periods)
 
-    def event(self, M: Any, before: list[Event], now: Any, word: str, window: Ends) -> Any:
+    def event(self, M: Any, before: list[Any], now: Any, word: str, window: Ends) -> Any:
         """Prove the next event, and return it with the state after it."""
         if word in HALTS:
             return halt(M, now, word, window)

@@ -24,12 +24,13 @@ from __future__ import annotations
 
 from cap.checker.flow.events import LossyMap
 from cap.checker.flow.hits import SIDES
-from cap.checker.flow.mechanics import Flight, Mechanics
+from cap.checker.flow.losses import Lossy
+from cap.checker.flow.mechanics import Flight
 from cap.checker.kernel.jet import Centred, lift
 from cap.checker.kernel.rejection import Rejected, need
 
 
-def next_release(M: Mechanics, phi: LossyMap, start: Flight) -> tuple[Centred, int]:
+def next_release(M: Lossy, phi: LossyMap, start: Flight) -> tuple[Centred, int]:
     """Prove the itinerary; return where the release at its end is, mirrored if to the left.
 
     And how many half-periods it comes after the release to the right in the first period.

@@ -58,12 +58,12 @@ class Sheared(NamedTuple):
     def over(self, y: Interval, passage: Passage) -> Centred:
         """Return H as a jet in y and theta, for all y of an interval."""
         phi, M = self._mechanics([y], passage)
-        return self._image(phi, M, M.x)
+        return self._image(phi, M, M.variables[0])
 
     def near(self, line: Line, u: Interval, passage: Passage) -> Centred:
         """Return H as a jet in u and theta, for y = line + u."""
         phi, M = self._mechanics([u], passage)
-        return self._image(phi, M, lift(_sum, M.x, self._on(M, line)))
+        return self._image(phi, M, lift(_sum, M.variables[0], self._on(M, line)))
 
     def places(self, line: Line) -> Interval:
         """Return all places on a line."""

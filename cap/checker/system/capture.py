@@ -8,7 +8,8 @@ rises in a mode U, which may be D.  What the lemma of ``chatter`` asks for is re
   variables and the clock, and so is every polynomial in the state.
 - The reset at h = 0: h stays 0, h' becomes -e h', the other variables stay; identities modulo h.
 - If U is not D, a guard c h', c > 0, ends each rise: it changes no variable, an identity modulo h',
-  and it leads to D; one of D is c h', c < 0, so that h' < 0 there.
+  it leads to D, and it names no other mode of rest than R; one of D is c h', c < 0, so that h' < 0
+  there.
 - All other guards of U are positive where 0 <= h <= H_B, 0 <= h' <= q_B, those of D where h' <= 0.
 - Of all modes to which a hit leads, but U, one guard is negative where h = 0 and 0 <= h' <= q_B, or
   is c h', c < 0; of those at the turn, but D, one is negative where h' = 0.
@@ -27,7 +28,8 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import cos_sin, pi
+from cap.checker.kernel.arctangent import pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import TooCoarse, need
 from cap.checker.system.chatter import Pull, States
@@ -111,6 +113,8 @@ class Wall:
         need(begins, f"no guard of {falling} is h' times a negative number")
         guard = self.model.modes[rising].guards[ends[0]]
         need(falling in guard.to, f"{ends[0]} of {rising} does not lead to {falling}")
+        one = guard.rest in (None, self.rest)  # infinitely many hits have as many turns
+        need(one, f"{ends[0]} of {rising} names another mode of rest than {self.rest}")
         after, divisor = self._after(guard)
         changes = (after[z] - variable(z) * divisor for z in self.model.state)
         same = not any(self.at(q, {RATE: ZERO}).terms for q in changes)

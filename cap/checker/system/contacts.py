@@ -42,7 +42,8 @@ from functools import reduce
 from operator import add, mul
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import cos_sin, pi
+from cap.checker.kernel.arctangent import pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.system.legs import dot

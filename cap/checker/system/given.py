@@ -22,9 +22,10 @@ from math import lcm
 from typing import Any
 
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import MAX_SIZE, number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Many, Maybe, Word
+from cap.checker.kernel.shapes import Many, Word
 from cap.checker.system.model import CLOCK, PI, Guard, Mode, Model
 from cap.checker.system.polynomial import ONE, Polynomial
 

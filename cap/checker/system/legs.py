@@ -25,7 +25,8 @@ from functools import lru_cache, reduce
 from operator import add
 from typing import NamedTuple, Protocol, TypeVar
 
-from cap.checker.kernel.elementary import cos_sin, pi
+from cap.checker.kernel.arctangent import pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.system.evaluation import Values

@@ -10,6 +10,8 @@ from cap.checker.kernel.theorem import Theorem
 from cap.checker.system.given import SYSTEM, model
 from cap.checker.system.model import Model
 
+_KNOWN, _MOST = dict[str, Model](), 8
+
 
 class OwnSystem(Theorem):
     """A theorem whose parameters are a system; its claims have no units."""
@@ -19,5 +21,10 @@ class OwnSystem(Theorem):
 
     @classmethod
     def parameters(cls, given: dict[str, Any]) -> Model:
-        """Return the system."""
-        return model(given)
+        """Return the system; those of certificates about one system are one object."""
+        text = repr(given)  # strings, and a number: nothing else
+        if text not in _KNOWN:
+            if len(_KNOWN) == _MOST:
+                _KNOWN.clear()
+            _KNOWN[text] = model(given)
+        return _KNOWN[text]

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 Monomial = tuple[str, ...]  # its variables, sorted, each as often as its power
+DIVISIONS = 100
 
 
 class Polynomial:
@@ -93,6 +94,32 @@ class Polynomial:
             others = tuple(z for z in monomial if z != name)
             found[monomial.count(name)] += Polynomial({others: c})
         return found
+
+    def divided(self, other: Polynomial) -> Polynomial | None:
+        """Return q with self = q other; None if it is not found by so many divisions of terms.
+
+        The greatest monomial, by powers of the variables in order, of a product is the product of
+        the greatest ones.
+        """
+        names, rest, found = sorted(self.variables | other.variables), self, ZERO
+
+        def powers(monomial: Monomial) -> list[int]:
+            return [monomial.count(name) for name in names]
+
+        if not other.terms:
+            return None
+        lead = max(other.terms, key=powers)
+        for _ in range(DIVISIONS):
+            if not rest.terms:
+                return found
+            most = max(rest.terms, key=powers)
+            left = Counter(most)
+            left.subtract(lead)
+            if min(left.values(), default=0) < 0:
+                return None
+            term = {tuple(sorted(left.elements())): rest.terms[most] / other.terms[lead]}
+            found, rest = found + Polynomial(term), rest - Polynomial(term) * other
+        return None
 
     def without(self, names: Iterable[str]) -> Polynomial:
         """Return the terms in which none of these variables occurs."""

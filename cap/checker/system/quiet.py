@@ -248,12 +248,21 @@ def zeros_after(h: Watched, event: Guard) -> int:
 
 def _vanishes(h: Polynomial, event: Guard) -> bool:
     """Return whether D^k h(R/D) is a constant times D^k g; no, if that is more than `WORK`."""
+    found = after_event(h, event)
+    if found is None:
+        return False
+    total, power = found
+    return not total.terms or _factor(total, event.value * power) is not None
+
+
+def after_event(h: Polynomial, event: Guard) -> tuple[Polynomial, Polynomial] | None:
+    """Return D^k h(R/D), and D^k, just after an event; None if that is more than `WORK`."""
     jumps = {m: [z for z in m if z in event.reset] for m in h.terms}
     most = max(map(len, jumps.values()), default=0)
     degree = 0 if event.divisor == ONE else most
     sizes = [len(event.divisor.terms), *(len(q.terms) for q in event.reset.values())]
     if len(h.terms) * max(sizes) ** most > WORK:
-        return False
+        return None
     total, power = ZERO, _power(event.divisor, degree)
     for monomial, c in h.terms.items():
         term = Polynomial({tuple(z for z in monomial if z not in event.reset): c})
@@ -261,7 +270,7 @@ def _vanishes(h: Polynomial, event: Guard) -> bool:
             term = term * event.reset[z]
         left = degree - len(jumps[monomial])
         total += term * _power(event.divisor, left) if degree else term
-    return not total.terms or _factor(total, event.value * power) is not None
+    return total, power
 
 
 def _power(q: Polynomial, n: int) -> Polynomial:

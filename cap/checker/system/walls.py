@@ -29,13 +29,8 @@ class Parameters(NamedTuple):
 
 
 Shapes = dict[str, Any]
-WITH_LOSSES: Shapes = dict.fromkeys(Parameters._fields, number)
 WITHOUT_LOSSES: Shapes = dict.fromkeys(Parameters._fields[:5], number)  # then e = 1, mu = 0
 FOR_ALL_F: Shapes = dict.fromkeys(("F", "omega", "l", "r"), number)
-SYSTEM = (
-    "x'' = F cos(omega t) - f sgn x' - mu x' with F = {F}, omega = {omega}, f = {f}, mu = {mu} and "
-    "walls at l = {l} and r = {r}, where v becomes -e v with e = {e}: "
-)
 
 
 class BetweenWalls(Theorem):

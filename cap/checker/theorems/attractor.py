@@ -68,7 +68,8 @@ from cap.checker.maps.fixed_point import STATE, ends
 from cap.checker.release.cited import ENTROPY
 from cap.checker.release.kneading import doubling, order, tent
 from cap.checker.release.releases import next_release
-from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
+from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
+from cap.checker.system.walls import BetweenWalls
 
 _ORDER = 4  # of the jets over cells and over the box
 _HORIZON = 17  # periods
@@ -163,7 +164,7 @@ class Attractor(BetweenWalls):
         """Return G over a set of places, as a jet in x."""
         M = self.phi(windows).mechanics([x], [x.midpoint()], order)
         first, *later = M.minima[1]
-        start = M.flight(1, first, M.x, M.constant(x.integer(0)), later, at_rest=True)
+        start = M.flight(1, first, M.variables[0], M.constant(x.integer(0)), later, at_rest=True)
         place, taken = next_release(M, self.phi(windows), start)
         need(taken == self.claims["half_periods"], "the release map takes another time")
         return place

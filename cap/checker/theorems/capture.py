@@ -18,7 +18,8 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word, bound, enclosure
 from cap.checker.kernel.theorem import BITS
 from cap.checker.maps.fixed_point import STATE, WINDOWS, ends
-from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
+from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
+from cap.checker.system.walls import BetweenWalls
 
 _ORDER = 3  # of the jets over the box
 _HORIZON = 16  # periods

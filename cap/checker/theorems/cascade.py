@@ -42,7 +42,8 @@ from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word,
 from cap.checker.kernel.theorem import BITS
 from cap.checker.maps.fixed_point import ends
 from cap.checker.release.sheared import Passage, Sheared
-from cap.checker.system.walls import WITH_LOSSES, BetweenWalls
+from cap.checker.system.lossy import WITH_LOSSES
+from cap.checker.system.walls import BetweenWalls
 
 _MAX_EVENTS, _MAX_DOUBLINGS, _MAX_PERIOD, _MAX_POINTS = 16, 8, 12, 512
 _MAX_BITS, _MAX_WORK = 1024, 3 << 20

@@ -52,7 +52,8 @@ from cap.checker.strips.ceiling import Flights, closed, descends, returns_in_tim
 from cap.checker.strips.columns import Column, columns, lines
 from cap.checker.strips.overlap import gaps, left
 from cap.checker.strips.strips import Ceiling, World
-from cap.checker.system.walls import SYSTEM, BetweenWalls
+from cap.checker.system.lossy import SYSTEM
+from cap.checker.system.walls import BetweenWalls
 
 _CEILING = {"height": number, "phase": number, "level": number}
 

@@ -23,7 +23,9 @@ is released at a time in I, or whole periods later, has these contacts for ever.
    *If lambda < 1*, some G^m contracts I: G has exactly one fixed point in I, and all orbits tend to
    it.  It lies in [p, q] if G(p) > p and G(q) < q.
    *If lambda >= 1*, G^m has the Lipschitz constant C lambda^m, so the entropy of G on I is at most
-   (log C)/m + log lambda [Katok, Hasselblatt], for all m: at most log lambda.
+   (log C)/m + log lambda [Katok, Hasselblatt], for all m: at most log lambda.  Directly: orbits of
+   two times that are at most r/(C lambda^n) apart stay within r of each other up to G^n, so about
+   |I| C lambda^n/r of them span all orbits of this length up to r.
 4. *Growth.*  A cell J covers a cell K, if K lies between the images of its ends.  A is the matrix
    of the coverings; if A v >= s v for an integer vector v >= 0 that is not 0, its spectral radius
    is at least s (Lemma 4 of ``coverings.graph``), and the entropy is at least log s.
@@ -46,20 +48,13 @@ from typing import Any, ClassVar, NamedTuple
 
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Field,
-    Integer,
-    Many,
-    Maybe,
-    Table,
-    Whole,
-    enclosure,
-    region,
-)
+from cap.checker.kernel.shapes import Field, Many, Table, Whole, enclosure, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.given import printed, told
 from cap.checker.system.own import OwnSystem

@@ -26,19 +26,10 @@ from typing import Any, ClassVar, NamedTuple
 from cap.checker.kernel.decimals import decimal
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Field,
-    Many,
-    Maybe,
-    Table,
-    Whole,
-    Word,
-    bound,
-    enclosure,
-    region,
-)
+from cap.checker.kernel.shapes import Field, Many, Table, Whole, Word, bound, enclosure, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.capture import Known, Modes, Near, Numbers, Wall
 from cap.checker.system.chatter import Entry, States, chatter, first_hit, next_hit
@@ -52,7 +43,7 @@ BOUNCES = 64
 WORK = 100_000  # pieces of flights
 PIECES, TREE, HITS, DEPTH = 2000, 8000, 16, 40
 PIECE = {
-    "hits": Many([number, number], 0, HITS),
+    "hits": Many(enclosure, 0, HITS),
     "until": Many(number, 1, BOUNCES),
     "height": number,
     "speed": number,
@@ -120,7 +111,7 @@ class ContactCapture(OwnSystem):
         accumulated = claims["accumulation_time"]
         times = [claims["start"], accumulated.lower, accumulated.upper, *hints["cuts"]]
         for piece in hints["pieces"]:
-            times += [*piece["until"], *(t for window in piece["hits"] for t in window)]
+            times += [*piece["until"], *(t for window in piece["hits"] for t in window[:2])]
         need(len(hints["tree"]) <= TREE, f"hints.tree is longer than {TREE} letters")
         times += [claims[key] for key in ("rests_until", "released_by") if key in claims]
         need(all(abs(t) <= LONG for t in times), f"a time is larger than {LONG}")
@@ -211,17 +202,17 @@ class ContactCapture(OwnSystem):
         need(others.keys() == {*wall.others}, "the others of a piece are not the other variables")
         inside = States(self.number(piece["height"]), self.number(piece["speed"]))
         near = Near(wall, self.hints["bits"], inside, others)
-        state, count = self.state(box), len(piece["hits"])
+        state, windows = self.state(box), [window[:2] for window in piece["hits"]]
+        count = len(windows)
         begin: Known = state
         times = start, start
         if count:
             need(claims["mode"] == wall.modes.falling, "hits are followed from the falling mode")
             need(count <= max(1, claims["followed"]), "more hits are followed than claimed")
             e = claims["restitution"]
-            hit = first_hits(near, start, state, e, piece["hits"], self.left)
+            hit = first_hits(near, start, state, e, windows, self.left)
             self.left -= hit.pieces
-            a, b = piece["hits"][-1]
-            begin, times = hit.others, (a, b)
+            begin, times = hit.others, windows[-1]
         first, last = times[0], max(until[-1], self.last())
         need(first < until[0], "hits accumulate before they begin")
         need(all(a < b for a, b in pairwise(until)), "the times of a piece are not in order")

@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from cap.checker.kernel.citation import MOSER, cite
+from cap.checker.kernel.citation import cite
+from cap.checker.kernel.classics import MOSER
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table

@@ -29,9 +29,9 @@ from cap.checker.coverings.entropy import (
     Coverings,
 )
 from cap.checker.coverings.timed import confirm_timed
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.decimals import decimal
-from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.named import name
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need

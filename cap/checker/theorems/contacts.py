@@ -27,21 +27,13 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, Citation, cite
+from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Field,
-    Integer,
-    Many,
-    Maybe,
-    Quantity,
-    Table,
-    Whole,
-    Word,
-    region,
-)
+from cap.checker.kernel.shapes import Field, Many, Quantity, Table, Whole, Word, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system import ellipsoid
 from cap.checker.system.conserved import product_of_two
@@ -243,10 +235,12 @@ class Contacts(OwnSystem):
         k: int,
         cuts: Cuts,
         windows: Mapping[str, Interval] | None = None,
+        lost: int | None = None,
     ) -> None:
         """Prove that nothing else happens between a contact and the next one.
 
-        In the window of a guard nothing is proved of it.
+        In the window of a guard nothing is proved of it.  Where a contact is lost, L h <= 0 before
+        it and L h >= 0 after it are given.
         """
         mode, zeros = self.orbit.flown(k), self.orbit.zeros(k)
         guards = watched(self.p, mode)
@@ -256,13 +250,25 @@ class Contacts(OwnSystem):
         after = dict(zip(self.p.state, step.after, strict=True))
         flights = Leg(self.p, mode, start, after)
         for key, h in guards.items():
-            ends = zeros[key], int(key == self.orbit.following(k).guard)
+            ends = self.zeros(k, key, zeros[key], lost)
             if key in cuts:
                 stays_positive(flights, h, end, cuts[key], ends, (windows or {}).get(key))
             else:
                 others = tuple(guards[other] for other in cuts)
                 need(falls(h, others), f"leg {k + 1}: no cuts, and no Lemma M, for {key}")
                 ends_positive(flights, h, end, ends)
+
+    def zeros(self, k: int, key: str, first: int, lost: int | None) -> tuple[int, int]:
+        """Return how many of h, L h of a guard vanish at the ends of a leg.
+
+        Where L h has its sign by another reason it counts as if it were zero.
+        """
+        last = int(key == self.orbit.following(k).guard)
+        if lost is None:
+            return first, last
+        is_begin = k == lost and key == self.orbit.contacts[k].guard
+        is_end = last and (k + 1) % len(self.orbit.contacts) == lost
+        return 2 if is_begin else first, 2 if is_end else last
 
     def words(self) -> str:
         """Return the theorem in one line."""

@@ -36,6 +36,11 @@ are their squares.
    of a short cell.  The common point is an orbit: m > 0 there, and so between it and the graze.  So
    all zeros of F from it on are orbits, until at that s the flight touches h = 0 at one time, where
    L h = 0 < L^2 h; beyond it h < 0 in the leg, and they are none.
+6. *Contacts that are lost.*  One more cell, as before.  On it the speed u = L h before a contact
+   is monotone, and where u <= 0 nothing else happens (``lost_contact``).  u vanishes for one s,
+   between the ends of a short cell.  At the common point u < 0, and so between it and that s.  So
+   all zeros of F from it on are orbits, until at that s the contact does nothing, and h touches
+   zero there: L h = 0 < L^2 h; beyond it h rises through zero at the contact, and they are none.
 """
 
 from __future__ import annotations
@@ -47,27 +52,20 @@ from math import ceil, floor
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import NEUMAIER, cite
+from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.named import Named, name
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Enclosure,
-    Field,
-    Integer,
-    Many,
-    Maybe,
-    Quantity,
-    Table,
-    Whole,
-    Word,
-)
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, Whole, Word
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.contacts import Equations, Round
 from cap.checker.system.curve import Cell, Curve, Line
 from cap.checker.system.given import GUARDS, MODES, STATES, told
 from cap.checker.system.graze import drift, inside, sign, turns, window
 from cap.checker.system.legs import Leg
+from cap.checker.system.lost_contact import LostContact
 from cap.checker.system.passage import Contact, Step
 from cap.checker.system.quiet import watched
 from cap.checker.system.stability import outside
@@ -106,6 +104,14 @@ _GRAZE = {
     "at": Quantity(),
     "time": Quantity(),
 }
+_LOST = {
+    "cell": Whole(0, CELLS),
+    "piece": _POINT["short"],
+    "contact": Whole(1, CONTACTS),
+    "short": _POINT["short"],
+    "at": Quantity(),
+    "time": Quantity(),
+}
 
 
 class ContactsBranch(Contacts):
@@ -125,6 +131,10 @@ class ContactsBranch(Contacts):
               "of each graze: the preconditioner of its piece, the cuts on it, two of which are "
               "the ends of the window, the preconditioner of its short cell, and between what "
               "times the guard is least on this"),
+        Field("lost", Maybe(Many({"piece": _MATRIX, "cuts": _LEGS, "short": _MATRIX}, 1, GRAZES)),
+              "", "",
+              "of each contact that is lost: the preconditioner of its piece, the cuts on it, and "
+              "the preconditioner of its short cell"),
     )
     CLAIMS: ClassVar[Table] = (
         Field("contacts", Many({"mode": name, "guard": name, "to": name}, 1, CONTACTS), "", "",
@@ -148,6 +158,10 @@ class ContactsBranch(Contacts):
               "pieces that go on from the cell of this number to where the leg after a contact, "
               "counted from 1, touches the zero of a guard, in a window of times; a short part of "
               "the piece, the parameter and the time of the touch"),
+        Field("lost", Maybe(Many(_LOST, 1, GRAZES)), "", "",
+              "pieces that go on from the cell of this number to where the speed at a contact, "
+              "counted from 1, goes to 0: the guard touches zero, and the contact does nothing; a "
+              "short part of the piece, the parameter and the time of that contact"),
     )
     CITES = (
         cite("Krawczyk", NEUMAIER,
@@ -172,12 +186,15 @@ class ContactsBranch(Contacts):
         need(len(hints["points"]) == points, f"hints.points is not a list of {points}")
         size = len(claims["cells"][0]["centre"])
         need(len(hints["grazes"]) == len(claims["grazes"]), "hints.grazes are not those of claims")
-        shown = [*hints["cuts"], *(graze["cuts"] for graze in hints["grazes"])]
+        lost = len(claims.get("lost", ()))
+        need(len(hints.get("lost", ())) == lost, "hints.lost are not those of claims")
+        ends = *hints["grazes"], *hints.get("lost", ())
+        shown = [*hints["cuts"], *(end["cuts"] for end in ends)]
         need(all(len(legs) == count for legs in shown), "a cell has not a leg a contact")
         pieces = sum(len(at) + 1 for legs in shown for leg in legs for at in leg.values())
         work = hints["bits"] * (size // count + 3) * pieces
         need(work <= WORK, "bits x variables x pieces of legs are more than 2^24")
-        entries = (cells + points + 2 * len(claims["grazes"])) * size**2 * count
+        entries = (cells + points + 2 * len(ends)) * size**2 * count
         need(entries <= EQUATIONS, "cells x unknowns^2 x contacts are more than 2^24")
 
     def prove(self) -> None:
@@ -200,7 +217,7 @@ class ContactsBranch(Contacts):
         self.step("on each leg all guards of its mode are positive between the contacts")
         self.counted(e)
         self.fine = Curve(Equations(self.orbit, self.hints["fine"]))
-        self.reaches(self.points(), self.grazes())
+        self.reaches(self.points(), [*self.grazes(), *self.lost()])
 
     def symmetry(self) -> Symmetry | None:
         """Return the symmetry that is claimed; it leaves the parameter as it is."""
@@ -211,12 +228,12 @@ class ContactsBranch(Contacts):
         need(given["signs"][-1] == 1, "the symmetry changes the parameter")
         return Symmetry(given["signs"], given["modes"])
 
-    def reaches(self, short: list[Cell], grazes: list[tuple[Cell, Fraction]]) -> None:
+    def reaches(self, short: list[Cell], beyond: list[tuple[Cell, Fraction]]) -> None:
         """Prove that the parameter takes all values of the range: there are ends beyond it."""
         low, high = self.claims["range"]
         need(low < high, "claims.range is not in order")
         every = [(cell, s) for cell in (*self.cells, *short) for s in cell.line.ends]
-        ends = [(cell.line, s, cell.at(s)[-1]) for cell, s in (*every, *grazes)]
+        ends = [(cell.line, s, cell.at(s)[-1]) for cell, s in (*every, *beyond)]
         last = self.curve.size
         least = any(s <= low if c.along == last else p.upper <= low for c, s, p in ends)
         most = any(s >= high if c.along == last else p.lower >= high for c, s, p in ends)
@@ -277,10 +294,7 @@ class ContactsBranch(Contacts):
         found = list[tuple[Cell, Fraction]]()
         for k, graze in enumerate(self.claims["grazes"]):
             hints, where = self.hints["grazes"][k], f"graze {k}"
-            need(graze["cell"] < len(self.cells), f"{where} is on no cell")
-            piece = self.curve.cell(_line(graze["piece"]), hints["piece"])
-            joined = self.cells[graze["cell"]].meets(piece)
-            need(joined, f"the piece of {where} is not certain to be one curve with its cell")
+            piece = self.piece(where, graze, hints)
             self.approaches(graze, hints["cuts"], piece)
             short = self.fine.cell(_line(graze["short"]), hints["short"])
             need(self.lies(short, piece), f"{where} is not certain to be on its piece")
@@ -290,6 +304,14 @@ class ContactsBranch(Contacts):
             "at each graze the guard touches zero, and on one side of it nothing else happens"
         )
         return found
+
+    def piece(self, where: str, end: dict[str, Any], hints: dict[str, Any]) -> Cell:
+        """Prove that a piece goes on from one of the cells."""
+        need(end["cell"] < len(self.cells), f"{where} is on no cell")
+        piece = self.curve.cell(_line(end["piece"]), hints["piece"])
+        joined = self.cells[end["cell"]].meets(piece)
+        need(joined, f"the piece of {where} is not certain to be one curve with its cell")
+        return piece
 
     def approaches(self, graze: dict[str, Any], cuts: Any, piece: Cell) -> None:
         """Prove that on a piece one guard alone may vanish, whose least value is monotone."""
@@ -321,6 +343,34 @@ class ContactsBranch(Contacts):
             signs.append(sign(self.flights(fine, fine.expanded(w), fine.steps(w)[j], j), h, narrow))
         need(sorted(signs) == [-1, 1], f"graze {k}: the guard is not certain to touch zero")
         return short.line.ends[signs.index(1)]
+
+    def lost(self) -> list[tuple[Cell, Fraction]]:
+        """Prove where contacts are lost; return the short cells, and their ends that are orbits."""
+        found = list[tuple[Cell, Fraction]]()
+        for k, end in enumerate(self.claims.get("lost", ())):
+            hints, where, j = self.hints["lost"][k], f"lost {k}", end["contact"] - 1
+            need(j < len(self.orbit.contacts), "there is no such contact to be lost")
+            piece, contact = self.piece(where, end, hints), LostContact(self.curve, j)
+            steps, zeros = self.curve.steps(piece.box), self.curve.expanded(piece.box)
+            contact.confirm(piece.box)
+            for i, cuts in enumerate(hints["cuts"]):
+                self.leg(zeros, steps[i], i, cuts, lost=j)
+            change = contact.change(piece.box, self.curve.rates(steps, piece.line.along))
+            need(not change.contains_zero(), f"{where}: the speed may not be monotone")
+            short = self.fine.cell(_line(end["short"]), hints["short"])
+            need(self.lies(short, piece), f"{where} is not certain to be on its piece")
+            fine = LostContact(self.fine, j)
+            self.compare(f"lost[{k}].at", end["at"], short.box[-1])
+            self.compare(f"lost[{k}].time", end["time"], fine.time(short.box))
+            speeds = [fine.speed(short.at(s)) for s in short.line.ends]
+            falls = [(-u).is_positive() for u in speeds]
+            changes = sum(falls) == 1 and sum(u.is_positive() for u in speeds) == 1
+            need(changes, f"{where}: the speed is not certain to change its sign")
+            found.append((short, short.line.ends[falls.index(True)]))
+        if found:
+            self.step("at each contact that is lost the speed goes to 0, and until there nothing "
+                      "else happens")  # fmt: skip
+        return found
 
     def flights(self, curve: Curve, zeros: list[Interval], step: Step, j: int) -> Leg:
         """Return the flights of a leg."""
@@ -371,6 +421,7 @@ class ContactsBranch(Contacts):
             f"there is for each value of one unknown no other {self.orbits()[:-1]} with these "
             f"contacts{self.squares()}{''.join(self.counts())}"
             f"{''.join(self.told_points())}{''.join(self.told_grazes())}"
+            f"{''.join(self.told_lost())}"
         )
 
     def orbits(self) -> str:
@@ -452,6 +503,21 @@ class ContactsBranch(Contacts):
                 f"first derivative along the flight 0 and its second positive, and no guard "
                 f"vanishes elsewhere but at the contacts; until there it is one of such orbits, "
                 f"just beyond it the guard is negative in between"
+            )
+
+    def told_lost(self) -> Iterator[str]:
+        """Give where contacts are lost."""
+        p = self.p.state[-1]
+        for end in self.claims.get("lost", ()):
+            contact = self.claims["contacts"][end["contact"] - 1]
+            yield (
+                f"; from piece {end['cell']} on the curve goes on, by one more piece, to exactly "
+                f"one zero of its equations on it at which the speed of contact {end['contact']} "
+                f"is 0, with {p} in {end['at']}: there, at t in {end['time']}, "
+                f"'{contact['guard']}' of '{contact['mode']}' touches 0, its first derivative "
+                f"along the flight 0 and its second positive, the contact leaves the state as it "
+                f"is, and no guard vanishes elsewhere but at the contacts; until there it is one "
+                f"of such orbits, just beyond it the guard would rise through 0 at this contact"
             )
 
 

@@ -34,7 +34,8 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
 from cap.checker.kernel.shapes import Field, Many, Quantity, Word, bound
 from cap.checker.kernel.theorem import BITS
-from cap.checker.system.walls import SYSTEM, BetweenWalls
+from cap.checker.system.lossy import SYSTEM
+from cap.checker.system.walls import BetweenWalls
 from cap.checker.tori.centre import HINTS as CENTRE
 from cap.checker.tori.centre import fixed_point
 from cap.checker.tori.half_period import Motion

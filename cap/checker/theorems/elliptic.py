@@ -14,12 +14,14 @@ from fractions import Fraction
 from typing import Any
 
 from cap.checker.flow.itinerary import Passage
-from cap.checker.kernel.citation import MOSER, cite
+from cap.checker.kernel.citation import cite
+from cap.checker.kernel.classics import MOSER
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
+from cap.checker.kernel.optional import First, Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Field, First, Maybe, Quantity, Word, bound
+from cap.checker.kernel.shapes import Field, Quantity, Word, bound
 from cap.checker.maps.fixed_point import Point
 from cap.checker.maps.non_sticking import KRAWCZYK, NonSticking
 from cap.checker.maps.normal_form import (

@@ -57,7 +57,8 @@ from cap.checker.kernel.theorem import BITS, MAX_BITS
 from cap.checker.maps.fixed_point import ends
 from cap.checker.release.halts import HALTS
 from cap.checker.release.strip import Strip, pieces_ends
-from cap.checker.system.walls import WITH_LOSSES, BetweenWalls
+from cap.checker.system.lossy import WITH_LOSSES
+from cap.checker.system.walls import BetweenWalls
 
 _MAX_STRIPS, _MAX_PIECES, _MAX_CELLS, _MAX_SYMBOLS, _MAX_EVENTS = 256, 64, 256, 64, 32
 _MAX_PERIOD = 16

@@ -24,7 +24,8 @@ from cap.checker.coverings.entropy import (
     Coverings,
 )
 from cap.checker.coverings.half_period import HalfPeriod
-from cap.checker.system.walls import SYSTEM, BetweenWalls
+from cap.checker.system.lossy import SYSTEM
+from cap.checker.system.walls import BetweenWalls
 
 
 class Horseshoe(Coverings, BetweenWalls):

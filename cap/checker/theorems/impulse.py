@@ -32,11 +32,12 @@ again.  As H >= -h/pi, v > 0 if R > h F/omega^2: this velocity, of period T, nev
 
 from __future__ import annotations
 
-from cap.checker.kernel.elementary import arccos
+from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS
-from cap.checker.system.walls import SYSTEM, WITH_LOSSES, BetweenWalls
+from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
+from cap.checker.system.walls import BetweenWalls
 
 
 class Impulse(BetweenWalls):

@@ -54,8 +54,9 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from cap.checker.flow.launches import Gap, Phase, Window, empty, phase
+from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.choices import OrNone
-from cap.checker.kernel.elementary import arccos, cos_sin
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.letters import Letters
 from cap.checker.kernel.reading import number

@@ -30,25 +30,18 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
-from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.fourier import Circle, Function
 from cap.checker.kernel.interval import Interval
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import (
-    Field,
-    Many,
-    Maybe,
-    Quantity,
-    Whole,
-    Word,
-    bound,
-    enclosure,
-)
+from cap.checker.kernel.shapes import Field, Many, Quantity, Whole, Word, bound, enclosure
 from cap.checker.kernel.theorem import Certificate
-from cap.checker.system.walls import SYSTEM, BetweenWalls
+from cap.checker.system.lossy import SYSTEM
+from cap.checker.system.walls import BetweenWalls
 from cap.checker.tori import between, rotation, told
 from cap.checker.tori.centre import HINTS as CENTRE
 from cap.checker.tori.centre import fixed_point

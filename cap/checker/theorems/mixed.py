@@ -59,15 +59,18 @@ from cap.checker.folded.stops import EARLY, LATE, all_stops
 from cap.checker.folded.tree import LETTERS, followed, nodes
 from cap.checker.folded.units import Units, below
 from cap.checker.kernel.citation import Citation
+from cap.checker.kernel.later import Later
 from cap.checker.kernel.letters import Letters
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.processes import Work
 from cap.checker.kernel.reading import MAX_SIZE, text
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.rounding import in_doubles
-from cap.checker.kernel.shapes import Field, Later, Maybe, Whole, enclosure, region
+from cap.checker.kernel.shapes import Field, Whole, enclosure, region
 from cap.checker.kernel.theorem import BITS, Certificate
 from cap.checker.release.cited import ENTROPY
-from cap.checker.system.walls import SYSTEM, BetweenWalls, Parameters
+from cap.checker.system.lossy import SYSTEM
+from cap.checker.system.walls import BetweenWalls, Parameters
 
 MOST_FLIGHTS = 1 << 25
 _MOST_SIZE = MAX_SIZE**3  # of speeds, products of parameters

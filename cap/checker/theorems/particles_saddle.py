@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.kernel.citation import HADAMARD_PERRON, cite
-from cap.checker.kernel.elementary import arccos
+from cap.checker.kernel.arctangent import arccos
+from cap.checker.kernel.citation import cite
+from cap.checker.kernel.classics import HADAMARD_PERRON
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.particles.periodic_orbit import KRAWCZYK, Located, PeriodicOrbit

@@ -46,9 +46,10 @@ from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
 from cap.checker.kernel.choices import OneOrOther
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, lift
+from cap.checker.kernel.optional import Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import Rejected, need
-from cap.checker.kernel.shapes import Enclosure, Field, Many, Maybe, Quantity, Table, Whole, Word
+from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, Whole, Word
 from cap.checker.maps.fixed_point import (
     KRAWCZYK_ORDER,
     WINDOWS,
@@ -58,7 +59,7 @@ from cap.checker.maps.fixed_point import (
     ends,
     krawczyk_theorem,
 )
-from cap.checker.system.walls import SYSTEM, WITH_LOSSES
+from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
 
 MAX_PERIODS = 16
 SINKS = ("superstable", "sink focus", "sink node")

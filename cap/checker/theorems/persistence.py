@@ -28,8 +28,8 @@ from fractions import Fraction
 from itertools import pairwise, product
 from typing import Any
 
-from cap.checker.flow.events import LossyMap, determinant
-from cap.checker.flow.itinerary import CELL_WORK, MAX_WORK, Passage
+from cap.checker.flow.events import CELL_WORK, LossyMap, determinant
+from cap.checker.flow.itinerary import MAX_WORK, Passage
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need

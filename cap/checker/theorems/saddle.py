@@ -10,7 +10,8 @@ from __future__ import annotations
 from typing import ClassVar
 
 from cap.checker.flow.itinerary import Passage
-from cap.checker.kernel.citation import HADAMARD_PERRON, Citation, cite
+from cap.checker.kernel.citation import Citation, cite
+from cap.checker.kernel.classics import HADAMARD_PERRON
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.maps.fixed_point import Point

@@ -25,7 +25,7 @@ from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
 from cap.checker.kernel.theorem import BITS
-from cap.checker.system.walls import SYSTEM, WITH_LOSSES
+from cap.checker.system.lossy import SYSTEM, WITH_LOSSES
 
 
 class Segment(Free):

@@ -32,7 +32,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from cap.checker.kernel.elementary import arccos, pi
+from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.fourier import Function
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need

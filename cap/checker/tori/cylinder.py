@@ -23,8 +23,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, ClassVar
 
+from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.citation import cite
-from cap.checker.kernel.elementary import pi
 from cap.checker.kernel.fourier import Circle
 from cap.checker.kernel.reading import number, text
 from cap.checker.kernel.rejection import need

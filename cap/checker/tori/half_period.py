@@ -35,7 +35,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from cap.checker.kernel.elementary import arccos, cos_sin, pi
+from cap.checker.kernel.arctangent import arccos, pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.fourier import Function, moved, root
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
-from cap.checker.kernel.elementary import cos_sin, pi
+from cap.checker.kernel.arctangent import pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.fourier import Function
 from cap.checker.kernel.interval import Interval
 

@@ -19,7 +19,7 @@ from cap.floats.coverings.contact import contact_map
 from cap.floats.coverings.polynomials import evaluated, terms
 from cap.floats.engine.compiled import announced
 from cap.system.planar import Map
-from cap.system.polynomial import COS, SIN, Polynomial, variable
+from cap.system.polynomial import COS, SIN
 from cap.system.section import Section
 
 Floats = NDArray[np.float64]
@@ -54,15 +54,10 @@ def formulas(given: Map) -> Planar:
     On a plane orbits are given up a little beyond those that stay for some steps.
     """
     far = math.pi if given.torus else FAR
-    x, y = given.state
-    cos, sin = variable(COS), variable(SIN)
-    rows = list[Polynomial]()
-    for q in given.image.values():
-        rows += [q.derivative(x) - q.derivative(COS) * sin + q.derivative(SIN) * cos]
-        rows += [q.derivative(y)]
+    rows = [entry for row in given.derivative for entry in row]
     numbers = [float(given.torus), far]
-    for q in (*given.image.values(), *rows):
-        numbers += terms(q, (x, y, COS, SIN))
+    for q in (*(given.image[z] for z in given.state), *rows):
+        numbers += terms(q, (*given.state, COS, SIN))
     size = math.pi if given.torus else 1.0
     g = Planar(FORMULAS, np.array(numbers), (-far, far, -far, far), size)
     return g if given.torus else _narrowed(g)

@@ -11,7 +11,7 @@ from cap.floats.masses.particle_orbits import Continued, NotFound, from_equal_ma
 from cap.floats.masses.particles import Particles, Path, Unresolved, follow
 from cap.floats.search.request import Candidate, Found, Request
 from cap.maps.fixed_point import Start
-from cap.particles.model import Guess
+from cap.particles.guess import Guess
 
 
 def particles(request: Request) -> Found:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -113,6 +114,18 @@ def search(system: System, periods: int, tell: Tell) -> Met:
             continue
     met.orbits.sort(key=lambda orbit: (not orbit.attracts, len(orbit.guess)))
     return met
+
+
+def followed(system: System, periods: int) -> Iterator[tuple[Itinerary, list[float]]]:
+    """Give orbits that close nearly, as they are followed: their contacts, times and states there.
+
+    They are not corrected: where orbits are a family Newton's iteration is singular.
+    """
+    engine = Engine(system)
+    seeds, modes = _seeds(engine)
+    for start, where in _starts(engine, seeds, modes, periods, Met()):
+        with suppress(BadInput, NotProved):
+            yield contacts(engine, start.tolist(), where, periods)
 
 
 def near(system: System, state: list[float], mode: str | None, periods: int) -> Closed:

@@ -16,10 +16,14 @@ from numba import njit
 
 Tuple = tuple[float, ...]
 Function = Callable[..., Any]
+Turn = tuple[float, float]
+Ends = tuple[float, float, bool]
+Lowest = tuple[float, float, Turn]
 ROUNDS, SHORTEST, CLOSE = 100, 1e-12, 2e-16
 C3, C4, C5, C6, C7, C8, C9, C10, C11, C12 = (1 / math.factorial(k) for k in range(3, 13))
 C13, C14 = C12 / 13, C12 / 13 / 14
 SOON, FLAT = 1e-6, 1e-14
+SHORT = 0.5  # of an angle: there cosines cancel
 EARLY, LATE = 0.75, 1.25  # of the time in which a parabola falls: where to look first
 
 
@@ -111,39 +115,51 @@ def _named(function: Function, along: Function) -> Function:
 
 
 @lru_cache
-def root_of(along: Function) -> Function:
-    """Return the function `root` for guards of one kind."""
+def root_of(along: Function, value: Function) -> Function:
+    """Return the function `root` for guards of one kind.
 
-    def root(a: Tuple, rates: Tuple, low: float, high: float, d: float) -> float:
-        """Return the zero in [low, high] before which h > 0, by parabolas; d is a guess."""
-        if not low < d < high:
-            d = low + (high - low) / 2
+    value(a, rates, d, turn) is h at d; ``turn`` is the cosine and the sine of the angle by which
+    the clock has turned, NaN where they are not known.
+    """
+
+    def root(a: Tuple, rates: Tuple, ends: Ends, d: float, turn: Turn) -> float:
+        """Return the zero in [low, high] before which h > 0, by parabolas; d is a guess.
+
+        ``ends`` are low, high, and whether it is known that h <= 0 at high, whose ``turn`` is
+        given; if not, there may be no zero, inf.
+        """
+        low, high, known = ends
+        inside = low < d < high
         for _ in range(ROUNDS):
+            if not inside:
+                if not known and value(a, rates, high, turn) > 0:
+                    return math.inf
+                known, d = True, low + (high - low) / 2
+                if high - low <= CLOSE * d:
+                    break
             h, h1, h2 = along(a, rates, d)
             if h > 0:
                 low = d
             else:
-                high = d
+                high, known = d, True
             q = h1 * h1 - 2 * h * h2
             step = 2 * h / (-h1 + math.sqrt(q)) if h1 < 0 and q > 0 else math.inf
-            last = abs(step) ** 3 <= 1e-15 * d or abs(step) <= CLOSE * d
-            if not low <= d + step <= high:
-                step = low + (high - low) / 2 - d
-                last = abs(step) <= CLOSE * d
-            d += step
-            if last:
-                break
+            inside = low <= d + step <= high
+            if inside:
+                d += step
+                if abs(step) ** 3 <= 1e-15 * d or abs(step) <= CLOSE * d:
+                    break
         return d
 
     return _named(root, along)
 
 
 @lru_cache
-def first_of(along: Function) -> Function:
+def first_of(along: Function, value: Function) -> Function:
     """Return the function `first` for guards of one kind."""
-    root = root_of(along)
+    root = root_of(along, value)
 
-    def first(a: Tuple, rates: Tuple, D: float) -> float:
+    def first(a: Tuple, rates: Tuple, D: float, turn: Turn) -> float:
         """Return the first time in [0, D] at which h comes to zero, inf if there is none.
 
         On each piece h > 0, or h' < 0, by Taylor's formula with a bound of h''' (Lemma B of
@@ -157,7 +173,7 @@ def first_of(along: Function) -> Function:
         fall = parabola(h, h1, h2)
         late = min(LATE * fall, D)
         if h2 + third * late < 0 and below(h, h1, h2, third, late):
-            return float(root(a, rates, 0.0, late, fall))  # concave there: one zero
+            return float(root(a, rates, (0.0, late, True), fall, turn))  # concave there: one zero
         t, step = 0.0, min(D, max(EARLY * fall, SHORTEST))
         while t < D:
             length, falls = min(step, D - t), False
@@ -168,12 +184,14 @@ def first_of(along: Function) -> Function:
                 length *= 0.5
             end = min(t + length, D)
             if falls and below(h, h1, h2, third, end - t):
-                return float(root(a, rates, t, end, t + parabola(h, h1, h2)))
+                return float(root(a, rates, (t, end, True), t + parabola(h, h1, h2), turn))
             if end >= D and not falls:
                 return math.inf
             n, n1, n2 = along(a, rates, end)
             if n <= 0 and (falls or n1 < 0):
-                return root(a, rates, t, end, t + parabola(h, h1, h2)) if falls else end
+                return (
+                    root(a, rates, (t, end, True), t + parabola(h, h1, h2), turn) if falls else end
+                )
             t, h, h1, h2, step = end, n, n1, n2, 2.5 * length
         return math.inf
 
@@ -181,43 +199,49 @@ def first_of(along: Function) -> Function:
 
 
 @lru_cache
-def decreasing_of(along: Function) -> Function:
+def decreasing_of(along: Function, value: Function) -> Function:
     """Return the function `decreasing` for guards of one kind (Lemma M of `cap.system.lemmas`)."""
-    root = root_of(along)
+    root = root_of(along, value)
 
-    def decreasing(a: Tuple, rates: Tuple, D: float) -> float:
+    def decreasing(a: Tuple, rates: Tuple, D: float, turn: Turn) -> float:
         """Return when h comes to zero in [0, D], if it decreases there; inf if it does not."""
         if a[0] <= 0 and (a[1] < 0 or (a[1] == 0 and a[2] < 0)):
             return 0.0
-        h, _, _ = along(a, rates, D)
-        return math.inf if h > 0 else root(a, rates, 0.0, D, parabola(a[0], a[1], a[2]))
+        return float(root(a, rates, (0.0, D, False), parabola(a[0], a[1], a[2]), turn))
 
     return _named(decreasing, along)
 
 
 @lru_cache
-def clocked_of(along: Function) -> Function:
+def clocked_of(along: Function, value: Function) -> Function:
     """Return the function `clocked` for guards of one kind (Lemma C of `cap.system.lemmas`)."""
-    root = root_of(along)
+    root = root_of(along, value)
 
-    def clocked(a: Tuple, rates: Tuple, D: float, least: float, period: float) -> float:
+    def clocked(a: Tuple, rates: Tuple, D: float, turn: Turn, lowest: Lowest) -> float:
         """Return when h comes to zero in [0, D], inf if it does not.
 
-        h is least at the time ``least`` > 0, and periods later; between them it rises, then falls,
-        or it falls, as after the last one.
+        h is least at the time ``lowest[0]`` > 0, and periods ``lowest[1]`` later, where the turn is
+        ``lowest[2]``; between them it rises, then falls, or it falls, as after the last one.
         """
         if a[0] <= 0 and (a[1] < 0 or (a[1] == 0 and a[2] < 0)):
             return 0.0
         low, fall = 0.0, parabola(a[0], a[1], a[2])
+        least, period, there = lowest
         while least < D:
-            h, _, _ = along(a, rates, least)
-            if h <= 0:
-                return float(root(a, rates, low, least, fall))
+            if value(a, rates, least, there) <= 0:
+                return float(root(a, rates, (low, least, True), fall, there))
             low, fall, least = least, math.inf, least + period
-        h, _, _ = along(a, rates, D)
-        return math.inf if h > 0 else float(root(a, rates, low, D, fall))
+        return float(root(a, rates, (low, D, False), fall, turn))
 
     return _named(clocked, along)
+
+
+@njit(error_model="numpy", nogil=True)
+def turned(y: float, turn: Turn) -> tuple[float, float]:
+    """Return R(i y), if the turn is the cosine of y and the sine, or is not known."""
+    if y < SHORT or not abs(turn[0]) <= 2:
+        return imaginary(0.0, y)
+    return turn[0] - 1 + y * y / 2, turn[1] - y
 
 
 @njit(error_model="numpy", nogil=True)

@@ -32,7 +32,7 @@ SIMULTANEOUS, NO_MODE, MANY = 1, 2, 4
 """Bits of flags: two events within `CLOSE`; no mode after an event; too many events in a period."""
 CLOSE, NEGATIVE, SOON = 1e-13, -1e-9, 1e-6
 SOLVERS = "first", "decreasing", "clocked"
-KINDS = {"I": "imaginary", "R": "real", "C": "remainder"}  # of rates z, and their R(z d)
+KINDS = {"T": "imaginary", "I": "imaginary", "R": "real", "C": "remainder"}  # R(z d) of rates
 HEAD = f'''"""Made from a model by `cap.floats.models.source`."""
 
 import math
@@ -40,7 +40,7 @@ import math
 from numba import njit
 
 from cap.floats.models.roots import captures, clocked_of, decreasing_of, first_of
-from cap.floats.models.roots import imaginary, real, remainder
+from cap.floats.models.roots import imaginary, real, remainder, turned
 
 TURN, CLOSE, NEGATIVE, SOON = 2 * math.pi, {CLOSE}, {NEGATIVE}, {SOON}
 SIMULTANEOUS, NO_MODE, MANY = {SIMULTANEOUS}, {NO_MODE}, {MANY}
@@ -112,17 +112,23 @@ class Source:
         guards = self.system.modes[name].guards
         E = exponential(self.system, name)
         self.exponentials.append(E)
-        self._along[kinds(E)] = along(kinds(E))
+        omega = float(number(self.system.omega))
+        letters = kinds(E, omega)
+        self._along[letters] = along(letters)
         rates = [self._number(part) for z in E.rates for part in (z.real, z.imag)]
         yield f"{'if' if k == 0 else 'elif'} m == {k}:  # {name}"
         yield f"    rates = ({', '.join(rates)},)"
-        found, places = lemmas(self.system, name), list(guards)
-        for word, lemma in found.items():  # a guard after those that it falls with
-            yield from self._next(E, name, word, places.index(word), lemma)
+        for word, lemma in lemmas(
+            self.system, name
+        ).items():  # a guard after those that it falls with
+            yield from self._next(E, letters, name, word, lemma)
         yield "    d = D"
-        for j in range(len(E.rates)):
+        for j, letter in enumerate(letters):
             x, y = rates[2 * j : 2 * j + 2]
-            yield f"    u{j}, v{j} = {KINDS[kinds(E)[j]]}({x} * d, {y} * d)"
+            moved = (
+                f"turned({y} * d, turn)" if letter == "T" else f"{KINDS[letter]}({x} * d, {y} * d)"
+            )
+            yield f"    u{j}, v{j} = {moved}"
         n = len(self.system.state)
         for i in range(n):
             yield f"    f{i} = y{i}" + self._moved(E, i)
@@ -130,40 +136,52 @@ class Source:
         yield "    if best < 0:"
         yield "        break"
         yield "    t += D"
-        omega = float(number(self.system.omega))
-        turning = next((j for j, z in enumerate(E.rates) if z == 1j * omega), None)
-        yield "    turned = w * D"  # the clock: from its angle at the begin of each period
-        cosine = "imaginary(0.0, turned)" if turning is None else f"u{turning}, v{turning}"
+        turning = letters.find("T")
+        yield "    angle = w * D"  # the clock: from its angle at the begin of each period
+        cosine = "imaginary(0.0, angle)" if turning < 0 else f"u{turning}, v{turning}"
         yield f"    p, q = {cosine}"
-        yield "    p, q = p + 1 - turned * turned / 2, q + turned"
+        yield "    p, q = p + 1 - angle * angle / 2, q + angle"
         yield "    c, s = c * p - s * q, s * p + c * q"
         for g, (word, guard) in enumerate(guards.items()):
             yield f"    {'if' if g == 0 else 'elif'} best == {g}:  # {word}"
             yield from (f"        {line}" for line in self._event(name, word, guard))
 
-    def _next(self, E: Exponential, mode: str, word: str, g: int, lemma: Lemma) -> Iterator[str]:
+    def _next(
+        self, E: Exponential, letters: str, mode: str, word: str, lemma: Lemma
+    ) -> Iterator[str]:
         """Yield the code that asks when a guard comes to zero, before D."""
-        least = least_angle(lemma)
-        solver, more = "decreasing" if isinstance(lemma, Falls) else "first", ""
-        if least is not None:
-            solver, more = "clocked", ", ahead / w, span"
-            yield f"    ahead = {self._number(least)} - begin - w * t"
-            yield f"    while ahead < (SOON if zeros & {3 << 3 * g} == {3 << 3 * g} else 0.0):"
-            yield "        ahead += TURN"
+        g = list(self.system.modes[mode].guards).index(word)
         row, curved = split(self.system, mode, word)
         rows, h = E.rows(row), self.system.guard(mode, word).value
+        fall, least = fall_angle(h), least_angle(lemma)
         for order in ORDERS:
             value = self._value(h, self._y) if curved else self._dot(rows[order], self._y)
             yield f"    a{order} = {value}"
             h = self.system.lie(mode, h)
             yield f"    if zeros & {1 << (3 * g + order)}:"
             yield f"        a{order} = 0.0"
-        parts = [self._dot(row, self._y) for row in rows[3:]]
-        yield f"    d = {solver}_{kinds(E)}((a0, a1, a2, {', '.join(parts)}), rates, D{more})"
+        if fall is not None:
+            yield f"    ahead = {self._number(fall)} - begin - w * t"
+            yield "    while ahead < -CLOSE:"
+            yield "        ahead += TURN"
+            yield "    now = a0 <= 0 and (a1 < 0 or (a1 == 0 and a2 < 0))"
+            yield "    d = 0.0 if now else max(ahead, 0.0) / w"
+        else:
+            solver, more = "decreasing" if isinstance(lemma, Falls) else "first", ""
+            if least is not None:
+                solver, more = "clocked", ", (ahead / w, span, (p, q))"
+                yield f"    ahead = {self._number(least)} - begin - w * t"
+                yield f"    while ahead < (SOON if zeros & {2 << 3 * g} else 0.0):"
+                yield "        ahead += TURN"
+                there = least if math.isfinite(least) else 0.0  # it is not looked at
+                cosine, sine = (self._number(f(there)) for f in (math.cos, math.sin))
+                yield f"    p, q = {cosine} * c + {sine} * s, {sine} * c - {cosine} * s"
+            parts = ", ".join(["a0, a1, a2", *(self._dot(row, self._y) for row in rows[3:])])
+            yield f"    d = {solver}_{letters}(({parts}), rates, D, turn{more})"
         yield "    if d <= D + CLOSE and best >= 0 and abs(d - D) <= CLOSE:"
         yield "        flags[o] |= SIMULTANEOUS"
         yield "    if d < D:"
-        yield f"        D, best = d, {g}"
+        yield f"        D, best, turn = d, {g}, (math.nan, math.nan)"
 
     def _moved(self, E: Exponential, i: int) -> str:
         """Return the source of what a flight adds to a variable."""
@@ -258,9 +276,9 @@ class Source:
             "    m, zeros = modes[o], 0",
             "    for period in range(periods):",
             "        t, begin = 0.0, (phase + period * TURN) % TURN",
-            "        c, s = math.cos(begin), math.sin(begin)",
+            "        c, s = p0, q0 = math.cos(begin), math.sin(begin)",
             "        for event in range(most):",
-            "            D, best = span - t, -1",
+            "            D, best, turn = span - t, -1, (p0 * c + q0 * s, q0 * c - p0 * s)",
             *(f"            {line}" for line in blocks),
             "        else:",
             "            flags[o] |= MANY",
@@ -294,17 +312,36 @@ def least_angle(lemma: Lemma) -> float | None:
     return float((mpmath.atan2(b, a) - mpmath.acos(-c / size)) % (2 * mpmath.pi))
 
 
-def kinds(E: Exponential) -> str:
-    """Return a letter for each rate: imaginary, real or complex."""
-    return "".join("R" if not z.imag else "C" if z.real else "I" for z in E.rates)
+def fall_angle(h: Polynomial) -> float | None:
+    """Return the angle of the clock at which a guard that is one of the clock alone falls to zero.
+
+    inf if it never does, None if it is no sum of cos and sin and a number.
+    """
+    a, b, c = h.derivative(COS), h.derivative(SIN), h.without(COS, SIN)
+    if h.variables - {COS, SIN} or not (a.is_number and b.is_number):
+        return None
+    a, b, c = map(number, (a, b, c))
+    size = mpmath.hypot(a, b)
+    if not size > abs(c):
+        return math.inf
+    return float((mpmath.atan2(b, a) + mpmath.acos(-c / size)) % (2 * mpmath.pi))
+
+
+def kinds(E: Exponential, omega: float) -> str:
+    """Return a letter for each rate: that of the clock, imaginary, real or complex."""
+    return "".join(
+        "T" if z == 1j * omega else "R" if not z.imag else "C" if z.real else "I" for z in E.rates
+    )
 
 
 def along(kinds: str) -> str:
-    """Return the source of h, h', h'' on flights with rates of these kinds."""
+    """Return the source of what `roots` needs of flights with rates of these kinds."""
     lines = ["h, h1, h2 = a[0] + d * (a[1] + d * a[2] / 2), a[1] + d * a[2], a[2]"]
+    value = ["h = a[0] + d * (a[1] + d * a[2] / 2)"]
     for j, kind in enumerate(kinds):
+        re, im = f"rates[{2 * j}]", f"rates[{2 * j + 1}]"
         lines += [
-            f"p, q, re, im = a[{3 + 2 * j}], a[{4 + 2 * j}], rates[{2 * j}], rates[{2 * j + 1}]",
+            f"p, q, re, im = a[{3 + 2 * j}], a[{4 + 2 * j}], {re}, {im}",
             "x, y = re * d, im * d",
             f"u, v = {KINDS[kind]}(x, y)",
             "h += p * u + q * v",
@@ -315,7 +352,14 @@ def along(kinds: str) -> str:
             "p, q = p * re + q * im, q * re - p * im",
             "h2 += p * u + q * v",
         ]
-    body = "".join(f"    {line}\n" for line in [*lines, "return h, h1, h2"])
-    head = f'\n\n@njit(error_model="numpy", nogil=True)\ndef along_{kinds}(a, rates, d):\n'
-    solvers = [f"{name}_{kinds} = {name}_of(along_{kinds})" for name in SOLVERS]
-    return "\n".join([head + body, "", *solvers, ""])
+        known = f"turned({im} * d, turn)" if kind == "T" else f"{KINDS[kind]}({re} * d, {im} * d)"
+        value += [f"u, v = {known}", f"h += a[{3 + 2 * j}] * u + a[{4 + 2 * j}] * v"]
+    both = _compiled(f"along_{kinds}(a, rates, d)", [*lines, "return h, h1, h2"])
+    both += _compiled(f"value_{kinds}(a, rates, d, turn)", [*value, "return h"])
+    solvers = [f"{name}_{kinds} = {name}_of(along_{kinds}, value_{kinds})" for name in SOLVERS]
+    return "\n".join([both, "", *solvers, ""])
+
+
+def _compiled(head: str, lines: Sequence[str]) -> str:
+    body = "".join(f"    {line}\n" for line in lines)
+    return f'\n\n@njit(error_model="numpy", nogil=True)\ndef {head}:\n{body}'

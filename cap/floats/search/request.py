@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from cap.errors import BadInput
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters
-from cap.particles.model import Guess
+from cap.particles.guess import Guess
 
 
 @dataclass(frozen=True)

@@ -42,6 +42,7 @@ DRAWINGS = {
     "contact_horseshoe": Drawing("horseshoes:contact_horseshoe", (7.2, 5.8)),
     "contacts": Drawing("contacts:contacts", (8.6, 5.0)),
     "contacts_branch": Drawing("curves:branch", (7.6, 6.2)),
+    "contacts_family": Drawing("contacts:family", (8.6, 5.0)),
     "converse": Drawing("islands:converse", (6.6, 5.6)),
     "effective_stability": Drawing("fixed_points:effective_stability", (7.0, 6.6)),
     "elliptic": Drawing("fixed_points:elliptic"),

@@ -5,21 +5,24 @@ flights of the certificate's own system, in floats.
 """
 
 import math
+from fractions import Fraction
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from cap.checker.kernel.decimals import decimal
 from cap.checker.system.model import COS, PI, SIN, Model
 from cap.checker.system.polynomial import Polynomial
 from cap.checker.theorems.contact_elliptic import ContactElliptic
 from cap.checker.theorems.contacts import Contacts
+from cap.checker.theorems.contacts_family import ContactsFamily
 from cap.floats.findings import Floats
 from cap.pictures.style import BLACK, CYCLE, GREY, RED
 from cap.pictures.theorems.parts import middle, number
 from cap.pictures.times import mark
 
-SHOWN, SAMPLES = 4, 400  # variables, and states of a flight
+SHOWN, SAMPLES, FAMILY = 4, 400, 7  # variables, states of a flight, orbits of a family
 MARKERS = "ov^sD<>hp"
 TERMS, HALVINGS = 20, 10  # of an exponential
 
@@ -68,6 +71,39 @@ def elliptic(theorem: ContactElliptic, figure: Figure) -> None:
         "An elliptic periodic orbit, with invariant curves around it  (the certificate is "
         f"VERIFIED)\nrotation number {number(claims['rotation_number'])}, twist "
         f"{number(claims['twist'])}",
+        fontsize=10,
+    )
+
+
+def family(theorem: ContactsFamily, figure: Figure) -> None:
+    """Draw some orbits of a family over the time, and in a plane."""
+    claims, p = theorem.claims, theorem.p
+    quarter = math.pi / (2 * float(p.omega))
+    begin = quarter * np.array(claims["quarters"])
+    end = np.append(begin[1:], begin[0] + 4 * quarter * claims["periods"])
+    shown, other = p.state[:SHOWN], min(1, len(p.state) - 1)
+    axes = figure.subplot_mosaic([[z, "plane"] for z in shown], width_ratios=[1.4, 1])
+    low, high = claims["range"]
+    values = np.linspace(float(low), float(high), FAMILY)
+    for c, colour in zip(values, CYCLE, strict=False):
+        states = np.array([[float(z.a + z.b * Fraction(c)) for z in q] for q in theorem.lines])
+        for k, contact in enumerate(claims["contacts"]):
+            t = np.linspace(begin[k], end[k], SAMPLES)
+            path = flight(p, contact["to"], t, states[(k + 1) % len(states)])
+            label = f"c = {c:.6g}" if not k else "_"
+            for i, z in enumerate(shown):
+                axes[z].plot(t, path[:, i], color=colour, lw=0.9, label=label)
+            axes["plane"].plot(path[:, 0], path[:, other], color=colour, lw=0.8)
+    for z in shown:
+        axes[z].set_ylabel(z)
+    axes[shown[-1]].set_xlabel("time $t$")
+    axes["plane"].set(xlabel=shown[0], ylabel=shown[other])
+    handles, labels = axes[shown[0]].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    figure.suptitle(
+        "Some orbits (floats) of a family, one for each c "
+        f"from {decimal(low)} to {decimal(high)} (proved)\n"
+        "(the certificate is VERIFIED)",
         fontsize=10,
     )
 

@@ -60,10 +60,12 @@ def branch(theorem: ContactsBranch, figure: Figure) -> None:
             )
             axes.plot(at, place, marker, ms=6.5, mfc=colour, mec=BLACK, mew=0.8, ls="none",
                       label=label, zorder=3)  # fmt: skip
-        for graze in claims["grazes"]:
-            label = f"graze at {name} = {number(graze['at'], 12)}"
-            place = float(graze["short"]["centre"][row])
-            axes.plot(middle(graze["at"]), place, "D", ms=5.5, mfc="white", mec=BLACK, mew=0.8,
+        grazes = [(graze, "graze") for graze in claims["grazes"]]
+        lost = [(end, f"contact {end['contact']} lost") for end in claims.get("lost", ())]
+        for end, what in (*grazes, *lost):
+            label = f"{what} at {name} = {number(end['at'], 12)}"
+            place = float(end["short"]["centre"][row])
+            axes.plot(middle(end["at"]), place, "D", ms=5.5, mfc="white", mec=BLACK, mew=0.8,
                       ls="none", label=label, zorder=3)  # fmt: skip
         axes.set_ylabel(words)
     panels[-1].set_xlabel(f"parameter {name}")

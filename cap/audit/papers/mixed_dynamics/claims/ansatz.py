@@ -16,19 +16,11 @@ from cap.sets.interval import Ball
 HALF = Equation(Fraction(1, 2), Fraction(2))  # f = 1/2 at the paper's F, ω, R
 
 
-def symmetric_orbits_exist() -> Words:
-    branches = stored("symmetric.json").claims["branches"]
-    need(all(b["genuine"] == "yes" for b in branches.values()), "a branch is no orbit")
-    types = {name: str(branch["type"]) for name, branch in branches.items()}
-    return {"types": ", ".join(types)}
-
-
 def bijection() -> Words:
     with precisely():
-        found = [HALF.bisected(root) for root in HALF.roots()]
+        found = HALF.both()
         alpha = interval.ball(HALF.alpha)
-        transverse = [theta for theta in found if abs(theta.cos()) > alpha]
-        need(len(found) == len(transverse) == 2, "there are not two transverse roots")
+        need(all(abs(theta.cos()) > alpha for theta in found), "a root is not transverse")
         arrivals = [-theta.sin() - alpha * (interval.pi() - theta) for theta in found]
         need(all(v < 0 for v in arrivals), "a root arrives moving right")
         words = " and ".join(between(theta, 6) for theta in found)
@@ -39,7 +31,7 @@ def bijection() -> Words:
 
 def zeros_on_the_first_piece() -> Words:
     with precisely():
-        theta = HALF.bisected(HALF.roots()[1])
+        _, theta = HALF.both()
         alpha = interval.ball(HALF.alpha)
         before = theta - Ball(1) / 10
         v = before.sin() + alpha * before - theta.sin() - alpha * theta
@@ -51,7 +43,7 @@ def zeros_on_the_first_piece() -> Words:
 
 def zeros_on_the_second_piece() -> None:
     with precisely():
-        theta0 = HALF.bisected(HALF.roots()[0])
+        theta0, _ = HALF.both()
         alpha, after = interval.ball(HALF.alpha), interval.ball(Fraction(1, 10))
         later = theta0 + after
         v = later.sin() - alpha * later - theta0.sin() + alpha * theta0

@@ -2,14 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means.balls import pair
 from cap.audit.means.need import need
-from cap.audit.means.stored import at_the_paper, stored
-from cap.audit.papers.mixed_dynamics.claims.saltation import (
-    LATER,
-    contraction_almost_everywhere,
-    stops_later,
-)
 from cap.audit.papers.mixed_dynamics.means import block
 from cap.audit.papers.mixed_dynamics.means.orbits import States
 from cap.audit.steps import Words
@@ -20,50 +13,6 @@ from cap.sets import interval
 HEIGHT = Fraction(8, 10**9)  # of the block around the saddle, half
 ARC = Fraction("-0.39"), Fraction("1.437170054123255357625761233795"), Fraction(2, 10**17)
 RETURNS = States("-0.73", "2.08", "0.001")  # turns in the first period, and not in the second
-
-
-def stop_in_every_period() -> Words:
-    first, _ = stops_later()
-    return {"later": LATER, "shown": first.shown()}
-
-
-def funnel() -> Words:
-    found = [stored(name) for name in ("periodic-1.json", "periodic-3.json")]
-    need(found[0].parameters == found[1].parameters, "the sinks are at different parameters")
-    need(found[0].parameters["F"] == 3, "the sinks are at another F")
-    sinks = [each.claims["type"] for each in found]
-    need(all(kind.startswith(("sink", "superstable")) for kind in sinks), "one is no sink")
-    chaos, segment = (stored(name) for name in ("attractor.json", "segment.json"))
-    need(all(at_the_paper(each) for each in (chaos, segment)), "they are at other parameters")
-    entropy, room = chaos.claims["entropy_per_period"], segment.claims["basin_area"]
-    need(entropy.lower > 0 and room.lower > 0, "the entropy or the area may be zero")
-    return {
-        "sinks": sinks[0],
-        "sinks_2": sinks[1],
-        "entropy": pair(entropy, 6),
-        "room": pair(room, 5),
-        "stroke": pair(segment.claims["stroke"], 5),
-    }
-
-
-def neighbourhood_in_the_set() -> None:
-    with interval.workprec(block.BITS):
-        around = block.around_the_saddle(HEIGHT, 2 * HEIGHT)
-        around.covers_itself()
-        words = [event.word for event in block.followed(around.edge(-1), 3).events]
-    need(any(word.startswith("turn") for word in words), "not all stop", events=words)
-
-
-def contraction() -> Words:
-    contraction_almost_everywhere()
-    return {"later": LATER}
-
-
-def change_of_variables() -> None:
-    capture = stored("capture.json").claims
-    box = capture["box"]
-    need(box["v"].lower < box["v"].upper, "the box is flat")
-    need("capture r" in capture["itinerary"], "nothing is captured")
 
 
 def not_forward_invariant() -> Words:

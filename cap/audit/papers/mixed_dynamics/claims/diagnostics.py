@@ -16,11 +16,6 @@ from cap.sets import interval
 LEAVES = States("0.0653", "0.5069")  # a state in the box of the map of fig:sali
 
 
-def cost_of_the_differences() -> None:
-    starts = {(s * i, s * j) for i, j in ((1, 0), (0, 1)) for s in (1, -1)}
-    need(len(starts) == 4, "another number of states")
-
-
 def classes_of_the_map() -> Words:
     early, late = LEAVES.follow(15), LEAVES.follow(30)
     need(early.only_hits(), "it stops within 15 periods")
@@ -47,21 +42,9 @@ def elliptic_only_region() -> Words:
         pi = interval.pi()
         critical = 4 * (2 + 1 - pi) / (pi * pi)  # at R = 1
         need(critical < 0, "f_sc is not negative there")
-        equation = Equation(Fraction(11, 20), Fraction(1))
-        found = equation.roots()
-        need(len(found) == 2, "the number of roots is another", roots=found)
-        words = " and ".join(between(equation.bisected(each), 5) for each in found)
+        found = Equation(Fraction(11, 20), Fraction(1)).both()
+        words = " and ".join(between(each, 5) for each in found)
     return {"words": words}
-
-
-def coexisting_orbits_stop() -> None:
-    found = [stored(name) for name in ("periodic-1.json", "periodic-2.json")]
-    need(all(each.parameters["F"] == 3 for each in found), "they are at another F")
-    need([each.claims["type"] for each in found] == ["sink focus", "saddle"], "other types")
-    for each in found:
-        turns = [word for word in each.claims["itinerary"] if word.startswith("turn")]
-        need(len(turns) == 2, "another number of turns", turns=turns)
-        need(each.claims["determinant"].upper < 1, "the determinant may be 1")
 
 
 def orbit_count() -> Words:

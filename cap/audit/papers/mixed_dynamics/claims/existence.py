@@ -24,17 +24,6 @@ def orbits(centre: tuple[Fraction, Fraction], radius: Fraction) -> tuple[Box, Ma
     return image.state, image.monodromy
 
 
-def hypotheses_at_the_point() -> Words:
-    claims = stored("elliptic.json").claims
-    need(claims["least_speed"].lower > 0, "the orbit may stop")
-    hits = claims["hit_forcing"]
-    need(all(each.lower > 0 for each in hits), "(H1) fails at a hit")  # |F cos ωt*| - f
-    need(-2 < claims["trace"].lower <= claims["trace"].upper < 2, "it is not elliptic")
-    near = claims["resonance_distances"]
-    need(all(each.lower > 0 for each in near.values()), "a resonance")
-    return {"twist": pair(claims["twist"], 6)}
-
-
 def newton_from_any_point() -> Words:
     # G(z) = z - (9/10) z¹¹/11 on [-1, 1], z̄ = 0, C = 1: G' = 1 - (9/10) z¹⁰ is in [1/10, 1].
     slope = Fraction(1, 10), Fraction(1)

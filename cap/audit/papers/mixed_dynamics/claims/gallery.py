@@ -102,12 +102,6 @@ def time_near_the_walls() -> Words:
     return {"orbits": len(shares), "median": f"{median:.0%}", "largest": f"{largest:.0%}"}
 
 
-def rejected_determinants() -> None:
-    claims = stored("periodic-3.json").claims
-    need(claims["determinant"].lower == 0 == claims["determinant"].upper, "the determinant")
-    need(claims["type"] == "superstable", "the orbit is of another type")
-
-
 def range_of_the_counts() -> None:
     text = stated("F = 2: elliptic + saddle, grid-Newton", "fig:hist-cont")
     need(text == "0 + 0", "the bar at F = 2 is not empty")

@@ -2,12 +2,12 @@
 
 from fractions import Fraction
 
-from cap.audit.means.balls import between, pair, precisely
+from cap.audit.means.balls import between, precisely
 from cap.audit.means.need import need
-from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.equation import Equation
-from cap.audit.papers.mixed_dynamics.means.orbits import States, at
+from cap.audit.papers.mixed_dynamics.means.orbits import States
 from cap.audit.steps import Words
+from cap.parameters import at
 from cap.sets import interval
 
 ABOVE = Equation(Fraction(13, 20), Fraction(2))  # f = 0.65 > 2/π at the paper's F, ω, R
@@ -16,22 +16,8 @@ ABOVE = Equation(Fraction(13, 20), Fraction(2))  # f = 0.65 > 2/π at the paper'
 def exclusion_by_the_proposition() -> Words:
     with precisely():
         need(interval.ball(ABOVE.alpha) > 2 / interval.pi(), "f is below the impulse bound")
-        found = [ABOVE.bisected(root) for root in ABOVE.roots()]
-        need(len(found) == 2, "there are not two roots")
-        words = " and ".join(between(theta, 5) for theta in found)
+        words = " and ".join(between(theta, 5) for theta in ABOVE.both())
     return {"words": words}
-
-
-def integrated_equation() -> Words:
-    claims = stored("elliptic.json").claims
-    first, second = claims["hit_times"]
-    with precisely():
-        leftwards = interval.ball(second.lower - first.upper)
-        most = interval.ball(second.upper - first.lower)
-        balance = 2 * interval.pi() - 2 * interval.hull(leftwards, most)
-        need(balance > 1, "the integral may vanish")
-        words = between(balance, 6)
-    return {"words": words, "first": pair(first, 6), "second": pair(second, 6)}
 
 
 def path_length() -> Words:

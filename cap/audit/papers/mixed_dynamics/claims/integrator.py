@@ -13,11 +13,6 @@ CELLS = 256  # of the time from the start of a flight to the next minimum of sin
 DOUBLE = Fraction(1, 2**53)  # the relative error of one operation on doubles
 
 
-def events_by_a_scan() -> None:
-    claims = stored("capture.json").claims
-    need("capture r" in claims["itinerary"], "nothing is captured")
-
-
 def error_of_the_integrator() -> Words:
     outer = max(stored("saddle.json").claims["multipliers"], key=lambda each: abs(each.upper))
     growth = abs(outer.lower)

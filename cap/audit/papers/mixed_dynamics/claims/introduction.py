@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 
 from cap.audit import labels
-from cap.audit.means.balls import between, pair
+from cap.audit.means.balls import between
 from cap.audit.means.need import need
 from cap.audit.means.stored import at_the_paper, stored
 from cap.audit.steps import Words
@@ -53,27 +53,3 @@ def coexistence() -> Words:
 def least(share: Enclosure) -> str:
     """Return a lower bound in per cent, rounded down."""
     return f"{math.floor(share.lower * 1000) / 10:g} %"
-
-
-def reversible_only_without_friction() -> None:
-    capture = stored("capture.json").claims
-    box = capture["box"]
-    need(box["x"].lower < box["x"].upper, "the box has no interior")
-    need(box["v"].lower < box["v"].upper, "the box has no interior")
-
-
-def single_basin() -> Words:
-    first, second = (stored(name).claims["box"] for name in ("elliptic.json", "elliptic-2.json"))
-    apart = first["v"].upper < second["v"].lower or second["v"].upper < first["v"].lower
-    need(apart, "the two elliptic orbits may be the same")
-    plain, lossy = (stored(name) for name in ("segment.json", "segment-2.json"))
-    need(plain.claims["basin_area"].lower > 0 < lossy.claims["basin_area"].lower, "no open set")
-    e, mu = (lossy.parameters[name] for name in ("e", "mu"))
-    need(e < 1 and mu > 0, "it has no losses")
-    return {
-        "basin_area": pair(plain.claims["basin_area"], 5),
-        "f": lossy.parameters["f"],
-        "value": 1 - e,
-        "mu": mu,
-        "basin_area_2": pair(lossy.claims["basin_area"], 5),
-    }

@@ -2,9 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import identity, symbols
 from cap.audit.means.balls import between
-from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.orbits import until
@@ -15,15 +13,6 @@ from cap.sets import interval
 from cap.sets.interval import Box
 
 BITS = 100
-
-
-def sigma_of_the_appendix() -> None:
-    F, f, w = symbols("F f omega")
-    t, s = sp.symbols("t s", real=True)
-    force = F * sp.cos(w * t) - f * s  # at the time t, for the sign s of the velocity
-    image = force.subs(t, t + sp.pi / w).subs(s, -s)
-    identity("the image obeys the law", -force, image)
-    need(PAPER.r == -PAPER.l, "the walls are not symmetric about 0")
 
 
 def _elliptic() -> Box:
@@ -67,21 +56,3 @@ def step_of_the_proof() -> Words:
         need(gap > interval.ball(Fraction(1, 1000)), "they agree", gap=gap)
         words = between(gap, 4)
     return {"words": words}
-
-
-def ratio_of_chatter() -> Words:
-    claims = stored("capture.json").claims
-    ratio = claims["ratio"]
-    bound = ratio.upper if hasattr(ratio, "upper") else Fraction(ratio)
-    need(bound < 1, "the ratio may be 1")
-    return {"bound": format(float(bound), ".3g")}
-
-
-def orbits_without_symmetry() -> Words:
-    found = stored("elliptic.json")
-    need(found.parameters["r"] == -found.parameters["l"], "the walls are not symmetric")
-    first, second = found.claims["hit_times"]
-    with interval.workprec(BITS):
-        gap = interval.ball(second.upper) - interval.ball(first.lower)
-        need(gap < interval.pi(), "the hits may be half a period apart", gap=gap)
-    return {"gap": between(gap, 4)}

@@ -4,19 +4,11 @@ from fractions import Fraction
 
 from cap.audit.means.balls import between, precisely
 from cap.audit.means.need import need
-from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.equation import Equation
 from cap.audit.steps import Words
-from cap.checker.kernel.shapes import Enclosure
-from cap.sets import interval
 from cap.sets.interval import Ball
 
 PAPER_RHO = Fraction(2)
-
-
-def _inside(value: Ball, claimed: Enclosure) -> bool:
-    low, high = interval.ball(claimed.lower), interval.ball(claimed.upper)
-    return bool(low <= value) and bool(value <= high)
 
 
 def number_of_roots() -> None:
@@ -27,15 +19,7 @@ def number_of_roots() -> None:
 
 def branch_exists() -> Words:
     with precisely():
-        equation = Equation(Fraction(2, 5), PAPER_RHO)
-        found = [equation.bisected(root) for root in equation.roots()]
-        need(len(found) == 2, "there are not two roots")
+        found = Equation(Fraction(2, 5), PAPER_RHO).both()
         need(all(abs(theta.cos()) < Fraction(2, 5).numerator / Ball(5) for theta in found), "turns")
         words = " and ".join(between(theta.cos(), 5) for theta in found)
     return {"words": words}
-
-
-def universality() -> None:
-    claimed = stored("symmetric.json").claims["saddle_center"]
-    with precisely():
-        need(_inside(2 / interval.pi(), claimed), "the certificate disagrees")

@@ -3,8 +3,9 @@
 from cap.audit.means.balls import between
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.audit.papers.mixed_dynamics.means.orbits import Followed, States, at, hits_only
+from cap.audit.papers.mixed_dynamics.means.orbits import Followed, States, hits_only
 from cap.audit.steps import Words
+from cap.parameters import at
 from cap.sets import interval
 from cap.sets.interval import Ball
 

@@ -5,35 +5,15 @@ What it misses is that a wall can hold the mass: bounces accumulate (`cap.flow.c
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import symbols
-from cap.audit.means.balls import above, between
-from cap.audit.means.lazy import sympy as sp
+from cap.audit.means.balls import between
 from cap.audit.means.need import need
-from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.orbits import before_a_stop, until
 from cap.audit.steps import Words
 from cap.parameters import PAPER
 from cap.sets import interval
 from cap.sets.interval import Ball
 
-CAPTURE = "capture.json"
 SMALL = Fraction(1, 100), Fraction(1, 10**4), Fraction(1, 10**6)
-
-
-def accumulation() -> str:
-    """Return the capture at the paper's parameters in words, certified."""
-    claims = stored(CAPTURE).claims
-    need(claims["itinerary"][0] == "capture r", "the capture is not the first event")
-    need(claims["ratio"] < 1, "the ratio of successive speeds may be 1")
-    box = claims["box"]
-    return (
-        f"every orbit from the interior of {box['x']} × {box['v']} at t = 0 hits the right wall "
-        f"infinitely often before t = {above(claims['accumulation_time'])}"
-    )
-
-
-def accumulates() -> Words:
-    return {"accumulation": accumulation()}
 
 
 def rests_last() -> Words:
@@ -46,17 +26,6 @@ def rests_last() -> Words:
         bounds = [2 * interval.ball(q) for q in SMALL]
         need(all(0 < a < b for a, b in zip(lengths, bounds, strict=True)), "longer rests")
     return {"lengths": ", ".join(between(each, 10) for each in lengths)}
-
-
-def remainder_after_turning() -> None:
-    F, f, w, d = symbols("F f omega d")
-    true, stated = F * w * d**2 / 2, (F * w + f) * d**2 / 2
-    need(sp.simplify(stated - true).is_positive is True, "the stated bound may be too small")
-    unit = symbols("k")  # with time in units 1/k as long, ω becomes ω/k, forces become F/k²
-    degrees = {
-        sp.degree(sp.expand(term * unit**3), unit) for term in (F * w / unit**3, f / unit**2)
-    }
-    need(len(degrees) == 2, "both terms scale alike")
 
 
 def turns_are_robust() -> Words:
@@ -88,10 +57,3 @@ def continuous_dependence() -> Words:
         jumps = [velocity_jump(distance) for distance in SMALL]
         need(all(10 * jump > 19 for jump in jumps), "the velocities are near", j=jumps)
     return {"small": ", ".join(str(2 * float(q)) for q in SMALL)}
-
-
-def uniform_inter_event_time() -> Words:
-    found = accumulation()
-    with interval.workprec(60):
-        need(Fraction(stored(CAPTURE).claims["box"]["v"].upper) < 1, "the speeds are large")
-    return {"found": found}

@@ -1,12 +1,11 @@
 """Orbits at large forcing, from random starts, in floats: how they grow, and where they are."""
 
 import math
-from dataclasses import dataclass, replace
-from fractions import Fraction
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from cap.parameters import PAPER, Parameters
+from cap.parameters import Parameters, at
 
 FORCINGS, STARTS = (6, 12, 24, 48, 96, 192), 30
 
@@ -38,7 +37,7 @@ def growth() -> Growth:
 
     hits, speeds = [], []
     for F in FORCINGS:
-        p = replace(PAPER, F=Fraction(F))
+        p = at(F=str(F))
         late = _late(p)
         hits.append(float(np.median(swarm.follow(p, late, 4).count("hit"))) / 4)
         orbits = [trajectory(p, orbit=(x, v), exactly=True, periods=4) for x, v in late]
@@ -52,7 +51,7 @@ def near_the_walls(F: int) -> list[float]:
 
     from cap.floats.diagnostics.trajectory import trajectory  # noqa: PLC0415
 
-    p = replace(PAPER, F=Fraction(F))
+    p = at(F=str(F))
     shares = []
     for x, v in _late(p):
         orbit = trajectory(p, orbit=(x, v), exactly=True, periods=4)

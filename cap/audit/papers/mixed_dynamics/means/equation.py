@@ -7,6 +7,7 @@ from typing import Any
 from cap.audit.means.algebra import symbols
 from cap.audit.means.balls import roots
 from cap.audit.means.lazy import sympy as sp
+from cap.audit.means.need import need
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -33,6 +34,12 @@ class Equation:
     def roots(self) -> list[Ball]:
         """Return enclosures of all roots in [0, π], ascending."""
         return roots(self.value, self.slope, Ball(0), interval.pi())
+
+    def both(self) -> tuple[Ball, Ball]:
+        """Return sharp enclosures of its roots, ascending, if there are two."""
+        found = [self.bisected(root) for root in self.roots()]
+        need(len(found) == 2, "there are not two roots", roots=found)
+        return found[0], found[1]
 
     def bisected(self, root: Ball, places: int = 20) -> Ball:
         """Return a sharper enclosure of a root that was isolated."""

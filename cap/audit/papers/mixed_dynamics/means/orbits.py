@@ -1,6 +1,6 @@
 """Orbits that decide claims: all orbits from a box of states, followed in balls."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 
 from cap.audit.means.balls import between
@@ -84,11 +84,6 @@ def before_a_stop(cosine: Fraction) -> Box:
     speed = hit.sin() - stop.sin() + f * (stop - hit)  # with which it leaves l
     v = -speed - hit.sin() - f * hit
     return interval.ball(PAPER.l) - v * hit - (1 - hit.cos()) - f * hit * hit / 2, v
-
-
-def at(**values: str) -> Parameters:
-    """Return the paper's parameters but for these."""
-    return replace(PAPER, **{name: Fraction(value) for name, value in values.items()})
 
 
 def hits_only(states: States, periods: int = 1) -> Followed:
