@@ -102,7 +102,7 @@ def test_dependencies_are_followed():
 
 def test_modules_that_are_loaded_by_name_count():
     """With the checker all of its theorems, with a proof all others."""
-    found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.kam")
+    found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.linearization")
     assert {"cap.checker.theorems.capture", "cap.proofs.elliptic", "cap.proofs.theorems"} <= found
 
 

@@ -3,11 +3,8 @@
 from fractions import Fraction
 
 from cap.audit.means.algebra import same, symbols
-from cap.audit.means.balls import inner
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
-from cap.audit.means.stored import stored
-from cap.audit.steps import Words
 
 RESONANT = Fraction(1, 5)
 
@@ -50,13 +47,3 @@ def remainder_in_action() -> None:
     r, eps = symbols("r epsilon")  # a remainder of degree 4 in z, |z| = r
     change = sp.expand((r + eps * r**4) ** 2 / 2 - r**2 / 2)
     need(sp.Poly(change, r).monoms()[-1] == (5,), "I changes at another order")
-
-
-def twist_almost_everywhere() -> Words:
-    claims = stored("branch.json").claims
-    low, high = claims["f_range"].lower, claims["f_range"].upper
-    exceptions = claims["exceptions"]
-    length = sum((e.upper - e.lower for e in exceptions), Fraction(0))
-    need(length < Fraction(1, 10**6), "the exceptions are long", length=float(length))
-    need(low < Fraction(348, 1000) and high > Fraction(4658, 10000), "the range is short")
-    return {"f_range": inner(claims["f_range"]), "exceptions": len(exceptions)}

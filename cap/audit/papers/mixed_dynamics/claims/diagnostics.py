@@ -2,9 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means.algebra import identity
 from cap.audit.means.balls import between
-from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.equation import Equation
@@ -22,19 +20,6 @@ def classes_of_the_map() -> Words:
     need(late.has("turn") or late.has("stick"), "it does not stop within 30 periods")
     word = next(word for word in late.words if not word.startswith("hit"))
     return {"leaves": LEAVES, "word": word}
-
-
-def threshold_of_the_entropy() -> Words:
-    p = sp.Symbol("p", positive=True)
-    entropy = -p * sp.log(p) - (1 - p) * sp.log(1 - p)
-    at = sp.solve(sp.diff(entropy, p), p)
-    need(at == [sp.Rational(1, 2)], "the maximum is elsewhere")
-    identity("the largest entropy of two colours", entropy.subs(p, at[0]), sp.log(2))
-    line = sp.simplify(sp.integrate(entropy, (p, 0, 1)))
-    identity("of a straight border parallel to a side, at any place", line, sp.Rational(1, 2))
-    boundary = Fraction(stated("S_bb", "fig:basin"))
-    need(boundary < Fraction(1, 2), "the paper's value is above that of a line")
-    return {"boundary": float(boundary)}
 
 
 def elliptic_only_region() -> Words:

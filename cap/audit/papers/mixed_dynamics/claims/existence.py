@@ -38,23 +38,6 @@ def newton_from_any_point() -> Words:
     return {"fraction": Fraction(90, 11), "after": format(float(after), ".3f")}
 
 
-def elliptic_fixed_point() -> Words:
-    claims = stored("elliptic.json").claims
-    for name, centre in zip("xv", CENTRE, strict=True):
-        at, box = claims[name], claims["box"][name]
-        need(centre - RADIUS < at.lower <= at.upper < centre + RADIUS, "it is not in the box")
-        need(box.lower < centre - RADIUS and centre + RADIUS < box.upper, "the box is larger")
-    need(claims["least_speed"].lower > 0, "the orbit may stop")
-    need(-2 < claims["trace"].lower <= claims["trace"].upper < 2, "it is not elliptic")
-    return {
-        "x": pair(claims["x"], 15),
-        "v": pair(claims["v"], 15),
-        "int": format(
-            int((claims["box"]["x"].upper - claims["box"]["x"].lower) / (2 * RADIUS)), ","
-        ),
-    }
-
-
 def number_of_fixed_points() -> Words:
     claims = stored("inventory.json").claims
     points, segment = claims["fixed_points"], stored("segment.json").claims

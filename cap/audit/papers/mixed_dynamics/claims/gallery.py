@@ -40,13 +40,6 @@ def _hits(claims: dict[str, list[str]]) -> str:
     return f"{words.count('hit r')} right and {words.count('hit l')} left hits, {turns} turns"
 
 
-def gallery_is_dissipative() -> None:
-    for F in CERTIFIED:
-        claims = _orbit(F).claims
-        need(any(word.startswith("turn") for word in claims["itinerary"]), f"F = {F}: no turn")
-        need(claims["determinant"].upper < 1 and claims["type"] == "sink focus", f"F = {F}")
-
-
 def turns_of_the_gallery() -> Words:
     counts = []
     for F in ("1.5", "3", "4.5"):

@@ -1,23 +1,13 @@
 """Claims of the introduction that are not only summaries of what follows."""
 
 import math
-from fractions import Fraction
 
 from cap.audit import labels
-from cap.audit.means.balls import between
 from cap.audit.means.need import need
 from cap.audit.means.stored import at_the_paper, stored
 from cap.audit.steps import Words
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
-from cap.proofs.census import census
-
-
-def orbits_of_equation_seven_turn() -> Words:
-    plus = next(m for m in census(Fraction(1, 2), Fraction(2)) if m.name == "plus")
-    need(plus.least_speed > 0, "the orbit may stop")
-    need(plus.kind == "elliptic", "the orbit is not elliptic")
-    return {"least_speed": between(plus.least_speed, 6), "trace": between(plus.trace, 6)}
 
 
 def lift_is_called_a_theorem() -> Words:

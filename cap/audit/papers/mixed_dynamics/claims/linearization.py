@@ -1,7 +1,6 @@
 """Section 4.4: Φ' along the branch, Table 1, and the approach to the impulse bound."""
 
 from fractions import Fraction
-from typing import NamedTuple
 
 from cap.audit.means.algebra import enclosure, symbols
 from cap.audit.means.balls import between, precisely
@@ -16,25 +15,22 @@ from cap.sets.interval import Ball
 FRICTION, GAP = Fraction(2, 5), Fraction(2)  # f and R of Figure 3, with ω = 1
 
 
-class Along(NamedTuple):
-    """An elliptic orbit at a value of F, with f = 2/5, R = 2, ω = 1."""
-
-    F: Fraction
-    orbit: Member
-
-
-def elliptic_at(F: Fraction) -> Along:
+def elliptic_at(F: Fraction, f: Fraction = FRICTION) -> Member:
     """Return the elliptic orbit with one hit of each wall, which is one only or one pair."""
-    found = [each for each in census(FRICTION / F, GAP / F) if each.kind == "elliptic"]
+    found = [each for each in census(f / F, GAP / F) if each.kind == "elliptic"]
     need(len(found) == 1, f"there is not one elliptic orbit at F = {F}", found=len(found))
-    return Along(F, found[0])
+    return found[0]
 
 
-def predicted_orbit() -> None:
-    found = [elliptic_at(Fraction(n, 100)) for n in (95, 85)]
-    need(all(each.orbit.least_speed > 0 for each in found), "an orbit may stop")
-    names = [each.orbit.name for each in found]
-    need(names == ["pair", "plus"], "the orbits are others", names=names)
+def elliptic_orbits(orbits: dict[str, str], *, f: str = str(FRICTION)) -> Words:
+    """At each F the elliptic orbit has this name, and never stops; words are on the last."""
+    words = {}
+    for F, name in orbits.items():
+        orbit = elliptic_at(Fraction(F), Fraction(f))
+        need(orbit.name == name, f"at F = {F} the orbit is another", name=orbit.name)
+        need(orbit.least_speed > 0, f"at F = {F} the orbit may stop")
+        words = {"trace": between(orbit.trace, 6), "least_speed": between(orbit.least_speed, 6)}
+    return words
 
 
 def smooth_rotation_number() -> Words:
@@ -44,17 +40,16 @@ def smooth_rotation_number() -> Words:
     point = {f: FRICTION, R: GAP}
     with precisely():
         at = enclosure(born[0], point)
-        before, after = (elliptic_at(Fraction(n, 1000)).orbit for n in (928, 926))
+        before, after = (elliptic_at(Fraction(n, 1000)) for n in (928, 926))
         need(Fraction(926, 1000).numerator < 1000 * at < 928, "the pitchfork is elsewhere", at=at)
         need(before.name == "pair" and after.name == "plus", "the orbits are others")
         traces = [between(each.trace, 3) for each in (before, after)]
-        words = between(at, 6)
-    return {"words": words, "traces": traces[0], "traces_2": traces[1]}
+    return {"words": at, "traces": traces[0], "traces_2": traces[1]}
 
 
 def resonances_on_the_way() -> None:
     with precisely():
-        first, last = (elliptic_at(Fraction(n, 1000)).orbit for n in (1000, 940))
+        first, last = (elliptic_at(Fraction(n, 1000)) for n in (1000, 940))
         need(first.trace < 0 < last.trace, "the trace does not pass 0 on the pair")
         half = [_half_trace(Fraction(n, 1000)) for n in (900, 630)]
         need(half[0] < -1 and half[1] > 1, "the half trace does not pass -1, 0 and 1", half=half)
@@ -67,9 +62,3 @@ def _half_trace(F: Fraction) -> Ball:
     k = 2 * interval.pi() ** 2 * orbit.S / (orbit.rho + 2 * orbit.S)
     half: Ball = 2 - k
     return half
-
-
-def closed_forms_for_kam() -> Words:
-    orbit = elliptic_at(Fraction(1)).orbit
-    need(orbit.name == "pair" and orbit.least_speed > 0, "P* is another orbit")
-    return {"trace": between(orbit.trace, 6)}
