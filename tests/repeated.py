@@ -4,9 +4,9 @@
 
 Each place where the checker rejects, with the words that it says, is to be reached by a test of the
 quick ones.  A test repeats others if it takes longer than `QUICK`, reaches only places that quicker
-tests reach, and lets no sentence be made: what a theorem says is looked at by the quick ones.  In collection such tests are marked slow (`conftest`).  As a plugin of pytest
-this module notes for each test its time, the places, and whether there was a sentence:
-`-p repeated`.
+tests reach, and lets no sentence be made: what a theorem says is looked at by the quick ones.  In
+collection such tests are marked slow (`conftest`).  As a plugin of pytest this module notes for
+each test its time, the places, and whether there was a sentence: `-p repeated`.
 """
 
 import json
