@@ -31,7 +31,7 @@ from cap.floats.models.periodic import Closed, Met, near, search
 from cap.option import integer
 from cap.parameters import exact
 from cap.proofs import contact_elliptic, contacts
-from cap.system.files import assigned, read
+from cap.system.files import assigned, read, stem
 from cap.system.model import System
 from cap.words import printable, quoted, say
 
@@ -107,8 +107,7 @@ def parser(named: str = "periodic") -> Parser:
         description=ABOUT[theorem],
         epilog=EXAMPLES[theorem],
     )
-    p.add_argument("theorem", metavar=theorem, help="what is proved")
-    own_branch.add_common(p)
+    own_branch.add_orbit(p, theorem)
     p.add_argument("--all", action="store_true", help="prove every orbit that is found")
     p.add_argument(
         "--table",
@@ -174,13 +173,12 @@ class Asked:
             raise BadInput(
                 "--all goes neither with --orbit nor with one file as --out: name a directory"
             )
-        stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
         told = [f"{key}={value}" for key, value in sorted(values.items())]
         theorem = ELLIPTIC[1] if options.theorem in ELLIPTIC else PERIODIC[1]
         return cls(
             theorem,
             system,
-            "-".join([theorem, Path(stem).stem, *told]),
+            "-".join([theorem, stem(options.model), *told]),
             integer(options.period, "period", (1, 64)),
             options.all,
             state,

@@ -1,7 +1,6 @@
 """The command ``cap.prove attractor --model FILE``: motions that are released again and again."""
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from cap.command import own_map
@@ -12,7 +11,7 @@ from cap.option import integer
 from cap.proofs import contact_attractor
 from cap.proofs.contacts import as_parameters
 from cap.runner import Runner
-from cap.system.files import assigned, read
+from cap.system.files import assigned, read, stem
 from cap.system.release import releases
 
 THEOREM = "contact_attractor"
@@ -29,8 +28,7 @@ def main(words: Sequence[str]) -> int:
         values = assigned(options.set)
         system = read(options.model, values)
         releases(system)
-        stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
-        names = [THEOREM, Path(stem).stem]
+        names = [THEOREM, stem(options.model)]
         path = own_map.place(options, names, values, as_parameters(system))
         runner = Runner(integer(options.jobs, "jobs", (1, 1024)), progress.tell)
 
@@ -55,8 +53,6 @@ def parser() -> Parser:
         "certificate holds the system: `python -m cap.verify` needs no FILE.py.",
         epilog="Example: python -m cap.prove attractor --model examples/belt.py",
     )
-    p.add_argument("theorem", metavar="attractor", help="what is proved")
-    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
-    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    own_map.add_model(p, "attractor")
     own_map.add_ends(p)
     return p

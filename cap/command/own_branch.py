@@ -11,6 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from cap.certificate import report, writer
+from cap.command import own_map
 from cap.command.console import Parser, columns, program, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
@@ -21,7 +22,7 @@ from cap.orbits.halves import half
 from cap.orbits.itinerary import Itinerary
 from cap.parameters import exact
 from cap.proofs import contacts_branch
-from cap.system.files import assigned, load
+from cap.system.files import assigned, load, stem
 from cap.system.model import System
 from cap.system.moving import moving
 from cap.words import printable, quoted, say
@@ -34,10 +35,9 @@ def main(words: Sequence[str]) -> int:
     return answered(lambda: _run(options, progress), progress)
 
 
-def add_common(p: argparse.ArgumentParser) -> None:
-    """Add what all proofs about systems of one's own take."""
-    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
-    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+def add_orbit(p: argparse.ArgumentParser, theorem: str) -> None:
+    """Add what proofs about an orbit of a system of one's own take."""
+    own_map.add_model(p, theorem)
     p.add_argument(
         "--period", default="1", metavar="N", help="of N periods of the clock (default 1)"
     )
@@ -60,8 +60,7 @@ def parser() -> Parser:
         epilog="Example: python -m cap.prove branch --model examples/ball.py --parameter A "
         "--range 1 3 --set e=1/2",
     )
-    p.add_argument("theorem", metavar="branch", help="what is proved")
-    add_common(p)
+    add_orbit(p, "branch")
     p.add_argument("--parameter", required=True, metavar="A", help="the parameter that varies")
     p.add_argument(
         "--range",
@@ -161,9 +160,8 @@ def _path(options: argparse.Namespace, values: Mapping[str, str]) -> Path:
         writable(out)
         return out
     writable_into(out, ".json")
-    stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
     told = [f"{key}={value}" for key, value in sorted(values.items())]
-    words = ["contacts_branch", Path(stem).stem, options.parameter, *options.range, *told]
+    words = ["contacts_branch", stem(options.model), options.parameter, *options.range, *told]
     words += ["symmetric"] if options.symmetric else []
     path = out / f"{'-'.join(words).replace('/', '_')}.json"
     if path.exists():

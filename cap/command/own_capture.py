@@ -20,7 +20,7 @@ from cap.orbits.wall import Wall, wall
 from cap.parameters import exact
 from cap.proofs import contact_capture, wall_boxes
 from cap.proofs.contacts import as_parameters
-from cap.system.files import assigned, read
+from cap.system.files import assigned, read, stem
 
 
 def main(words: Sequence[str]) -> int:
@@ -42,9 +42,7 @@ def parser() -> Parser:
         epilog="Examples: python -m cap.prove capture --model examples/ball.py --set A=1/5 --box 0 "
         "10 -5 5;  python -m cap.prove capture --model examples/ball.py",
     )
-    p.add_argument("theorem", metavar="capture", help="what is proved")
-    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
-    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    own_map.add_model(p, "capture")
     p.add_argument(
         "--box",
         nargs="+",
@@ -96,9 +94,8 @@ class Asked:
             raise BadInput(f"--mode is {place.falling} or {place.rising}, before or after a hit")
         time = None if options.start is None else exact(options.start)
         told = {**values, **({"start": options.start} if options.start else {})}
-        stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
         parameters = as_parameters(system, rests=True)
-        path = own_map.place(options, ["contact_capture", Path(stem).stem], told, parameters)
+        path = own_map.place(options, ["contact_capture", stem(options.model)], told, parameters)
         return cls(place, started, time, box, path)
 
 

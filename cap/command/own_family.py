@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from cap.command import own_map
@@ -15,7 +14,7 @@ from cap.orbits.family import Family, family, quarters
 from cap.orbits.itinerary import Itinerary
 from cap.proofs import contacts_family
 from cap.proofs.contacts import as_parameters
-from cap.system.files import assigned, read
+from cap.system.files import assigned, read, stem
 from cap.system.model import System
 
 THEOREM = "contacts_family"
@@ -32,9 +31,8 @@ def main(words: Sequence[str]) -> int:
         values = assigned(options.set)
         system = read(options.model, values)
         periods = integer(options.period, "period", (1, 64))
-        stem = options.model.rpartition(":")[2] if ".py:" in options.model else options.model
         told = values | ({} if periods == 1 else {"period": str(periods)})
-        path = own_map.place(options, [THEOREM, Path(stem).stem], told, as_parameters(system))
+        path = own_map.place(options, [THEOREM, stem(options.model)], told, as_parameters(system))
 
         def prove() -> dict[str, Any]:
             progress.tell("following states", None)
@@ -59,9 +57,7 @@ def parser() -> Parser:
         epilog="Example: python -m cap.prove family --model examples/den_hartog.py "
         "--set omega=1/2,f=1/10",
     )
-    p.add_argument("theorem", metavar="family", help="what is proved")
-    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
-    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    own_map.add_model(p, "family")
     p.add_argument(
         "--period", default="1", metavar="N", help="of N periods of the clock (default 1)"
     )

@@ -17,7 +17,7 @@ from cap.proofs import contact_horseshoe, map_horseshoe
 from cap.proofs.contacts import as_parameters
 from cap.proofs.coverings import ABOUT, WHICH, Which
 from cap.runner import Runner
-from cap.system.files import assigned, planar, read
+from cap.system.files import assigned, planar, read, stem
 
 
 class Kind(NamedTuple):
@@ -121,8 +121,7 @@ class Asked:
             raise BadInput(f"of a map `horseshoe` is proved: for {options.theorem} leave out --map")
         values = assigned(options.set)
         given = kind.read(options.file, values)
-        stem = options.file.rpartition(":")[2] if ".py:" in options.file else options.file
-        names = [kind.theorem, Path(stem).stem]
+        names = [kind.theorem, stem(options.file)]
         path = own_map.place(options, names, values, kind.parameters(given))
         return cls(
             given,

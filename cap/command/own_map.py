@@ -1,4 +1,4 @@
-"""What the commands about maps share: where the certificate goes, and what is printed."""
+"""What commands about maps and models share: where the certificate goes, and what is printed."""
 
 import argparse
 import json
@@ -13,7 +13,7 @@ from cap.command.output import writable, writable_into
 from cap.command.progress import Progress
 from cap.errors import BadInput, NotProved
 from cap.proofs.map_horseshoe import as_parameters
-from cap.system.files import assigned, planar
+from cap.system.files import assigned, planar, stem
 from cap.system.planar import Map
 from cap.words import quoted, say
 
@@ -24,6 +24,13 @@ def add_common(p: argparse.ArgumentParser, theorem: str) -> None:
     p.add_argument("--map", required=True, metavar="FILE", help="FILE.py[:FUNCTION]")
     p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
     add_ends(p)
+
+
+def add_model(p: argparse.ArgumentParser, theorem: str) -> None:
+    """Add what all proofs about a system of one's own take."""
+    p.add_argument("theorem", metavar=theorem, help="what is proved")
+    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
+    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
 
 
 def add_ends(p: argparse.ArgumentParser) -> None:
@@ -51,8 +58,7 @@ def given(options: argparse.Namespace) -> Map:
 
 def certificate(options: argparse.Namespace, name: str, about: Map) -> Path:
     """Return where a certificate about a map goes; raise `BadInput` if another file is there."""
-    stem = options.map.rpartition(":")[2] if ".py:" in options.map else options.map
-    return place(options, [name, Path(stem).stem], assigned(options.set), as_parameters(about))
+    return place(options, [name, stem(options.map)], assigned(options.set), as_parameters(about))
 
 
 def place(

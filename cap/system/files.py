@@ -52,6 +52,11 @@ def planar(path: str | Path, values: Values | None = None) -> Map:
     return _returned(_text(file), file, name, values or {}, Map)[0]
 
 
+def stem(path: str) -> str:
+    """Return what a file with a system or a map is called: FUNCTION, or FILE without its ending."""
+    return Path(path.rpartition(":")[2] if ".py:" in path else path).stem
+
+
 def read(path: str | Path, values: Values | None = None) -> System:
     """Return the system in a file with values of its parameters, exact: "6/5", "1.2", numbers.
 

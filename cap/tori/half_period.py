@@ -21,6 +21,7 @@ from cap.errors import NotProved
 from cap.sets import interval
 from cap.sets.fourier import FourierModel, perturbed, root
 from cap.sets.interval import Ball
+from cap.tori import flights
 from cap.tori.invariant_curve import Image, Vector
 
 
@@ -80,16 +81,18 @@ class HalfPeriods:
     def passage(self, hint: Hit, x: FourierModel, v: FourierModel) -> Passage:
         """Return half a period of the functions in the models."""
         t, sin, cos, inverse = hint
-        value = x + v * t + 1 - cos - self.alpha / 2 * (t * t) - self.a
+        value = flights.beyond(self.alpha, self.a, (x, v), t, cos)
 
         def speed(error: Ball) -> FourierModel:
-            return v + perturbed((sin, cos), error)[0] - self.alpha * t.widened_to(error)
+            near = perturbed((sin, cos), error)[0]
+            found: FourierModel = flights.speed(self.alpha, v, t.widened_to(error), near)
+            return found
 
         t = root(t, value, speed, inverse)
         sin, cos = perturbed((sin, cos), t.error)
         u, d = speed(t.error), interval.pi() - t
         confirm_hit(t, u)
-        place = (u + sin) * d - 1 - cos - self.alpha / 2 * (d * d) - self.a
+        place = flights.landing(self.alpha, self.a, u, (sin, cos), d)
         velocity = v + 2 * sin - self.alpha * interval.pi()
         return Passage(place, velocity, t, d, -2 * cos * u.reciprocal_near(inverse))
 

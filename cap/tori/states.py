@@ -12,6 +12,7 @@ from cap.errors import NotProved
 from cap.sets import interval
 from cap.sets.interval import Ball, Box, pi
 from cap.sets.matrix import Matrix
+from cap.tori import flights
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class Motion:
         self._need(v > 0, "the velocity at the strobe may not be positive", v)
         self._inside(z.range(0))
         t = self._hit(z)
-        u = v + t.sin() - self.alpha * t
+        u = flights.speed(self.alpha, v, t, t.sin())
         self._need(u > 0, "the speed at the hit may not be positive", u)
         k, d = -2 * t.cos() / u, pi() - t
         (p, q), (r, s) = z.B
@@ -90,8 +91,8 @@ class Motion:
         return self._of_middle(z, t) + reach
 
     def _of_middle(self, z: States, t: Ball) -> Ball:
-        x, v = z.middle
-        return x + v * t + 1 - t.cos() - self.alpha * t * t / 2 - self.a
+        found: Ball = flights.beyond(self.alpha, self.a, z.middle, t, t.cos())
+        return found
 
     def _guess(self, z: States) -> tuple[float, float]:
         """Return the time of the hit of the middle, and how far others are, in doubles."""
@@ -99,10 +100,10 @@ class Motion:
         alpha, a = (float(interval.midpoint(c)) for c in (self.alpha, self.a))
         t = (a - x) / v
         for _ in range(30):
-            u = v + math.sin(t) - alpha * t
+            u = flights.speed(alpha, v, t, math.sin(t))
             if not (abs(u) > 1e-9 and abs(t) < 10):
                 raise NotProved("states", "no hit is found", {"x": z.middle[0], "v": z.middle[1]})
-            t -= (x + v * t + 1 - math.cos(t) - alpha * t * t / 2 - a) / u
+            t -= flights.beyond(alpha, a, (x, v), t, math.cos(t)) / u
         reach = [[float(interval.midpoint(abs(b).upper())) for b in row] for row in z.B]
         far = sum(p + r * abs(t) for p, r in zip(*reach, strict=True)) / abs(u)
         return t, 1.1 * far + 2 * far * far + 1e-12
@@ -112,10 +113,11 @@ class Motion:
         _, v = z.middle
         for _ in range(6):
             m = interval.point(t)
-            step = m - self._of_middle(z, m) / (v + t.sin() - self.alpha * t)
+            step = m - self._of_middle(z, m) / flights.speed(self.alpha, v, t, t.sin())
             t = interval.intersection(t, step)
         sin, d = t.sin(), pi() - t
-        place = (v + 2 * sin - self.alpha * t) * d - 1 - t.cos() - self.alpha * d * d / 2 - self.a
+        u = flights.speed(self.alpha, v, t, sin)
+        place = flights.landing(self.alpha, self.a, u, (sin, t.cos()), d)
         return place, v + 2 * sin - self.alpha * pi()
 
 
