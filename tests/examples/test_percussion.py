@@ -17,7 +17,7 @@ def model(tmp_path_factory):
     """Return the file of the model, as the gallery has it."""
     text = Path("docs/gallery.md").read_text("utf-8")
     start = text.index("    from fractions import Fraction\n    from cap import Guard")
-    end = text.index("    python -m cap.prove attractor --model percussion.py")
+    end = text.index("    $ python -m cap.prove attractor --model percussion.py")
     lines = [line.removeprefix("    ") for line in text[start:end].splitlines()]
     file = tmp_path_factory.mktemp("model") / "percussion.py"
     file.write_text("\n".join(lines), encoding="utf-8")
