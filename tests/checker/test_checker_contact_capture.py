@@ -272,6 +272,28 @@ def test_a_hit_that_moves_another_variable():
     rejected(changed(MASSES, *reset, [["-1", "u"]]), "a hit changes another variable")
 
 
+def with_another(given, guard=()):
+    """Return a certificate with a variable z, z' = 1, which a guard of rest may depend on."""
+    given = json.loads(encode(given))
+    given["parameters"]["state"].append("z")
+    for mode in given["parameters"]["modes"].values():
+        mode["field"]["z"] = [["1"]]
+    given["parameters"]["modes"]["rest"]["guards"]["leave"]["value"] += guard
+    given["claims"]["box"]["z"] = ["0", "0"]
+    given["hints"]["state"]["z"] = "0"
+    given["hints"]["pieces"][0]["others"]["z"] = ["-1/10", "5/2"]
+    return given
+
+
+def test_others_matter_no_longer_than_they_have_to():
+    """Until hits accumulate; to the end of the rest only if its guards depend on them."""
+    verify(with_another(RELEASED))
+    rejected(with_another(RELEASED, [["1/1000000000", "z"]]), "z may leave its box")
+    short = with_another(RELEASED)
+    short["hints"]["pieces"][0]["others"]["z"] = ["-1/10", "19/10"]
+    rejected(short, "z may leave its box")
+
+
 def test_for_ever_among_others():
     """What depends on other variables is not claimed for all times."""
     given = changed(without(MASSES, "claims", "rests_until"), "claims", "for_ever", "yes")
