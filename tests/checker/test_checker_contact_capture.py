@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 from support import seeded
 
-from cap.checker.verdict import check, words
+from cap.checker.kernel.certificate import read
+from cap.checker.verdict import words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
 STORED = Path(__file__).parents[2] / "certificates"
@@ -48,7 +49,7 @@ def test_it_is_verified(given, steps):
 
 def test_what_is_told():
     """The rule of the model, the box, when hits accumulate, how long it rests."""
-    line = words(check(encode(EVER), lambda _: None))
+    line = words(read(encode(EVER)))
     for part in (
         "mode 'fly', and 'rest' after infinitely many in finite time)",
         "at t = 0 is in the mode 'fly', all guards of which are positive, with (y, v) in [0, 10] x",
@@ -57,7 +58,7 @@ def test_what_is_told():
         "in the mode 'rest', with h = h' = 0, for ever",
     ):
         assert part in line
-    line = words(check(encode(RELEASED), lambda _: None))
+    line = words(read(encode(RELEASED)))
     assert (
         "at least until t = 7.2682960905, and it leaves this mode before t = 7.2682960906" in line
     )
@@ -269,6 +270,28 @@ def test_a_hit_that_moves_another_variable():
     """It is none of this theorem."""
     reset = ("parameters", "modes", "free", "guards", "wall", "reset", "u")
     rejected(changed(MASSES, *reset, [["-1", "u"]]), "a hit changes another variable")
+
+
+def with_another(given, guard=()):
+    """Return a certificate with a variable z, z' = 1, which a guard of rest may depend on."""
+    given = json.loads(encode(given))
+    given["parameters"]["state"].append("z")
+    for mode in given["parameters"]["modes"].values():
+        mode["field"]["z"] = [["1"]]
+    given["parameters"]["modes"]["rest"]["guards"]["leave"]["value"] += guard
+    given["claims"]["box"]["z"] = ["0", "0"]
+    given["hints"]["state"]["z"] = "0"
+    given["hints"]["pieces"][0]["others"]["z"] = ["-1/10", "5/2"]
+    return given
+
+
+def test_others_matter_no_longer_than_they_have_to():
+    """Until hits accumulate; to the end of the rest only if its guards depend on them."""
+    verify(with_another(RELEASED))
+    rejected(with_another(RELEASED, [["1/1000000000", "z"]]), "z may leave its box")
+    short = with_another(RELEASED)
+    short["hints"]["pieces"][0]["others"]["z"] = ["-1/10", "19/10"]
+    rejected(short, "z may leave its box")
 
 
 def test_for_ever_among_others():

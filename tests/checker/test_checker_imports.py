@@ -7,6 +7,7 @@ import json
 import pkgutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -98,6 +99,7 @@ def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem, tmp_path):
     assert sorted(listed(theorem)[""]) == sorted(used - packages | {"verdict"})
 
 
+@cache
 def listed(theorem):
     """Return the modules that ``--reading`` lists for a theorem: always, and where so much is
     claimed."""

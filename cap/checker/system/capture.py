@@ -169,6 +169,11 @@ class Wall:
         above = mode == self.modes.falling
         return above or any(c > 0 for _, c in self._multiples(mode, self.h))
 
+    def rested(self) -> dict[str, Polynomial]:
+        """Return the guards of R where h = h' = 0."""
+        guards = self.model.modes[self.rest].guards
+        return {key: self.at(g.value, NONE) for key, g in guards.items()}
+
     def falls_at_hits(self, mode: str) -> bool:
         """Return whether a guard of a mode is c h', c < 0: it is negative after a hit."""
         return any(c < 0 for _, c in self._multiples(mode, self.rate))
@@ -253,7 +258,7 @@ class Near(Numbers):
         return any((-self.over(g.value, clock, height, signs)).is_positive() for g in guards)
 
     def confirm_others(self, begin: Known, clock: Known, duration: Fraction) -> None:
-        """Prove that the other variables do not leave their box; R lasts as long as it may."""
+        """Prove that the other variables do not leave their box, in D, U and R."""
         passed = Interval.enclosing(0, duration, self.bits)
         for mode in {*self.wall.modes[::2], self.wall.rest}:
             field = self.wall.model.modes[mode].field
@@ -264,18 +269,13 @@ class Near(Numbers):
 
     # the rest
 
-    def guards(self) -> dict[str, Polynomial]:
-        """Return the guards of R where h = h' = 0."""
-        guards = self.wall.model.modes[self.wall.rest].guards
-        return {key: self.wall.at(g.value, NONE) for key, g in guards.items()}
-
     def confirm_held(self, cuts: list[Fraction]) -> None:
         """Prove that the guards of R are positive between the first and the last of these times.
 
         On each piece a guard is positive, or it falls and is at the end, or rises and is at first.
         """
         model, rest = self.wall.model, self.wall.rest
-        for key, q in self.guards().items():
+        for key, q in self.wall.rested().items():
             rate = self.wall.at(model.lie(rest, q), NONE)
             for a, b in pairwise(cuts):
                 if not self._held(q, rate, a, b):

@@ -131,12 +131,13 @@ class ContactCapture(OwnSystem):
         boxes = list(self.boxes())
         need(len(boxes) == len(hints["pieces"]), "hints.tree has not as many pieces as are given")
         self.left = WORK
+        guards = self.wall.rested().values()
+        self.alone = all(q.variables <= {*CLOCK, PI} for q in guards)
         near = [self.captured(*each) for each in zip(boxes, hints["pieces"], strict=True)]
         self.step("until hits accumulate no other guard is met, and no other mode is open")
         self.step("infinitely many hits accumulate in time, their speeds fall by the ratio claimed")
-        alone = all(q.variables <= {*CLOCK, PI} for q in near[0].guards().values())
-        for each in near[:1] if alone else near:
-            self.rested(each, alone=alone)
+        for each in near[:1] if self.alone else near:
+            self.rested(each)
         self.step("the guards of the mode of rest are positive as long as claimed")
         if "released_by" in claims:
             need(all(map(self.is_released, near)), "it may rest longer than claimed")
@@ -263,10 +264,16 @@ class ContactCapture(OwnSystem):
         need(ratio.upper <= self.claims["ratio"], "the ratio may be larger than claimed")
 
     def last(self) -> Fraction:
-        """Return the latest time at which the other variables matter."""
+        """Return the latest time at which the other variables matter.
+
+        They matter to the rest only if its guards do not depend on the clock alone.
+        """
         claims = self.claims
-        rests = claims.get("released_by", claims.get("rests_until", Fraction(-LONG)))
-        return Fraction(max(claims["accumulation_time"].upper, rests))
+        accumulated: Fraction = claims["accumulation_time"].upper
+        if self.alone:
+            return accumulated
+        rests = claims.get("released_by", claims.get("rests_until", accumulated))
+        return Fraction(max(accumulated, rests))
 
     def fall(self, h: Interval, rate: Interval, strongest: Interval) -> Interval:
         """Return a lower bound of the time until the first hit."""
@@ -275,11 +282,11 @@ class ContactCapture(OwnSystem):
             return least
         return least * 2 / (fast + (fast.square() + strongest * least * 2).sqrt())
 
-    def rested(self, near: Near, *, alone: bool) -> None:
-        """Prove that it rests so long; ``alone``: the guards of rest depend on the clock alone."""
+    def rested(self, near: Near) -> None:
+        """Prove that it rests so long."""
         claims, first = self.claims, self.claims["accumulation_time"].lower
         if "for_ever" in claims:
-            need(alone, "a guard of the mode of rest depends on other variables")
+            need(self.alone, "a guard of the mode of rest depends on other variables")
             until = first + (near.pi * 2 / near.omega).upper
         else:
             until = claims["rests_until"]
@@ -292,7 +299,7 @@ class ContactCapture(OwnSystem):
     def is_released(self, near: Near) -> bool:
         """Return whether a guard of the mode of rest is negative at the time of release."""
         t = self.claims["released_by"]
-        return any((-near.rested(q, t)).is_positive() for q in near.guards().values())
+        return any((-near.rested(q, t)).is_positive() for q in self.wall.rested().values())
 
     def mode_of_rest(self) -> str:
         """Return the mode of rest."""

@@ -44,8 +44,7 @@ def smooth_rotation_number() -> Words:
         need(Fraction(926, 1000).numerator < 1000 * at < 928, "the pitchfork is elsewhere", at=at)
         need(before.name == "pair" and after.name == "plus", "the orbits are others")
         traces = [between(each.trace, 3) for each in (before, after)]
-        words = between(at, 6)
-    return {"words": words, "traces": traces[0], "traces_2": traces[1]}
+    return {"words": at, "traces": traces[0], "traces_2": traces[1]}
 
 
 def resonances_on_the_way() -> None:

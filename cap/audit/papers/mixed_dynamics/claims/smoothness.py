@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means.balls import between, pair, precisely
+from cap.audit.means.balls import pair, precisely
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means import block
@@ -23,8 +23,7 @@ def forcing_at_hits() -> Words:
         orbit = symmetric(alpha, Ball(2), 1)
         force = [abs(cos) for _, cos in orbit.phases]
         need(all(each < alpha for each in force), "the forcing at a hit exceeds f")
-        words = between(force[0], 6)
-    return {"words": words}
+    return {"words": force[0]}
 
 
 def interior_of_the_set() -> Words:
