@@ -102,6 +102,13 @@ def pairs_computed_once():
 
 
 @pytest.fixture(scope="module")
+def impacts_computed_once():
+    """Let the checker compute the map and the flights of a ball once for equal arguments."""
+    with remembered.impacts_computed_once():
+        yield
+
+
+@pytest.fixture(scope="module")
 def contacts_computed_once():
     """Let the checker read hints and compute Krawczyk's operator and jets of two masses once."""
     with remembered.contacts_computed_once(), remembered.hints_read_once():

@@ -3,9 +3,10 @@
     python tests/repeated.py    (writes tests/repeated.txt; the time of all tests)
 
 Each place where the checker rejects, with the words that it says, is to be reached by a test of the
-quick ones.  A test repeats others if it takes longer than `QUICK`, and reaches only places that
-quicker tests reach.  In collection such tests are marked slow (`conftest`).  As a plugin of pytest
-this module notes for each test its time and the places: `-p repeated`.
+quick ones.  A test repeats others if it takes longer than `QUICK`, reaches only places that quicker
+tests reach, and lets no sentence be made: what a theorem says is looked at by the quick ones.  In
+collection such tests are marked slow (`conftest`).  As a plugin of pytest this module notes for
+each test its time, the places, and whether there was a sentence: `-p repeated`.
 """
 
 import json
@@ -33,9 +34,9 @@ def listed():
 def repeating(notes):
     """Return the names of tests that reach only places which quicker ones reach."""
     reached, found = set(), []
-    for name, seconds, places in sorted(notes, key=lambda note: note[1]):
+    for name, seconds, places, told in sorted(notes, key=lambda note: note[1]):
         new = {tuple(place) for place in places} - reached
-        if places and not new and seconds > QUICK and name.startswith(ROOMS):
+        if places and not (new or told) and seconds > QUICK and name.startswith(ROOMS):
             found.append(name)
         else:
             reached |= new
@@ -59,9 +60,12 @@ def main():
 
 
 if NOTES in os.environ:
+    from cap.checker import verdict
     from cap.checker.kernel import rejection
 
     _places: set[tuple[str, str]] = set()
+    _theorems: set[str] = set()
+    _words = verdict.words
 
     def _noted(self, *words):
         Exception.__init__(self, *words)
@@ -71,17 +75,23 @@ if NOTES in os.environ:
         where = f"{frame.f_code.co_filename}:{frame.f_lineno}"
         _places.add((where, str(words[0]) if words else ""))
 
-    rejection.Rejected.__init__ = _noted
+    def _told(certificate):
+        _theorems.add(certificate.theorem)
+        return _words(certificate)
+
+    rejection.Rejected.__init__, verdict.words = _noted, _told
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(item, nextitem):
-        """Note the time of a test, and where the checker rejected in it."""
+        """Note the time of a test, where the checker rejected in it, and if it said something."""
         _places.clear()
+        _theorems.clear()
         start = time.process_time()
         try:
             return (yield)
         finally:
-            note = item.nodeid, time.process_time() - start, sorted(_places)
+            took = time.process_time() - start
+            note = item.nodeid, took, sorted(_places), bool(_theorems)
             with (Path(os.environ[NOTES]) / str(os.getpid())).open("a", encoding="utf-8") as file:
                 file.write(json.dumps(note) + "\n")
 

@@ -11,18 +11,20 @@ ROOT = Path(__file__).parents[1]
 
 
 def test_what_repeats():
-    """Who is quicker reaches a place first; what reaches nothing, or is quick, repeats nothing."""
+    """Who is quicker reaches a place first; what reaches nothing, has a sentence, or is quick,
+    repeats nothing."""
     one, two = ["a.py:1", "no"], ["a.py:2", "nor"]
     at = "tests/checker/test_x.py::"
     notes = [
-        (f"{at}slow", 2.0, [one]),
-        (f"{at}quick", 0.1, [one]),
-        (f"{at}other words", 3.0, [["a.py:1", "not"]]),
-        (f"{at}two places", 4.0, [one, two]),
-        (f"{at}both again", 5.0, [two, one]),
-        (f"{at}nothing", 6.0, []),
-        (f"{at}quick again", 0.2, [one]),
-        ("tests/proofs/test_y.py::elsewhere", 7.0, [one]),
+        (f"{at}slow", 2.0, [one], False),
+        (f"{at}quick", 0.1, [one], False),
+        (f"{at}other words", 3.0, [["a.py:1", "not"]], False),
+        (f"{at}two places", 4.0, [one, two], False),
+        (f"{at}both again", 5.0, [two, one], False),
+        (f"{at}a sentence", 5.5, [two, one], True),
+        (f"{at}nothing", 6.0, [], False),
+        (f"{at}quick again", 0.2, [one], False),
+        ("tests/proofs/test_y.py::elsewhere", 7.0, [one], False),
     ]
     assert repeated.repeating(notes) == [f"{at}both again", f"{at}slow"]
 

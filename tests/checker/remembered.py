@@ -9,7 +9,7 @@ import json
 from contextlib import contextmanager
 
 from cap.checker.kernel import certificate
-from checker.parts import Interval, Jet, Pairs, PeriodMap, TaylorModel, home
+from checker.parts import Function, Interval, Jet, Pairs, PeriodMap, TaylorModel, home
 
 
 @contextmanager
@@ -82,6 +82,24 @@ def pairs_computed_once():
 
 
 @contextmanager
+def impacts_computed_once():
+    """Compute a bouncing ball's map once for equal functions, a passage once for equal starts."""
+    theorem, passage, known = home("BallCurve"), home("Impact"), {}
+    over, after = theorem.over, passage.after
+
+    def image(a, flight, *K):
+        return _known(known, (a, flight, *K), lambda: over(a, flight, *K))
+
+    def end(a, start, unit):
+        key = a, sorted(start.items()), unit
+        return _known(known, key, lambda: after(a, start, unit))
+
+    theorem.over, passage.after = image, end
+    yield
+    theorem.over, passage.after = over, after
+
+
+@contextmanager
 def hints_read_once():
     """Read equal hints once; they are the same object then."""
     known, tabled = {}, certificate.tabled
@@ -105,6 +123,9 @@ def content(value):
         return f"jet {value.order} {content(sorted(value.coefficients.items()))}"
     if isinstance(value, TaylorModel):
         return f"model {value.coefficients} {value.error} {value.bits}"
+    if isinstance(value, Function):
+        circle = value.circle
+        return f"function {value.coefficients} {value.error} {circle.rho} {circle.unit}"
     if isinstance(value, Interval):
         return f"{value.lo} {value.hi} {value.bits}"
     if isinstance(value, tuple | list):

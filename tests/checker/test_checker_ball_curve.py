@@ -15,6 +15,8 @@ from cap.command.outcome import seconds
 from checker.altered import SMALL_LOSSES, changed, encode, fits_the_schema, rejected, verify
 from checker.tampered import malformed
 
+pytestmark = pytest.mark.usefixtures("impacts_computed_once")
+
 ROOT = Path(__file__).parents[2]
 GOOD = json.loads((ROOT / "tests/certificates/accept/ball_curve_small.json").read_text("utf-8"))
 CLAIMS, HINTS = GOOD["claims"], GOOD["hints"]

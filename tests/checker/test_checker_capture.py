@@ -14,8 +14,9 @@ from cap.certificate.latex import macros
 from cap.checker.flow.hits import Hit
 from cap.checker.flow.losses import Lossy as Mechanics
 from cap.checker.flow.stops import Event
+from cap.checker.kernel.certificate import read
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.verdict import check, words
+from cap.checker.verdict import words
 from checker.altered import changed, decimal, encode, fits_the_schema, rejected, verify
 from checker.forge_capture import PAPER, forcing, forge_capture, lemma
 from checker.hybrid import Flow
@@ -308,7 +309,7 @@ def test_the_lemma_for_random_systems(side):
 
 def test_words_and_macros(forged):
     """One line with the box as it is, the wall and the times."""
-    certificate = check(encode(forged["at once"]), lambda _: None)
+    certificate = read(encode(forged["at once"]))
     line = words(certificate)
     assert "[0.998, 1] x [-0.02, 0.02]" in line
     assert "capture r, release left" in line

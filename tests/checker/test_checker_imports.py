@@ -7,6 +7,7 @@ import json
 import pkgutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -25,7 +26,7 @@ ROOMS = dict.fromkeys(("symmetric", "pitchfork", "branch"), BARE | {"one_one"})
 ROOMS |= dict.fromkeys(("attractor", "cascade", "entropies", "window"), FLOW | {"release"})
 ROOMS |= {"impulse": BARE, "mixed": BARE | {"attracting", "folded", "release"}}
 ROOMS |= dict.fromkeys(("segment", "sliding"), BARE | {"flow"})
-ROOMS |= {"contact_attractor": BARE}
+ROOMS |= {"contact_attractor": BARE, "contact_basin": BARE | {"resting"}}
 ROOMS |= {"conservative": BARE | {"strips"}, "contacts": BARE, "contacts_branch": BARE}
 ROOMS |= {"contacts_family": BARE}
 ROOMS |= {"contact_elliptic": BARE | {"maps"}, "contact_capture": BARE}
@@ -98,6 +99,7 @@ def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem, tmp_path):
     assert sorted(listed(theorem)[""]) == sorted(used - packages | {"verdict"})
 
 
+@cache
 def listed(theorem):
     """Return the modules that ``--reading`` lists for a theorem: always, and where so much is
     claimed."""

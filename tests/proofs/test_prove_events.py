@@ -185,7 +185,7 @@ CAPTURES = {
 }
 
 
-@pytest.mark.parametrize("name", only(CAPTURES, "at the wall", "other parameters"))
+@pytest.mark.parametrize("name", only(CAPTURES, "other parameters"))
 def test_captures(capsys, tmp_path, name):
     """Random states of the box: captured after the events told, when told, released when told."""
     path = tmp_path / "c.json"
