@@ -141,7 +141,8 @@ class ContactsFamily(Contacts):
             f"of period {claims['periods']} x 2 pi/omega with these contacts in one round, at each "
             f"of which the guard falls through 0, and no others: {contacts} (values just before a "
             f"contact); different c have different states at the first of these times; after "
-            f"each contact no other mode is open; one of their {len(self.p.state)} multipliers is 1, {self.others()}"
+            f"each contact no other mode is open; one of their {len(self.p.state)} multipliers is "
+            f"1, {self.others()}"
         )
 
     def others(self) -> str:
