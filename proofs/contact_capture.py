@@ -191,22 +191,22 @@ def _checked(start: Start, mode: str, cut: Cut, rest: Rest) -> dict[str, Any]:
     """Return the certificate, if the checker accepts it."""
     place, pieces = start.wall, cut.pieces
     claims = {
-        "start": _shown(start.time),
+        "start": shown(start.time),
         "mode": mode,
-        "box": {z: [*map(_shown, ends)] for z, ends in start.box.items()},
+        "box": {z: [*map(shown, ends)] for z, ends in start.box.items()},
         "falling": place.falling,
         "guard": place.guard,
         "rising": place.rising,
-        "restitution": _shown(place.e),
+        "restitution": shown(place.e),
         **_ratios(pieces),
-        "accumulation_time": [*map(_shown, whole(pieces))],
+        "accumulation_time": [*map(shown, whole(pieces))],
         **_of(rest),
     }
     hints = {
         "bits": str(CHECKED),
         "tree": cut.tree,
         "pieces": [_of_piece(piece) for piece in pieces],
-        "state": {z: _shown(c) for z, c in _meant(start, mode).items()},
+        "state": {z: shown(c) for z, c in _meant(start, mode).items()},
         "cuts": [*map(str, rest.cuts)],
     }
     certificate = {
@@ -245,11 +245,11 @@ def _of_piece(piece: Piece) -> dict[str, Any]:
     """Return the hints about a piece."""
     found = piece.found
     return {
-        "hits": [[*map(_shown, window)] for window in piece.hits],
-        "until": [_shown(t) for t in (*(hit.until for hit in found.hits), found.time[1])],
-        "height": _shown(found.height),
-        "speed": _shown(found.speed),
-        "others": {z: [*map(_shown, ends)] for z, ends in found.others.items()},
+        "hits": [[*map(shown, window)] for window in piece.hits],
+        "until": [shown(t) for t in (*(hit.until for hit in found.hits), found.time[1])],
+        "height": shown(found.height),
+        "speed": shown(found.speed),
+        "others": {z: [*map(shown, ends)] for z, ends in found.others.items()},
     }
 
 
@@ -271,11 +271,11 @@ def _of(rest: Rest) -> dict[str, str]:
     """Return the claims about the rest."""
     if rest.until is None:
         return {"for_ever": "yes"}
-    released = {} if rest.released is None else {"released_by": _shown(rest.released)}
-    return {"rests_until": _shown(rest.until), **released}
+    released = {} if rest.released is None else {"released_by": shown(rest.released)}
+    return {"rests_until": shown(rest.until), **released}
 
 
-def _shown(q: Fraction) -> str:
+def shown(q: Fraction) -> str:
     """Return a number, as a decimal if it is one."""
     rest = q.denominator
     for prime in (2, 5):

@@ -103,6 +103,7 @@ OWN = (
     "contacts_branch",
     "contacts_family",
     "contact_attractor",
+    "contact_basin",
     "contact_capture",
     "contact_elliptic",
     "contact_horseshoe",

@@ -18,6 +18,7 @@ lists these files in the order to read them.  Each begins with the mathematics t
     release     maps from one release to the next, over intervals of places and of f
     folded      the flow folded by its symmetry, in doubles: places of release, first stops
     attracting  what attracts there, a file each: loaded only where a certificate claims it
+    resting     cells of states at a wall, in doubles: which rest in time, and which fly
     strips      launches from wall to wall that go on in vain, level by level
     one_one     the orbits with one hit of each wall per period, in closed form
     coverings   parallelograms that cover each other under a planar map, of a half period, given by

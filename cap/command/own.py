@@ -8,21 +8,14 @@ contacts (`cap.proofs.contacts`), and its twist if asked for (`cap.proofs.contac
 import argparse
 import json
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
+from importlib import import_module
 from pathlib import Path
 
 from cap.certificate import report, writer
-from cap.command import (
-    own_attractor,
-    own_branch,
-    own_capture,
-    own_family,
-    own_horseshoe,
-    own_refusals,
-    own_table,
-)
+from cap.command import own_branch, own_refusals, own_table
 from cap.command.console import Parser, columns, program, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
@@ -36,28 +29,33 @@ from cap.system.model import System
 from cap.words import printable, quoted, say
 
 ATTRACTOR = ("attractor", "contact_attractor")
+BASIN = ("basin", "contact_basin")
 BRANCH = ("branch", "contacts_branch")
 CAPTURE = ("capture", "contact_capture")
 FAMILY = ("family", "contacts_family")
 HORSESHOE = ("horseshoe", "contact_horseshoe")
 PERIODIC = ("periodic", "contacts")
 ELLIPTIC = ("elliptic", "contact_elliptic")
+OTHERS = {
+    ATTRACTOR: "own_attractor",
+    BASIN: "own_basin",
+    BRANCH: "own_branch",
+    CAPTURE: "own_capture",
+    FAMILY: "own_family",
+    HORSESHOE: "own_horseshoe",
+}
+"""The modules of other commands, by their names: they are loaded when they are asked for."""
+
 LONGEST = 120  # characters of a name
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     named = words[0] if words and not words[0].startswith("-") else ""
-    if named in ATTRACTOR:
-        return own_attractor.main(words)
-    if named in BRANCH:
-        return own_branch.main(words)
-    if named in CAPTURE:
-        return own_capture.main(words)
-    if named in FAMILY:
-        return own_family.main(words)
-    if named in HORSESHOE:
-        return own_horseshoe.main(words)
+    for names, module in OTHERS.items():
+        if named in names:
+            found: Callable[[Sequence[str]], int] = import_module(f"cap.command.{module}").main
+            return found(words)
     options = parser(named).parse_args([protected(word) for word in words])
     progress = Progress()
 

@@ -21,6 +21,7 @@ from cap.parameters import exact
 from cap.proofs import contact_capture, wall_boxes
 from cap.proofs.contacts import as_parameters
 from cap.system.files import assigned, read, stem
+from cap.system.model import System
 
 
 def main(words: Sequence[str]) -> int:
@@ -82,11 +83,8 @@ class Asked:
         """Read the options; raise `BadInput` with what is wrong."""
         values = assigned(options.set)
         system = read(options.model, values)
-        mode, slash, guard = (options.guard or "").rpartition("/")
-        if options.guard and not slash:
-            raise BadInput("--guard is MODE/GUARD")
-        place = wall(system, mode or None, guard or None)
-        box = _box(system.state, options.box)
+        place = wall_of(system, options.guard)
+        box = None if options.box is None else box_of(system.state, options.box)
         if box is None and len(system.state) != 2:
             raise BadInput(f"give --box: the state has {len(system.state)} variables, not two")
         started = options.mode or place.falling
@@ -99,10 +97,16 @@ class Asked:
         return cls(place, started, time, box, path)
 
 
-def _box(state: Sequence[str], given: Sequence[str] | None) -> Boxes | None:
+def wall_of(system: System, given: str | None) -> Wall:
+    """Return the wall whose MODE/GUARD is given, or the first one."""
+    mode, slash, guard = (given or "").rpartition("/")
+    if given and not slash:
+        raise BadInput("--guard is MODE/GUARD")
+    return wall(system, mode or None, guard or None)
+
+
+def box_of(state: Sequence[str], given: Sequence[str]) -> Boxes:
     """Return the box of the state."""
-    if given is None:
-        return None
     ends = [exact(word) for word in given]
     pairs = list(zip(ends[::2], ends[1::2], strict=False))
     if len(ends) != 2 * len(state) or any(a > b for a, b in pairs):

@@ -6,7 +6,7 @@ from cap.proofs import symbolic
 from cap.proofs.theorems import THEOREMS
 
 PROVED = (
-    "of a system of one's own `periodic`, `elliptic`, `branch`, `family`, `capture`, "
+    "of a system of one's own `periodic`, `elliptic`, `branch`, `family`, `capture`, `basin`, "
     "`attractor` and `horseshoe` are proved"
 )
 
@@ -16,6 +16,7 @@ LISTED = {
     "branch --model FILE": "a curve of periodic orbits over a parameter: its folds and flips",
     "family --model FILE": "a family of periodic orbits at one value of the parameters, exactly",
     "capture --model FILE": "infinitely many contacts in finite time, then rest, from a box",
+    "basin --model FILE": "the share of a rectangle of states that comes to rest in time",
     "attractor --model FILE": "releases: one motion that the others tend to, or entropy",
     "horseshoe --model FILE": "entropy of motions from contact to contact",
     "horseshoe --map FILE": "the same of a map of the plane",

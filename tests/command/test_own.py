@@ -105,7 +105,7 @@ def test_what_is_not_for_own_systems(capsys):
         assert main([name, "--model", MODEL]) == 2
         said = capsys.readouterr().err
         assert said.count("\n") == 1
-        assert "`family`, `capture`, `attractor` and `horseshoe` are proved" in said
+        assert "`family`, `capture`, `basin`, `attractor` and `horseshoe` are proved" in said
         assert f"{name} does not apply to a model: " in said or name == "nonsense"
     assert main(["contacts"]) == 2
     assert "python -m cap.prove periodic --model FILE" in capsys.readouterr().err

@@ -12,6 +12,7 @@ from cap.command import (
     archive,
     own,
     own_ball,
+    own_basin,
     own_branch,
     own_capture,
     own_curve,
@@ -55,6 +56,8 @@ def of_own(given):
         assert kind.parameters(asked.given)["state"]
     elif given[0] in own.CAPTURE:
         assert own_capture.Asked.of(own_capture.parser().parse_args(given)).wall.e > 0
+    elif given[0] in own.BASIN:
+        assert own_basin.Asked.of(own_basin.parser().parse_args(given)).cells > 0
     elif given[0] in own.BRANCH:
         assert own_branch.parser().parse_args(given).parameter
     else:

@@ -56,6 +56,7 @@ LONG |= {
     "island-2",
     "islands",
     "map_curve",
+    "contact_basin-1",
     "contact_horseshoe-1",
     "contact_horseshoe-2",
     "map_horseshoe-1",

@@ -37,6 +37,7 @@ DRAWINGS = {
     "cascade": Drawing("releases:cascade", (9.0, 4.6)),
     "conservative": Drawing("islands:conservative", (7.2, 5.2)),
     "contact_attractor": Drawing("phases:contact_attractor", (6.4, 6.4)),
+    "contact_basin": Drawing("shares:basin", (7.2, 6.0)),
     "contact_capture": Drawing("chatter:capture", (8.6, 4.6)),
     "contact_elliptic": Drawing("contacts:elliptic", (8.6, 5.0)),
     "contact_horseshoe": Drawing("horseshoes:contact_horseshoe", (7.2, 5.8)),

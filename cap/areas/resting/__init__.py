@@ -1,0 +1,1 @@
+"""Compiled, in doubles: which cells of states come to rest at a wall, and which still fly."""

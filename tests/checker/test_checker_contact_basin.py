@@ -1,0 +1,279 @@
+"""The theorem ``contact_basin``: what is true is verified; each lie is noticed."""
+
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support import rounds, seeded
+
+from cap.checker.kernel.doubles import Double, enclosing
+from cap.checker.kernel.rejection import Rejected
+from cap.checker.resting.fates import Fates
+from cap.checker.resting.flights import Cell, Flights
+from cap.checker.resting.pull import Pull, Wave
+from cap.checker.theorems import contact_basin
+from cap.checker.verdict import check, words
+from checker.altered import changed, encode, fits_the_schema, rejected, verify
+
+ROOT = Path(__file__).parents[2]
+STORED = json.loads((ROOT / "certificates/contact_basin-1.json").read_text("utf-8"))
+GOOD = json.loads((ROOT / "tests/certificates/accept/contact_basin_ball.json").read_text("utf-8"))
+FLY, REST = ("parameters", "modes", "fly"), ("parameters", "modes", "rest")
+TABLE, LEAVE = (*FLY, "guards", "table"), (*REST, "guards", "leave")
+TREE = GOOD["hints"]["tree"]
+
+
+def altered(*path, value):
+    """Return the small certificate with another value."""
+    return changed(GOOD, *path, value)
+
+
+def test_it_is_verified():
+    """Its steps are told; the schema describes it; any number of processes."""
+    steps = verify(GOOD)
+    assert len(steps) == 4
+    assert "cells hits accumulate in time" in steps[2]
+    fits_the_schema(GOOD)
+
+
+def test_the_stored_one():
+    """What is told: the shares, the times, the rule of the model."""
+    line = words(check(encode(STORED), lambda _: None))
+    for part in (
+        "of the states (y, v) in [0, 2] x [-2, 2] at t = 0 in the mode 'fly', by their area",
+        "at least the part 0.66",
+        "these hits accumulate before t = 6, and the motion is then in the mode 'rest'",
+        "at least the part 0.17",
+        "finitely often until t = 6, and is in the mode 'fly' then, with h > 0",
+    ):
+        assert part in line
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        (("start",), "2.9", "h may be negative in a cell"),
+        (("start",), "3.02", "a cell is not seen to"),
+        (("start",), "7", "claims.until is not after claims.start"),
+        (("until",), "6.9", "a cell is not seen to"),
+        (("until",), "7.1", "a cell is not seen to"),
+        (("until",), "1000", "is more than 500"),
+        (("mode",), "rest", "there is no such guard, or mode"),
+        (("guard",), "leave", "there is no such guard, or mode"),
+        (("restitution",), "500000001/1000000000", "is not -e times that before it"),
+        (("restitution",), "0", "0 < e <= 1 does not hold"),
+        (("box", "y"), ["0.2", "1.21"], "a cell is not seen to"),
+        (("box", "y"), ["1.2", "1.2"], "the rectangle has no area"),
+        (("box", "v"), ["-1", "1.02"], "a cell is not seen to"),
+        (("box",), {"y": ["0", "1"]}, "is not one of the state"),
+    ],
+)
+def test_each_claim(path, value, why):
+    """None may be another one."""
+    rejected(altered("claims", *path, value=value), why)
+
+
+@pytest.mark.parametrize(("name", "kind"), [("resting", "r"), ("flying", "f")])
+def test_shares(name, kind):
+    """They are sums of powers of 1/2, to the last one; less may be claimed."""
+    share, waiting = Fraction(0), [0]
+    for letter in TREE:
+        depth = waiting.pop()
+        if letter in "01":
+            waiting += [depth + 1, depth + 1]
+        elif letter == kind:
+            share += Fraction(1, 2**depth)
+    verify(altered("claims", name, value=str(share)))
+    verify(altered("claims", name, value="0"))
+    more = str(share + Fraction(1, 2**60))
+    rejected(altered("claims", name, value=more), "are a smaller share than claimed")
+
+
+def at(letter, n=0):
+    """Return the place of a letter in the tree."""
+    return [k for k, c in enumerate(TREE) if c == letter][n]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ("r", "f", "a cell is not seen to fly"),
+        ("f", "r", "a cell is not seen to rest"),
+        ("-", "f", "a cell is not seen to fly"),
+        ("r", "-", "a smaller share"),
+        ("f", "-", "a smaller share"),
+        ("r", "x", "hints.tree has another letter"),
+        ("r", "0", "ends before its last part|a cell is not seen"),
+    ],
+)
+@pytest.mark.parametrize("n", [0, -1])
+def test_letters(old, new, why, n):
+    """No cell may have another fate."""
+    k = at(old, n)
+    claimed = altered("hints", "tree", value=TREE[:k] + new + TREE[k + 1 :])
+    rejected(claimed, why)
+
+
+@pytest.mark.parametrize(
+    ("tree", "why"),
+    [
+        ("", "hints.tree ends before its last part"),
+        ("r", "a cell is not seen to rest in time"),
+        ("f", "a cell is not seen to fly at the end"),
+        ("-", "are a smaller share than claimed"),
+        ("0-", "hints.tree ends before its last part"),
+        ("--", "hints.tree goes on after its last part"),
+        ("0" * 60, "a part is halved too often"),
+        ("-" * 1_000_001, "longer than 1000000 letters"),
+    ],
+)
+def test_trees(tree, why):
+    """They are read strictly."""
+    rejected(altered("hints", "tree", value=tree), why)
+
+
+def test_cells_that_swap_places():
+    """The halves of a part are not those of another."""
+    k = at("0")
+    rejected(altered("hints", "tree", value=TREE[:k] + "1" + TREE[k + 1 :]), "a cell is not seen")
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "why"),
+    [
+        ((*TABLE, "reset", "v"), [["-1/2", "v"]], "h' after a hit is not -e times"),
+        ((*TABLE, "to"), ["fly", "rest"], "a hit leads to another mode"),
+        ((*TABLE, "rest"), "fly", "h or h' does not stay 0 in fly"),
+        ((*FLY, "field", "v"), [["-1"], ["-1/10", "v"]], "-h'' is not m"),
+        ((*FLY, "field", "v"), [["-1"], ["-1/10", "y"]], "-h'' is not m"),
+        ((*FLY, "field", "v"), [["-1"], ["1/10", "cos"]], "not -h'' times a positive number"),
+        ((*FLY, "field", "v"), [["-11/10"]], "not -h'' times a positive number"),
+        ((*LEAVE, "value"), [["-1"], ["6/5", "sin"]], "not -h'' times a positive number"),
+        ((*LEAVE, "value"), [["1"], ["-6/5", "sin"], ["1", "y"]], "not -h'' times"),
+        (("parameters", "omega"), "101/100", "is not -e times|not stay 0"),
+    ],
+)
+def test_other_systems(path, value, why):
+    """The system of the certificate is the one in which states rest."""
+    rejected(altered(*path, value=value), why)
+
+
+def test_another_amplitude():
+    """A table that vibrates more is another one."""
+    text = json.dumps(GOOD).replace("6/5", "5/4").replace("9/5", "15/8")
+    rejected(json.loads(text), "a cell is not seen to")
+
+
+def test_another_guard():
+    """A second guard of the mode may be met."""
+    ceiling = {"value": [["10"], ["-1", "y"]], "reset": {}, "to": ["fly"]}
+    rejected(altered(*FLY, "guards", "ceiling", value=ceiling), "the mode has other guards")
+
+
+def test_a_guard_of_rest_may_be_a_multiple():
+    """Or there may be none: then it rests for ever."""
+    verify(altered(*LEAVE, "value", value=[["5"], ["-6", "sin"]]))
+    verify(altered(*REST, "guards", value={}))
+
+
+def test_the_work_is_bounded(monkeypatch):
+    """Cells times steps of the grid of times."""
+    monkeypatch.setattr(contact_basin, "WORK", 1000)
+    rejected(GOOD, "cells times steps are more than")
+
+
+# the engine
+
+END = 7.0
+RNG = seeded(41)
+
+
+def fates(A=1.2, e=0.5, end=END):
+    """Return the fates of a ball on a table, h'' = -1 + A sin s."""
+    wave = Wave(Double(1.0), Double(0.0), enclosing(Fraction(-A)), Double(1.0))
+    return Fates(Pull(wave, end), Double(e), end, end)
+
+
+def bounced(y, v, A, e, end, least=1e-9):
+    """Return whether hits accumulate before the end, from h = y, h' = v at s = 0: in floats.
+
+    Zeros are bracketed in small steps: no formula of the checker is used.
+    """
+    s, steps = 0.0, 4000
+    for _ in range(100):
+        grid = s + (end - s) * (np.arange(1, steps + 1) / steps) ** 2
+        d = grid - s
+        h = y + v * d - d * d / 2 - A * (np.sin(grid) - math.sin(s) - math.cos(s) * d)
+        below = np.flatnonzero(h < 0)
+        if not len(below):
+            return False
+        a, b = (s if below[0] == 0 else grid[below[0] - 1]), grid[below[0]]
+        for _ in range(60):
+            m = (a + b) / 2
+            x = m - s
+            k = y + v * x - x * x / 2 - A * (math.sin(m) - math.sin(s) - math.cos(s) * x)
+            a, b = (m, b) if k > 0 else (a, m)
+        x = b - s
+        rate = v - x - A * (math.cos(b) - math.cos(s))
+        s, y, v = b, 0.0, -e * rate
+        if abs(v) < least:
+            return True
+    return s < end
+
+
+@pytest.mark.slow
+def test_fates_beside_floats():
+    """Random cells and random states in them, for tables that vibrate more or less."""
+    seen = {"r": 0, "f": 0}
+    for _ in range(rounds(150)):
+        A, e, end = RNG.uniform(0.1, 1.4), RNG.uniform(0.3, 0.7), RNG.uniform(3, 9)
+        size = 2.0 ** -RNG.uniform(3, 8)
+        y, v = RNG.uniform(0.01, 1.5), RNG.uniform(-2, 1.5)
+        found = fates(A, e, end).of((y, y + size), (v, v + size))
+        if found == "-":
+            continue
+        seen[found] += 1
+        for _ in range(5):
+            state = y + RNG.uniform(0, size), v + RNG.uniform(0, size)
+            assert bounced(*state, A, e, end) == (found == "r")
+    assert min(seen.values()) > 10
+
+
+def test_windows_contain_hits():
+    """The first hits of random states of random cells are in the window, with their speeds."""
+    known = 0
+    for _ in range(rounds(100)):
+        A, size = RNG.uniform(0.1, 1.4), 2.0 ** -RNG.uniform(3, 9)
+        y, v = RNG.uniform(0.01, 1.5), RNG.uniform(-2, 1.5)
+        r = size / 2
+        one, none = Double(1.0), Double(0.0)
+        same = one, none, none, one
+        cell = Cell(0.0, Double(y), Double(v), same, (r, r), v - r, v + r)
+        pull = fates(A).pull
+        window = Flights(pull, cell).window(END)
+        if window is None or window.a == window.b:
+            continue
+        known += 1
+        for _ in range(5):
+            p, q = y + RNG.uniform(-r, r), v + RNG.uniform(-r, r)
+            s = np.linspace(0, window.b, 2001)
+            h = p + q * s - s * s / 2 - A * (np.sin(s) - s)
+            rate = q - s - A * (np.cos(s) - 1)
+            assert (h[s < window.a] > 0).all()
+            assert h[-1] < 0
+            inside = (s >= window.a) & (np.abs(h) < 1e-3)
+            assert (rate[s >= window.a] < 0).all()
+            assert (-rate[inside] > window.speed.lower - 0.02).all()
+            assert (-rate[inside] < window.speed.upper + 0.02).all()
+    assert known > 30
+
+
+def test_what_is_too_long_is_rejected():
+    """A time beyond the grid is no time of a flight."""
+    with pytest.raises(Rejected):
+        fates().pull.sums(1e6)

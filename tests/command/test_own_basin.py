@@ -1,0 +1,90 @@
+"""The command ``cap.prove basin --model FILE``: from a file to a certificate, and refusals."""
+
+import json
+from fractions import Fraction
+
+import pytest
+
+from cap.command.own import main
+from cap.errors import BadInput, NotProved
+from cap.orbits.wall import wall
+from cap.proofs import contact_basin
+from cap.proofs.contact_basin import Rectangle
+from cap.system.files import read
+
+BALL = "examples/ball.py"
+BOX = ["--box", "0", "2", "-2", "2", "--until", "6"]
+
+
+def run(*words, model=BALL):
+    """Run the command and return its status."""
+    return main(["basin", "--model", model, *words])
+
+
+@pytest.mark.slow  # compiled anew in a fresh clone
+def test_from_a_file_to_a_certificate(tmp_path, capsys):
+    """The shares grow with the number of cells; the name tells what is asked."""
+    shares = []
+    for cells in ("300", "3000"):
+        words = "--set", "A=3/10", "--cells", cells, "--out", str(tmp_path)
+        assert run(*BOX, *words) == 0
+        assert "comes to rest before t = 6" in capsys.readouterr().out.replace("\n  ", " ")
+        (path,) = tmp_path.glob("*.json")
+        assert path.name == "contact_basin-ball-A=3_10-until=6.json"
+        claims = json.loads(path.read_text("utf-8"))["claims"]
+        shares.append([float(claims[key]) for key in ("resting", "flying")])
+    assert shares[0][0] < shares[1][0] < 0.75
+    assert shares[0][1] <= shares[1][1] < 0.25
+
+
+@pytest.mark.slow
+def test_a_table_nearly_at_rest():
+    """At rest all from below 1/8 rest before sqrt(2 H/g) (1 + e)/(1 - e) = 3/2; none flies."""
+    box = {"y": (0, Fraction(1, 8)), "v": (-Fraction(1, 100), 0)}
+    asked = Rectangle(Fraction(0), Fraction(8, 5), box)
+    found = contact_basin.prove(wall(read(BALL, {"A": Fraction(1, 1000)})), asked, 2000)
+    assert float(found["claims"]["resting"]) > 0.95
+    assert found["claims"]["flying"] == "0"
+
+
+@pytest.mark.slow
+def test_too_few_cells():
+    """Of one large cell nothing is certain."""
+    box = {"y": (0, Fraction(2)), "v": (-Fraction(3), 3)}
+    asked = Rectangle(Fraction(0), Fraction(6), box)
+    with pytest.raises(NotProved, match="of no cell it is certain"):
+        contact_basin.prove(wall(read(BALL, {})), asked, 1)
+
+
+@pytest.mark.parametrize(
+    ("words", "why"),
+    [
+        (["--box", "0", "2", "-2", "2", "--until", "0"], "--until is not after --start"),
+        (["--box", "0", "0", "-2", "2", "--until", "6"], "--box has no area"),
+        (["--box", "0", "2", "--until", "6"], "--box is the least and the greatest"),
+        ([*BOX, "--cells", "0"], "integer from 1"),
+        ([*BOX, "--guard", "table"], "--guard is MODE/GUARD"),
+        ([*BOX, "--out", "/nowhere/at/all.json"], "cannot write"),
+    ],
+)
+def test_refusals(words, why, capsys):
+    """One line each."""
+    assert run(*words) == 2
+    assert why in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("model", "why"),
+    [
+        ("coupled_masses", "the state has 4 variables, not two"),
+        ("harvester", "free has other guards than top"),
+        ("gear_rattle", "free has other guards than front"),
+        ("impact_oscillator", "no share of a rectangle|no guard names a mode of rest"),
+        ("oscillator", "no share of a rectangle"),
+        ("billiard", "no guard names a mode of rest"),
+    ],
+)
+def test_models_that_are_refused(model, why):
+    """What is not of this kind says why."""
+    with pytest.raises(BadInput, match=why):
+        contact_basin.driven(wall(read(f"examples/{model}.py", {})))
