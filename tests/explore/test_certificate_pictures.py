@@ -22,7 +22,7 @@ pytestmark = pytest.mark.usefixtures("orbits_computed_once", "releases_computed_
 ROOT = Path(__file__).parents[2]
 STORED = ROOT / "certificates"
 REJECTED = sorted((Path(__file__).parents[1] / "certificates/reject").glob("mixed_*.json"))
-SOON = ("box_past_the_wall", "no_sink", "other_interval")
+SOON = ("box_past_the_wall", "other_interval")
 
 
 def case(path):

@@ -243,7 +243,9 @@ def test_ctrl_c_at_once(name, tmp_path, monkeypatch, capsys):
     """Even nothing can be written and drawn, or there is one line that says why not."""
     monkeypatch.setattr(Runner, "map", lambda self, *_, **__: interrupted(self))
     monkeypatch.setattr(explorer.Progress, "tell", interrupting(0, None))
-    status = tiny(name, "--out", str(tmp_path / "a.png"), "--out", str(tmp_path / "a.csv"))
+    small = ("--size", "5", "4", "--dpi", "50")
+    files = ("--out", str(tmp_path / "a.png"), "--out", str(tmp_path / "a.csv"))
+    status = tiny(name, *files, *small)
     captured = capsys.readouterr()
     assert status == INTERRUPTED
     assert "interrupted" in captured.err

@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 
 import particle_orbits
 import pytest
@@ -23,6 +24,7 @@ A = particle_orbits.A
 PART = Fraction(9, 10)
 
 
+@cache
 def claims_at(p, masses, digits=12, kind=theorem):
     """Return the claims at some parameters."""
     name = kind.__name__.rpartition(".")[2]
@@ -78,12 +80,18 @@ def test_mirror_image():
     assert sorted(words) == sorted(one["itinerary"])
 
 
+@cache
+def claims_of_thirty_digits():
+    """Return the claims that the tests compare with."""
+    return theorem.prove(particle_orbits.setting())(PART)["claims"]
+
+
 @pytest.mark.parametrize("digits", [6, 100])
 def test_digits(digits):
     """Claims of few digits contain those of thirty, and those claims of a hundred."""
     certificate = theorem.prove(particle_orbits.setting(digits=digits))(PART)
     check(json.dumps({**certificate, "provenance": {}}).encode(), lambda _step: None)
-    thirty = theorem.prove(particle_orbits.setting())(PART)["claims"]
+    thirty = claims_of_thirty_digits()
     wide, narrow = sorted((certificate["claims"], thirty), key=lambda c: len(c["theta"][0][0]))
     for name in ("x", "v", "theta", "twist_matrix", "monodromy", "least_speeds"):
         assert nested(narrow[name], wide[name]), name
