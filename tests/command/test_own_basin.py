@@ -3,14 +3,18 @@
 import json
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
 from cap.command.own import main
 from cap.errors import BadInput, NotProved
+from cap.floats.models.engine import Engine
 from cap.orbits.wall import wall
 from cap.proofs import contact_basin
 from cap.proofs.contact_basin import Rectangle
 from cap.system.files import read
+from cap.system.model import Bounce, Guard, Mode, System
+from cap.system.polynomial import variables
 
 BALL = "examples/ball.py"
 BOX = ["--box", "0", "2", "-2", "2", "--until", "6"]
@@ -88,3 +92,33 @@ def test_models_that_are_refused(model, why):
     """What is not of this kind says why."""
     with pytest.raises(BadInput, match=why):
         contact_basin.driven(wall(read(f"examples/{model}.py", {})))
+
+
+z, v, cos, pi = variables("z v cos pi")
+
+
+def ceiling():
+    """Return a ball that a force 1 + cos(2 pi t)/3 presses to a ceiling; h falls as z rises."""
+    force = 1 + cos * Fraction(1, 3)
+    top = Guard(1 - 2 * z, "free", Bounce(Fraction(2, 5)), rest="held")
+    leave = Guard(force, "free", {"v": 0})
+    free, held = Mode({"z": v, "v": force}, {"top": top}), Mode({"z": 0, "v": 0}, {"leave": leave})
+    return System("v z", 2 * pi, {"free": free, "held": held})
+
+
+@pytest.mark.slow
+def test_shares_beside_floats():
+    """A part rests, and a part flies, not larger than in floats, from t = 1/4."""
+    system, start, until = ceiling(), Fraction(1, 4), Fraction(5, 2)
+    box = {"v": (Fraction(-1), Fraction(1)), "z": (Fraction(-1), Fraction(1, 2))}
+    found = contact_basin.prove(wall(system), Rectangle(start, until, box), 3000)
+    proved = [float(found["claims"][key]) for key in ("resting", "flying")]
+    engine, count = Engine(system), 2000
+    states = np.random.default_rng(1).uniform((-1, -1), (1, 0.5), (count, 2))
+    phase = 2 * np.pi * float(start)
+    ends = engine.follow(states, ["free"] * count, phase=phase, periods=3, log=120 * count)
+    orbits, when = ends.log[:, 0], ends.log[:, 1]
+    captured = (ends.log[:, 2] == engine.words.index("capture")) & (when < float(until - start))
+    rest = len(np.unique(orbits[captured])) / count
+    assert 0.05 < proved[0] < rest + 0.02
+    assert 0.6 < proved[1] < 1 - rest + 0.02

@@ -91,7 +91,7 @@ def test_a_command(tmp_path, capsys):
     words = ["family", "--model", MODEL, "--set", "omega=1/2,f=1/5", "--out", str(out)]
     assert main(words) == 0
     said = capsys.readouterr().out
-    assert "different c are different orbits" in said
+    assert "different c have different states at the first of these times" in said
     claims = json.loads(out.read_text("utf-8"))["claims"]
     low, high = closed("1/2", "1/5")
     a, b = map(Fraction, claims["range"])

@@ -6,8 +6,9 @@ quarters of a period of the clock; the states just before them are linear in a n
 1. *Existence.*  For every c the contacts are a zero of F, by identities (``family``).
 2. *Nothing else happens*: the range of c is cut into parts.  For all c in a part each leg is quiet,
    as in ``contacts``, and after each contact all other modes that its guard names are closed.  So
-   for every c in the range the zero is a periodic orbit; two c give two orbits, as a state is not
-   constant in c.
+   for every c in the range the zero is a periodic orbit; two c give two
+   states at the time of the first contact, as each state is a function of the one before, and not
+   all are constant in c.
 3. *Multipliers.*  The return map to the first guard, in (t, q), takes each orbit's (t_0, q_0(c)) to
    itself p periods later: its derivative takes (0, dq_0/dc) to itself.  This is not zero: else no
    state would depend on c, as each state is a function of the one before.  So 1 is a multiplier.
@@ -139,8 +140,9 @@ class ContactsFamily(Contacts):
             f"the system with the {told(self.p)}; for every c from {low} to {high} it has an orbit "
             f"of period {claims['periods']} x 2 pi/omega with these contacts in one round, at each "
             f"of which the guard falls through 0, and no others: {contacts} (values just before a "
-            f"contact); different c are different orbits; after each contact no other mode is "
-            f"open; one of their {len(self.p.state)} multipliers is 1, {self.others()}"
+            f"contact); different c have different states at the first of these times; after "
+            f"each contact no other mode is open; one of their {len(self.p.state)} multipliers is "
+            f"1, {self.others()}"
         )
 
     def others(self) -> str:
