@@ -9,23 +9,26 @@ import json
 from contextlib import contextmanager
 
 from cap.checker.kernel import certificate
-from checker.parts import Function, Interval, Jet, Pairs, PeriodMap, TaylorModel, home
+from checker.parts import Function, Interval, Jet, LossyMap, Pairs, PeriodMap, TaylorModel, home
 
 
 @contextmanager
 def orbits_computed_once():
     """Compute the orbits from a box once for equal maps, boxes and orders."""
-    known, computed = {}, PeriodMap.over
+    known, before = {}, {kind: kind.over for kind in (PeriodMap, LossyMap)}
 
-    def over(phi, box, m, order):
-        key = content((type(phi).__name__, *vars(phi).values(), box, m, order))
-        if key not in known:
-            known[key] = computed(phi, box, m, order)
-        return known[key]
+    def remembered(computed):
+        def over(phi, box, m, order):
+            key = type(phi).__name__, *vars(phi).values(), box, m, order
+            return _known(known, key, lambda: computed(phi, box, m, order))
 
-    PeriodMap.over = over
+        return over
+
+    for kind, computed in before.items():
+        kind.over = remembered(computed)
     yield
-    PeriodMap.over = computed
+    for kind, computed in before.items():
+        kind.over = computed
 
 
 @contextmanager
