@@ -14,7 +14,7 @@ from support import rounds, seeded
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.resting.fates import Fates
-from cap.checker.resting.flights import Cell, Flights
+from cap.checker.resting.flights import Cell, Flights, Window
 from cap.checker.resting.pull import Pull, Wave
 from cap.checker.theorems import contact_basin
 from cap.checker.verdict import check, words
@@ -329,6 +329,90 @@ def test_hits_accumulate_before_the_end():
     found = ball.bounce(6.0, 6.5, 1e-20, 1.1)
     assert found is not None
     assert found[1] > 6.5
+
+
+def flight(y, v, A=0.0, mean=1.0):
+    """Return the flights from about h = y, h' = v, h'' = -mean + A sin s."""
+    one, none = Double(1.0), Double(0.0)
+    wave = Wave(Double(mean), none, enclosing(Fraction(-A)), one)
+    r = 2.0**-10
+    cell = Cell(0.0, Double(y), Double(v), (one, none, none, one), (r, r), v - r, v + r)
+    return Flights(Pull(wave, END), cell)
+
+
+def test_the_middle_does_not_hit_before(monkeypatch):
+    """A window of its own begins after no hit."""
+    flights = flight(0.5, 0.0)  # hits at s = 1
+    whole = flights.window(END)
+    alone = Flights(flights.pull, flights.cell._replace(r=(0.0, 0.0), down=0.0, up=0.0))
+    thin = alone.among(whole)
+    assert whole.a < thin.a < 1 < thin.b < whole.b
+    monkeypatch.setattr(Flights, "zero", lambda *_: whole.b)
+    late = alone.among(whole)
+    assert late.a == late.b
+
+
+def test_windows_in_which_some_rise():
+    """They are none: h' < 0 throughout."""
+    flights = flight(0.5, 1.0)  # highest at s = 1, hits at s = 2.41
+    rises, falls = flights.hits(0.9, 3.0), flights.hits(1.1, 3.0)
+    assert rises.a == rises.b
+    assert (falls.a, falls.b) == (1.1, 3.0)
+
+
+def test_the_sums_of_a_window():
+    """They are those of all of its times."""
+    flights = flight(0.5, 1.0, 0.5)
+    hit = flights.hits(2.0, 4.5)
+    for s in np.linspace(hit.a, hit.b, 30):
+        at = flights.pull.guess(s)
+        for found, one in zip((hit.first, hit.second), at, strict=True):
+            assert found.lower <= one <= found.upper
+
+
+def test_between_two_heights_it_may_dip():
+    """h = c - s/2 + s^2/2 comes to c - 1/8: at both ends it is c."""
+    flights = flight(0.1, -0.5, mean=-1.0)
+    assert not flights._stays(0.0, 0.1, 1.0, 0.1)
+    assert not flights._stays(0.0, 0.0, 1.0, 0.4)
+    assert flights._stays(0.0, 0.13, 1.0, 0.13)
+
+
+def test_two_hits_in_a_window():
+    """A slow one may be followed by another."""
+    one = Double(1.0)
+    ball, window = fates(0.0), Window(0.0, 1.0, one, one, one, one)  # e = 1/2
+    assert ball.hits_again(window._replace(speed=Double(0.9)))
+    assert not ball.hits_again(window._replace(speed=Double(1.1)))
+
+
+def test_the_pull_of_a_bounce_is_that_until_its_end():
+    """P rises: the next hit is faster than at the pull of the beginning."""
+    ball, v, s = fates(1.2), 0.6, 3.5
+
+    def pull(t):
+        return 1 - 1.2 * math.sin(t)
+
+    fast, until = ball.bounce(s, s, v, 1.36)
+    assert until >= s + 2 * v / pull(s)
+    assert fast >= v * math.sqrt(pull(min(until, 1.5 * math.pi)) / pull(s))
+
+
+def test_the_pull_where_it_turns():
+    """What P differs from that in the middle of a time is of second order there."""
+    p = fates(1.2).pull
+    for a, b in ((1.0, 2.1), (4.2, 5.3), (3.0, 3.4)):
+        found = p.during(a, b)
+        for s in np.linspace(a, b, 50):
+            assert found.lower <= 1 - 1.2 * math.sin(s) <= found.upper
+
+
+def test_the_end_is_between_doubles():
+    """Rest is before one, flight until the other."""
+    for q in (Fraction(1, 3), Fraction(2, 3), Fraction(10, 3), Fraction(7)):
+        early, late = map(Fraction, contact_basin._beside(q))
+        assert early <= q <= late
+        assert late - early < Fraction(1, 10**15)
 
 
 def test_no_number_is_no_height():
