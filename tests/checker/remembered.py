@@ -9,23 +9,26 @@ import json
 from contextlib import contextmanager
 
 from cap.checker.kernel import certificate
-from checker.parts import Function, Interval, Jet, Pairs, PeriodMap, TaylorModel, home
+from checker.parts import Function, Interval, Jet, LossyMap, Pairs, PeriodMap, TaylorModel, home
 
 
 @contextmanager
 def orbits_computed_once():
     """Compute the orbits from a box once for equal maps, boxes and orders."""
-    known, computed = {}, PeriodMap.over
+    known, before = {}, {kind: kind.over for kind in (PeriodMap, LossyMap)}
 
-    def over(phi, box, m, order):
-        key = content((type(phi).__name__, *vars(phi).values(), box, m, order))
-        if key not in known:
-            known[key] = computed(phi, box, m, order)
-        return known[key]
+    def remembered(computed):
+        def over(phi, box, m, order):
+            key = type(phi).__name__, *vars(phi).values(), box, m, order
+            return _known(known, key, lambda: computed(phi, box, m, order))
 
-    PeriodMap.over = over
+        return over
+
+    for kind, computed in before.items():
+        kind.over = remembered(computed)
     yield
-    PeriodMap.over = computed
+    for kind, computed in before.items():
+        kind.over = computed
 
 
 @contextmanager
@@ -97,6 +100,23 @@ def impacts_computed_once():
     theorem.over, passage.after = image, end
     yield
     theorem.over, passage.after = over, after
+
+
+@contextmanager
+def legs_followed_once():
+    """Follow the legs of a cell of orbits by contacts once for equal systems, cells and cuts."""
+    theorem, known = home("ContactsBranch").ContactsBranch, {}
+    quiet = theorem.quiet
+
+    def once(proof, k, cell):
+        given = proof.certificate.parameters, proof.claims["contacts"], proof.claims["periods"]
+        hints = proof.hints["cuts"][k], proof.hints["bits"], proof.claims.get("symmetry")
+        key = repr(given), repr(hints), *cell.line, cell.error
+        return _known(known, key, lambda: quiet(proof, k, cell))
+
+    theorem.quiet = once
+    yield
+    theorem.quiet = quiet
 
 
 @contextmanager

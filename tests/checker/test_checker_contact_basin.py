@@ -273,6 +273,74 @@ def test_windows_contain_hits():
     assert known > 30
 
 
+def lowest(y, v, A, until):
+    """Return the least h of the flight from h = y, h' = v at s = 0 to a time: in floats."""
+    s = np.linspace(0, until, 4001)
+    return (y + v * s - s * s / 2 - A * (np.sin(s) - s)).min()
+
+
+def test_guesses_only_steer(monkeypatch):
+    """Wherever zeros are guessed to be: who flies until the end does not hit; windows are right.
+
+    A window that begins after the end says that there is no hit until then: it has to be proved.
+    """
+    seen = {"none": 0, "window": 0}
+    for _ in range(rounds(400)):
+        A, end = RNG.uniform(0.1, 1.4), RNG.uniform(1, 6)
+        y, v, r = RNG.uniform(0.01, 1.5), RNG.uniform(-2, 1.5), 2.0 ** -RNG.uniform(6, 12)
+        one, none = Double(1.0), Double(0.0)
+        cell = Cell(0.0, Double(y), Double(v), (one, none, none, one), (r, r), v - r, v + r)
+        flights = Flights(fates(A, end=end).pull, cell)
+        first = flights.first()
+        near = end if first is None else first[1]
+        low, high = near + RNG.uniform(-0.1, 0.1), near + RNG.uniform(-0.1, 0.2)
+        monkeypatch.setattr(Flights, "zero", lambda _self, side, _y: (low, high)[side > 0])  # noqa: B023
+        late = near if RNG.random() < 0.5 else near + RNG.uniform(-0.05, 0.05)
+        window = flights.window(late)
+        if window is None:
+            seen["none"] += 1
+            assert lowest(y, v, A, late) > 0
+        elif window.a < window.b:
+            seen["window"] += 1
+            assert lowest(y, v, A, window.a) > 0
+            assert lowest(y, v, A, window.b) < 0
+    assert min(seen.values()) > 10
+
+
+def test_a_window_past_the_end(monkeypatch):
+    """All of these flights hit before the end: a guess that they hit later proves nothing."""
+    one, none = Double(1.0), Double(0.0)
+    r = 2.0**-8
+    cell = Cell(0.0, Double(0.5), none, (one, none, none, one), (r, r), -r, r)
+    flights = Flights(fates(0.0).pull, cell)  # h = 1/2 - s^2/2
+    monkeypatch.setattr(Flights, "first", lambda _: (0.5, 1.5))
+    monkeypatch.setattr(Flights, "zero", lambda *_: 1.4)
+    window = flights.window(1.25)
+    assert window is not None
+    assert window.a == window.b
+
+
+def test_hits_accumulate_before_the_end():
+    """A bounce that begins at the end is not over then, however short it is."""
+    ball = fates(0.1)
+    assert ball.accumulate(6.0, 6.5, 1e-20, 1e-19)
+    assert ball.accumulate(6.0, math.nextafter(END, 0), 1e-20, 1e-19)
+    assert not ball.accumulate(6.0, END, 1e-20, 1e-19)
+    found = ball.bounce(6.0, 6.5, 1e-20, 1.1)
+    assert found is not None
+    assert found[1] > 6.5
+
+
+def test_no_number_is_no_height():
+    """What is not finite proves nothing: not at the beginning, not at the end."""
+    flights = Flights(
+        fates().pull, Cell(0.0, *(Double(1.0),) * 2, (Double(1.0),) * 4, (0, 0), 1, 1)
+    )
+    assert flights._stays(0.0, 1.0, 0.1, 1.0)
+    assert not flights._stays(0.0, 1.0, 0.1, math.nan)
+    assert not flights._stays(0.0, math.nan, 1.5, 1e-9)
+
+
 def test_what_is_too_long_is_rejected():
     """A time beyond the grid is no time of a flight."""
     with pytest.raises(Rejected):

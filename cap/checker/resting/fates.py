@@ -22,7 +22,8 @@ those of each hit.  F(x_c) is followed besides.
 *Rest* (``chatter``).  Let 0 < l <= P <= g.  A bounce that begins with the speed v rises for v/l at
 most, falls for v/l at most, and ends with a speed v sqrt(g/l) at most; so the next one begins with
 k v, k = e sqrt(g/l), at most.  All of them, if k < 1, last 2 v/(l (1 - k)) at most.  The bounds l
-and g of a bounce need hold only while it may last.
+and g of a bounce need hold only while it may last.  A sum of doubles x + y is below the double z if
+what it is rounded to is.
 """
 
 from __future__ import annotations
@@ -136,20 +137,25 @@ class Fates(NamedTuple):
 
         None: it may be later.
         """
-        until = latest + 2 * v / self.pull.ends(a, latest)[0] * longer
+        until = _after(latest + 2 * v / self.pull.ends(a, latest)[0] * longer)
         l, g = self.pull.ends(a, until)
-        if not (0 < l <= g < math.inf and latest + 2 * v / l * UP <= until):
+        if not (0 < l <= g < math.inf and latest + 2 * v / l * UP < until):
             return None
         return math.sqrt(g / l) * v * UP, until
 
     def accumulate(self, a: float, latest: float, v: float, tried: float) -> bool:
         """Return whether all bounces, the first one with the speed v, are over in a time tried."""
-        until = min(latest + tried, self.early)
+        until = min(_after(latest + tried), self.early)
         l, g = self.pull.ends(a, max(a, until))
         if not 0 < l <= g < math.inf:
             return False
         k = self.e.upper * math.sqrt(g / l) * UP
-        return k < 1 and latest + 2 * v / (l * (1 - k)) * UP <= until
+        return k < 1 and latest + 2 * v / (l * (1 - k)) * UP < until
+
+
+def _after(x: float) -> float:
+    """Return the double after another one: a sum that is rounded to x is below it."""
+    return math.nextafter(x, math.inf)
 
 
 def _product(m: Matrix, n: Matrix) -> Matrix:

@@ -119,7 +119,7 @@ class Flights:
         """Return whether h > 0 on (x, y], from lower bounds of h at both."""
         bend = max(0.0, -self.pull.lowest(x, y)) * (y - x) * (y - x) * GROWTH
         some = low >= 0 and after > 0 and after > 0.5 * bend
-        return some or min(low, after) > 0.125 * bend
+        return some or (low > 0.125 * bend and after > 0.125 * bend)
 
     def window(self, late: float) -> Window | None:
         """Return a window of the first hits; None if h > 0 until a time for all flights.
