@@ -128,7 +128,7 @@ def determinant(D: Matrix) -> Interval:
     For n rows these are n 2^(n-1) products at most.
     """
     zero, size = D[0][0].integer(0), len(D)
-    found = {(j,): x for j, x in enumerate(D[-1])}
+    found: dict[tuple[int, ...], Interval] = {(j,): x for j, x in enumerate(D[-1])}
     for k, row in enumerate(reversed(D[:-1]), 2):
         below, found = found, {}
         for columns in combinations(range(size), k):
