@@ -109,6 +109,13 @@ def impacts_computed_once():
 
 
 @pytest.fixture(scope="module")
+def legs_followed_once():
+    """Let the checker follow the legs of a cell of orbits by contacts once for equal arguments."""
+    with remembered.legs_followed_once():
+        yield
+
+
+@pytest.fixture(scope="module")
 def contacts_computed_once():
     """Let the checker read hints and compute Krawczyk's operator and jets of two masses once."""
     with remembered.contacts_computed_once(), remembered.hints_read_once():

@@ -103,6 +103,23 @@ def impacts_computed_once():
 
 
 @contextmanager
+def legs_followed_once():
+    """Follow the legs of a cell of orbits by contacts once for equal systems, cells and cuts."""
+    theorem, known = home("ContactsBranch").ContactsBranch, {}
+    quiet = theorem.quiet
+
+    def once(proof, k, cell):
+        given = proof.certificate.parameters, proof.claims["contacts"], proof.claims["periods"]
+        hints = proof.hints["cuts"][k], proof.hints["bits"], proof.claims.get("symmetry")
+        key = repr(given), repr(hints), *cell.line, cell.error
+        return _known(known, key, lambda: quiet(proof, k, cell))
+
+    theorem.quiet = once
+    yield
+    theorem.quiet = quiet
+
+
+@contextmanager
 def hints_read_once():
     """Read equal hints once; they are the same object then."""
     known, tabled = {}, certificate.tabled

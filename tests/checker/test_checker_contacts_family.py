@@ -71,6 +71,11 @@ def sticky(lie):
     guards["to left"]["value"] = [["2/5"], ["1", "cos"], ["-1", "x"]]
 
 
+def called_c(lie):
+    """Let the velocity be called c."""
+    lie["parameters"] = json.loads(dumps(lie["parameters"]).replace('"v"', '"c"'))
+
+
 def popped(where, key):
     """Return what takes the last of a list away."""
     return lambda lie: lie[where][key].pop()
@@ -90,6 +95,7 @@ LIES = {
         lambda lie: [q.append(["0", "0"]) for q in lie["claims"]["states"]],
         "a state has not 2 variables",
     ),
+    "a variable c": (called_c, "has the name of the number c"),
     "a quarter later": (claim("quarters", ["0", "3"]), f"quarters of a turn|{LEADS}"),
     "a period later": (claim("quarters", ["0", "6"]), "the contacts are not in order"),
     "the other order": (claim("quarters", ["2", "0"]), "the contacts are not in order"),
@@ -188,6 +194,29 @@ def test_the_sentence():
     assert "'stop' of 'right' at t = 0 with (x, v) = (c, 0), then 'left'" in said
     assert "at t = 1/2 x 2 pi/omega with (x, v) = (c - 8/3, 0), then 'right'" in said
     assert "one of their 2 multipliers is 1, the other is in [-0.0074, 0.3179], inside" in said
+
+
+def test_more_variables():
+    """Two that each stop makes smaller: of four multipliers the product of all is told."""
+    more, names = given(), ["a", "b"]
+    more["parameters"]["state"] += names
+    for part in more["parameters"]["modes"].values():
+        part["field"] |= {z: [] for z in names}
+    for key in ("right", "left"):
+        reset = {z: [["-9/10", z]] for z in names}
+        more["parameters"]["modes"][key]["guards"]["stop"]["reset"] |= reset
+    for q in more["claims"]["states"]:
+        q += [["0", "0"] for _ in names]
+    ends = more["hints"]["parts"][41:43]
+    more["claims"] |= {"range": ends, "product": ["0.17", "0.2"]}
+    more["hints"] |= {"parts": [], "cuts": more["hints"]["cuts"][42:43]}
+    said = words(check(dumps(more).encode(), lambda _: None))
+    assert "one of their 4 multipliers is 1, the product of all is in [0.17, 0.2]" in said
+    K, C = 1 / 3, sum(map(float, map(Fraction, ends))) / 2 - 4 / 3 - 0.1
+    other = (K + C) * (K - 0.2 - C) / ((K + C + 0.2) * (K - C))
+    assert 0.17 < other * 0.9**4 < 0.2
+    more["claims"]["product"] = ["0.17", "0.183"]
+    rejected(more, "claims.product does not contain")
 
 
 # flights

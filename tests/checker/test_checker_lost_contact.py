@@ -18,6 +18,8 @@ from cap.checker.system.passage import Contact
 from cap.checker.system.polynomial import ONE, Polynomial, variable
 from cap.checker.verdict import check, words
 
+pytestmark = pytest.mark.usefixtures("legs_followed_once")
+
 BESIDE = "does not contain the enclosure computed"
 x, v, e = map(variable, "xve")
 

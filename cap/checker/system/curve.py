@@ -123,15 +123,21 @@ def minors(D: Matrix, k: int) -> Interval:
 
 
 def determinant(D: Matrix) -> Interval:
-    """Return the determinant, by its first row."""
-    if len(D) == 1:
-        return D[0][0]
-    total = D[0][0].integer(0)
-    for j, x in enumerate(D[0]):
-        if x.lo or x.hi:
-            minor = determinant([[*row[:j], *row[j + 1 :]] for row in D[1:]])
-            total = total + x * minor * (-1) ** j
-    return total
+    """Return the determinant, by first rows; each minor of the last rows is computed once.
+
+    For n rows these are n 2^(n-1) products at most.
+    """
+    zero, size = D[0][0].integer(0), len(D)
+    found: dict[tuple[int, ...], Interval] = {(j,): x for j, x in enumerate(D[-1])}
+    for k, row in enumerate(reversed(D[:-1]), 2):
+        below, found = found, {}
+        for columns in combinations(range(size), k):
+            total = zero
+            for i, j in enumerate(columns):
+                if row[j].lo or row[j].hi:
+                    total = total + row[j] * below[columns[:i] + columns[i + 1 :]] * (-1) ** i
+            found[columns] = total
+    return found[*range(size),]
 
 
 def residual(row: Sequence[int], slope: Sequence[Mapping[int, Interval]], i: int) -> list[int]:

@@ -284,7 +284,11 @@ class ContactsBranch(Contacts):
         return found
 
     def lies(self, short: Cell, on: Cell) -> bool:
-        """Return whether the zeros at both ends of a short cell are certainly on a cell."""
+        """Return whether the zeros of a short cell are certainly on a cell.
+
+        So it is at both ends, for all b of the short cell, and what is among the w of a cell is
+        convex: all w of the short cell are, and so its zeros are those of the cell.
+        """
         bits = self.hints["bits"]
         ends = [(s, [x.with_bits(bits) for x in short.at(s)]) for s in short.line.ends]
         return all(on.holds(short.line, s, w) for s, w in ends)

@@ -86,6 +86,7 @@ class ContactsFamily(Contacts):
     def prove(self) -> None:
         """Prove the theorem."""
         contacts, n = [Contact(**c) for c in self.claims["contacts"]], len(self.p.state)
+        need("c" not in self.p.state, "a variable of the state has the name of the number c")
         need(all(len(q) == n for q in self.claims["states"]), f"a state has not {n} variables")
         self.orbit = Round(self.p, contacts, self.claims["periods"])
         self.orbit.confirm()
