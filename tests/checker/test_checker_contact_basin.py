@@ -363,7 +363,8 @@ def test_windows_in_which_some_rise():
 def test_the_sums_of_a_window():
     """They are those of all of its times."""
     flights = flight(0.5, 1.0, 0.5)
-    hit = flights.hits(2.0, 4.5)
+    hit = flights.hits(3.5, 4.5)
+    assert (hit.a, hit.b) == (3.5, 4.5)
     for s in np.linspace(hit.a, hit.b, 30):
         at = flights.pull.guess(s)
         for found, one in zip((hit.first, hit.second), at, strict=True):
