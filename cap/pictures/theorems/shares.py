@@ -39,8 +39,9 @@ def basin(theorem: ContactBasin, figure: Figure) -> None:
 
 def cells(theorem: ContactBasin, letter: str) -> Iterator[Rectangle]:
     """Give the cells of a kind, as they lie in the plane of the two variables."""
-    names = theorem.p.state
-    of_height = [z for z in names if theorem.wall.h.derivative(z).terms]
+    names, claims = theorem.p.state, theorem.claims
+    h = theorem.p.modes[claims["mode"]].guards[claims["guard"]].value
+    of_height = [z for z in names if h.derivative(z).terms]
     (a, b), (c, d) = ((float(q.lower), float(q.upper)) for q in _sides(theorem))
     for kind, (p, q, r, s) in theorem.cells():
         if kind == letter:
