@@ -29,8 +29,9 @@ from cap.checker.system.releases import Releases
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps.graphs import fastest
+from cap.proofs.certified import certified
 from cap.proofs.contacts import as_parameters
-from cap.proofs.coverings import PLACES, SCALE, checked
+from cap.proofs.coverings import PLACES, SCALE
 from cap.runner import Runner
 from cap.sets import interval
 from cap.system.model import System
@@ -119,7 +120,7 @@ def _proved(
         growth, vector = lemma_2_growth(cells)
         claims |= {"growth": interval.exact_decimal(growth), "entropy": _entropy(growth, rate)}
         hints["vector"] = [str(v) for v in vector]
-    return checked("contact_attractor", parameters, (claims, hints), runner)
+    return certified("contact_attractor", parameters, (claims, hints), runner)
 
 
 def _shown(low: Fraction, high: Fraction) -> list[str]:

@@ -20,14 +20,13 @@ from typing import Any, NamedTuple
 from cap.areas.resting.fates import Sides
 from cap.areas.resting.pull import Pull
 from cap.areas.resting.sweep import DEEPEST, Swept, sweep
-from cap.certificate import writer
-from cap.checker.kernel.rejection import Rejected
-from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
 from cap.orbits.capture import Boxes, clock, value
 from cap.orbits.wall import Wall
+from cap.proofs.certified import certified
 from cap.proofs.contact_capture import shown
 from cap.proofs.contacts import as_parameters
+from cap.runner import Runner
 from cap.sets import doubles, interval
 from cap.sets.doubles import Interval
 from cap.sets.interval import Ball
@@ -148,22 +147,9 @@ def _checked(place: Wall, asked: Rectangle, swept: Swept) -> dict[str, Any]:
         "resting": _share(swept.rests),
         "flying": _share(swept.flies),
     }
-    certificate = {
-        "format": writer.FORMAT,
-        "theorem": "contact_basin",
-        "parameters": as_parameters(place.system, rests=True),
-        "digits": str(PLACES),
-        "claims": claims,
-        "hints": {"bits": str(CHECKED), "tree": swept.tree},
-        "cites": [],
-        "provenance": writer.provenance(BITS),
-    }
-    try:
-        check(writer.dumps(certificate).encode(), lambda _step: None)
-    except Rejected as reason:
-        why = f"the independent checker rejects the certificate: {reason}"
-        raise NotProved("checker", why) from None
-    return certificate
+    parameters = as_parameters(place.system, rests=True)
+    content = claims, {"bits": str(CHECKED), "tree": swept.tree}
+    return certified("contact_basin", parameters, content, Runner(), digits=PLACES, bits=BITS)
 
 
 def _share(units: int) -> str:

@@ -23,14 +23,14 @@ from itertools import islice, pairwise, product
 from typing import Any, NamedTuple
 
 from cap.certificate import writer
-from cap.checker.kernel.rejection import Rejected
-from cap.checker.verdict import check
 from cap.errors import NotProved
 from cap.orbits.capture import Boxes, Found, Start, Window, captured
 from cap.orbits.first_hits import Place, hits
 from cap.orbits.held import Held, Times
 from cap.orbits.wall import Wall
+from cap.proofs.certified import certified
 from cap.proofs.contacts import as_parameters
+from cap.runner import Runner
 from cap.sets import bisection, interval
 from cap.sets.interval import Ball
 from cap.system.exponential import number
@@ -209,22 +209,9 @@ def _checked(start: Start, mode: str, cut: Cut, rest: Rest) -> dict[str, Any]:
         "state": {z: shown(c) for z, c in _meant(start, mode).items()},
         "cuts": [*map(str, rest.cuts)],
     }
-    certificate = {
-        "format": writer.FORMAT,
-        "theorem": "contact_capture",
-        "parameters": as_parameters(place.system, rests=True),
-        "digits": str(PLACES),
-        "claims": claims,
-        "hints": hints,
-        "cites": [],
-        "provenance": writer.provenance(BITS),
-    }
-    try:
-        check(writer.dumps(certificate).encode(), lambda _step: None)
-    except Rejected as reason:
-        why = f"the independent checker rejects the certificate: {reason}"
-        raise NotProved("checker", why) from None
-    return certificate
+    parameters = as_parameters(place.system, rests=True)
+    content = claims, hints
+    return certified("contact_capture", parameters, content, Runner(), digits=PLACES, bits=BITS)
 
 
 def _ratios(pieces: Sequence[Piece]) -> dict[str, str]:

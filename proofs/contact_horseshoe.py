@@ -37,8 +37,9 @@ from cap.checker.theorems.contact_horseshoe import WORK, per_unit
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps.graphs import in_time
+from cap.proofs.certified import certified
 from cap.proofs.contacts import as_parameters
-from cap.proofs.coverings import PLACES, SCALE, Asked, Proved, Which, checked, proved
+from cap.proofs.coverings import PLACES, SCALE, Asked, Proved, Which, proved
 from cap.runner import Runner
 from cap.sets import interval
 from cap.system.model import System
@@ -74,7 +75,7 @@ def prove(section: Section, effort: int, runner: Runner, which: Which) -> dict[s
         g = ContactMap(given, middle, [FAR] * len(found.sets), WORK // len(found.sets))
         try:
             best = proved(Asked(g), found, runner, which)
-            return checked("contact_horseshoe", parameters, _content(g, best, middle), runner)
+            return certified("contact_horseshoe", parameters, _content(g, best, middle), runner)
         except NotProved as failure:
             reason = str(failure)
     raise NotProved("search", reason)

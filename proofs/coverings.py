@@ -15,13 +15,10 @@ import numpy as np
 
 from cap.areas.parallelograms.covering import Engine, numbers
 from cap.areas.parallelograms.planar import Planar as Compiled
-from cap.certificate import writer
 from cap.checker.coverings.covering import Parallelogram, covers
 from cap.checker.coverings.graph import overlaps
 from cap.checker.coverings.planar import Planar
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems import load
-from cap.checker.verdict import check
 from cap.errors import NotProved
 from cap.floats.candidates import Family
 from cap.maps.graphs import Part, Places, fastest
@@ -92,30 +89,6 @@ def first_that_grows(g: Asked, found: Iterable[Family], runner: Runner, which: W
         except NotProved as failure:
             reason = str(failure)
     raise NotProved("search", reason)
-
-
-def checked(
-    theorem: str, parameters: dict[str, Any], content: tuple[Any, Any], runner: Runner
-) -> dict[str, Any]:
-    """Return a certificate, of claims and hints, that the checker accepts; or `NotProved`."""
-    claims, hints = content
-    certificate = {
-        "format": writer.FORMAT,
-        "theorem": theorem,
-        "parameters": parameters,
-        "digits": "6",
-        "claims": claims,
-        "hints": hints,
-        "cites": list(load(theorem).CITES),
-        "provenance": writer.provenance(64),
-    }
-    runner.tell("the checker checks it", None)
-    try:
-        check(writer.dumps(certificate).encode(), lambda _step: None, runner.jobs, runner.tell)
-    except Rejected as reason:
-        why = f"the independent checker rejects the certificate: {reason}"
-        raise NotProved("checker", why) from None
-    return certificate
 
 
 def proved(g: Asked, found: Family, runner: Runner, which: Which) -> Proved:

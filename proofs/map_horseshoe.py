@@ -20,8 +20,9 @@ from cap.checker.coverings.formulas import formulas
 from cap.checker.kernel.shapes import matched
 from cap.checker.theorems.map_horseshoe import MapHorseshoe
 from cap.floats import candidates
+from cap.proofs.certified import certified
 from cap.proofs.contacts import terms
-from cap.proofs.coverings import Asked, Which, checked, first_that_grows
+from cap.proofs.coverings import Asked, Which, first_that_grows
 from cap.runner import Runner
 from cap.system.planar import Map
 
@@ -34,7 +35,7 @@ def prove(given: Map, effort: int, runner: Runner, which: Which) -> dict[str, An
     tell = lambda words: runner.tell(words, None)  # noqa: E731
     found = candidates.families_by_cells(candidates.formulas(given), effort, tell)
     best = first_that_grows(g, found, runner, which)
-    return checked("map_horseshoe", parameters, (best.claims(1), best.hints()), runner)
+    return certified("map_horseshoe", parameters, (best.claims(1), best.hints()), runner)
 
 
 def as_parameters(given: Map) -> dict[str, Any]:

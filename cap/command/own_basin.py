@@ -11,7 +11,7 @@ from typing import Any
 
 from cap.command import own_map
 from cap.command.console import Parser, program, protected
-from cap.command.own_capture import box_of, wall_of
+from cap.command.own_capture import add_guard, box_of, wall_of
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.option import integer
@@ -46,9 +46,7 @@ def parser() -> Parser:
         epilog="Example: python -m cap.prove basin --model examples/ball.py --set A=3/10 --box 0 2 "
         "-2 2 --until 6",
     )
-    p.add_argument("theorem", metavar="basin", help="what is proved")
-    p.add_argument("--model", required=True, metavar="FILE", help="FILE.py[:FUNCTION] or FILE.json")
-    p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
+    own_map.add_model(p, "basin")
     p.add_argument(
         "--box",
         nargs="+",
@@ -66,11 +64,7 @@ def parser() -> Parser:
         metavar="N",
         help=f"about so many cells (default {CELLS}): more of them leave less undecided",
     )
-    p.add_argument(
-        "--guard",
-        metavar="MODE/GUARD",
-        help="the guard that is hit, and its mode (default: the first that names a mode of rest)",
-    )
+    add_guard(p)
     own_map.add_ends(p)
     return p
 

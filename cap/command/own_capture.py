@@ -59,13 +59,18 @@ def parser() -> Parser:
     p.add_argument(
         "--mode", metavar="MODE", help="the mode in which they are (default: that of the guard)"
     )
+    add_guard(p)
+    own_map.add_ends(p)
+    return p
+
+
+def add_guard(p: argparse.ArgumentParser) -> None:
+    """Add which guard is the wall."""
     p.add_argument(
         "--guard",
         metavar="MODE/GUARD",
         help="the guard that is hit, and its mode (default: the first that names a mode of rest)",
     )
-    own_map.add_ends(p)
-    return p
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ One more cell, the *piece*, begins on a cell some way before the end, and ends b
 the number; the zero lies in a *short* cell on it.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from cap.errors import NotProved
 from cap.maps.zero import Box
@@ -19,6 +19,7 @@ STEPS = 40
 BACK = 24, 16, 12, 9, 7, 5, 4, 3, 2, 1  # how many cells before the end the piece begins
 BEYOND = Fraction(1, 4)  # of the way to the zero
 
+T = TypeVar("T")
 Number = Callable[[Box], Fraction]  # a guess of what vanishes, at a point
 
 
@@ -51,6 +52,24 @@ class Ahead:
         if len(ordered) < 2:
             raise NotProved(self.step, "the curve has one cell")
         return [float(x) for x in ordered[-1].at(_outer(ordered[-1], ordered[-2]))]
+
+    def first(
+        self,
+        begins: Iterable[Begin],
+        number: Number,
+        proved: Callable[[int, Cell], T],
+        why: str,
+    ) -> T:
+        """Return what is proved on the first piece that will do; raise `NotProved`.
+
+        ``why`` is the reason if no piece begins anywhere.
+        """
+        for begin in begins:
+            try:
+                return proved(begin.number, self.piece(begin, number))
+            except NotProved as reason:
+                why = str(reason)
+        raise NotProved(self.step, why)
 
     def piece(self, begin: Begin, number: Number) -> Cell:
         """Return a cell from the outer end of another to beyond where a number vanishes."""

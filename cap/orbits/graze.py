@@ -9,6 +9,7 @@ vanish, m = 0 for at most one orbit: enclosed in a *short* cell, at whose ends m
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 from cap.errors import NotProved
@@ -77,13 +78,10 @@ class Grazer:
 
     def graze(self, cells: list[Cell], *, last: bool) -> Graze:
         """Return the graze beyond the first or the last cell of a curve; raise `NotProved`."""
-        near, why = self._near(self.ahead.end(cells, last=last)), "no graze is met"
-        for begin in self.ahead.begins(cells, last=last):
-            try:
-                return self._proved(begin.number, self.ahead.piece(begin, near), near)
-            except NotProved as reason:
-                why = str(reason)
-        raise NotProved("graze", why)
+        near = self._near(self.ahead.end(cells, last=last))
+        begins = self.ahead.begins(cells, last=last)
+        proved = partial(self._proved, near=near)
+        return self.ahead.first(begins, near, proved, "no graze is met")
 
     def _near(self, w: list[float]) -> "Least":
         """Return the least value of the guard that is about to be touched."""

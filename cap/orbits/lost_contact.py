@@ -9,6 +9,7 @@ There h touches zero, and the contact does nothing.
 """
 
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 from cap.errors import NotProved
@@ -50,13 +51,9 @@ class LostContacts:
         each = [Speed(self.follower, k) for k in contacts]
         slowest = min(each, key=lambda speed: abs(speed(end)))
         slowest.confirm()
-        why = "no speed goes to zero"
-        for begin in self.ahead.begins(cells, last=last):
-            try:
-                return self._proved(begin.number, self.ahead.piece(begin, slowest), slowest)
-            except NotProved as reason:
-                why = str(reason)
-        raise NotProved("lost contact", why)
+        begins = self.ahead.begins(cells, last=last)
+        proved = partial(self._proved, speed=slowest)
+        return self.ahead.first(begins, slowest, proved, "no speed goes to zero")
 
     def _proved(self, inside: int, piece: Cell, speed: "Speed") -> Lost:
         """Prove that the contact is lost on a piece."""

@@ -305,11 +305,7 @@ def least_angle(lemma: Lemma) -> float | None:
     part = clock_part(lemma) if isinstance(lemma, Clocked) and lemma.order == 1 else None
     if part is None or not all(q.is_number for q in part):
         return None
-    a, b, c = map(number, part)
-    size = mpmath.hypot(a, b)
-    if not size > abs(c):
-        return math.inf
-    return float((mpmath.atan2(b, a) - mpmath.acos(-c / size)) % (2 * mpmath.pi))
+    return _zero_angle(part, -1)
 
 
 def fall_angle(h: Polynomial) -> float | None:
@@ -320,11 +316,19 @@ def fall_angle(h: Polynomial) -> float | None:
     a, b, c = h.derivative(COS), h.derivative(SIN), h.without(COS, SIN)
     if h.variables - {COS, SIN} or not (a.is_number and b.is_number):
         return None
-    a, b, c = map(number, (a, b, c))
+    return _zero_angle((a, b, c), +1)
+
+
+def _zero_angle(parts: Sequence[Polynomial], side: int) -> float:
+    """Return the angle in [0, 2 pi) where a cos + b sin + c is zero and falls, or rises (side -1).
+
+    inf if it is nowhere zero, or touches it.
+    """
+    a, b, c = map(number, parts)
     size = mpmath.hypot(a, b)
     if not size > abs(c):
         return math.inf
-    return float((mpmath.atan2(b, a) + mpmath.acos(-c / size)) % (2 * mpmath.pi))
+    return float((mpmath.atan2(b, a) + side * mpmath.acos(-c / size)) % (2 * mpmath.pi))
 
 
 def kinds(E: Exponential, omega: float) -> str:
