@@ -190,6 +190,6 @@ def test_the_command_refuses(words, why, capsys, tmp_path):
 def test_no_option_that_does_nothing(capsys):
     """There are no processes to be told of."""
     with pytest.raises(SystemExit) as ended:
-        run("examples/ball.py", "--jobs", "2")
+        prove("examples/ball.py", "--jobs", "2")
     assert ended.value.code == 2
     assert "--jobs" in capsys.readouterr().err

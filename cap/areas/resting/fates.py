@@ -14,7 +14,9 @@ are the states of the cell, c the image of its middle x_c, D a product of enclos
 
 *Rest.*  As in `cap.orbits.capture`: if l <= P <= g, l > 0, a bounce with the speed v at its
 beginning lasts 2 v/l at most, and the next begins with at most k v, k = e sqrt(g/l).  If k < 1, all
-of them last 2 v/(l (1 - k)) at most.  A sum of doubles is below a double if what it is rounded to is.
+of them last 2 v/(l (1 - k)) at most.
+
+A sum of doubles is below a double if what it is rounded to is.
 """
 
 import math
