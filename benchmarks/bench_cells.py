@@ -15,11 +15,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cap.areas.resting.asked import Rectangle, driven, numbers
 from cap.areas.resting.fates import FLIES, RESTS, fates
 from cap.areas.resting.pull import table
 from cap.checker.verdict import check
 from cap.orbits.wall import wall
-from cap.proofs.contact_basin import Rectangle, driven, numbers
 from cap.sets import interval
 from cap.sets.compiled import PROBE
 from cap.system.files import read

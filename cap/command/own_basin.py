@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from cap.areas.resting.asked import Rectangle, driven
 from cap.command import own_map
 from cap.command.console import Parser, program, protected
 from cap.command.own_capture import add_guard, box_of, wall_of
@@ -18,7 +19,7 @@ from cap.option import integer
 from cap.orbits.wall import Wall
 from cap.parameters import exact
 from cap.proofs import contact_basin
-from cap.proofs.contact_basin import CELLS, Rectangle
+from cap.proofs.contact_basin import CELLS
 from cap.proofs.contacts import as_parameters
 from cap.runner import Runner
 from cap.system.files import assigned, read, stem
@@ -86,7 +87,7 @@ class Asked:
         values = assigned(options.set)
         system = read(options.model, values)
         place, box = wall_of(system, options.guard), box_of(system.state, options.box)
-        contact_basin.driven(place)
+        driven(place)
         start, until = exact(options.start), exact(options.until)
         if not start < until:
             raise BadInput("--until is not after --start")

@@ -6,13 +6,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from cap.areas.resting.asked import Rectangle, driven
 from cap.checker.verdict import check
 from cap.command.own import main
 from cap.errors import BadInput, NotProved
 from cap.floats.models.engine import Engine
 from cap.orbits.wall import wall
 from cap.proofs import certified, contact_basin
-from cap.proofs.contact_basin import Rectangle
 from cap.system.files import read
 from cap.system.model import Bounce, Guard, Mode, System
 from cap.system.polynomial import variables
@@ -112,7 +112,7 @@ def test_refusals(words, why, capsys):
 def test_models_that_are_refused(model, why):
     """What is not of this kind says why."""
     with pytest.raises(BadInput, match=why):
-        contact_basin.driven(wall(read(f"examples/{model}.py", {})))
+        driven(wall(read(f"examples/{model}.py", {})))
 
 
 z, v, cos, pi = variables("z v cos pi")

@@ -11,14 +11,17 @@ from cap.command import prover
 from cap.explore import explorer
 from cap.explore.arrays import load
 from cap.floats.models import engine
+from cap.floats.models.attractor import ends_of
 from cap.floats.models.closing import Start, closing, logged, product
 from cap.floats.models.continuation import ModelBranch, ModelSpecial
 from cap.floats.models.engine import Engine
 from cap.floats.models.legs import Legs
+from cap.floats.models.resting import resting
 from cap.floats.models.samples import exponents
 from cap.floats.models.subject import Subject
 from cap.floats.models.walls import walls
 from cap.pictures import model_states
+from cap.system.files import load as load_model
 from cap.system.files import load as read_model
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -152,6 +155,29 @@ def test_a_basin(capsys, tmp_path):
     label = load(file)["label"]
     assert (label[:, [0, 1, 2, 7, 8, 9]] == -2).all()
     assert (label[:, 3:7] == 0).all()
+
+
+def test_why_each_state_is_followed(capsys, tmp_path):
+    """Where the sweep of states that rest does not apply, a line says why."""
+    words = ("--box", "-0.5", "0.5", "-1", "1", "--points", "4", "--transient", "5")
+    status, text, _ = run(capsys, "basin", *PAIR, *words, "--out", str(tmp_path / "basin.npz"))
+    assert status == 0
+    assert "each state is followed, for" in text
+
+
+@pytest.mark.slow
+def test_states_that_rest_end_together():
+    """They end where they end if each is followed, and are told with their shares."""
+    subject = Subject(load_model(str(EXAMPLES / "ball.py"), {"A": "6/5"}))
+    y, v = (z.ravel() for z in np.meshgrid(np.linspace(0, 4, 30), np.linspace(-4, 4, 30)))
+    states = np.stack([y, v], axis=1)
+    alike, told = resting(subject, states)
+    assert 50 < alike.sum() < 500
+    assert f"{alike.sum()} states are seen to come to rest before t = 101" in told[0]
+    each, once = (ends_of(subject, states, 60, known) for known in (None, alike))
+    assert (each[0] == once[0]).all()
+    assert [a.share for a in each[1]] == [a.share for a in once[1]]
+    assert len(set(once[0][alike])) == 1
 
 
 def test_a_portrait(capsys, tmp_path):

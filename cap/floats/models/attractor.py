@@ -123,14 +123,18 @@ def attractors(
 
 
 def ends_of(
-    subject: Subject, seeds: Floats, transient: int
+    subject: Subject, seeds: Floats, transient: int, alike: NDArray[np.bool_] | None = None
 ) -> tuple[NDArray[np.int64], tuple[ModelAttractor, ...], str]:
-    """Return the attractor (N,) of each seed, -1 if it is lost; the attractors; what was lost."""
+    """Return the attractor (N,) of each seed, -1 if it is lost; the attractors; what was lost.
+
+    Of the seeds that are ``alike`` (N,), which end together, one is followed.
+    """
     if len(seeds) * LATE > MOST:
         raise BadInput(f"too many seeds: {len(seeds)} (at most {MOST // LATE})")
-    engine = subject.engine
-    settled = engine.follow(seeds, engine.begun(seeds), periods=max(1, transient))
-    well = np.isfinite(settled.states).all(axis=1)
+    engine, (followed, which) = subject.engine, _followed(len(seeds), alike)
+    starts = seeds[followed]
+    settled = engine.follow(starts, engine.begun(starts), periods=max(1, transient))
+    well = np.asarray(np.isfinite(settled.states).all(axis=1))
     label = np.full(len(seeds), NONE)
     if not well.any():
         why = flagged(int(np.bitwise_or.reduce(settled.flags)))
@@ -139,12 +143,29 @@ def ends_of(
     late = samples(subject, starts, modes, LATE)
     rests = (late.counts.sum(axis=1) == 0) & ~engine.free[late.modes]
     own, marks = _labelled(late.states, rests)
+    kept = well[which]
+    again = (np.cumsum(well) - 1)[which[kept]]
+    late, own = late.taken(again), own[again]
     found = _joined(_told(subject, late, own, marks, len(seeds)), late.states, len(seeds))
     for place, (members, _) in enumerate(found):
-        label[np.flatnonzero(well)[members]] = place
-    flags = settled.flags.copy()
-    flags[well] = late.flags
+        label[np.flatnonzero(kept)[members]] = place
+    flags = settled.flags[which]
+    flags[kept] = late.flags
     return label, tuple(each for _, each in found), _lost(label, flags)
+
+
+def _followed(
+    count: int, alike: NDArray[np.bool_] | None
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return which seeds are followed, and for each seed (N,) its place among these."""
+    rows = np.arange(count)
+    if alike is None or not alike.any():
+        return rows, rows
+    follows = ~alike
+    follows[np.argmax(alike)] = True
+    which = np.cumsum(follows) - 1
+    which[alike] = which[np.argmax(alike)]
+    return np.flatnonzero(follows), which
 
 
 def _lost(label: NDArray[np.int64], flags: NDArray[np.int64]) -> str:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from cap.errors import BadInput
 from cap.floats.models.attractor import ModelAttractor, ends_of, listed
+from cap.floats.models.resting import resting
 from cap.floats.models.spectrum import Floats
 from cap.floats.models.subject import OfModel, Subject, about
 from cap.floats.models.walls import Wall, walls
@@ -32,6 +33,7 @@ class ModelBasin(OfModel):
     lost: str
     fixed: dict[str, float]
     walls: tuple[Wall, ...]
+    told: tuple[str, ...]
 
     def columns(self) -> dict[str, NDArray[np.generic]]:
         """Return the states and where they end."""
@@ -46,7 +48,7 @@ class ModelBasin(OfModel):
             f"basins of {self.described()}: {inside} states of the plane ({', '.join(self.plane)})"
         )
         rows = listed(self.found, hints=False)
-        return [head + others, *rows, *([f"  {self.lost}"] if self.lost else [])]
+        return [head + others, *rows, *([f"  {self.lost}"] if self.lost else []), *self.told]
 
 
 def basin(  # noqa: PLR0913 (the options of the command)
@@ -77,7 +79,8 @@ def basin(  # noqa: PLR0913 (the options of the command)
         raise BadInput("no state of the grid lies in a mode: give another --box or --state")
     runner.tell("basins", None)
     label = np.full(len(flat), OUTSIDE)
-    label[inside], found, lost = ends_of(subject, flat[inside], transient)
+    alike, told = resting(subject, flat[inside])
+    label[inside], found, lost = ends_of(subject, flat[inside], transient, alike)
     return ModelBasin(
         **about(subject),
         plane=pair,
@@ -88,4 +91,5 @@ def basin(  # noqa: PLR0913 (the options of the command)
         lost=lost,
         fixed={n: float(q) for n, q in zip(names, base, strict=True) if n not in pair},
         walls=walls(subject.system, np.zeros(1), base[None], fixed=True),
+        told=tuple(f"  {line}" for line in told),
     )

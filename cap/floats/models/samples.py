@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from itertools import pairwise
 
 import numpy as np
@@ -31,6 +31,10 @@ class Samples:
     modes: NDArray[np.int64]
     counts: NDArray[np.int64]
     flags: NDArray[np.int64]
+
+    def taken(self, rows: NDArray[np.int64]) -> Samples:
+        """Return those of some orbits, in this order; one may come again."""
+        return Samples(*(getattr(self, each.name)[rows] for each in fields(self)))
 
 
 def section(subject: Subject) -> int:
