@@ -51,5 +51,6 @@ class Verdict:
 
 def verdict(fields: Mapping[str, str]) -> Verdict:
     """Return the verdict that was written with these fields; `ValueError` or others for no such."""
-    kinds = {"outcome": Outcome(fields["outcome"]), "strength": Strength(fields["strength"])}
-    return Verdict(**{**fields, **kinds})
+    words = dict(fields)
+    outcome, strength = Outcome(words.pop("outcome")), Strength(words.pop("strength"))
+    return Verdict(outcome=outcome, strength=strength, **words)
