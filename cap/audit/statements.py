@@ -4,6 +4,7 @@ The status follows from the verdicts on the claims that decide it; the words in 
 were written for these verdicts, and `cap.audit.recorded` holds them.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cap.audit import labels, subject
@@ -32,7 +33,7 @@ class Statement:
     """
 
     label: str
-    decided_by: tuple[str, ...]
+    decided_by: Sequence[str]
     instead: str
 
     @property
@@ -53,5 +54,4 @@ class Statement:
 @cached
 def statements() -> tuple[Statement, ...]:
     """Return the statements of the paper, in its order."""
-    found = subject.data("statements.toml").get("statement", [])
-    return tuple(Statement(e["label"], tuple(e["decided_by"]), e["instead"]) for e in found)
+    return tuple(Statement(**each) for each in subject.data("statements.toml").get("statement", []))

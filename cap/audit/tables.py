@@ -7,7 +7,6 @@ can be named without computing.  ``--record`` writes it, and a table whose rows 
 list decides nothing.
 """
 
-import json
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
@@ -22,7 +21,6 @@ from cap.audit.comparison import Kind as Compared
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import NotProved
-from cap.files import replacing
 
 LONGEST = 60  # end of an id
 _KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
@@ -189,11 +187,4 @@ def record(progress: Callable[[str], None], wanted: Iterable[str], *, fresh: boo
         kept.write(label, _module(label), [asdict(row) for row in found])
         _FOUND[label] = found
         new[label] = _listing(label, found)
-    lines = [f'"{label}": {_lines(entries)}' for label, entries in new.items()]
-    with replacing(subject.file("tables.json")) as file:
-        file.write(("{\n" + ",\n".join(lines) + "\n}\n").encode())
-    subject.forget()
-
-
-def _lines(entries: list[list[str]]) -> str:
-    return "[\n " + ",\n ".join(json.dumps(each, ensure_ascii=False) for each in entries) + "\n]"
+    subject.store("tables.json", subject.dumps(new))
