@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, quotes, recorded, revision, subject, tables
+from cap.audit import errata, labels, ledger, recorded, revision, subject, tables
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
@@ -23,6 +23,7 @@ from cap.audit.verdict import Outcome, Verdict
 from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
+from cap.option import integer
 from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -143,7 +144,7 @@ def _paper(options: argparse.Namespace) -> int:
     """Compare the paper with another version of its TeX file, or store the places of this one."""
     lines = compared(options.paper)
     if options.record:
-        new = quotes.fitted(options.paper)
+        new = revision.fitted(options.paper)
         subject.store("labels.json", labels.dumps(new))
         print(f"{subject.file('labels.json')}: written ({len(lines)} differences)")
         return 0
@@ -173,6 +174,8 @@ def _audit(options: argparse.Namespace) -> int:
     if options.record:
         return _record(verdicts)
     shown = {name: each for name, each in verdicts.items() if wanted in (None, each.outcome)}
+    if not shown:
+        say(f"no claim that was asked for is {wanted}", sys.stderr)
     print(FORMATS[options.format](report(shown)), end="" if options.format == "markdown" else "\n")
     changed = recorded.changes(verdicts, whole=whole)
     for line in changed:
@@ -220,10 +223,7 @@ def _outcome(text: str | None) -> Outcome | None:
 
 
 def _jobs(text: str) -> int:
-    most = 4 * (os.cpu_count() or 1)
-    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= max(most, 4)):
-        raise BadInput(f"--jobs must be an integer from 1 to {max(most, 4)}: {text!r}")
-    return int(text)
+    return integer(text, "jobs", (1, 4 * (os.cpu_count() or 1)))
 
 
 def _progress(words: str) -> None:

@@ -50,7 +50,9 @@ def corrected(manuscript: Manuscript) -> Manuscript:
         count = manuscript.count(each.old)
         if count != each.times:
             raise BadInput(
-                f"this is in the file {count} times, not {each.times}: {' '.join(each.old.split())}"
+                f"the change for {each.claims[0]} does not fit this version (--paper FILE.tex says "
+                f"what became of each sentence): this is in the file {count} times, not "
+                f"{each.times}: {' '.join(each.old.split())}"
             )
         manuscript = manuscript.replaced(each.old, each.new)
     return manuscript

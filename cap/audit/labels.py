@@ -65,7 +65,7 @@ class Place:
 class Paper:
     """The places of the paper in its order, and a digest of the file they were read from.
 
-    ``lines``: those of `cap.audit.quotes`, by the claims.  Counted in the file are the works that
+    ``lines``: those of the quotations, by the claims.  Counted in the file are the works that
     are cited, the entries or files of a bibliography, and the pictures without a file.  ``bound``
     is a digest of the quotations and the erratum that were found to fit the file.
     """
@@ -91,8 +91,8 @@ def read(path: Path) -> Paper:
     text = re.sub(r"(?<!\\)%.*", "", manuscript.text)
     return Paper(
         sha256=hashlib.sha256(manuscript.text.encode()).hexdigest(),
-        title=manuscript.title,
-        author=manuscript.author,
+        title=manuscript.argument("title"),
+        author=manuscript.argument("author"),
         cited=len({key for keys in _CITED.findall(text) for key in keys.split(",")}),
         references=len(_REFERENCES.findall(text)),
         pictures=len(_PICTURES.findall(text)),

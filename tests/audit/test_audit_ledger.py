@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded
+from cap.audit import coverage, errata, findings, labels, ledger, recorded, revision
 from cap.audit.claim import Kind
 from cap.audit.statements import statements
 from cap.audit.verdict import Outcome
@@ -83,8 +83,8 @@ def test_findings_share_out_what_is_not_confirmed():
 
 def test_quotations_and_changes_name_claims():
     """Each claim has a quotation; both were found to fit the paper as they are stored now."""
-    assert quotes.stored().keys() == ledger.claims().keys() == labels.stored().lines.keys()
-    assert labels.stored().bound == quotes.bound()
+    assert ledger.quotes().keys() == ledger.claims().keys() == labels.stored().lines.keys()
+    assert labels.stored().bound == revision.bound()
     assert {name for each in errata.changes() for name in each.claims} <= ledger.claims().keys()
 
 

@@ -8,12 +8,14 @@ cap.verify`` checks it, with all others, and so does CI with every change.
 import hashlib
 import json
 from contextlib import suppress
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from cap.audit.means import parameters
+from cap.audit import subject
 from cap.audit.means.need import made, need
+from cap.audit.subject import cached
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.files import replacing
@@ -47,9 +49,15 @@ def sentence(name: str) -> str:
     return words(read((FOLDER / name).read_bytes()))
 
 
+@cached
+def of_the_paper() -> dict[str, Fraction]:
+    """Return the parameters at which the numbers of the paper are, if it has some, by names."""
+    return {name: Fraction(text) for name, text in subject.data("parameters.json").items()}
+
+
 def at_the_paper(each: Stored) -> bool:
     """Return whether a certificate is about the paper's parameters, and has no others."""
-    own = parameters.of_the_paper()
+    own = of_the_paper()
     return bool(own) and each.parameters == own
 
 
@@ -60,7 +68,7 @@ def claimed(name: str) -> Any:
     paper's own are ``paper.f``.  An enclosure has the ends ``lower`` and ``upper``.
     """
     stem, *path = name.split(".")
-    value: Any = parameters.of_the_paper()
+    value: Any = of_the_paper()
     if stem != "paper":
         if not path or not (FOLDER / f"{stem}.json").is_file():
             return None
