@@ -10,7 +10,7 @@ from cap.audit import errata, labels, ledger, quotes, recorded, revision, subjec
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
-from cap.audit.means import accepted
+from cap.audit.means import stored
 from cap.audit.papers import FIRST
 from cap.audit.report.erratum import erratum
 from cap.audit.report.latex import latex
@@ -23,7 +23,6 @@ from cap.audit.verdict import Outcome, Verdict
 from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
-from cap.files import replacing
 from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -145,8 +144,7 @@ def _paper(options: argparse.Namespace) -> int:
     lines = compared(options.paper)
     if options.record:
         new = quotes.fitted(options.paper)
-        with replacing(subject.file("labels.json")) as file:
-            file.write(labels.dumps(new).encode())
+        subject.store("labels.json", labels.dumps(new))
         print(f"{subject.file('labels.json')}: written ({len(lines)} differences)")
         return 0
     seen = revision.told(Manuscript.read(options.paper))
@@ -204,7 +202,7 @@ def _record(verdicts: dict[str, Verdict]) -> int:
         return 1
     changed = recorded.changes(verdicts, whole=False)
     recorded.write(verdicts)
-    accepted.record()
+    stored.accept()
     print(
         "\n".join([*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written"])
     )

@@ -91,7 +91,7 @@ def enclosure(
     low, high = map(Decimal, paper)
     ends = [Decimal(end) for end in ours]
     agrees = low <= min(ends) and max(ends) <= high
-    shown = _shown(ends[0], max(low, high, key=_digits)) + PROVED
+    shown = _shown(ends[0], min(low, high, key=_exponent)) + PROVED
     return _made(what, f"[{paper[0]}, {paper[1]}]", shown, agrees, reason, note)
 
 
@@ -105,8 +105,8 @@ def among(
 ) -> Comparison:
     """Compare a printed number with those of several runs that only chance tells apart."""
     printed, values = Decimal(paper), sorted(Decimal(float(value)) for value in ours)
-    unit = _unit(printed) if "." in paper else Decimal(0)
-    agrees = values[0] - unit <= printed <= values[-1] + unit
+    near = unit(printed) if "." in paper else Decimal(0)
+    agrees = values[0] - near <= printed <= values[-1] + near
     digits = max(0, -_exponent(printed) + 1) if "." in paper else 0
     shown = f"{values[0]:.{digits}f} to {values[-1]:.{digits}f} in {len(values)} runs"
     return _made(what, paper, shown, agrees, reason, note)
@@ -127,9 +127,9 @@ def _rounded(row: Comparison, values: Iterable[Decimal], reason: str) -> Compari
     """Return the row of a printed number, whose value is one of these or between them."""
     printed = Decimal(row.paper)
     away = max(abs(value - printed) if value.is_finite() else Decimal("Inf") for value in values)
-    if away <= _unit(printed) / 2:
+    if away <= unit(printed) / 2:
         return row
-    if away <= _unit(printed):
+    if away <= unit(printed):
         return replace(row, agrees=False, reason=NOT_ROUNDED, imprecise=True)
     return replace(row, agrees=False, reason=reason)
 
@@ -139,11 +139,7 @@ def _exponent(value: Decimal) -> int:
     return exponent if isinstance(exponent, int) else 0
 
 
-def _digits(value: Decimal) -> int:
-    return -_exponent(value)
-
-
-def _unit(printed: Decimal) -> Decimal:
+def unit(printed: Decimal) -> Decimal:
     """Return one unit of the last digit."""
     return Decimal(1).scaleb(_exponent(printed))
 
@@ -152,7 +148,7 @@ def _shown(value: Decimal, printed: Decimal) -> str:
     """Return a value with some digits more than are printed, no more than a double has."""
     if not value.is_finite():
         return str(value)
-    places = max(0, _digits(printed)) + MORE
+    places = max(0, -_exponent(printed)) + MORE
     return f"{value:.{places}f}"
 
 

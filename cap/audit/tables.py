@@ -7,10 +7,10 @@ can be named without computing.  ``--record`` writes it, and a table whose rows 
 list decides nothing.
 """
 
-import json
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from importlib import import_module
 from typing import Protocol, cast
 
@@ -22,10 +22,16 @@ from cap.audit.comparison import Kind as Compared
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import NotProved
-from cap.files import replacing
 
 LONGEST = 60  # end of an id
 _KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
+
+
+@dataclass(frozen=True)
+class Row(Claim):
+    """A claim that a row of a table decides."""
+
+    table: str = ""
 
 
 class Source(Protocol):
@@ -52,42 +58,31 @@ def labels() -> tuple[str, ...]:
     return found.LABELS if found else ()
 
 
-@dataclass(frozen=True)
-class Row(Claim):
-    """A claim that a row of a table decides."""
-
-    table: str = ""
-
-
 @cached
 def listed() -> dict[str, list[list[str]]]:
     """Return what, the paper's value, the place and the kind of each row, by tables."""
     return subject.data("tables.json")
 
 
-@cached
-def _quotes() -> dict[str, str]:
-    """Return what the rows are taken from, by their ids."""
-    return subject.data("quotes.toml")
-
-
 def claims() -> tuple[Row, ...]:
     """Return the claims of all tables; not the rows that another claim decides."""
-    elsewhere = subject.paper().get("elsewhere", {})
+    elsewhere, quotes = subject.paper().get("elsewhere", {}), subject.data("quotes.toml")
     return tuple(
-        _claim(label, *entry)
+        Row(
+            id=(name := f"{group(label)}.{_slug(what)}"),
+            where=where,
+            kind=Kind(kind),
+            says=f"{what[0].upper()}{what[1:]}.",
+            stated=paper,
+            decide=partial(_decided, label, what),
+            quote=quotes.get(name, ""),
+            module=_module(label),
+            table=label,
+        )
         for label, entries in listed().items()
-        for entry in entries
-        if entry[0] not in elsewhere.get(label, {})
+        for what, paper, where, kind in entries
+        if what not in elsewhere.get(label, {})
     )
-
-
-def _claim(label: str, what: str, paper: str, where: str, kind: str) -> Row:
-    name = f"{group(label)}.{_slug(what)}"
-    says = f"{what[0].upper()}{what[1:]}."
-    decide = _decided_by(label, what)
-    quote = _quotes().get(name, "")
-    return Row(name, where, Kind(kind), says, paper, decide, quote, _module(label), table=label)
 
 
 def _module(label: str) -> str:
@@ -106,8 +101,8 @@ def _slug(text: str) -> str:
     return words if len(words) <= LONGEST else words[: LONGEST + 1].rpartition("-")[0]
 
 
-def _decided_by(label: str, what: str) -> Callable[[], Verdict]:
-    return lambda: verdict({row.what: row for row in rows(label)}[what])
+def _decided(label: str, what: str) -> Verdict:
+    return verdict({row.what: row for row in rows(label)}[what])
 
 
 def verdict(row: Comparison) -> Verdict:
@@ -148,10 +143,7 @@ _FOUND: dict[str, tuple[Comparison, ...] | str] = {}
 
 def _rows(label: str, fresh: bool) -> tuple[Comparison, ...] | str:
     try:
-        found = None if fresh else _known(label)
-        if found is None:
-            found = computed(label)
-            kept.write(label, _module(label), [asdict(row) for row in found])
+        found = _computed_once(label, fresh)
     except Exception as failure:  # noqa: BLE001 (a table that cannot be computed is no crash)
         return f"the table of {label}: {type(failure).__name__}: {failure}"
     if _listing(label, found) != listed().get(label):
@@ -167,12 +159,15 @@ def computed(label: str) -> tuple[Comparison, ...]:
     return found.rows(label)
 
 
-def _known(label: str) -> tuple[Comparison, ...] | None:
-    entry = kept.read(label, _module(label))
-    if not isinstance(entry, list):
-        return None
-    found = (Comparison(**each) for each in entry)
-    return tuple(replace(row, kind=Compared(row.kind)) for row in found)
+def _computed_once(label: str, fresh: bool) -> tuple[Comparison, ...]:
+    """Return the rows that are kept on disk, or compute and keep them."""
+    entry = None if fresh else kept.read(label, _module(label))
+    if isinstance(entry, list):
+        rows = (Comparison(**each) for each in entry)
+        return tuple(replace(row, kind=Compared(row.kind)) for row in rows)
+    found = computed(label)
+    kept.write(label, _module(label), [asdict(row) for row in found])
+    return found
 
 
 def _listing(label: str, found: Iterable[Comparison]) -> list[list[str]]:
@@ -184,16 +179,6 @@ def record(progress: Callable[[str], None], wanted: Iterable[str], *, fresh: boo
     new = {label: listed()[label] for label in labels() if label in listed()}
     for label in wanted:
         progress(f"the table of {label}")
-        found = None if fresh else _known(label)
-        found = computed(label) if found is None else found
-        kept.write(label, _module(label), [asdict(row) for row in found])
-        _FOUND[label] = found
+        _FOUND[label] = found = _computed_once(label, fresh)
         new[label] = _listing(label, found)
-    lines = [f'"{label}": {_lines(entries)}' for label, entries in new.items()]
-    with replacing(subject.file("tables.json")) as file:
-        file.write(("{\n" + ",\n".join(lines) + "\n}\n").encode())
-    subject.forget()
-
-
-def _lines(entries: list[list[str]]) -> str:
-    return "[\n " + ",\n ".join(json.dumps(each, ensure_ascii=False) for each in entries) + "\n]"
+    subject.store("tables.json", subject.dumps(new))
