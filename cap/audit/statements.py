@@ -41,7 +41,7 @@ class Statement:
         """Its kind, number and title."""
         place = labels.stored().place(self.label)
         title = f" ({place.title})" if place.title else ""
-        return f"{place.kind.capitalize()} {place.number}{title}"
+        return f"{place.name}{title}"
 
     def status(self, verdicts: dict[str, Verdict]) -> str:
         """Return what became of it: the first claim decides; what stands may need a change."""

@@ -36,7 +36,7 @@ def test_roundings():
     """Enclosures outwards, bounds to their side, ranges inwards."""
     assert pair(THIRDS, 2) == "[0.33, 0.67]"
     assert inner(THIRDS, 2) == "[0.34, 0.66]"
-    assert (below(THIRDS, 1), above(THIRDS, 1)) == ("0.3", "0.7")
+    assert (below(THIRDS.lower, 1), above(THIRDS.upper, 1)) == ("0.3", "0.7")
     with interval.workprec(60):
         assert between(interval.ball(Fraction(1, 4)), 2) == "0.25"
 
