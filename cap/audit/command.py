@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, quotes, recorded, revision, subject, tables
+from cap.audit import errata, labels, ledger, quotes, recorded, revision, subject
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
@@ -161,8 +161,6 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
-    if options.record and tables.source():
-        tables.record(_progress, _tables(options), fresh=options.fresh)
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
     if options.recorded:
@@ -178,20 +176,6 @@ def _audit(options: argparse.Namespace) -> int:
     for line in changed:
         say(f"changed: {line}", sys.stderr)
     return 1 if changed else 0
-
-
-def _tables(options: argparse.Namespace) -> list[str]:
-    """Return the tables whose rows are listed anew: of a group or a section, if it is asked for."""
-    if options.only is not None:
-        return [label for label in tables.labels() if tables.group(label) == options.only]
-    if options.section is not None:
-        section = {each.id for each in ledger.chosen(None, options.section)}
-        return [
-            label
-            for label in tables.labels()
-            if any(row.id in section for row in tables.claims() if row.table == label)
-        ]
-    return list(tables.labels())
 
 
 def _record(verdicts: dict[str, Verdict]) -> int:
