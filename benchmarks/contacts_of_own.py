@@ -5,8 +5,8 @@
 Times are the least of the rounds, of processor time, in milliseconds; what is made of a system
 alone (functions, parameters of the certificate) is made once.  ``orbit`` is the proof alone, in
 balls from a guess, with Newton's iteration; ``in a row`` is the mean of ten, between which nothing
-else runs.  ``prove`` adds the text of the certificate and, where one is found, the ellipsoid that is
-attracted; the checker reads the text.
+else runs.  ``prove`` adds the text of the certificate and, where one is found, the ellipsoid that
+is attracted; the checker reads the text.
 """
 
 import sys
