@@ -20,7 +20,12 @@ from cap.sets.interval import Ball
 
 Balls = Mapping[Any, Ball]
 _HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|)(\d+))?\}")
-_ROUNDED = {"": balls.pair, "<": balls.below, ">": balls.above, "in": balls.inner}
+_ROUNDED = {
+    "": balls.pair,
+    "<": lambda each, places: balls.below(each.lower, places),
+    ">": lambda each, places: balls.above(each.upper, places),
+    "in": balls.inner,
+}
 
 
 def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyType({})) -> str:

@@ -7,8 +7,8 @@ from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.equation import Equation
 from cap.audit.papers.mixed_dynamics.means.orbits import States
-from cap.audit.papers.mixed_dynamics.means.printed import stated
 from cap.audit.steps import Words
+from cap.audit.tables import stated
 from cap.sets import interval
 
 LEAVES = States("0.0653", "0.5069")  # a state in the box of the map of fig:sali
