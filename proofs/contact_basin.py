@@ -13,7 +13,6 @@ middle and a product of derivatives, mean values; each hit has a window of times
 """
 
 import math
-from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -26,7 +25,7 @@ from cap.orbits.wall import Wall
 from cap.proofs.certified import certified
 from cap.proofs.contact_capture import shown
 from cap.proofs.contacts import as_parameters
-from cap.runner import Runner
+from cap.runner import Runner, Tell
 from cap.sets import doubles, interval
 from cap.sets.doubles import Interval
 from cap.sets.interval import Ball
@@ -36,8 +35,6 @@ from cap.system.polynomial import COS, SIN, Polynomial
 BITS, CHECKED = 128, 128
 PLACES = 6  # decimals of the shares that are claimed
 CELLS = 10_000  # about so many, if nothing is said
-
-Tell = Callable[[str, float | None], None]
 
 
 class Rectangle(NamedTuple):
@@ -49,18 +46,21 @@ class Rectangle(NamedTuple):
 
 
 def prove(
-    place: Wall, asked: Rectangle, cells: int = CELLS, tell: Tell = lambda *_: None
+    place: Wall, asked: Rectangle, cells: int = CELLS, runner: Runner | None = None
 ) -> dict[str, Any]:
     """Return a certificate, which the independent checker accepts.
 
+    Its cells are followed by the processes of ``runner``, after a sweep in this one.
+
     Raises `BadInput` if the system is not of this kind, `NotProved` if no cell has a fate.
     """
+    runner = runner or Runner()
     with interval.workprec(BITS):
         pull = driven(place)
-        swept = lemma_1_fates(*numbers(place, pull, asked), cells, tell)
+        swept = lemma_1_fates(*numbers(place, pull, asked), cells, runner.tell)
     if not (swept.rests or swept.flies):
         raise NotProved("cells", "of no cell it is certain that it rests, or that it does not")
-    return _checked(place, asked, swept)
+    return _checked(place, asked, swept, runner)
 
 
 def driven(place: Wall) -> Polynomial:
@@ -135,7 +135,7 @@ def _double(x: Ball) -> Interval:
     return doubles.widened(middle, doubles.upper(doubles.enclosing(b - a)))
 
 
-def _checked(place: Wall, asked: Rectangle, swept: Swept) -> dict[str, Any]:
+def _checked(place: Wall, asked: Rectangle, swept: Swept, runner: Runner) -> dict[str, Any]:
     """Return the certificate, if the checker accepts it."""
     claims = {
         "start": shown(asked.start),
@@ -149,7 +149,7 @@ def _checked(place: Wall, asked: Rectangle, swept: Swept) -> dict[str, Any]:
     }
     parameters = as_parameters(place.system, rests=True)
     content = claims, {"bits": str(CHECKED), "tree": swept.tree}
-    return certified("contact_basin", parameters, content, Runner(), digits=PLACES, bits=BITS)
+    return certified("contact_basin", parameters, content, runner, digits=PLACES, bits=BITS)
 
 
 def _share(units: int) -> str:

@@ -6,11 +6,11 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, quotes, recorded, revision, subject, tables
+from cap.audit import errata, labels, ledger, quotes, recorded, revision, subject
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
-from cap.audit.means import accepted
+from cap.audit.means import stored
 from cap.audit.papers import FIRST
 from cap.audit.report.erratum import erratum
 from cap.audit.report.latex import latex
@@ -23,7 +23,6 @@ from cap.audit.verdict import Outcome, Verdict
 from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
-from cap.files import replacing
 from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -145,8 +144,7 @@ def _paper(options: argparse.Namespace) -> int:
     lines = compared(options.paper)
     if options.record:
         new = quotes.fitted(options.paper)
-        with replacing(subject.file("labels.json")) as file:
-            file.write(labels.dumps(new).encode())
+        subject.store("labels.json", labels.dumps(new))
         print(f"{subject.file('labels.json')}: written ({len(lines)} differences)")
         return 0
     seen = revision.told(Manuscript.read(options.paper))
@@ -163,8 +161,6 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
-    if options.record and tables.source():
-        tables.record(_progress, _tables(options), fresh=options.fresh)
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
     if options.recorded:
@@ -182,20 +178,6 @@ def _audit(options: argparse.Namespace) -> int:
     return 1 if changed else 0
 
 
-def _tables(options: argparse.Namespace) -> list[str]:
-    """Return the tables whose rows are listed anew: of a group or a section, if it is asked for."""
-    if options.only is not None:
-        return [label for label in tables.labels() if tables.group(label) == options.only]
-    if options.section is not None:
-        section = {each.id for each in ledger.chosen(None, options.section)}
-        return [
-            label
-            for label in tables.labels()
-            if any(row.id in section for row in tables.claims() if row.table == label)
-        ]
-    return list(tables.labels())
-
-
 def _record(verdicts: dict[str, Verdict]) -> int:
     undecided = [name for name, each in verdicts.items() if each.outcome is Outcome.UNDECIDED]
     for name in undecided:
@@ -204,7 +186,7 @@ def _record(verdicts: dict[str, Verdict]) -> int:
         return 1
     changed = recorded.changes(verdicts, whole=False)
     recorded.write(verdicts)
-    accepted.record()
+    stored.accept()
     print(
         "\n".join([*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written"])
     )

@@ -8,6 +8,7 @@ from enum import StrEnum
 
 from cap.audit import errata, ledger, recorded
 from cap.audit.claim import Kind
+from cap.audit.comparison import unit
 from cap.audit.manuscript import Manuscript
 from cap.audit.verdict import Outcome, Verdict
 
@@ -102,9 +103,8 @@ def _numbers(piece: str, manuscript: Manuscript) -> list[str]:
 def agrees(number: str, found: str) -> bool:
     """Return whether a printed number is one of those found, rounded to its last digit."""
     printed = Decimal(number)
-    exponent = printed.as_tuple().exponent
-    half = Decimal(1).scaleb(exponent if isinstance(exponent, int) else 0) / 2
-    return any(abs(Decimal(each) - printed) <= half for each in _NUMBER.findall(found))
+    numbers = map(Decimal, _NUMBER.findall(found))
+    return any(abs(each - printed) <= unit(printed) / 2 for each in numbers)
 
 
 def told(manuscript: Manuscript) -> list[str]:

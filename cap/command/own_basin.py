@@ -20,6 +20,7 @@ from cap.parameters import exact
 from cap.proofs import contact_basin
 from cap.proofs.contact_basin import CELLS, Rectangle
 from cap.proofs.contacts import as_parameters
+from cap.runner import Runner
 from cap.system.files import assigned, read, stem
 
 MOST = 100_000  # cells
@@ -65,7 +66,7 @@ def parser() -> Parser:
         help=f"about so many cells (default {CELLS}): more of them leave less undecided",
     )
     add_guard(p)
-    own_map.add_ends(p)
+    own_map.add_ends(p, "of the checker, which follows each cell again")
     return p
 
 
@@ -76,6 +77,7 @@ class Asked:
     wall: Wall
     rectangle: Rectangle
     cells: int
+    jobs: int
     path: Path
 
     @classmethod
@@ -91,17 +93,19 @@ class Asked:
         if any(a == b for a, b in box.values()):
             raise BadInput("--box has no area")
         cells = integer(options.cells, "cells", (1, MOST))
+        jobs = integer(options.jobs, "jobs", (1, 1024))
         told = {**values, "until": options.until, **({"start": options.start} if start else {})}
         names = ["contact_basin", stem(options.model)]
         parameters = as_parameters(system, rests=True)
         path = own_map.place(options, names, told, parameters)
-        return cls(place, Rectangle(start, until, box), cells, path)
+        return cls(place, Rectangle(start, until, box), cells, jobs, path)
 
 
 def _proved(asked: Asked, progress: Progress) -> int:
     """Prove it, write the certificate and print it; return the status."""
 
     def prove() -> dict[str, Any]:
-        return contact_basin.prove(asked.wall, asked.rectangle, asked.cells, progress.tell)
+        runner = Runner(asked.jobs, progress.tell)
+        return contact_basin.prove(asked.wall, asked.rectangle, asked.cells, runner)
 
     return own_map.answered("contact_basin", prove, asked.path, progress)

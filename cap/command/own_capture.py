@@ -60,7 +60,7 @@ def parser() -> Parser:
         "--mode", metavar="MODE", help="the mode in which they are (default: that of the guard)"
     )
     add_guard(p)
-    own_map.add_ends(p)
+    own_map.add_out(p)
     return p
 
 

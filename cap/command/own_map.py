@@ -33,9 +33,10 @@ def add_model(p: argparse.ArgumentParser, theorem: str) -> None:
     p.add_argument("--set", default="", metavar="A=Q,..", help="parameters, exact: 0.5 means 1/2")
 
 
-def add_ends(p: argparse.ArgumentParser) -> None:
+def add_ends(p: argparse.ArgumentParser, which: str = "") -> None:
     """Add how many processes there are, and where the certificate goes."""
-    p.add_argument("--jobs", default="1", metavar="N", help="processes (default 1)")
+    told = f"processes {which}".rstrip()
+    p.add_argument("--jobs", default="1", metavar="N", help=f"{told} (default 1)")
     add_out(p)
 
 

@@ -169,3 +169,13 @@ def test_a_derivative():
     turned = np.array([x.mid for x in exactly]).reshape(2, 2)
     later = np.array([[1, 0.1], [0, 1]]) @ turned
     assert np.allclose(later.ravel(), matrix, atol=1e-3)
+
+
+def test_hits_accumulate_before_the_end():
+    """A bounce that begins at the end is not over then, however short it is: a sum is rounded."""
+    p = pulled()
+    grid = table(p)
+    assert fates._over(p, grid, 5.0, 5.5, 1e-20, 1e-19)
+    assert fates._over(p, grid, 5.0, math.nextafter(END, 0), 1e-20, 1e-19)
+    assert not fates._over(p, grid, 5.0, END, 1e-20, 1e-19)
+    assert all(x * fates.LATER >= math.nextafter(x, 7) for x in (1e-3, 1.0, math.nextafter(2, 0)))

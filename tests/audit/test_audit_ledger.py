@@ -113,7 +113,7 @@ def test_findings_were_written_for_the_recorded_verdicts():
     """Their consequences belong to the verdicts that they have."""
     known = recorded.recorded()
     all_ = findings.findings()
-    assert [known[each.claim].outcome for each in all_] == [each.expected for each in all_]
+    assert [known[each.claims[0]].outcome for each in all_] == [each.verdict for each in all_]
 
 
 def test_claims_are_chosen():

@@ -6,11 +6,12 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from cap.checker.verdict import check
 from cap.command.own import main
 from cap.errors import BadInput, NotProved
 from cap.floats.models.engine import Engine
 from cap.orbits.wall import wall
-from cap.proofs import contact_basin
+from cap.proofs import certified, contact_basin
 from cap.proofs.contact_basin import Rectangle
 from cap.system.files import read
 from cap.system.model import Bounce, Guard, Mode, System
@@ -42,6 +43,25 @@ def test_from_a_file_to_a_certificate(tmp_path, capsys):
 
 
 @pytest.mark.slow
+def test_processes_of_the_checker(tmp_path, capsys, monkeypatch):
+    """The certificate is the same, and as many are asked for as the checker has."""
+    made, asked = [], []
+
+    def noted(data, hear, jobs, tell):
+        asked.append(jobs)
+        return check(data, hear, jobs, tell)
+
+    monkeypatch.setattr(certified, "check", noted)
+    for jobs in ("1", "2"):
+        path = tmp_path / f"{jobs}.json"
+        assert run(*BOX, "--cells", "3000", "--jobs", jobs, "--out", str(path)) == 0
+        made.append(path.read_bytes())
+    capsys.readouterr()
+    assert made[0] == made[1]
+    assert asked == [1, 2]
+
+
+@pytest.mark.slow
 def test_a_table_nearly_at_rest():
     """At rest all from below 1/8 rest before sqrt(2 H/g) (1 + e)/(1 - e) = 3/2; none flies."""
     box = {"y": (0, Fraction(1, 8)), "v": (-Fraction(1, 100), 0)}
@@ -67,6 +87,7 @@ def test_too_few_cells():
         (["--box", "0", "0", "-2", "2", "--until", "6"], "--box has no area"),
         (["--box", "0", "2", "--until", "6"], "--box is the least and the greatest"),
         ([*BOX, "--cells", "0"], "integer from 1"),
+        ([*BOX, "--jobs", "0"], "integer from 1"),
         ([*BOX, "--guard", "table"], "--guard is MODE/GUARD"),
         ([*BOX, "--out", "/nowhere/at/all.json"], "cannot write"),
     ],

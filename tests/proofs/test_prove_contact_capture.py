@@ -185,3 +185,11 @@ def test_the_command_refuses(words, why, capsys, tmp_path):
     assert why in said
     assert said.count("\n") == 1
     assert not list(tmp_path.iterdir())
+
+
+def test_no_option_that_does_nothing(capsys):
+    """There are no processes to be told of."""
+    with pytest.raises(SystemExit) as ended:
+        prove("examples/ball.py", "--jobs", "2")
+    assert ended.value.code == 2
+    assert "--jobs" in capsys.readouterr().err

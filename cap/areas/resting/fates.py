@@ -15,6 +15,8 @@ are the states of the cell, c the image of its middle x_c, D a product of enclos
 *Rest.*  As in `cap.orbits.capture`: if l <= P <= g, l > 0, a bounce with the speed v at its
 beginning lasts 2 v/l at most, and the next begins with at most k v, k = e sqrt(g/l).  If k < 1, all
 of them last 2 v/(l (1 - k)) at most.
+
+A sum of doubles is below a double if what it is rounded to is.
 """
 
 import math
@@ -32,6 +34,7 @@ RESTS, FLIES = 1, 2
 MOST = 24  # hits followed
 BOUNCES = 6  # bounded one by one
 LONGER = 1.1, 1.3, 1.8  # times that are tried, by one that would do under other bounds
+LATER = 1 + 2.0**-52  # a positive time by this is not before the double after it
 ROOM = 1 + 2.0**-20  # what is asked for is more than what is needed: other arithmetics agree
 
 
@@ -76,12 +79,12 @@ def after(m: Change, n: Change) -> Change:
 @kernel
 def _over(p: Pull, grid: Table, a: float, latest: float, v: float, tried: float) -> bool:
     """Return whether all bounces are over in a time tried; the first one has the speed v."""
-    until = min(latest + tried, p.early)
+    until = min((latest + tried) * LATER, p.early)
     low, high = extremes(grid, a, until)
     if not low > 0:
         return False
     k = upper(p.e) * math.sqrt(high / low) * ROOM
-    return bool(k < 1 and latest + 2 * v / (low * (1 - k)) * ROOM <= until)
+    return bool(k < 1 and latest + 2 * v / (low * (1 - k)) * ROOM < until)
 
 
 @kernel
@@ -98,9 +101,9 @@ def rests(p: Pull, grid: Table, hit: Hit, speed: float) -> bool:
         for longer in LONGER:
             if _over(p, grid, hit.a, latest, v, needed * longer):
                 return True
-        until = latest + 2 * v / low * LONGER[0]
+        until = (latest + 2 * v / low * LONGER[0]) * LATER
         low, high = extremes(grid, hit.a, until)
-        if not (low > 0 and latest + 2 * v / low * ROOM <= until):
+        if not (low > 0 and latest + 2 * v / low * ROOM < until):
             break
         fast, latest = e * math.sqrt(high / low) * fast * ROOM, until
     return False
