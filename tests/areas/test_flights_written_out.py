@@ -8,6 +8,7 @@ import sympy
 from cap.areas.folded import backward, next_event, paths
 from cap.areas.rings import half_periods
 from cap.areas.strips import arcs, hits
+from cap.floats.coverings import planar
 from cap.floats.search import tori
 from cap.flow.formulas import dry
 from cap.maps.launch_set import flown
@@ -82,6 +83,25 @@ def test_half_periods_in_a_search(monkeypatch):
     found = tori.HalfPeriod(f, a)(x, v)
     assert same(found[0], -place)
     assert same(found[1], -after)
+
+
+@pytest.mark.parametrize(("place", "start"), [(0.5, 0.8), (0.7, 1.5), (-0.8, 0.6)])
+def test_half_periods_with_derivatives(place, start):
+    """In compiled doubles, where coverings are looked for; the derivatives by differences."""
+    known, (X, V, *slopes) = planar._half_period(0.4, 1.0, place, start)
+    assert known
+    hit = planar._hit(0.4, 1.0, place, start, planar._until(0.4, start))
+    numbers = {f: 0.4, a: 1.0, x: place, v: start, t: hit}
+    wall, speed = of_the_data(1, 0, (x, v), t)
+    assert abs(wall.subs(numbers) - 1) < 1e-12
+    for found, true in zip((X, V), of_the_data(-1, t, (a, -speed), sympy.pi), strict=True):
+        assert abs(found + true.subs(numbers)) < 1e-12
+    step = 1e-6
+    for k in range(2):
+        ends = [planar._half_period(0.4, 1.0, place + d * (1 - k), start + d * k)[1][:2]
+                for d in (-step, step)]  # fmt: skip
+        for found, low, high in zip(slopes[k::2], *ends, strict=True):
+            assert abs((high - low) / (2 * step) - found) < 1e-7
 
 
 @pytest.mark.parametrize("e", [1, -1])

@@ -18,6 +18,7 @@ from cap.checker.system.passage import Contact
 from cap.checker.system.release_bend import bend
 from cap.checker.system.release_cells import cell, confirm_laps
 from cap.checker.system.releases import Releases
+from checker.altered import changed
 
 ROOT = Path(__file__).parents[2]
 BELT = json.loads((ROOT / "certificates/contact_attractor-1.json").read_text("utf-8"))
@@ -99,3 +100,21 @@ def test_turns_that_are_not_counted(monkeypatch):
     assert unknown.laps == 0
     with pytest.raises(Rejected, match="more than once"):
         confirm_laps([unknown])
+
+
+def test_the_second_derivative_where_a_reset_divides():
+    """A toss of pi + 43/20 cos t over 2 + cos t: t' = t + 2 (pi + 43/20 cos t)/(2 + cos t)."""
+    given = changed(TOSS, "digits", "6")
+    guard = given["parameters"]["modes"]["fly"]["guards"]["hand"]
+    guard["divisor"] = [["2"], ["1", "cos"]]
+    F = releases(given)
+
+    def later(t):
+        return t + 2 * (math.pi + 2.15 * math.cos(t)) / (2 + math.cos(t))
+
+    for t in (0.3, 2.0, 4.4):
+        window, where = [between(later(t) - 0.05, later(t) + 0.05)], between(t, t)
+        found = bend(F, where, F.over(where, window))
+        h = 1e-4
+        known = (later(t + h) - 2 * later(t) + later(t - h)) / h**2
+        assert float(found.lower) == pytest.approx(known, abs=1e-5)

@@ -21,7 +21,6 @@ from cap.floats.engine.compiled import announced
 from cap.system.planar import Map
 from cap.system.polynomial import COS, SIN
 from cap.system.section import Section
-from cap.tori import flights
 
 Floats = NDArray[np.float64]
 Six = tuple[float, float, float, float, float, float]
@@ -30,11 +29,6 @@ HALF_PERIOD, FORMULAS, CONTACT = range(3)
 STEPS, CLOSE, PHASES = 60, 1e-12, 16
 FAR = 10.0  # from 0, in each coordinate of a plane: there orbits are given up, at first
 GRID, STAY, BESIDE = 300, 4, 1.25  # of points; steps before and after; times what stays
-
-
-_speed: Any = register_jitable(flights.speed)
-_beyond: Any = register_jitable(flights.beyond)
-_landing: Any = register_jitable(flights.landing)
 
 
 class Planar(NamedTuple):
@@ -135,23 +129,23 @@ def _formulas(y: Floats, x: float, v: float) -> tuple[bool, Six]:
 
 @register_jitable
 def _half_period(phi: float, a: float, x: float, v: float) -> tuple[bool, Six]:
-    """Follow a motion: one hit, no stop (`cap.checker.coverings.half_period`)."""
+    """Follow a motion: one hit, no stop.  Formulas: `cap.checker.coverings.half_period`."""
     if not (v > 0 and abs(x) < a):
         return _nowhere()
     end = _until(phi, v)
-    if _beyond(phi, a, (x, v), end, math.cos(end)) <= 0:
+    if x + v * end + 1 - math.cos(end) - phi * end * end / 2 <= a:
         return _nowhere()
     t = _hit(phi, a, x, v, end)
-    s, c, d = math.sin(t), math.cos(t), math.pi - t
-    w = _speed(phi, v, t, s)
+    w = v + math.sin(t) - phi * t
     slow = math.pi - math.acos(phi)
-    top = math.sqrt(1 - phi * phi) + phi * slow - v - 2 * s
-    X = _landing(phi, a, w, (s, c), d)
+    top = math.sqrt(1 - phi * phi) + phi * slow - v - 2 * math.sin(t)
+    d = math.pi - t
+    X = (v + 2 * math.sin(t) - phi * t) * d - a - 1 - math.cos(t) - phi * d * d / 2
     if not (w > 0 and top < 0 and a > X):
         return _nowhere()
-    k = -2 * c / w
+    k = -2 * math.cos(t) / w
     D = 1 + d * k
-    return True, (X, v + 2 * s - phi * math.pi, D, D * t + d, k, k * t + 1)
+    return True, (X, v + 2 * math.sin(t) - phi * math.pi, D, D * t + d, k, k * t + 1)
 
 
 @register_jitable
@@ -162,7 +156,7 @@ def _until(phi: float, v: float) -> float:
         return high
     for _ in range(50):
         middle = (low + high) / 2
-        if _speed(phi, v, middle, math.sin(middle)) > 0:
+        if v + math.sin(middle) - phi * middle > 0:
             low = middle
         else:
             high = middle
@@ -176,12 +170,12 @@ def _hit(phi: float, a: float, x: float, v: float, end: float) -> float:
     t = min(end, (a - x) / (v + 0.5))
     for _ in range(STEPS):
         s, c = math.sin(t), math.cos(t)
-        gap: float = _beyond(phi, a, (x, v), t, c)
+        gap = x + v * t + 1 - c - phi * t * t / 2 - a
         if gap > 0:
             high = t
         else:
             low = t
-        then: float = t - gap / _speed(phi, v, t, s)
+        then = t - gap / (v + s - phi * t)
         if not low <= then <= high:
             then = (low + high) / 2
         if abs(then - t) < CLOSE:
@@ -191,11 +185,11 @@ def _hit(phi: float, a: float, x: float, v: float, end: float) -> float:
 
 
 def kept(function: Any) -> Any:
-    """Compile a function, and keep it as long as its sources do not change."""
+    """Compile a function, and keep it as long as no file of this folder changes."""
     return announced(function, _DIGEST)
 
 
-_FILES = [*sorted(Path(__file__).parent.glob("*.py")), Path(flights.__file__)]
+_FILES = sorted(Path(__file__).parent.glob("*.py"))
 _DIGEST = sha256(b"".join(file.read_bytes() for file in _FILES)).hexdigest()
 
 
