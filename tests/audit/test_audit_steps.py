@@ -108,7 +108,8 @@ def test_names_are_defined_in_order():
 )
 def test_words_are_filled(text, words):
     """Names, numbers rounded outwards, certificates; other braces stay."""
-    names = steps.made({"positive": "a", "steps": "b = 2*a\nthird = Rational(1, 3)\nmany = Rational(12347, 10)"}).names
+    lines = "b = 2*a", "third = Rational(1, 3)", "many = Rational(12347, 10)"
+    names = steps.made({"positive": "a", "steps": "\n".join(lines)}).names
     assert filled(text, {**names, "x": "one"}) == words
 
 
