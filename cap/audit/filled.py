@@ -4,7 +4,7 @@
 {x:8}    a number, enclosed and rounded outwards to 8 places
 {x:<4}   a bound from below, {x:>4} from above
 {x:in6}  a range in which something holds, rounded inwards
-{x:,0}   with commas
+{x:,3}   an exact decimal, with commas between thousands
 """
 
 import re
@@ -53,7 +53,7 @@ def _value(name: str, words: Mapping[str, object]) -> object:
 def _shown(value: Any, way: str, places: str | None, known: Balls) -> str:
     if places is None:
         return algebra.shown(value) if hasattr(value, "free_symbols") else str(value)
-    if getattr(value, "is_Rational", False):
+    if way == "," and value.is_Rational:
         value = Fraction(int(value.p), int(value.q))
     if isinstance(value, Fraction):
         value = Enclosure(value, value, (str(value), str(value)))
