@@ -2,9 +2,8 @@
 
 An entry is one file, named by a digest of the claim, its data, and of what decides it, as in
 `cap.audit.dependencies`; it also names the stored certificates that were asked for, with their
-digests, and holds only while these are the same.  Of a table of `cap.audit.tables` the rows are
-kept.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where it cannot be
-read or written there is no cache.
+digests, and holds only while these are the same.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in
+the user's cache folder; where it cannot be read or written there is no cache.
 """
 
 import hashlib

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, recorded, revision, subject, tables
+from cap.audit import errata, labels, ledger, recorded, revision, subject
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
@@ -23,7 +23,6 @@ from cap.audit.verdict import Outcome, Verdict
 from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
-from cap.option import integer
 from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -162,8 +161,6 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
-    if options.record and tables.source():
-        tables.record(_progress, _tables(options), fresh=options.fresh)
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
     if options.recorded:
@@ -181,20 +178,6 @@ def _audit(options: argparse.Namespace) -> int:
     for line in changed:
         say(f"changed: {line}", sys.stderr)
     return 1 if changed else 0
-
-
-def _tables(options: argparse.Namespace) -> list[str]:
-    """Return the tables whose rows are listed anew: of a group or a section, if it is asked for."""
-    if options.only is not None:
-        return [label for label in tables.labels() if tables.group(label) == options.only]
-    if options.section is not None:
-        section = {each.id for each in ledger.chosen(None, options.section)}
-        return [
-            label
-            for label in tables.labels()
-            if any(row.id in section for row in tables.claims() if row.table == label)
-        ]
-    return list(tables.labels())
 
 
 def _record(verdicts: dict[str, Verdict]) -> int:
@@ -223,7 +206,10 @@ def _outcome(text: str | None) -> Outcome | None:
 
 
 def _jobs(text: str) -> int:
-    return integer(text, "jobs", (1, 4 * (os.cpu_count() or 1)))
+    most = 4 * (os.cpu_count() or 1)
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= most):
+        raise BadInput(f"--jobs must be an integer from 1 to {most}: {text!r}")
+    return int(text)
 
 
 def _progress(words: str) -> None:

@@ -4,17 +4,14 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import replace
 from functools import partial
 
-from cap.audit import cache, ledger, subject, tables
+from cap.audit import cache, ledger, subject
 from cap.audit.claim import Claim
 from cap.audit.dependencies import digest
-from cap.audit.given import as_in_the_erratum
 from cap.audit.means import stored
 from cap.audit.means.need import noted
 from cap.audit.means.written import exists
-from cap.audit.steps import Steps
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
-from cap.errors import NotProved
 from cap.runner import Plan, Runner
 
 Progress = Callable[[str], None]
@@ -23,8 +20,6 @@ Part = tuple[str, ...]  # ids of claims that are decided together: the rows of a
 
 def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
     """Return the verdict on a claim; whatever goes wrong makes it undecided, and says why."""
-    if isinstance(claim, Row):
-        return _of_a_table(claim, fresh)
     if not fresh and (found := cache.known(claim)):
         return found
     noted()
@@ -34,7 +29,8 @@ def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
         verdict = _undecided(f"{type(failure).__name__}: {failure}")
     steps = noted()
     certificates = {name: stored.digest(name) for name in steps if name}
-    verdict = _rested(verdict, certificates, made=bool(steps))
+    if not isinstance(claim, Row):  # which says itself what is proved
+        verdict = _rested(verdict, certificates, made=bool(steps))
     cache.keep(claim, verdict, certificates)
     return verdict
 
@@ -57,16 +53,6 @@ def _rested(verdict: Verdict, certificates: Collection[str], *, made: bool) -> V
     if certificates:
         return replace(verdict, strength=Strength.CERTIFIED)
     return replace(verdict, strength=Strength.PROVED if made else Strength.READ)
-
-
-def _of_a_table(row: Row, fresh: bool) -> Verdict:
-    """Return the verdict on a row; its table is computed once, and the cache keeps the table."""
-    try:
-        tables.rows(row.table, fresh=fresh)
-        as_in_the_erratum(row.id, Steps())
-        return row.decide()
-    except NotProved as failure:
-        return _undecided(str(failure))
 
 
 def _undecided(why: str) -> Verdict:

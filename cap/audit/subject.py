@@ -2,10 +2,10 @@
 
 Its files: ``labels.json``, the places; ``claims/``, the claims, and the functions that decide those
 that need some; ``findings.toml``, ``errata.toml`` and ``statements.toml``; ``recorded.json``, the
-verdicts; ``parameters.json``, those of its system, if it has one; and ``paper.toml``: the module
-that computes its ``tables``, if there are some, the groups of claims in their order, why some
-places have none, and which rows of its tables are decided elsewhere.  Nothing outside of the folder
-knows what the paper says.
+verdicts; ``parameters.json``, those of its system, if it has one; ``tables/``, whose rows are
+claims, too; and ``paper.toml``: the tables, if there are some, and what finds their numbers, the
+groups of claims in their order, why some places have none, and which rows are decided elsewhere.
+Nothing outside of the folder knows what the paper says.
 """
 
 import json

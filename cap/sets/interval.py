@@ -96,6 +96,17 @@ def rational(x: arb) -> Fraction:
     return Fraction(int(q.p), int(q.q))
 
 
+def nearest(x: arb, places: int) -> Fraction:
+    """Return a multiple of 10^-places nearest to a ball of radius zero; see `rational`."""
+    if places < 0:
+        return round(rational(x), places)
+    m, e = map(int, x.man_exp())
+    if abs(e) > LARGEST:
+        raise NotProved("evaluation", "a number is too large or too small to write", {"value": x})
+    scaled, bits = m * 10**places << max(e, 0), max(-e, 0)
+    return Fraction((2 * scaled + (1 << bits)) >> bits + 1, 10**places)
+
+
 def integers(first: arb, last: arb) -> range:
     """Return all integers between a point of ``first`` and one of ``last``.
 

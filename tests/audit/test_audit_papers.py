@@ -60,7 +60,7 @@ def test_recording_lists_no_figures(tables, elsewhere, capsys):
     stored = elsewhere("recorded.json")
     assert command.main(["--of", "church_fortin", "--only", FEW[1], "--record"]) == 0
     assert FEW[1] in stored.read_text("utf-8")
-    assert not subject.file("tables.json").exists()
+    assert not subject.file("tables").exists()
 
 
 def test_reports_of_the_tables(tables):
