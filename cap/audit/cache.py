@@ -2,14 +2,14 @@
 
 An entry is one file, named by a digest of the claim, its data, and of what decides it, as in
 `cap.audit.dependencies`; it also names the stored certificates that were asked for, with their
-digests, and holds only while these are the same.  Of a table of `cap.audit.tables` the rows are
-kept.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where it cannot be
-read or written there is no cache.
+digests, and holds only while these are the same.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in
+the user's cache folder; where it cannot be read or written there is no cache.
 """
 
 import hashlib
 import json
 import os
+from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ from typing import Any
 from cap.audit.claim import Claim
 from cap.audit.dependencies import digest
 from cap.audit.means import stored
-from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.audit.verdict import Outcome, Verdict, verdict
 from cap.files import replacing
 
 
@@ -32,12 +32,9 @@ def folder() -> Path:
 def known(claim: Claim) -> Verdict | None:
     """Return the verdict that is kept, if what decides the claim is as it was then."""
     entry = read(f"{claim.id} {claim.content}", claim.module)
-    try:
-        asked: dict[str, str] = entry["certificates"]
-        if all(stored.digest(name) == value for name, value in asked.items()):
+    with suppress(ValueError, KeyError, TypeError, AttributeError):  # none that is a verdict
+        if all(stored.digest(name) == value for name, value in entry["certificates"].items()):
             return verdict(entry["verdict"])
-    except (ValueError, KeyError, TypeError):
-        pass  # no entry, or none that is a verdict
     return None
 
 
@@ -50,33 +47,18 @@ def keep(claim: Claim, decided: Verdict, certificates: dict[str, str]) -> None:
 
 def read(name: str, module: str) -> Any:
     """Return what is kept under a name, if the module and what it imports are as then, or None."""
-    try:
+    with suppress(OSError, RuntimeError, ValueError):  # RuntimeError: there is no home
         return json.loads(_path(name, module).read_text(encoding="utf-8"))
-    except (OSError, RuntimeError, ValueError):
-        return None  # RuntimeError: there is no home
+    return None
 
 
 def write(name: str, module: str, entry: Any) -> None:
     """Keep something that JSON can hold, if the folder can be written."""
-    try:
+    with suppress(OSError, RuntimeError):
         path = _path(name, module)
         path.parent.mkdir(parents=True, exist_ok=True)
         with replacing(path) as file:
             file.write(json.dumps(entry).encode())
-    except (OSError, RuntimeError):
-        pass
-
-
-def verdict(fields: dict[str, Any]) -> Verdict:
-    """Return the verdict with these fields; `ValueError` or `KeyError` if there is none."""
-    return Verdict(
-        outcome=Outcome(fields["outcome"]),
-        strength=Strength(fields["strength"]),
-        found=str(fields.get("found", "")),
-        evidence=str(fields.get("evidence", "")),
-        proof=str(fields.get("proof", "")),
-        certificate=str(fields.get("certificate", "")),
-    )
 
 
 def _path(name: str, module: str) -> Path:

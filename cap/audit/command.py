@@ -6,11 +6,11 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, quotes, recorded, revision, subject, tables
+from cap.audit import errata, labels, ledger, recorded, revision, subject
 from cap.audit.coverage import compared, coverage
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
-from cap.audit.means import accepted
+from cap.audit.means import stored
 from cap.audit.papers import FIRST
 from cap.audit.report.erratum import erratum
 from cap.audit.report.latex import latex
@@ -23,7 +23,6 @@ from cap.audit.verdict import Outcome, Verdict
 from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
-from cap.files import replacing
 from cap.words import printable, say
 
 FORMATS: dict[str, Callable[[Report], str]] = {
@@ -144,9 +143,8 @@ def _paper(options: argparse.Namespace) -> int:
     """Compare the paper with another version of its TeX file, or store the places of this one."""
     lines = compared(options.paper)
     if options.record:
-        new = quotes.fitted(options.paper)
-        with replacing(subject.file("labels.json")) as file:
-            file.write(labels.dumps(new).encode())
+        new = revision.fitted(options.paper)
+        subject.store("labels.json", labels.dumps(new))
         print(f"{subject.file('labels.json')}: written ({len(lines)} differences)")
         return 0
     seen = revision.told(Manuscript.read(options.paper))
@@ -163,8 +161,6 @@ def _coverage() -> int:
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
     wanted = _outcome(options.verdict)
-    if options.record and tables.source():
-        tables.record(_progress, _tables(options), fresh=options.fresh)
     claims = ledger.chosen(options.only, options.section)
     whole = len(claims) == len(ledger.claims())
     if options.recorded:
@@ -175,25 +171,13 @@ def _audit(options: argparse.Namespace) -> int:
     if options.record:
         return _record(verdicts)
     shown = {name: each for name, each in verdicts.items() if wanted in (None, each.outcome)}
+    if not shown:
+        say(f"no claim that was asked for is {wanted}", sys.stderr)
     print(FORMATS[options.format](report(shown)), end="" if options.format == "markdown" else "\n")
     changed = recorded.changes(verdicts, whole=whole)
     for line in changed:
         say(f"changed: {line}", sys.stderr)
     return 1 if changed else 0
-
-
-def _tables(options: argparse.Namespace) -> list[str]:
-    """Return the tables whose rows are listed anew: of a group or a section, if it is asked for."""
-    if options.only is not None:
-        return [label for label in tables.labels() if tables.group(label) == options.only]
-    if options.section is not None:
-        section = {each.id for each in ledger.chosen(None, options.section)}
-        return [
-            label
-            for label in tables.labels()
-            if any(row.id in section for row in tables.claims() if row.table == label)
-        ]
-    return list(tables.labels())
 
 
 def _record(verdicts: dict[str, Verdict]) -> int:
@@ -204,7 +188,7 @@ def _record(verdicts: dict[str, Verdict]) -> int:
         return 1
     changed = recorded.changes(verdicts, whole=False)
     recorded.write(verdicts)
-    accepted.record()
+    stored.accept()
     print(
         "\n".join([*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written"])
     )
@@ -223,8 +207,8 @@ def _outcome(text: str | None) -> Outcome | None:
 
 def _jobs(text: str) -> int:
     most = 4 * (os.cpu_count() or 1)
-    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= max(most, 4)):
-        raise BadInput(f"--jobs must be an integer from 1 to {max(most, 4)}: {text!r}")
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= most):
+        raise BadInput(f"--jobs must be an integer from 1 to {most}: {text!r}")
     return int(text)
 
 

@@ -1,35 +1,29 @@
-"""Numbers and claims of the paper beside what is computed here.
+"""Numbers and words of the paper beside what is found here.
 
-A printed number agrees if it is what is found, rounded to its last digit; if it is farther away,
-but by no more than a unit of this digit, it is imprecise; a count agrees if it is equal; an
-enclosure, if it holds what is proved.
+A count is an integer: it agrees if it is equal.  A number is a float: it agrees with a printed one
+that is this number, rounded to its last digit; if that is farther away, but by no more than a unit
+of this digit, it is imprecise.  Two decimals enclose a number that is proved: the printed one is
+rounded from both, or, if it is an interval, holds them.  Of several floats, which only chance tells
+apart, the range agrees.
 """
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from decimal import Decimal
-from enum import StrEnum
+from typing import Any, NamedTuple
 
 MORE = 3  # digits shown beyond those of the paper
 PROVED = " (proved)"
 NOT_ROUNDED = "less than a unit of the last digit away, but not rounded"
 
 
-class Kind(StrEnum):
-    """What is compared."""
-
-    VALUE = "number"
-    WORDS = "description"
-
-
 @dataclass(frozen=True)
 class Comparison:
-    """What the paper says and what is computed; why they differ, or a remark if they agree.
+    """What the paper says and what is found; why they differ, or a remark if they agree.
 
-    ``imprecise``: if they differ, the paper is too rough, or is about a procedure that it does not
-    describe, rather than wrong.  ``unstated``: it does not say what would have to be computed (a
-    start, seeds), so that nothing found here can agree or differ.  ``where`` is the place that says
-    it, if that is not the figure.
+    ``words``: it is no number.  ``imprecise``: if they differ, the paper is too rough, or is about
+    a procedure that it does not describe, rather than wrong.  ``unstated``: it does not say what
+    would have to be computed (a start, seeds), so that nothing found here can agree or differ.
     """
 
     what: str
@@ -37,123 +31,109 @@ class Comparison:
     ours: str
     agrees: bool
     reason: str = ""
-    kind: Kind = Kind.VALUE
-    where: str = ""
+    words: bool = False
     imprecise: bool = False
     unstated: bool = False
 
     @property
     def rigorous(self) -> bool:
-        """Whether what is computed is proved."""
+        """Whether what is found is proved."""
         return PROVED in self.ours
 
 
-def taken_from(place: str, rows: Iterable[Comparison]) -> list[Comparison]:
-    """Return the rows, as taken from a place of the paper with this label."""
-    return [replace(row, where=place) for row in rows]
+class Seen(NamedTuple):
+    """What is found, as it is shown; whether the paper has it, and if not, nearly."""
+
+    ours: str
+    agrees: bool
+    nearly: bool = False
 
 
-def roughly(row: Comparison) -> Comparison:
-    """Return the row; if it does not agree, the paper is imprecise there."""
-    return replace(row, imprecise=True)
+def compared(row: Mapping[str, Any], found: Mapping[str, Any]) -> Comparison:
+    """Return the comparison that a row of a table asks for: see `cap.audit.tables`."""
+    words, unstated = "ours" in row, row.get("unstated", False)
+    if words:
+        seen = Seen(row["ours"].format_map(found), "holds" in row and bool(found[row["holds"]]))
+    else:
+        seen = value(row["paper"], found[row["value"]])
+    agrees = not unstated and (seen.agrees or (seen.nearly and row.get("cut", False)))
+    nearly = seen.nearly and not unstated
+    text = "note" if agrees else "why"
+    return Comparison(
+        row["what"],
+        row["paper"],
+        seen.ours,
+        agrees,
+        NOT_ROUNDED if nearly and not agrees else row.get(text, "").format_map(found),
+        words,
+        imprecise=row.get("rough", False) or nearly,
+        unstated=unstated,
+    )
 
 
-def cut_off(row: Comparison) -> Comparison:
-    """Return the row of a number after which the paper has dots: it need not be rounded."""
-    return replace(row, agrees=True, reason="", imprecise=False) if row.imprecise else row
+def value(paper: str, ours: Any) -> Seen:
+    """Compare what is printed with a count, a number, what is proved, or what runs give."""
+    if isinstance(ours, int):
+        return Seen(str(ours), int(paper) == ours)
+    if isinstance(ours, float):
+        return number(paper, ours)
+    if not isinstance(ours[0], str):
+        return among(paper, ours)
+    return enclosure(paper, ours) if paper.startswith("[") else proved(paper, ours)
 
 
-def unstated(row: Comparison, why: str) -> Comparison:
-    """Return the row, as one that nothing computed here can confirm or refute, for this reason."""
-    return replace(row, agrees=False, reason=why, unstated=True)
-
-
-def number(what: str, paper: str, ours: float, reason: str = "", *, note: str = "") -> Comparison:
+def number(paper: str, ours: float) -> Seen:
     """Compare a float with a printed decimal."""
     printed, value = Decimal(paper), Decimal(float(ours))
-    return _rounded(_made(what, paper, _shown(value, printed), True, "", note), [value], reason)
+    return _rounded(printed, _shown(value, printed), [value])
 
 
-def proved(
-    what: str, paper: str, ours: Sequence[str], reason: str = "", *, note: str = ""
-) -> Comparison:
+def proved(paper: str, ours: Sequence[str]) -> Seen:
     """Compare a proved enclosure, (lower, upper) in decimals, with a printed decimal."""
-    printed = Decimal(paper)
-    ends = [Decimal(end) for end in ours]
-    row = _made(what, paper, _shown(ends[0], printed) + PROVED, True, "", note)
-    return _rounded(row, ends, reason)
+    printed, ends = Decimal(paper), [Decimal(end) for end in ours]
+    return _rounded(printed, _shown(ends[0], printed) + PROVED, ends)
 
 
-def enclosure(
-    what: str, paper: tuple[str, str], ours: Sequence[str], reason: str = "", *, note: str = ""
-) -> Comparison:
+def enclosure(paper: str, ours: Sequence[str]) -> Seen:
     """Compare a proved enclosure with a printed one: does that hold it?"""
-    low, high = map(Decimal, paper)
+    low, high = map(Decimal, paper.strip("[]").split(", "))
     ends = [Decimal(end) for end in ours]
-    agrees = low <= min(ends) and max(ends) <= high
     shown = _shown(ends[0], max(low, high, key=_digits)) + PROVED
-    return _made(what, f"[{paper[0]}, {paper[1]}]", shown, agrees, reason, note)
+    return Seen(shown, low <= min(ends) and max(ends) <= high)
 
 
-def count(what: str, paper: int, ours: int, reason: str = "", *, note: str = "") -> Comparison:
-    """Compare counts."""
-    return _made(what, str(paper), str(ours), paper == ours, reason, note)
-
-
-def among(
-    what: str, paper: str, ours: Iterable[float], reason: str = "", *, note: str = ""
-) -> Comparison:
+def among(paper: str, ours: Iterable[float]) -> Seen:
     """Compare a printed number with those of several runs that only chance tells apart."""
     printed, values = Decimal(paper), sorted(Decimal(float(value)) for value in ours)
-    unit = _unit(printed) if "." in paper else Decimal(0)
-    agrees = values[0] - unit <= printed <= values[-1] + unit
-    digits = max(0, -_exponent(printed) + 1) if "." in paper else 0
+    decimals = "." in paper
+    near, digits = (unit(printed), _digits(printed) + 1) if decimals else (Decimal(0), 0)
     shown = f"{values[0]:.{digits}f} to {values[-1]:.{digits}f} in {len(values)} runs"
-    return _made(what, paper, shown, agrees, reason, note)
+    return Seen(shown, values[0] - near <= printed <= values[-1] + near)
 
 
-def claim(
-    what: str, paper: str, ours: str, agrees: bool, reason: str = "", *, note: str = ""
-) -> Comparison:
-    """Compare words."""
-    return replace(_made(what, paper, ours, agrees, reason, note), kind=Kind.WORDS)
-
-
-def _made(what: str, paper: str, ours: str, agrees: bool, reason: str, note: str) -> Comparison:
-    return Comparison(what, paper, ours, bool(agrees), note if agrees else reason)
-
-
-def _rounded(row: Comparison, values: Iterable[Decimal], reason: str) -> Comparison:
-    """Return the row of a printed number, whose value is one of these or between them."""
-    printed = Decimal(row.paper)
+def _rounded(printed: Decimal, shown: str, values: Iterable[Decimal]) -> Seen:
+    """Compare a printed number with one that is among these or between them."""
     away = max(abs(value - printed) if value.is_finite() else Decimal("Inf") for value in values)
-    if away <= _unit(printed) / 2:
-        return row
-    if away <= _unit(printed):
-        return replace(row, agrees=False, reason=NOT_ROUNDED, imprecise=True)
-    return replace(row, agrees=False, reason=reason)
-
-
-def _exponent(value: Decimal) -> int:
-    exponent = value.as_tuple().exponent
-    return exponent if isinstance(exponent, int) else 0
+    last = unit(printed)
+    return Seen(shown, away <= last / 2, nearly=last / 2 < away <= last)
 
 
 def _digits(value: Decimal) -> int:
-    return -_exponent(value)
+    """Return how many digits there are after the point."""
+    exponent = value.as_tuple().exponent
+    return -exponent if isinstance(exponent, int) else 0
 
 
-def _unit(printed: Decimal) -> Decimal:
+def unit(printed: Decimal) -> Decimal:
     """Return one unit of the last digit."""
-    return Decimal(1).scaleb(_exponent(printed))
+    return Decimal(1).scaleb(-_digits(printed))
 
 
 def _shown(value: Decimal, printed: Decimal) -> str:
     """Return a value with some digits more than are printed, no more than a double has."""
     if not value.is_finite():
         return str(value)
-    places = max(0, _digits(printed)) + MORE
-    return f"{value:.{places}f}"
+    return f"{value:.{max(0, _digits(printed)) + MORE}f}"
 
 
 def markdown(rows: Iterable[Comparison]) -> list[str]:
@@ -164,8 +144,3 @@ def markdown(rows: Iterable[Comparison]) -> list[str]:
         cells = (row.what, row.paper, row.ours, agrees, row.reason)
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return lines
-
-
-def percent(part: float, whole: float) -> str:
-    """Return a share in words."""
-    return f"{100 * part / whole:.3g}%" if whole else "none"

@@ -42,20 +42,16 @@ def coverage() -> Coverage:
             found[claim.where].append(claim.id)
         else:
             wrong.append(f"claim {claim.id} is taken from {claim.where!r}, which is no place")
+    reasons = _reasons()
     wrong += [
-        f"a reason is given for {each!r}, which is no place" for each in _reasons().keys() - found
+        f"a reason is given for {each!r}, which is no place" for each in reasons.keys() - found
     ]
-    for place in labels.stored().places:
-        wrong += _wrong(place, found[place.label])
+    for label, ids in found.items():
+        if ids and label in reasons:
+            wrong.append(f"{label} has claims, and a reason for having none")
+        if not ids and label not in reasons:
+            wrong.append(f"{label} is forgotten: it has neither claims nor a reason for none")
     return Coverage(found, tuple(wrong))
-
-
-def _wrong(place: Place, ids: list[str]) -> list[str]:
-    if ids and place.label in _reasons():
-        return [f"{place.label} has claims, and a reason for having none"]
-    if not ids and place.label not in _reasons():
-        return [f"{place.label} is forgotten: it has neither claims nor a reason for none"]
-    return []
 
 
 def _line(place: Place, ids: list[str]) -> str:
@@ -67,15 +63,11 @@ def _line(place: Place, ids: list[str]) -> str:
 def compared(path: Path) -> list[str]:
     """Return how the places of a TeX file differ from those that are stored."""
     own, new = labels.stored(), labels.read(path)
-    old_places, new_places = ({p.label: p for p in paper.places} for paper in (own, new))
-    lines = [f"gone: {label}" for label in old_places.keys() - new_places]
-    lines += [f"new: {label}" for label in new_places.keys() - old_places]
-    common = old_places.keys() & new_places
-    lines += [
-        f"moved or changed: {k}"
-        for k in common
-        if replace(old_places[k], line=0) != replace(new_places[k], line=0)
-    ]
+    before, now = ({p.label: replace(p, line=0) for p in paper.places} for paper in (own, new))
+    lines = [f"gone: {label}" for label in before.keys() - now]
+    lines += [f"new: {label}" for label in now.keys() - before]
+    changed = [label for label in before.keys() & now if before[label] != now[label]]
+    lines += [f"moved or changed: {label}" for label in changed]
     if own.sha256 != new.sha256:
         lines.append(f"the file has the digest {new.sha256}, not {own.sha256}")
     return sorted(lines)

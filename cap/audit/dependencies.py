@@ -3,7 +3,6 @@
 import ast
 import hashlib
 import sys
-from collections.abc import Iterator
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -11,7 +10,7 @@ from pathlib import Path
 from cap.audit import subject
 
 ROOT = Path(__file__).resolve().parents[2]
-OURS = ("cap",)
+OURS = "cap"
 WHOLE = ("cap.checker", "cap.proofs")  # packages whose modules may be loaded by name
 LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
 
@@ -58,14 +57,11 @@ def _exists(module: str) -> bool:
 @cache
 def _beside(module: str) -> tuple[str, ...]:
     """Return all modules of a package that counts as a whole, if this is one of them."""
-    package = next((each for each in WHOLE if f"{module}.".startswith(f"{each}.")), None)
-    return () if package is None else _modules(package)
-
-
-@cache
-def _modules(package: str) -> tuple[str, ...]:
-    files = ROOT.joinpath(*package.split(".")).rglob("*.py")
-    return tuple(".".join(file.relative_to(ROOT).with_suffix("").parts) for file in files)
+    for package in WHOLE:
+        if f"{module}.".startswith(f"{package}."):
+            files = ROOT.joinpath(*package.split(".")).rglob("*.py")
+            return tuple(".".join(f.relative_to(ROOT).with_suffix("").parts) for f in files)
+    return ()
 
 
 @cache
@@ -87,16 +83,12 @@ def _file(module: str) -> Path:
 
 
 @cache
-def _imported(module: str) -> tuple[str, ...]:
-    tree = ast.parse(_file(module).read_text(encoding="utf-8"))
-    return tuple(name for name in _names(tree) if name.partition(".")[0] in OURS)
-
-
-def _names(tree: ast.AST) -> Iterator[str]:
-    """Give the names of modules that may be imported; what is no module has no file."""
-    for node in ast.walk(tree):
+def _imported(module: str) -> frozenset[str]:
+    """Return the names of modules that may be imported; what is no module has no file."""
+    names = set[str]()
+    for node in ast.walk(ast.parse(_file(module).read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
-            yield node.module
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return frozenset(name for name in names if name.partition(".")[0] == OURS)

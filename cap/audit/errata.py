@@ -6,9 +6,9 @@ not repaired by them: what may be cited instead of it is in ``statements.toml``.
 
 import difflib
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from cap.audit import subject
 from cap.audit.manuscript import Manuscript
@@ -21,28 +21,22 @@ from cap.errors import BadInput
 class Change:
     """What is in the text so many times, what takes its place, and the claims that say why.
 
-    ``formula``, one or several: a piece ``tex`` of what is new, and what it ``is``, or ``steps``
-    that hold for it, in the names of the steps of the first claim: see `cap.audit.steps`.  The
-    claim is decided only if they agree.
+    ``formula``: pieces ``tex`` of what is new, each with what it ``is``, or ``steps`` that hold for
+    it, in the names of the steps of the first claim: see `cap.audit.steps`.  The claim is decided
+    only if they agree.
     """
 
-    claims: tuple[str, ...]
+    claims: Sequence[str]
     old: str
     new: str
     times: int = 1
-    formula: tuple[dict[str, str], ...] = field(default=(), hash=False)
+    formula: list[dict[str, str]] = field(default_factory=list)
 
 
 @cached
 def changes() -> tuple[Change, ...]:
     """Return all changes, in the order of the paper."""
-    return tuple(map(_change, subject.data("errata.toml")["change"]))
-
-
-def _change(entry: dict[str, Any]) -> Change:
-    formula = entry.get("formula", [])
-    several = formula if isinstance(formula, list) else [formula]
-    return Change(**{**entry, "claims": tuple(entry["claims"]), "formula": tuple(several)})
+    return tuple(Change(**each) for each in subject.data("errata.toml")["change"])
 
 
 def of(claim: str) -> list[Change]:
@@ -56,7 +50,9 @@ def corrected(manuscript: Manuscript) -> Manuscript:
         count = manuscript.count(each.old)
         if count != each.times:
             raise BadInput(
-                f"this is in the file {count} times, not {each.times}: {' '.join(each.old.split())}"
+                f"the change for {each.claims[0]} does not fit this version (--paper FILE.tex says "
+                f"what became of each sentence): this is in the file {count} times, not "
+                f"{each.times}: {' '.join(each.old.split())}"
             )
         manuscript = manuscript.replaced(each.old, each.new)
     return manuscript

@@ -4,10 +4,12 @@
 {x:8}    a number, enclosed and rounded outwards to 8 places
 {x:<4}   a bound from below, {x:>4} from above
 {x:in6}  a range in which something holds, rounded inwards
+{x:,3}   an exact decimal, with commas between thousands
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from decimal import Decimal
 from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
@@ -19,8 +21,14 @@ from cap.errors import NotProved
 from cap.sets.interval import Ball
 
 Balls = Mapping[Any, Ball]
-_HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|)(\d+))?\}")
-_ROUNDED = {"": balls.pair, "<": balls.below, ">": balls.above, "in": balls.inner}
+_HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|,|)(\d+))?\}")
+_ROUNDED: dict[str, Callable[[Enclosure, int], str]] = {
+    "": balls.pair,
+    "<": lambda each, places: balls.below(each.lower, places),
+    ">": lambda each, places: balls.above(each.upper, places),
+    "in": balls.inner,
+    ",": lambda each, places: f"{Decimal(balls.pair(each, places)):,}",
+}
 
 
 def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyType({})) -> str:
@@ -45,6 +53,8 @@ def _value(name: str, words: Mapping[str, object]) -> object:
 def _shown(value: Any, way: str, places: str | None, known: Balls) -> str:
     if places is None:
         return algebra.shown(value) if hasattr(value, "free_symbols") else str(value)
+    if way == "," and value.is_Rational:
+        value = Fraction(int(value.p), int(value.q))
     if isinstance(value, Fraction):
         value = Enclosure(value, value, (str(value), str(value)))
     if isinstance(value, Enclosure):

@@ -1,9 +1,6 @@
-"""The findings: what claims that are not confirmed have in common, with all of their places.
+"""The findings: what claims that are not confirmed have in common, with all of their places."""
 
-``findings.toml`` has them, in words that were written for the verdict on the first claim of each.
-"""
-
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -26,54 +23,43 @@ class Finding:
     """What is wrong, or right after all, and what the author has to change.
 
     ``claims``: the core first; a name ending in ``*`` stands for those of a group that no other
-    finding names.
+    finding names.  ``verdict`` is the one on the core for which the words were written.
     """
 
     title: str
     severity: Severity
-    expected: Outcome
+    verdict: Outcome
     claims: tuple[str, ...]
     says: str
     change: str
 
-    @property
-    def claim(self) -> str:
-        """The core."""
-        return self.claims[0]
-
     def words(self, verdict: Verdict) -> str:
         """Return what it says, if it was written for the verdict that its core has."""
-        if self.expected is verdict.outcome:
+        if self.verdict is verdict.outcome:
             return self.says
         return "(The verdict has changed; its consequence has to be written anew.)"
+
+
+_READ = {"severity": Severity, "verdict": Outcome, "claims": tuple}
 
 
 @cached
 def findings() -> tuple[Finding, ...]:
     """Return all findings, those that matter most first."""
+    entries = subject.data("findings.toml")["finding"]
     return tuple(
-        Finding(
-            title=each["title"],
-            severity=Severity(each["severity"]),
-            expected=Outcome(each["verdict"]),
-            claims=tuple(each["claims"]),
-            says=each["says"],
-            change=each["change"],
-        )
-        for each in subject.data("findings.toml")["finding"]
+        Finding(**{**each, **{k: read(each[k]) for k, read in _READ.items()}}) for each in entries
     )
 
 
 def members(verdicts: Mapping[str, Verdict]) -> dict[Finding, list[str]]:
-    """Return the claims of each finding, those that are not confirmed, and its core."""
+    """Return the claims of each finding: its core, and others that are not confirmed."""
     named = {name for each in findings() for name in each.claims}
     wrong = [name for name, each in verdicts.items() if each.outcome is not Outcome.CONFIRMED]
-    return {each: _members(each, wrong, named) for each in findings()}
-
-
-def _members(finding: Finding, wrong: Collection[str], named: Collection[str]) -> list[str]:
-    own = set(finding.claims)
-    groups = {name.removesuffix("*") for name in own if name.endswith("*")}
-    rest = {name for name in wrong if name not in named and f"{name.partition('.')[0]}." in groups}
-    others = [name for name in wrong if name in own | rest and name != finding.claim]
-    return [finding.claim, *others]
+    keys = {name: name if name in named else f"{name.partition('.')[0]}.*" for name in wrong}
+    found = {each: [name for name in wrong if keys[name] in each.claims] for each in findings()}
+    cores = {each: each.claims[0] for each in found}
+    return {
+        each: [cores[each], *(name for name in names if name != cores[each])]
+        for each, names in found.items()
+    }

@@ -6,10 +6,10 @@ abstract.  Numbers are those that LaTeX prints.  The list is stored in ``labels.
 """
 
 import hashlib
-import json
 import re
+from collections import Counter
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from cap.audit import subject
@@ -19,8 +19,20 @@ from cap.audit.subject import cached
 _STATEMENTS = (
     *("theorem", "lemma", "proposition", "corollary", "definition", "remark", "conjecture"),
 )
-_EQUATIONS = ("equation", "align")
-_FLOATS = ("figure", "table")
+# What has a number: its kind, its counter, and its number by those of the section and of itself.
+_NUMBERED = {
+    **{name: (name, "statement", "{0}.{1}") for name in _STATEMENTS},
+    "equation": ("equation", "equation", "({0}.{1})"),
+    "align": ("equation", "equation", "({0}.{1})"),
+    "figure": ("figure", "figure", "{1}"),
+    "table": ("table", "table", "{1}"),
+    "enumerate": ("item", "item", "{1}"),
+    "section": ("section", "section", "{0}"),
+    "subsection": ("subsection", "subsection", "{0}.{1}"),
+    "paragraph": ("paragraph", "subsection", "{0}.{1}"),
+}
+_FROM_ZERO = {"section": ("subsection", "statement", "equation"), "enumerate": ("item",)}
+_COUNTED_INSIDE = "align", "enumerate"  # by labels, and items
 _TOKEN = re.compile(
     r"\\(?P<section>section|subsection)\{(?P<name>(?:[^{}]|\{[^{}]*\})*)\}"
     r"|\\begin\{(?P<begin>\w+\*?)\}(?:\[(?P<title>(?:[^][]|\[[^]]*\])*)\])?"
@@ -43,53 +55,34 @@ class Place:
     title: str
     line: int
 
+    @property
+    def name(self) -> str:
+        """Its kind and number."""
+        return f"{self.kind.capitalize()} {self.number}"
+
 
 @dataclass(frozen=True)
 class Paper:
     """The places of the paper in its order, and a digest of the file they were read from.
 
-    ``lines``: those of `cap.audit.quotes`, by the claims.  Counted in the file are the works that
+    ``lines``: those of the quotations, by the claims.  Counted in the file are the works that
     are cited, the entries or files of a bibliography, and the pictures without a file.  ``bound``
     is a digest of the quotations and the erratum that were found to fit the file.
     """
 
     sha256: str
+    title: str
+    author: str
+    cited: int
+    references: int
+    pictures: int
+    bound: str
     places: tuple[Place, ...]
-    title: str = ""
-    author: str = ""
-    cited: int = 0
-    references: int = 0
-    pictures: int = 0
-    bound: str = ""
     lines: dict[str, int] = field(default_factory=dict)
 
     def place(self, label: str) -> Place:
         """Return the place with this label; `KeyError` if there is none."""
-        return self._by_label[label]
-
-    @property
-    def _by_label(self) -> dict[str, Place]:
-        return {place.label: place for place in self.places}
-
-
-@dataclass
-class _Reader:
-    """Where the reading has come to: counters, and the environments that are open."""
-
-    section: int = 0
-    subsection: int = 0
-    appendix: bool = False
-    statement: int = 0
-    equation: int = 0
-    floats: dict[str, int] = field(default_factory=lambda: dict.fromkeys(_FLOATS, 0))
-    items: int = 0
-    open: list[tuple[str, str, int, bool]] = field(default_factory=list)
-    at_heading: str = ""
-    last_title: str = ""
-
-    @property
-    def number(self) -> str:
-        return chr(ord("A") + self.section - 1) if self.appendix else str(self.section)
+        return {place.label: place for place in self.places}[label]
 
 
 def read(path: Path) -> Paper:
@@ -97,92 +90,74 @@ def read(path: Path) -> Paper:
     manuscript = Manuscript.read(path)
     text = re.sub(r"(?<!\\)%.*", "", manuscript.text)
     return Paper(
-        hashlib.sha256(manuscript.text.encode()).hexdigest(),
-        tuple(_places(text)),
-        manuscript.title,
-        manuscript.author,
-        len({key for keys in _CITED.findall(text) for key in keys.split(",")}),
-        len(_REFERENCES.findall(text)),
-        len(_PICTURES.findall(text)),
+        sha256=hashlib.sha256(manuscript.text.encode()).hexdigest(),
+        title=manuscript.argument("title"),
+        author=manuscript.argument("author"),
+        cited=len({key for keys in _CITED.findall(text) for key in keys.split(",")}),
+        references=len(_REFERENCES.findall(text)),
+        pictures=len(_PICTURES.findall(text)),
+        bound="",
+        places=tuple(_Reader().places(text)),
     )
 
 
-def _places(text: str) -> Iterator[Place]:
-    r = _Reader()
-    for token in _TOKEN.finditer(text):
-        line = text.count("\n", 0, token.start()) + 1
-        if token["section"]:
-            _heading(r, token["section"], token["name"])
-        elif token["appendix"]:
-            r.appendix, r.section = True, 0
-        elif token["begin"]:
-            _begin(r, token["begin"], token["title"] or "")
-            if token["begin"] == "abstract":
+class _Reader:
+    """Where the reading has come to: counters, and what is open."""
+
+    def __init__(self) -> None:
+        self.count = Counter[str]()
+        self.appendix = False
+        self.open: list[tuple[str, str, bool]] = []  # environment, title, whether it has a label
+        self.heading = "", ""  # to which a label belongs that follows it, and its title
+
+    def places(self, text: str) -> Iterator[Place]:
+        for token in _TOKEN.finditer(text):
+            line = text.count("\n", 0, token.start()) + 1
+            if token["section"]:
+                self.begin(token["section"])
+                self.heading = token["section"], token["name"]
+            elif token["appendix"]:
+                self.appendix, self.count["section"] = True, 0
+            elif token["begin"] == "abstract":
                 yield Place("abstract", "abstract", "", "0", "Abstract", line)
-        elif token["item"]:
-            r.items += 1
-        elif token["end"]:
-            yield from _end(r, line)
-        else:
-            yield _labelled(r, token["label"], line)
+            elif token["begin"] and token["begin"] != "document":
+                self.begin(token["begin"])
+                self.open.append((token["begin"], token["title"] or "", False))
+            elif token["item"]:
+                self.count["item"] += 1
+            elif token["label"]:
+                yield replace(self.labelled(), label=token["label"], line=line)
+            elif token["end"] not in ("abstract", "document") and self.open:
+                name, title, labelled = self.open.pop()
+                if name in _STATEMENTS and not labelled:
+                    place = self.place(name, title)
+                    yield replace(place, label=f"{name} {place.number}", line=line)
 
+    def begin(self, name: str) -> None:
+        """Count what begins; inside of it, others are counted from 0."""
+        self.heading = "", ""
+        for each in _FROM_ZERO.get(name, ()):
+            self.count[each] = 0
+        if name in _NUMBERED and name not in _COUNTED_INSIDE:
+            self.count[_NUMBERED[name][1]] += 1
 
-def _heading(r: _Reader, level: str, name: str) -> None:
-    r.at_heading, r.last_title = level, _plain(name)
-    if level == "section":
-        r.section, r.subsection = r.section + 1, 0
-        r.statement = r.equation = 0
-    else:
-        r.subsection += 1
+    def labelled(self) -> Place:
+        """Return the place that a label names: the innermost that has a number, or a heading."""
+        for k, (name, title, _) in reversed(list(enumerate(self.open))):
+            if name in _NUMBERED:
+                self.open[k] = name, title, True
+                self.count["equation"] += name == "align"
+                return self.place(name, title if name in _STATEMENTS else "")
+        (name, title), self.heading = self.heading, ("", "")
+        return self.place(name or "paragraph", title)
 
-
-def _begin(r: _Reader, name: str, title: str) -> None:
-    if name == "document":
-        return
-    r.at_heading = ""
-    if name in _STATEMENTS:
-        r.statement += 1
-    elif name == "equation":
-        r.equation += 1
-    elif name in _FLOATS:
-        r.floats[name] += 1
-    elif name == "enumerate":
-        r.items = 0
-    r.open.append((name, title, r.statement, False))
-
-
-def _end(r: _Reader, line: int) -> Iterator[Place]:
-    """Close an environment; a statement without a label is a place of its own name."""
-    if not r.open:
-        return
-    opened, title, number, labelled = r.open.pop()
-    if opened in _STATEMENTS and not labelled:
-        printed = f"{r.number}.{number}"
-        yield Place(f"{opened} {printed}", opened, printed, r.number, _plain(title), line)
-
-
-def _labelled(r: _Reader, label: str, line: int) -> Place:
-    kinds = [name for name, *_ in r.open]
-    inner = next(
-        (k for k in reversed(kinds) if k in (*_STATEMENTS, *_EQUATIONS, *_FLOATS, "enumerate")), ""
-    )
-    if inner in _STATEMENTS:
-        index = len(kinds) - 1 - kinds[::-1].index(inner)
-        name, title, count, _ = r.open[index]
-        r.open[index] = name, title, count, True
-        return Place(label, inner, f"{r.number}.{count}", r.number, _plain(title), line)
-    if inner in _EQUATIONS:
-        r.equation += inner == "align"
-        return Place(label, "equation", f"({r.number}.{r.equation})", r.number, "", line)
-    if inner in _FLOATS:
-        return Place(label, inner, str(r.floats[inner]), r.number, "", line)
-    if inner == "enumerate":
-        return Place(label, "item", str(r.items), r.number, "", line)
-    if r.at_heading:
-        number = r.number if r.at_heading == "section" else f"{r.number}.{r.subsection}"
-        kind, r.at_heading = r.at_heading, ""
-        return Place(label, kind, number, r.number, r.last_title, line)
-    return Place(label, "paragraph", f"{r.number}.{r.subsection}", r.number, "", line)
+    def place(self, name: str, title: str) -> Place:
+        """Return a place without a label, with the number that is printed now."""
+        kind, counter, printed = _NUMBERED[name]
+        number = self.count["section"]
+        section = chr(ord("A") + number - 1) if self.appendix else str(number)
+        printed = printed.format(section, self.count[counter])
+        return Place("", kind, printed, section, _plain(title), 0)
 
 
 def _plain(title: str) -> str:
@@ -196,19 +171,11 @@ def _plain(title: str) -> str:
 
 def dumps(paper: Paper) -> str:
     """Return the text of the stored list."""
-    rows = [json.dumps(asdict(place), ensure_ascii=False) for place in paper.places]
-    places = ",\n  ".join(rows)
-    lines = ",\n  ".join(f'"{name}": {line}' for name, line in paper.lines.items())
-    head = ",\n ".join(
-        f'"{name}": {json.dumps(getattr(paper, name), ensure_ascii=False)}'
-        for name in ("sha256", "title", "author", "cited", "references", "pictures", "bound")
-    )
-    return f'{{\n {head},\n "places": [\n  {places}\n ],\n "lines": {{\n  {lines}\n }}\n}}\n'
+    return subject.dumps(asdict(paper))
 
 
 @cached
 def stored() -> Paper:
     """Return the places as they are stored."""
     found = subject.data("labels.json")
-    places = tuple(Place(**each) for each in found.pop("places"))
-    return Paper(places=places, **found)
+    return Paper(**{**found, "places": tuple(Place(**each) for each in found["places"])})

@@ -21,6 +21,12 @@ def claims() -> dict[str, Claim]:
     return {each.id: each for each in found}
 
 
+@cached
+def quotes() -> dict[str, str]:
+    """Return the pieces of TeX that the claims are taken from, each once in the paper, by ids."""
+    return {name: each.quote for name, each in claims().items()}
+
+
 def sections() -> dict[str, str]:
     """Return the sections of the paper, in its order: their titles by their numbers."""
     front = {"0": "Abstract"}

@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 
 from cap.errors import BadInput
@@ -24,17 +23,8 @@ class Manuscript:
         except OSError as error:
             raise BadInput(f"cannot read {path}: {error.strerror}") from None
 
-    @cached_property
-    def title(self) -> str:
-        """The argument of its \\title."""
-        return self._argument("title")
-
-    @cached_property
-    def author(self) -> str:
-        """The argument of its \\author."""
-        return self._argument("author")
-
-    def _argument(self, command: str) -> str:
+    def argument(self, command: str) -> str:
+        """Return the argument of the first command of this name, in one line, or nothing."""
         found = re.search(rf"\\{command}\{{([^{{}}]*)\}}", self.text)
         return " ".join(found[1].split()) if found else ""
 

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import asdict
 from datetime import UTC, datetime
@@ -10,11 +9,9 @@ from typing import Any
 
 from cap import __version__
 from cap.audit import ledger, subject
-from cap.audit.cache import verdict
 from cap.audit.subject import cached
 from cap.audit.tables import Row
-from cap.audit.verdict import Outcome, Strength, Verdict
-from cap.files import replacing
+from cap.audit.verdict import Outcome, Strength, Verdict, verdict
 
 
 @cached
@@ -29,7 +26,7 @@ def recorded() -> dict[str, Verdict]:
     found = {}
     for name, fields in _file()["verdicts"].items():
         with suppress(ValueError, KeyError):
-            found[name] = verdict(fields)
+            found[name] = verdict({k: each for k, each in fields.items() if k != "sentence"})
     return found
 
 
@@ -45,9 +42,7 @@ def write(verdicts: dict[str, Verdict]) -> None:
     entries = {name: (old | new)[name] for name in claims if name in old | new}
     day, program = datetime.now(UTC).date().isoformat(), f"cap {__version__}"
     everything = {"date": day, "program": program, "verdicts": entries}
-    with replacing(subject.file("recorded.json")) as file:
-        file.write(f"{json.dumps(everything, ensure_ascii=False, indent=1)}\n".encode())
-    subject.forget()
+    subject.store("recorded.json", f"{json.dumps(everything, ensure_ascii=False, indent=1)}\n")
 
 
 def _short(decided: Verdict) -> dict[str, str]:
@@ -84,22 +79,11 @@ def _differences(name: str, old: Verdict, new: Verdict) -> list[str]:
 
     So for the rows of tables, what is proved there starts from a search in floats.
     """
-    lines = []
-    for what in ("outcome", "strength"):
-        before, now = getattr(old, what), getattr(new, what)
-        if before != now:
-            lines.append(f"{name}: recorded {before}, now {now}")
-    floats = new.strength is Strength.NUMERICAL or isinstance(ledger.claims().get(name), Row)
-    if not lines and not floats:
-        lines += [
-            f"{name}: recorded {what} '{before}', now '{now}'"
-            for what, before, now in _words(old, new)
-            if before != now
-        ]
-    return lines
-
-
-def _words(old: Verdict, new: Verdict) -> Iterator[tuple[str, str, str]]:
-    """Give what is said of two verdicts, side by side."""
-    for what in ("found", "evidence", "proof", "certificate"):
-        yield what, getattr(old, what), getattr(new, what)
+    before, now = asdict(old), asdict(new)
+    kinds = [k for k in ("outcome", "strength") if before[k] != now[k]]
+    if kinds:
+        return [f"{name}: recorded {before[k]}, now {now[k]}" for k in kinds]
+    if new.strength is Strength.NUMERICAL or isinstance(ledger.claims().get(name), Row):
+        return []
+    changed = [k for k in before if before[k] != now[k]]
+    return [f"{name}: recorded {k} '{before[k]}', now '{now[k]}'" for k in changed]

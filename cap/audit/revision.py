@@ -1,15 +1,24 @@
-"""Another version of the paper: what became of the sentence that each claim was taken from."""
+"""A version of the paper: what became of the sentence that each claim was taken from.
 
+Each piece that is quoted is in the paper once, so that its line follows, and so that a piece which
+is gone from another version says that the claim has to be looked at again.
+"""
+
+import hashlib
+import json
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from enum import StrEnum
+from pathlib import Path
 
-from cap.audit import errata, ledger, recorded
+from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Kind
+from cap.audit.comparison import unit
 from cap.audit.manuscript import Manuscript
 from cap.audit.verdict import Outcome, Verdict
+from cap.errors import BadInput
 
 _NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
 LEAST = 12  # characters that two pieces have in common
@@ -38,7 +47,7 @@ class Sentence:
 def sentences(manuscript: Manuscript) -> Iterator[Sentence]:
     """Give the state of every claim's sentence in a text."""
     known = recorded.recorded()
-    for name in ledger.claims():
+    for name in ledger.quotes():
         yield sentence(name, manuscript, known.get(name))
 
 
@@ -48,7 +57,7 @@ def sentence(name: str, manuscript: Manuscript, verdict: Verdict | None) -> Sent
     done = [_made(each, manuscript) for each in wanted]
     if wanted and all(done):
         return Sentence(name, State.CORRECTED, "as the erratum has it")
-    piece = ledger.claims()[name].quote
+    piece = ledger.quotes()[name]
     if manuscript.count(piece):
         return Sentence(name, State.STANDS, "" if not any(done) else "corrected elsewhere only")
     if any(done):
@@ -102,9 +111,8 @@ def _numbers(piece: str, manuscript: Manuscript) -> list[str]:
 def agrees(number: str, found: str) -> bool:
     """Return whether a printed number is one of those found, rounded to its last digit."""
     printed = Decimal(number)
-    exponent = printed.as_tuple().exponent
-    half = Decimal(1).scaleb(exponent if isinstance(exponent, int) else 0) / 2
-    return any(abs(Decimal(each) - printed) <= half for each in _NUMBER.findall(found))
+    numbers = map(Decimal, _NUMBER.findall(found))
+    return any(abs(each - printed) <= unit(printed) / 2 for each in numbers)
 
 
 def told(manuscript: Manuscript) -> list[str]:
@@ -119,7 +127,24 @@ def told(manuscript: Manuscript) -> list[str]:
     stand = sum(each.state is State.STANDS for each in all_)
     return [
         *sorted(lines),
-        f"{stand} of {len(all_)} sentences are in this file as they were; of {len(wrong)} that are "
-        f"corrected or refuted {len(left)} are, {sum(kind in PRINTED for kind in kinds)} of them "
-        "formulas and numbers",
+        f"{stand} of {len(all_)} sentences are in this file as they were. Of {len(wrong)} that the "
+        f"audit corrects or refutes {len(left)} are left, {sum(kind in PRINTED for kind in kinds)} "
+        "of them formulas and numbers",
     ]
+
+
+def bound() -> str:
+    """Return a digest of the quotations and the erratum as they are stored."""
+    own = json.dumps(ledger.quotes(), sort_keys=True).encode()
+    return hashlib.sha256(own + subject.file("errata.toml").read_bytes()).hexdigest()
+
+
+def fitted(path: Path) -> labels.Paper:
+    """Return the places of a TeX file that every quotation and every change fits, or `BadInput`."""
+    manuscript = Manuscript.read(path)
+    found = {name: manuscript.lines(piece) for name, piece in ledger.quotes().items()}
+    if missing := [name for name, lines in found.items() if len(lines) != 1]:
+        raise BadInput(f"not once in {path}: what is quoted by {', '.join(sorted(missing))}")
+    errata.corrected(manuscript)
+    lines = {name: line for name, (line,) in found.items()}
+    return replace(labels.read(path), lines=lines, bound=bound())

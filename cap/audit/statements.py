@@ -4,6 +4,7 @@ The status follows from the verdicts on the claims that decide it; the words in 
 were written for these verdicts, and `cap.audit.recorded` holds them.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cap.audit import labels, subject
@@ -32,7 +33,7 @@ class Statement:
     """
 
     label: str
-    decided_by: tuple[str, ...]
+    decided_by: Sequence[str]
     instead: str
 
     @property
@@ -40,7 +41,7 @@ class Statement:
         """Its kind, number and title."""
         place = labels.stored().place(self.label)
         title = f" ({place.title})" if place.title else ""
-        return f"{place.kind.capitalize()} {place.number}{title}"
+        return f"{place.name}{title}"
 
     def status(self, verdicts: dict[str, Verdict]) -> str:
         """Return what became of it: the first claim decides; what stands may need a change."""
@@ -53,5 +54,4 @@ class Statement:
 @cached
 def statements() -> tuple[Statement, ...]:
     """Return the statements of the paper, in its order."""
-    found = subject.data("statements.toml").get("statement", [])
-    return tuple(Statement(e["label"], tuple(e["decided_by"]), e["instead"]) for e in found)
+    return tuple(Statement(**each) for each in subject.data("statements.toml").get("statement", []))

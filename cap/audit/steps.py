@@ -25,7 +25,6 @@ from typing import Any
 
 from cap.audit import tex
 from cap.audit.means import algebra, balls, linear
-from cap.audit.means.lazy import parser
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import THE_PAPER, claimed
@@ -87,7 +86,7 @@ class Steps:
             known[own := f"claimed_{len(known)}"] = self._exact(value)
             return own
 
-        return parser.parse_expr(_CLAIMED.sub(name, text), local_dict=known)
+        return sp.parse_expr(_CLAIMED.sub(name, text), local_dict=known)
 
     def _exact(self, value: Any) -> Any:
         """Return a claimed value for an expression: for an enclosure a symbol, which has a ball."""

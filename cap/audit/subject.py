@@ -2,13 +2,14 @@
 
 Its files: ``labels.json``, the places; ``claims/``, the claims, and the functions that decide those
 that need some; ``findings.toml``, ``errata.toml`` and ``statements.toml``; ``recorded.json``, the
-verdicts; ``parameters.json``, those of its system, if it has one; and ``paper.toml``: the module
-that computes its ``tables``, if there are some, the groups of claims in their order, why some
-places have none, and which rows of its tables are decided elsewhere.  Nothing outside of the folder
-knows what the paper says.
+verdicts; ``parameters.json``, those of its system, if it has one; ``tables/``, whose rows are
+claims, too; and ``paper.toml``: the tables, if there are some, and what finds their numbers, the
+groups of claims in their order, why some places have none, and which rows are decided elsewhere.
+Nothing outside of the folder knows what the paper says.
 """
 
 import json
+import re
 import tomllib
 from collections.abc import Callable
 from functools import cache
@@ -17,6 +18,7 @@ from typing import Any, TypeVar
 
 from cap.audit.papers import FIRST
 from cap.errors import BadInput
+from cap.files import replacing
 from cap.words import meant
 
 T = TypeVar("T")
@@ -72,6 +74,20 @@ def data(name: str) -> dict[str, Any]:
     path = file(name)
     read = tomllib.loads if path.suffix == ".toml" else json.loads
     return read(path.read_text(encoding="utf-8")) if path.is_file() else {}
+
+
+def store(name: str, text: str) -> None:
+    """Write one of its files; read everything again when it is asked for."""
+    with replacing(file(name)) as stored:
+        stored.write(text.encode())
+    forget()
+
+
+def dumps(everything: Any) -> str:
+    """Return JSON with a line for each entry of its lists and tables, and for no part of these."""
+    text = json.dumps(everything, ensure_ascii=False, indent=1)
+    text = re.sub(r"(?<=[\[{])\n {3,}|\n  (?=[\]}])", "", text)
+    return re.sub(r"\n {3,}", " ", text) + "\n"
 
 
 @cached

@@ -1,55 +1,47 @@
-"""Tables as claims: each row is one, decided when its table is computed.
+"""Tables as claims: files ``tables/NAME.toml`` of a paper, each row a claim that is decided singly.
 
-``paper.toml`` names the module that computes them, which has ``LABELS``, and of each label the
-``module`` with what is computed and the ``rows``; and the command that, with a label, does
-``compute`` them.  ``tables.json`` lists the rows, so that claims
-can be named without computing.  ``--record`` writes it, and a table whose rows are not those of the
-list decides nothing.
+label = "fig:of-the-table"
+module = "package.module"          # whose functions find what rows ask for
+                                   # (title, data, draw, size: of its picture)
+[[row]]
+what = "cells of 3600"
+paper = "814"                      # what the paper states
+by = "counted"                     # a function of the module; it returns what it finds, by names
+with = { side = 60 }               # what it is given
+value = "cells"                    # what it finds under this name is compared: `comparison.value`
+ours = "from {low:.2f} on"         # or words, which are those of the paper if this ``holds``
+holds = "both"
+why = "if not, that is why: {low}"
+note = "if so, a remark"
+where = "eq:place"                 # if that is not the table's label
+rough = true                       # if they differ, the paper is imprecise rather than wrong
+unstated = true                    # what would have to be computed is not said
+cut = true                         # dots follow the number: it need not be rounded
+
+``paper.toml`` lists the ``tables``, and names the module ``finds`` whose function of this name
+calls the functions.  Those must not depend on what was called before.
 """
 
+import hashlib
 import json
 import re
-from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, partial
 from importlib import import_module
-from typing import Protocol, cast
+from typing import Any
 
-from cap.audit import cache as kept
-from cap.audit import subject
+from cap.audit import errata, given, subject
 from cap.audit.claim import Claim, Kind
-from cap.audit.comparison import PROVED, Comparison
-from cap.audit.comparison import Kind as Compared
+from cap.audit.comparison import PROVED, Comparison, compared
+from cap.audit.steps import Given, Steps
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import NotProved
-from cap.files import replacing
 
+Found = Mapping[str, Any]
+Find = Callable[[Given], Found]  # finds what a row asks for
 LONGEST = 60  # end of an id
-_KINDS = {Compared.VALUE: Kind.NUMBER, Compared.WORDS: Kind.WORDS}
-
-
-class Source(Protocol):
-    """What computes the tables of a paper."""
-
-    LABELS: tuple[str, ...]
-
-    def module(self, label: str) -> str:
-        """Return the module with what is computed for a table."""
-
-    def rows(self, label: str) -> tuple[Comparison, ...]:
-        """Compute a table."""
-
-
-def source() -> Source | None:
-    """Return what computes the tables of the paper; none if it has none."""
-    name = subject.paper().get("tables")
-    return cast(Source, import_module(name)) if name else None
-
-
-def labels() -> tuple[str, ...]:
-    """Return the labels of the tables, in the order of the paper."""
-    found = source()
-    return found.LABELS if found else ()
 
 
 @dataclass(frozen=True)
@@ -60,39 +52,39 @@ class Row(Claim):
 
 
 @cached
-def listed() -> dict[str, list[list[str]]]:
-    """Return what, the paper's value, the place and the kind of each row, by tables."""
-    return subject.data("tables.json")
-
-
-@cached
-def _quotes() -> dict[str, str]:
-    """Return what the rows are taken from, by their ids."""
-    return subject.data("quotes.toml")
+def tables() -> dict[str, Given]:
+    """Return the tables by their labels, in the order of the paper."""
+    found = (subject.data(f"tables/{name}.toml") for name in subject.paper().get("tables", ()))
+    return {each["label"]: each for each in found}
 
 
 def claims() -> tuple[Row, ...]:
     """Return the claims of all tables; not the rows that another claim decides."""
-    elsewhere = subject.paper().get("elsewhere", {})
+    elsewhere, quotes = subject.paper().get("elsewhere", {}), subject.data("quotes.toml")
     return tuple(
-        _claim(label, *entry)
-        for label, entries in listed().items()
-        for entry in entries
-        if entry[0] not in elsewhere.get(label, {})
+        _claim(table, row, quotes)
+        for label, table in tables().items()
+        for row in table["row"]
+        if row["what"] not in elsewhere.get(label, {})
     )
 
 
-def _claim(label: str, what: str, paper: str, where: str, kind: str) -> Row:
+def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
+    label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
-    says = f"{what[0].upper()}{what[1:]}."
-    decide = _decided_by(label, what)
-    quote = _quotes().get(name, "")
-    return Row(name, where, Kind(kind), says, paper, decide, quote, _module(label), table=label)
-
-
-def _module(label: str) -> str:
-    found = source()
-    return found.module(label) if found else ""
+    content = json.dumps([row, [each.formula for each in errata.of(name)]], sort_keys=True)
+    return Row(
+        id=name,
+        where=row.get("where", label),
+        kind=Kind.WORDS if "ours" in row else Kind.NUMBER,
+        says=f"{what[0].upper()}{what[1:]}.",
+        stated=row["paper"],
+        decide=partial(_decided, name, table["module"], row),
+        quote=quotes.get(name, ""),
+        module=table["module"],
+        content=hashlib.sha256(content.encode()).hexdigest(),
+        table=label,
+    )
 
 
 def group(label: str) -> str:
@@ -106,8 +98,36 @@ def _slug(text: str) -> str:
     return words if len(words) <= LONGEST else words[: LONGEST + 1].rpartition("-")[0]
 
 
-def _decided_by(label: str, what: str) -> Callable[[], Verdict]:
-    return lambda: verdict({row.what: row for row in rows(label)}[what])
+def comparisons(label: str, find: Find) -> tuple[Comparison, ...]:
+    """Compare all rows of a table."""
+    return tuple(compared(row, find(row)) for row in tables()[label]["row"])
+
+
+def stated(what: str, label: str) -> str:
+    """Return what the paper states in a row of a table, or raise `NotProved` if there is none."""
+    found = [row["paper"] for row in tables().get(label, {"row": ()})["row"] if row["what"] == what]
+    if len(found) != 1:
+        raise NotProved("audit", f"the table of {label} has no row {what!r}")
+    return str(found[0])
+
+
+def _decided(name: str, module: str, row: Given) -> Verdict:
+    found = _found(module, row["by"], json.dumps(row.get("with", {})))
+    if isinstance(found, str):
+        raise NotProved("audit", found)
+    given.as_in_the_erratum(name, Steps())
+    return verdict(compared(row, found))
+
+
+@cache
+def _found(module: str, function: str, options: str) -> Found | str:
+    """Find what a row asks for, once in a process; if that fails, return why."""
+    try:
+        finds = import_module(subject.paper()["finds"]).finds
+        found: Found = finds(module, function, json.loads(options))
+    except Exception as failure:  # noqa: BLE001 (what cannot be computed is no crash)
+        return f"{module}.{function}: {type(failure).__name__}: {failure}"
+    return found
 
 
 def verdict(row: Comparison) -> Verdict:
@@ -117,7 +137,7 @@ def verdict(row: Comparison) -> Verdict:
     says too roughly, or of a procedure that it does not give, is imprecise; where it does not say
     what is to be computed, nothing is decided.
     """
-    outcome = Outcome.REFUTED if row.kind is Compared.WORDS else Outcome.CORRECTED
+    outcome = Outcome.REFUTED if row.words else Outcome.CORRECTED
     strength = Strength.PROVED if row.rigorous else Strength.NUMERICAL
     found = row.ours.replace(PROVED, "")
     if row.unstated:
@@ -128,72 +148,3 @@ def verdict(row: Comparison) -> Verdict:
         outcome = Outcome.IMPRECISE
     evidence = f"{row.reason}." if row.reason else ""
     return Verdict(outcome=outcome, strength=strength, found=found, evidence=evidence)
-
-
-def rows(label: str, *, fresh: bool = False) -> tuple[Comparison, ...]:
-    """Return the rows of a table, computed once in a process, or kept on disk.
-
-    Raises `NotProved` if they cannot be computed, or are not those that are listed.
-    """
-    if label not in _FOUND:
-        _FOUND[label] = _rows(label, fresh)
-    found = _FOUND[label]
-    if isinstance(found, str):
-        raise NotProved("audit", found)
-    return found
-
-
-_FOUND: dict[str, tuple[Comparison, ...] | str] = {}
-
-
-def _rows(label: str, fresh: bool) -> tuple[Comparison, ...] | str:
-    try:
-        found = None if fresh else _known(label)
-        if found is None:
-            found = computed(label)
-            kept.write(label, _module(label), [asdict(row) for row in found])
-    except Exception as failure:  # noqa: BLE001 (a table that cannot be computed is no crash)
-        return f"the table of {label}: {type(failure).__name__}: {failure}"
-    if _listing(label, found) != listed().get(label):
-        return f"the table of {label} has other rows than tables.json: look, and use --record"
-    return found
-
-
-def computed(label: str) -> tuple[Comparison, ...]:
-    """Compute a table."""
-    found = source()
-    if not found:
-        raise NotProved("audit", "the paper has no tables that are computed")
-    return found.rows(label)
-
-
-def _known(label: str) -> tuple[Comparison, ...] | None:
-    entry = kept.read(label, _module(label))
-    if not isinstance(entry, list):
-        return None
-    found = (Comparison(**each) for each in entry)
-    return tuple(replace(row, kind=Compared(row.kind)) for row in found)
-
-
-def _listing(label: str, found: Iterable[Comparison]) -> list[list[str]]:
-    return [[row.what, row.paper, row.where or label, str(_KINDS[row.kind])] for row in found]
-
-
-def record(progress: Callable[[str], None], wanted: Iterable[str], *, fresh: bool) -> None:
-    """List the rows of some tables anew."""
-    new = {label: listed()[label] for label in labels() if label in listed()}
-    for label in wanted:
-        progress(f"the table of {label}")
-        found = None if fresh else _known(label)
-        found = computed(label) if found is None else found
-        kept.write(label, _module(label), [asdict(row) for row in found])
-        _FOUND[label] = found
-        new[label] = _listing(label, found)
-    lines = [f'"{label}": {_lines(entries)}' for label, entries in new.items()]
-    with replacing(subject.file("tables.json")) as file:
-        file.write(("{\n" + ",\n".join(lines) + "\n}\n").encode())
-    subject.forget()
-
-
-def _lines(entries: list[list[str]]) -> str:
-    return "[\n " + ",\n ".join(json.dumps(each, ensure_ascii=False) for each in entries) + "\n]"

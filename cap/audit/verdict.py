@@ -1,5 +1,6 @@
 """What can be said of a claim: the verdict, how strong its evidence is, and what it rests on."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -41,8 +42,15 @@ class Verdict:
     """
 
     outcome: Outcome
-    found: str
-    evidence: str
+    found: str = ""
+    evidence: str = ""
     strength: Strength = Strength.PROVED
     proof: str = ""
     certificate: str = ""
+
+
+def verdict(fields: Mapping[str, str]) -> Verdict:
+    """Return the verdict that was written with these fields; `ValueError` or others for no such."""
+    words = dict(fields)
+    outcome, strength = Outcome(words.pop("outcome")), Strength(words.pop("strength"))
+    return Verdict(outcome=outcome, strength=strength, **words)

@@ -11,8 +11,7 @@ from cap.command.output import writable_into
 from cap.errors import BadInput, NotProved
 from cap.explore import export
 from cap.files import replacing
-from cap.paper.figure import Compared, Run
-from cap.paper.registry import figure, labelled
+from cap.paper.figure import Compared, Run, figure, labelled
 from cap.runner import Runner, Tell
 from cap.words import quoted, say
 
@@ -68,7 +67,7 @@ def run(
 
 def _figure(label: str, out: Sequence[Path], many: bool, how: Run) -> list[str]:
     """Compute a figure, print its table, write its files; return the lines of the table."""
-    found = figure(label).compared(label, how)
+    found = figure(label).compared(how)
     lines = ["", *found.lines()]
     print("\n".join(lines), flush=True)
     for path in out:

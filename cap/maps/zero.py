@@ -29,6 +29,7 @@ _identity = lru_cache(interval.identity)
 _exactly = lru_cache(maxsize=8)(interval.matrix)
 RESIDUAL = 64  # bits of 1 - C G'
 AGAIN = 3
+ENOUGH = 1e-3  # units of the last place, of the step that need not be made
 
 
 def _ball(q: Fraction | float) -> Ball:
@@ -71,6 +72,12 @@ class Hint:
             self._enclosed[bits] = interval.matrix([[*map(_ball, row)] for row in self.matrix])
         return self._enclosed[bits]
 
+    def moved(self, centre: Sequence[Fraction]) -> "Hint":
+        """Return another point with the same C, which is not read again."""
+        found = Hint(tuple(centre), self.matrix)
+        vars(found)["_doubles"] = self._doubles
+        return found
+
     def box(self, reach: Sequence[Fraction]) -> Box:
         """Return a box that contains the points within ``reach`` of m."""
         return tuple(map(interval.around, self._exact, reach))
@@ -101,10 +108,11 @@ def contracted(hint: Hint, value: Sequence[Ball], E: Matrix, box: Box) -> Box:
     m = hint.point
     newton = (hint.rows * interval.column(value)).entries()
     K = box
-    for _ in range(AGAIN):
+    for k in range(AGAIN):
         far = (E * interval.column([z - c for z, c in zip(K, m, strict=True)])).entries()
         K = tuple(c - v + q for c, v, q in zip(m, newton, far, strict=True))
-        _inside(K, hint, box)
+        if not k:  # then the zero lies in K, and in K of whatever contains it
+            _inside(K, hint, box)
     return K
 
 
@@ -221,16 +229,15 @@ def refined(
 
     Nothing is proved here.
     """
-    rows = tuple(map(tuple, matrix))
-    C = Hint((), rows).rows
-    point, last = [*map(_ball, guess)], math.inf
+    hint = Hint((), tuple(map(tuple, matrix)))
+    C, point, last = hint.rows, [*map(_ball, guess)], math.inf
     while True:
         steps = (C * interval.column(problem.value(point))).entries()
         point = [interval.point(c - s) for c, s in zip(point, steps, strict=True)]
         size = max(abs(float(s)) * 10.0**p for s, p in zip(steps, places, strict=True))
-        if size < 1:
-            decimals = (round(interval.rational(c), p) for c, p in zip(point, places, strict=True))
-            return Hint(tuple(decimals), rows)
+        if size < 1 or size * size < ENOUGH * last < math.inf:  # the next one: size (size/last)
+            decimals = [interval.nearest(c, p) for c, p in zip(point, places, strict=True)]
+            return hint.moved(decimals)
         if not 2 * size <= last:
             raise NotProved("Newton", "the iteration does not converge near the guess")
         last = size

@@ -143,9 +143,9 @@ class Cells:
         z, others = np.array(w, float), [k for k in range(len(w)) if k != along]
         for _ in range(NEWTON):
             try:
-                J = self.slopes(z)
-                F = np.array(self.curve.value(list(map(float, z)), self.floats), float)
-                step = np.linalg.solve(J[:, others], F)
+                F, blocks = self.curve.both(z.tolist(), self.floats)
+                J = np.array(self.curve.rows(blocks), float)
+                step = np.linalg.solve(J[:, others], np.array(F, float))
             except (ArithmeticError, ValueError, np.linalg.LinAlgError):
                 break
             z[others] -= step

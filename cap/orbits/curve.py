@@ -37,6 +37,11 @@ class Curve:
         """Return the derivatives of each leg, those by p, too."""
         return self.equations.blocks(self.expanded(w), of)
 
+    def both(self, w: Unknowns, of: Numbers) -> tuple[list[Any], list[Block]]:
+        """Return F(w), and the derivatives of each leg."""
+        value, blocks = self.equations.both(self.expanded(w), of)
+        return self._shortened(value), blocks
+
     def rows(self, blocks: Sequence[Block]) -> list[list[Any]]:
         """Return F' by rows."""
         width = self.step + 1

@@ -20,7 +20,7 @@ comes to zero, its derivative follows from h_(k+1) = 0.  The product over a roun
 multipliers of the orbit as eigenvalues, and 0.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import reduce
 from typing import Any, NamedTuple
 
@@ -40,6 +40,9 @@ class Place(NamedTuple):
     here: int
     there: int
     wraps: bool
+
+
+Given = tuple[Any, Place, list[Any]]  # a leg, where its unknowns stand, the inputs of its functions
 
 
 class Block(NamedTuple):
@@ -72,17 +75,28 @@ class Equations:
 
     def value(self, z: Unknowns, of: Numbers) -> list[Any]:
         """Return F(z)."""
+        return self._value(z, of, self._arguments(z, of))
+
+    def blocks(self, z: Unknowns, of: Numbers) -> list[Block]:
+        """Return the derivatives of each leg."""
+        return self._blocks(of, self._arguments(z, of))
+
+    def both(self, z: Unknowns, of: Numbers) -> tuple[list[Any], list[Block]]:
+        """Return F(z) and the derivatives of each leg; their clocks are enclosed once."""
+        given = list(self._arguments(z, of))
+        return self._value(z, of, given), self._blocks(of, given)
+
+    def _value(self, z: Unknowns, of: Numbers, given: Iterable[Given]) -> list[Any]:
         result: list[Any] = []
-        for leg, (_, there, _), arguments in self._arguments(z, of):
+        for leg, (_, there, _), arguments in given:
             h, *reached = of.of(leg.value)(*arguments)
             result.append(h)
             result += [a - b for a, b in zip(reached, z[there + 1 :], strict=False)]
         return result
 
-    def blocks(self, z: Unknowns, of: Numbers) -> list[Block]:
-        """Return the derivatives of each leg."""
+    def _blocks(self, of: Numbers, given: Iterable[Given]) -> list[Block]:
         found, n = [], self.n
-        for leg, _, arguments in self._arguments(z, of):
+        for leg, _, arguments in given:
             flat = of.of(leg.slope)(*arguments)
             rows = [flat[i : i + n + 2] for i in range(n + 1, len(flat), n + 2)]
             found.append(Block(flat[: n + 1], rows))
@@ -113,7 +127,7 @@ class Equations:
                 result.append(row)
         return result
 
-    def _arguments(self, z: Unknowns, of: Numbers) -> Iterator[tuple[Any, Place, list[Any]]]:
+    def _arguments(self, z: Unknowns, of: Numbers) -> Iterator[Given]:
         """Yield each leg with the places of its unknowns and its inputs."""
         clocks = {place.here: of.clock(self.time(z, place)) for place in self.places}
         for leg, place in zip(self.legs, self.places, strict=True):

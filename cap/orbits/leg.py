@@ -11,6 +11,8 @@ from functools import cached_property
 
 from cap.orbits.itinerary import Contact
 from cap.orbits.motion import Clock, Motion, named, scalars
+from cap.orbits.numbers import Balls, Floats
+from cap.sets import interval
 from cap.system.exponential import number
 from cap.system.lemmas import Lemma, lemmas
 from cap.system.model import System
@@ -33,6 +35,20 @@ class Kinds:
         self._lemmas = dict[str, dict[str, Lemma]]()
         self._longest = dict[str, float]()
         self._states = dict[str, Function]()
+        self._balls = dict[int, Balls]()
+
+    @property
+    def balls(self) -> Balls:
+        """The numbers at the precision here, if no parameter is left."""
+        bits = interval.working_bits()
+        if bits not in self._balls:
+            self._balls[bits] = Balls(self.system)
+        return self._balls[bits]
+
+    @cached_property
+    def floats(self) -> Floats:
+        """Doubles, if no parameter is left."""
+        return Floats(self.system)
 
     @cached_property
     def autonomous(self) -> bool:

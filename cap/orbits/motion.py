@@ -60,7 +60,7 @@ class Motion:
         with interval.workprec(BITS):
             return enclosed(self.generator)
 
-    @property
+    @cached_property
     def inputs(self) -> list[str]:
         """The names of the entries of X in the rows of the state."""
         return [x for row in self._names() for x in row]

@@ -58,10 +58,12 @@ class Balls:
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of balls."""
-        if not function.parameters:
-            return function.balls()
         if function not in self._bound:
-            self._bound[function] = function.bound(enclosed_number, self.values)
+            self._bound[function] = (
+                function.bound(enclosed_number, self.values)
+                if function.parameters
+                else function.balls()
+            )
         return self._bound[function]
 
 

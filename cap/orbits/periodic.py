@@ -13,6 +13,7 @@
 """
 
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, reduce
@@ -34,6 +35,7 @@ from cap.sets.interval import Ball, Matrix
 
 STEPS = 40  # of Newton's iteration in doubles
 UNITS = 2.0**40
+BITS = 64  # in which most guards are certain to be positive
 
 
 @dataclass(frozen=True)
@@ -141,7 +143,11 @@ class Prover:
         """The numbers at the precision here."""
         bits = interval.working_bits()
         if bits not in self._balls:
-            self._balls[bits] = Balls(self.itinerary.system, self._values)
+            self._balls[bits] = (
+                Balls(self.itinerary.system, self._values)
+                if self._values
+                else self.equations.kinds.balls
+            )
         return self._balls[bits]
 
     @property
@@ -160,17 +166,19 @@ class Prover:
         Returns a box that contains its contacts, the derivatives of the legs over all points within
         reach, and why nothing else happens.
         """
-        k, blocks = self._zero(hint, reach)
+        blocks = self.equations.blocks(hint.box(reach), self.balls)
+        k = self._zero(hint, reach, blocks)
         return k, blocks, self.reasons(k)
 
-    def _zero(self, hint: Hint, reach: Sequence[Fraction]) -> tuple[Box, list[Block]]:
-        """Prove that F has one zero within reach of the hint; return a box around it, and F'."""
-        equations, box = self.equations, hint.box(reach)
+    def _zero(self, hint: Hint, reach: Sequence[Fraction], blocks: Sequence[Block]) -> Box:
+        """Prove that F has one zero within reach of the hint; return a box around it.
+
+        The ``blocks`` are the derivatives of the legs over all points within reach.
+        """
         with interval.guarded():  # K cannot be narrower than F(m)
-            value = equations.value(hint.point, self.balls)
-        blocks = equations.blocks(box, self.balls)
-        E = zero.residual(hint, interval.matrix(equations.rows(blocks)))
-        return zero.contracted(hint, value, E, box), blocks
+            value = self.equations.value(hint.point, self.balls)
+        E = zero.residual(hint, interval.matrix(self.equations.rows(blocks)))
+        return zero.contracted(hint, value, E, hint.box(reach))
 
     def reasons(
         self,
@@ -275,14 +283,23 @@ class Prover:
         near = self.newton(guess)
         hint = zero.refined(self.problem, near, self._inverse(near), [digits] * len(near))
         reach = (far or Fraction(100, 10**digits),) * len(near)
-        box = self._zero(hint, reach)[0]
-        reasons, autonomous = self.reasons(box), self.equations.autonomous
+        with interval.workprec(zero.RESIDUAL):  # of 1 - C F' no more is kept
+            blocks = self.equations.blocks(hint.box(reach), self.balls)
+        box = self._zero(hint, reach, blocks)
+        reasons, autonomous = self._in_few_bits(box), self.equations.autonomous
         D = derivative(self.equations.blocks(box, self.balls))
         return PeriodicOrbit(self.itinerary, hint, reach, box, reasons, D, autonomous)
 
+    def _in_few_bits(self, box: Box) -> list[Reason]:
+        """Prove what `reasons` does, in few bits where these suffice."""
+        if interval.working_bits() > BITS:
+            with suppress(NotProved), interval.workprec(BITS):
+                return self.reasons(box)
+        return self.reasons(box)
+
     def newton(self, guess: Sequence[float]) -> list[float]:
         """Return a zero of F near a guess, in doubles: the last step is below 1e-10."""
-        equations, of = self.equations, Floats(self.itinerary.system)
+        equations, of = self.equations, self.equations.kinds.floats
         z = np.array(guess, float)
         if z.shape != (equations.size,):
             raise BadInput(f"the guess must be {equations.size} numbers, times and states")
@@ -299,14 +316,14 @@ class Prover:
         """Return F'(z)^-1 F(z)."""
         at, equations = z.tolist(), self.equations
         try:
-            rows = equations.rows(equations.blocks(at, of))
-            return np.linalg.solve(np.array(rows), np.array(equations.value(at, of)))
+            value, blocks = equations.both(at, of)
+            return np.linalg.solve(np.array(equations.rows(blocks)), np.array(value))
         except (ArithmeticError, ValueError, np.linalg.LinAlgError):
             raise NotProved("Newton", "F' is singular in doubles", {"z": at}) from None
 
     def _inverse(self, z: list[float]) -> list[list[float]]:
         """Return F'(z)^-1 in doubles, in units so large that most machines agree on them."""
-        equations, of = self.equations, Floats(self.itinerary.system)
+        equations, of = self.equations, self.equations.kinds.floats
         inverse = np.linalg.inv(np.array(equations.rows(equations.blocks(z, of))))
         if not np.isfinite(inverse).all():
             raise NotProved("preconditioner", "it is beyond floats: the zero may be double")

@@ -8,6 +8,9 @@ On a piece [a, b] of the length s let m <= L² h <= M.  By Taylor's formula h is
   if L h vanishes, too, if m > 0; and so backwards on one at whose end it vanishes.
 """
 
+from collections.abc import Callable
+from functools import cache
+
 from cap.orbits.along import Along
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -16,6 +19,7 @@ DEPTH = 40
 PLACES = 10  # decimals of a cut
 
 Cut = float | None  # None: the end of the leg
+Lines = Callable[[float], tuple[Ball, Ball]]  # h and L h at a cut
 
 
 def cuts_of(
@@ -27,6 +31,7 @@ def cuts_of(
     """
     cuts: list[float] = []
     first, last = float(along.leg.start.time), float(along.leg.end.time)
+    lines: Lines = cache(lambda t: along.line(Ball(t)))  # a cut is the end of several pieces
     stack: list[tuple[Cut, Cut, int]] = [(None, None, 0)]
     if window:
         stack = [(window[1], None, 0), (None, window[0], 0)]
@@ -34,7 +39,7 @@ def cuts_of(
     while stack:
         a, b, depth = stack.pop()
         begin, end = first if a is None else a, last if b is None else b
-        if end - begin > longest or not is_positive(along, a, b):
+        if end - begin > longest or not is_positive(along, lines, a, b):
             middle = round((begin + end) / 2, PLACES)
             if depth == DEPTH or not begin < middle < end:
                 raise _failed(along, middle)
@@ -51,7 +56,7 @@ def _failed(along: Along, time: float) -> Exception:
     return along.failed("is negative" if h < 0 else "is not certain to be positive", Ball(time), h)
 
 
-def is_positive(along: Along, a: Cut, b: Cut) -> bool:
+def is_positive(along: Along, lines: Lines, a: Cut, b: Cut) -> bool:
     """Return whether h > 0 on a piece, its ends apart where h vanishes there."""
     leg = along.leg
     starts, ends = a is None and along.vanishing > 0, b is None and along.last > 0
@@ -70,7 +75,8 @@ def is_positive(along: Along, a: Cut, b: Cut) -> bool:
     if ends:
         return bool(-along.rate(leg.end) + dip / 2 > 0 or (concave and along.height(begin) > 0))
     sag = interval.ZERO if concave else interval.upper(bend) * s * s / 8
-    (low, rising), (high, falling) = along.line(begin), along.line(end)
+    low, rising = along.line(begin) if a is None else lines(a)
+    high, falling = along.line(end) if b is None else lines(b)
     if low > sag and high > sag:
         return True
     down, up = (interval.least(r, interval.ZERO) * s for r in (rising, -falling))

@@ -6,20 +6,27 @@ At F = ω = 1: α = f, ρ = R.  Every one of them is ``plus``, ``minus`` or one 
 
 import math
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import partial
-from typing import Any
+from functools import cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.audit.comparison import Comparison, claim, count, number, percent, taken_from, unstated
 from cap.floats.findings import Floats
 from cap.floats.one_one import pair_curve, symmetric_member
-from cap.paper.figure import Figure, Result, Run
-from cap.paper.nine_points import FORCES, GAPS, PAPER_KINDS, nine, others
+from cap.paper.figure import Found, Run, percent
+from cap.paper.formulas import impulse_bound, saddle_center
+from cap.paper.nine_points import (  # found for rows, too
+    POINTS,
+    corner,
+    counts,
+    members,
+    other,
+    papers_kind,
+    point,
+)
 from cap.parameters import PAPER
-from cap.proofs.census import census
+
+__all__ = ["corner", "counts", "other", "point"]
 
 BOX = 0.01, 0.65, 0.2, 4.5
 SIDE = 220
@@ -84,94 +91,75 @@ def _row(f: Floats, rho: float) -> Floats:
     return np.stack([least, trace])
 
 
-def compute(run: Run) -> Result:
-    """Prove what there is at the nine points, and draw the map."""
-    points = {
-        (f, R): {m.name: m.kind for m in census(Fraction(f), Fraction(R))}
-        for f in FORCES
-        for R in GAPS
+@cache
+def _map(run: Run) -> Map:
+    return mapped(run.size(SIDE if run.drawn else SIDE // 2, 24), run)
+
+
+def data(run: Run) -> Sampled:
+    """Prove what there is at the nine points, and compute the map."""
+    points = {key: members(*key) for key in POINTS}
+    return Sampled(_map(run), points, {key: papers_kind(*key) for key in POINTS})
+
+
+def curve(_run: Run) -> Found:
+    """Say which of the nine points are above the paper's curve f_sc(R)."""
+    above = [key for key in POINTS if float(key[0]) > saddle_center(float(key[1]))]
+    predicted = [key for key in POINTS if (key in above) == ("elliptic" in members(*key).values())]
+    return {
+        "upper": sum(R != "1" for _, R in above),
+        "lower": sum(key not in above for key in (("0.15", "1"), ("0.35", "1"), ("0.15", "2"))),
+        "at_1": saddle_center(1),
+        "at_3": saddle_center(3),
+        "positive": saddle_center(1) > 0,
+        "predicted": len(predicted),
+        "separates": len(predicted) == len(POINTS),
     }
-    found = mapped(run.size(SIDE if run.drawn else SIDE // 2, 24), run)
-    rows = [*nine(points), *others(), *_formulas(points), *_shading(found), *_limits()]
-    return Result(tuple(rows), Sampled(found, points, PAPER_KINDS))
 
 
-def _sc(R: float) -> float:
-    return 4 * (2 + R - math.pi) / math.pi**2
+def formulas(_run: Run) -> Found:
+    """Evaluate what the paper says of its bound and its grid."""
+    steps = {"step_f": BOX[1] - BOX[0], "step_R": BOX[3] - BOX[2]}
+    return {"impulse": impulse_bound()} | {name: s / (SIDE - 1) for name, s in steps.items()}
 
 
-def _formulas(points: dict[tuple[str, str], dict[str, str]]) -> list[Comparison]:
-    """Compare what the paper says about its curve f_sc(R)."""
-    upper = [(f, R) for f in FORCES for R in GAPS if R != "1" and float(f) > _sc(float(R))]
-    below = [(f, R) for f, R in (("0.15", "1"), ("0.35", "1"), ("0.15", "2"))
-             if float(f) < _sc(float(R))]  # fmt: skip
-    at_3 = f"f_sc(3) = {_sc(3):.3f} > f_imp, so that no point with R = 3 is above the curve"
-    at_1 = f"f_sc(1) = {_sc(1):.3f} < 0: both points with R = 1 are above"
-    predicted = [
-        key for key in points
-        if (float(key[0]) > _sc(float(key[1]))) == ("elliptic" in points[key].values())
-    ]  # fmt: skip
-    return [
-        count("verified points above f_sc(R) with R = 2, 3", 4, len(upper), at_3),
-        count("of (0.15, 1), (0.35, 1), (0.15, 2): below f_sc(R)", 3, len(below), at_1),
-        claim("(0.55, 1)", "in the purple region, f_sc > 0",
-              f"f_sc(1) = {_sc(1):.3f}", _sc(1) > 0, "by the caption it is in the blue region"),
-        claim("elliptic (1,1) orbits exist above f_sc(R), not below", "at all points",
-              f"at {len(predicted)} of 9", len(predicted) == 9,
-              "no curve f_sc(R) separates anything: no root of its equation is an orbit (theorem "
-              "`symmetric`)"),
-        number("f_imp = 2F/pi", "0.637", 2 / math.pi),
-        number("grid: steps in f", "0.003", (BOX[1] - BOX[0]) / (SIDE - 1)),
-        number("grid: steps in R", "0.02", (BOX[3] - BOX[2]) / (SIDE - 1)),
-    ]  # fmt: skip
-
-
-def _shading(found: Map) -> list[Comparison]:
-    """Compare the paper's shading with the (1,1) orbits that there are, over the grid."""
+def region(run: Run, name: str) -> Found:
+    """Return the part of a region of the paper's shading on which its words are true."""
+    found = _map(run)
     f, R = np.meshgrid(found.f, found.R)
-    sc = 4 * (2 + R - np.pi) / np.pi**2
-    inside = f < 2 / math.pi
+    sc, inside = 4 * (2 + R - np.pi) / np.pi**2, f < 2 / math.pi
     elliptic, saddle = found.elliptic.any(axis=0), (found.exists & ~found.elliptic).any(axis=0)
-    blue, purple = inside & (sc <= 0), inside & (sc > 0) & (f > sc)
-    white = inside & (sc > 0) & (f < sc)
-    why = "the regions are bounded by other curves: least speed 0, pitchfork, f = 2F/pi"
-
-    def share(region: NDArray[np.bool_], truth: Any, words: str) -> Comparison:
-        name, says = words.split(": ")
-        part = int((region & truth).sum())
-        return claim(f"{name} region, of (1,1) orbits", says,
-                     f"true on {percent(part, int(region.sum()))} of it",
-                     part == int(region.sum()), why)  # fmt: skip
-
-    return [
-        share(blue, elliptic & ~saddle, "blue: elliptic orbit only"),
-        share(purple, elliptic & saddle, "purple: elliptic and saddle orbits"),
-        share(white, ~elliptic & ~saddle, "white: no orbit (of the symmetric branch)"),
-        claim("(1,1) orbits for f > 2F/pi", "none", "none",
-              not found.exists[:, f > 2 / math.pi].any(), "the formulas give some"),
-    ]  # fmt: skip
+    where, true = {
+        "blue": (sc <= 0, elliptic & ~saddle),
+        "purple": ((sc > 0) & (f > sc), elliptic & saddle),
+        "white": ((sc > 0) & (f < sc), ~elliptic & ~saddle),
+    }[name]
+    part, whole = int((inside & where & true).sum()), int((inside & where).sum())
+    return {"part": percent(part, whole), "everywhere": part == whole}
 
 
-def _limits() -> list[Comparison]:
-    """Compare how the multipliers tend to 1 at the saddle-center."""
+def beyond_the_bound(run: Run) -> Found:
+    """Look for orbits above the impulse bound."""
+    found = _map(run)
+    return {"none": not found.exists[..., found.f > 2 / math.pi].any()}
+
+
+def exponent(_run: Run) -> Found:
+    """Fit how the saddle's multipliers tend to 1 at the saddle-center."""
     rho = float(PAPER.R * PAPER.omega**2 / PAPER.F)
     nu = np.geomspace(1e-10, 1e-7, 10)
     traces = [symmetric_member(2 / math.pi - n, rho, -1).trace for n in nu.tolist()]
     exponents = np.arccosh(np.array(traces) / 2)
-    slope = float(np.polyfit(np.log(nu), np.log(exponents), 1)[0])
-    gap = float(np.ptp([_least_gap(R) for R in (1.0, 2.0, 3.0)]))
-    return [
-        *taken_from("ssec:num-coexist", [
-            unstated(number("exponent of mu in the positive Lyapunov exponent", "0.25", slope),
-                     "this is the saddle's own, at f = 2F/pi; on which orbits of the chaotic "
-                     "component of Omega_NS, at which mu, the paper's was computed is not said")]),
-        claim("saddle-center: where", "f_sc(R), depends on R",
-              f"2F/pi for every R (differences of {gap:.0e} between R = 1, 2, 3)", gap > 1e-3,
-              "GKR2019 has it right: plus and minus meet at f = 2F/pi (proved)"),
-    ]  # fmt: skip
+    return {"slope": float(np.polyfit(np.log(nu), np.log(exponents), 1)[0])}
 
 
-def _least_gap(R: float) -> float:
+def meeting(_run: Run) -> Found:
+    """Say how the f at which plus and minus meet depends on R."""
+    gap = float(np.ptp([_meeting(R) for R in (1.0, 2.0, 3.0)]))
+    return {"gap": gap, "depends": gap > 1e-3}
+
+
+def _meeting(R: float) -> float:
     """Return f at which plus and minus meet: where their traces, 2 ∓ c sqrt(2/π - f), do."""
     f = 2 / math.pi - np.array([2e-8, 1e-8])
     c = [
@@ -179,11 +167,3 @@ def _least_gap(R: float) -> float:
         for a in f.tolist()
     ]
     return float(f[1] + c[1] * (f[1] - f[0]) / (c[0] - c[1]))
-
-
-FIGURE = Figure(
-    "(1,1) orbits (velocity never zero, one hit of each wall) over (f, R)",
-    compute,
-    "one_one:over_f_and_gap",
-    (8.2, 5.2),
-)

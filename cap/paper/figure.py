@@ -1,13 +1,17 @@
-"""What a figure of the paper is here: its computation, its numbers, its picture."""
+"""A figure of the paper: its table, what finds the numbers there, its picture."""
 
-from collections.abc import Callable
+import os
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache, partial
+from importlib import import_module
+from multiprocessing import parent_process
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from cap.audit import tables
 from cap.audit.comparison import Comparison, markdown
 from cap.errors import BadInput
 from cap.floats.engine import swarm
@@ -15,17 +19,20 @@ from cap.floats.findings import Findings, Floats, State
 from cap.floats.search.fixed_point import elliptic_point
 from cap.parameters import PAPER, at
 from cap.runner import Runner
+from cap.words import meant
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
+Found = Mapping[str, Any]  # what is found, by the names that the rows of a table ask for
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Run:
-    """How a figure is computed, whole or not at all.
+    """How figures are computed: what is computed in one run is kept for it.
 
-    ``quick``: in the smallest size that makes sense, for tests; ``drawn``: with all that its
-    picture shows.
+    ``quick``: in the smallest size that makes sense, for tests; ``drawn``: with all that a picture
+    shows.
     """
 
     runner: Runner = field(default_factory=partial(Runner, whole=True))
@@ -60,41 +67,70 @@ class Compared(Findings):
 
 
 @dataclass(frozen=True)
-class Result:
-    """What a computation gives."""
-
-    rows: tuple[Comparison, ...]
-    data: Any
-
-
-@dataclass(frozen=True)
 class Figure:
-    """A figure: ``compute`` gives its rows and data; its picture, and the size in inches.
+    """A figure: the functions of its ``module`` find what the rows ask for, one of them the data.
 
-    ``draw``: a function ``module:function`` of `cap.pictures.paper`, which draws the data.
+    ``draw``: a function ``module:function`` of `cap.pictures.paper`, which draws the data; ``size``
+    in inches.
     """
 
+    label: str
     title: str
-    compute: Callable[[Run], Result]
+    module: str
     draw: str
-    size: tuple[float, float] = (7.4, 4.2)
+    size: tuple[float, float]
+    data: str = ""
 
-    def compared(self, label: str, run: Run) -> Compared:
+    def compared(self, run: Run) -> Compared:
         """Compute it."""
-        result = self.compute(run)
-        return Compared(
-            parameters=PAPER,
-            label=label,
-            title=self.title,
-            rows=result.rows,
-            data=result.data,
+        rows = tables.comparisons(
+            self.label, lambda row: found(self.module, row["by"], run, row.get("with", {}))
         )
+        data = found(self.module, self.data, run, {}) if self.data else None
+        return Compared(parameters=PAPER, label=self.label, title=self.title, rows=rows, data=data)
 
     def picture(self, compared: Compared, dpi: float = 200) -> "Canvas":
         """Draw it."""
         from cap.pictures.style import drawn  # noqa: PLC0415 (matplotlib, only where it draws)
 
         return drawn(f"paper.{self.draw}", compared.data, self.size, dpi)
+
+
+def labels() -> tuple[str, ...]:
+    """Return the labels of the figures, in the order of the paper."""
+    return tuple(tables.tables())
+
+
+def figure(label: str) -> Figure:
+    """Return a figure, by its label with or without "fig:"; `BadInput` if there is none."""
+    full = label if label in labels() else f"fig:{label}"
+    if full not in labels():
+        guess = meant(full, labels()) or f": all, or one of {', '.join(labels())}"
+        raise BadInput(f"the paper has no figure {label!r}{guess}")
+    own = {name: entry for name, entry in tables.tables()[full].items() if name != "row"}
+    return Figure(**own | {"size": tuple(own["size"])})
+
+
+def labelled(label: str) -> list[str]:
+    """Return the labels that are meant: all of them, or one."""
+    return list(labels()) if label == "all" else [figure(label).label]
+
+
+def found(module: str, function: str, run: Run, options: Mapping[str, str]) -> Any:
+    """Return what a function of a module finds in a run."""
+    return getattr(import_module(module), function)(run, **options)
+
+
+def finds(module: str, function: str, options: Mapping[str, str]) -> Found:
+    """Find what one row asks for, for the audit."""
+    return dict(found(module, function, _of_the_audit(), options))
+
+
+@cache
+def _of_the_audit() -> Run:
+    """Return a run on all cores unless this is one process of several."""
+    jobs = 1 if parent_process() else os.cpu_count() or 1
+    return Run(Runner(jobs=jobs, whole=True), drawn=False)
 
 
 STEP = 1e-6  # of the paper's differences
@@ -115,3 +151,8 @@ def elliptic(F: str = "1") -> State:
     if found is None:
         raise BadInput(f"no elliptic orbit was found at F = {F}")
     return found
+
+
+def percent(part: float, whole: float) -> str:
+    """Return a share in words."""
+    return f"{100 * part / whole:.3g}%" if whole else "none"

@@ -2,28 +2,27 @@
 
 import math
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
 
-from cap.audit.comparison import Comparison, claim, count, number, roughly, taken_from, unstated
+from cap.audit import tables
 from cap.errors import BadInput
 from cap.floats.diagnostics.continuation import continuation
 from cap.floats.search.cycles import Cycle, StroboscopicMap
 from cap.floats.search.orbits import search
-from cap.paper.figure import Figure, Result, Run
-from cap.parameters import PAPER, Parameters, at
-from cap.proofs.census import census
+from cap.paper.figure import Found, Run
+from cap.paper.formulas import impulse_forcing, saddle_center_forcing
+from cap.paper.nine_points import at_the_paper
+from cap.parameters import Parameters, at
 
 FORCES = ("0.65", "0.85", "1", "1.5", "2", "2.5", "3", "3.5", "4.5")
-QUICK = ("0.65", "0.85", "1.5")
-GIVEN = {"1.5": (2, 1), "2": (0, 0), "3.5": (0, 3)}  # F: elliptic, saddle, as the paper says
-TOTAL = 7, 8
 SAME = 0.025  # the paper's, in each coordinate
 SLOWEST, DETERMINANTS = 0.05, (0.1, 5.0)  # of what the paper keeps
 SEEDS = 3  # per side: the paper does not say how many; these come nearest to its counts
-CHOSEN = "how many seeds, and the damping, are not said; ours are chosen to come near its counts"
 FOLD = 0.887
 SAME_F = 1e-5
 NEIGHBOURS = 0.75  # how far on either side of its F a sink is followed
@@ -63,77 +62,51 @@ def grid_newton(p: Parameters, seeds: int) -> list[Cycle]:
     return found
 
 
-def _both(F: str) -> tuple[list[Cycle], list[Cycle]]:
-    p = at(F=F)
-    return list(search(p).isolated), grid_newton(p, SEEDS)
+@cache
+def _thorough(F: str) -> tuple[Cycle, ...]:
+    return tuple(search(at(F=F)).isolated)
 
 
-def split(found: tuple[Cycle, ...]) -> tuple[int, int]:
-    """Return how many are elliptic, and saddles, as the paper counts: by the trace alone."""
-    elliptic = sum(abs(each.trace) < 2 for each in found)
-    return elliptic, len(found) - elliptic
+@cache
+def _paper(F: str) -> tuple[Cycle, ...]:
+    return tuple(grid_newton(at(F=F), SEEDS))
 
 
-def compute(run: Run) -> Result:
+@cache
+def _everywhere(run: Run) -> dict[str, tuple[Cycle, ...]]:
+    """Search at each F, thoroughly."""
+    forces = ("0.65", "1.5") if run.quick else FORCES
+    found = run.runner.map(_thorough, forces, "search", processes=not run.quick)
+    return dict(zip(forces, found, strict=True))
+
+
+def data(run: Run) -> Counted:
     """Search at each F, thoroughly and as the paper does."""
-    forces = QUICK if run.quick else FORCES
-    found = run.runner.map(_both, forces, "search", processes=not run.quick)
-    data = Counted(
-        forces[: len(found)],
-        tuple(tuple(each[0]) for each in found),
-        tuple(tuple(each[1]) for each in found),
-    )
-    return Result((*_counts(data), *_words(data, run)), data)
+    found = _everywhere(run)
+    return Counted(tuple(found), tuple(found.values()), tuple(map(_paper, found)))
 
 
-def _counts(data: Counted) -> list[Comparison]:
-    """Compare the counts that the paper states."""
-    mine = dict(zip(data.forces, zip(data.paper, data.thorough, strict=True), strict=True))
-    rows = []
-    for F, (elliptic, saddle) in GIVEN.items():
-        if F not in mine:
-            continue
-        rough, full = (split(each) for each in mine[F])
-        rows += [
-            unstated(claim(
-                f"F = {F}: elliptic + saddle, grid-Newton", f"{elliptic} + {saddle}",
-                f"{rough[0]} + {rough[1]} ({SEEDS} x {SEEDS} seeds)", False), CHOSEN),
-            roughly(claim(
-                f"F = {F}: all orbits found, elliptic + saddle", f"{elliptic} + {saddle}",
-                f"{full[0]} + {full[1]}", full == (elliptic, saddle),
-                "missed by the seeds: " + _missed(mine[F][1], mine[F][0]))),
-        ]  # fmt: skip
-    rough, full = (
-        np.array([split(each) for each in part]).sum(axis=0).tolist()
-        for part in (data.paper, data.thorough)
-    )
-    why = "missed by the seeds"
-    return [
-        *rows,
-        unstated(count("elliptic orbits at all F, grid-Newton", TOTAL[0], rough[0]), CHOSEN),
-        unstated(count("saddles at all F, grid-Newton", TOTAL[1], rough[1]), CHOSEN),
-        roughly(count("orbits at all F", sum(TOTAL), sum(full),
-                f"{why}, or dropped by the paper's filters (|v| > 0.05, 0.1 <= det <= 5), which "
-                f"{_passing(data)} of ours pass")),
-        roughly(claim("ratio elliptic : saddle", "1:1, one elliptic with one saddle",
-              f"{full[0]} : {full[1]} of all that are found",
-              abs(full[0] - full[1]) <= 0.25 * sum(full),
-              "the paper's is of the 15 that it found; most orbits have turns and are saddles; by "
-              "trace and determinant, not trace alone, " + _types(data))),
-        roughly(claim(
-            "orbits at each F but 2", "1 to 3",
-            ", ".join(f"{F}: {len(o)}" for F, o in zip(data.forces, data.thorough, strict=True)),
-            all(1 <= len(o) <= 3 for F, o in
-                zip(data.forces, data.thorough, strict=True) if F != "2"), why)),
-    ]  # fmt: skip
+def split(found: Iterable[Cycle]) -> tuple[int, int]:
+    """Return how many are elliptic, and saddles, as the paper counts: by the trace alone."""
+    elliptic = [abs(each.trace) < 2 for each in found]
+    return sum(elliptic), len(elliptic) - sum(elliptic)
 
 
-def _passing(data: Counted) -> int:
-    return sum(
-        kept(at(F=F), cycle)
-        for F, found in zip(data.forces, data.thorough, strict=True)
-        for cycle in found
-    )
+def _sum(found: tuple[int, int]) -> str:
+    return f"{found[0]} + {found[1]}"
+
+
+def by_the_paper(_run: Run, F: str) -> Found:
+    """Count what the paper's search finds at F."""
+    return {"found": _sum(split(_paper(F))), "seeds": SEEDS}
+
+
+def by_search(_run: Run, F: str) -> Found:
+    """Count what a thorough search finds at F, and what the paper's misses."""
+    found = _sum(split(_thorough(F)))
+    what = f"F = {F}: all orbits found, elliptic + saddle"
+    same = found == tables.stated(what, "fig:hist-cont")
+    return {"found": found, "missed": _missed(_thorough(F), _paper(F)), "same": same}
 
 
 def _missed(full: tuple[Cycle, ...], rough: tuple[Cycle, ...]) -> str:
@@ -142,45 +115,63 @@ def _missed(full: tuple[Cycle, ...], rough: tuple[Cycle, ...]) -> str:
     return ", ".join(words[:4]) + (f", and {len(words) - 4} more" if len(words) > 4 else "")
 
 
-def _types(data: Counted) -> str:
-    kinds = [c.kind(conserves=True) for found in data.thorough for c in found]
-    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in sorted(set(kinds)))
+def all_by_the_paper(run: Run) -> Found:
+    """Count what the paper's search finds at all F."""
+    forces = ("1.5",) if run.quick else FORCES
+    elliptic, saddle = split(cycle for F in forces for cycle in _paper(F))
+    return {"elliptic": elliptic, "saddle": saddle}
 
 
-def _words(data: Counted, run: Run) -> list[Comparison]:
-    """Compare what the text says about the orbits."""
-    mine = dict(zip(data.forces, data.thorough, strict=True))
-    below = [c for F in ("0.65", "0.85") for c in mine.get(F, ())]
-    free = all({word.split()[0] for word, _ in c.events} == {"hit"} for c in below)
-    f, R = float(PAPER.f), float(PAPER.R)
-    fold = (f * math.pi**2 - 4 * R) / (4 * (2 - math.pi))
-    dets = [c.determinant for found in data.thorough for c in found]
-    many = [F for F, found in mine.items() if len(found) > 2]
-    within = sum(0.5 <= d <= 0.6 for d in dets)
-    return [
-        *taken_from("eq:hist-Fsc-cross", [
-            number("F_sc at f = 0.4", "0.887", fold, note="the formula; no orbit folds there")]),
-        number("F_imp = pi f/2", "0.628", math.pi * f / 2),
-        claim("F = 0.65 and 0.85: orbits found below F_sc", "multiple turnings per period",
-              "velocity never zero, one hit of each wall: (1,1) orbits" if free else "with turns",
-              not free,
-              "they are the orbits of the elliptic branch, to which no F_sc applies"),
-        claim("most orbits have determinants", "in [0.5, 0.6]",
-              f"{within} of {len(dets)}", 2 * within > len(dets),
-              "orbits with sticks have 0, orbits that never turn 1, others anything below 1"),
-        *taken_from("ssec:hist-connection", [
-            claim("orbits proliferate", "above F = 1.3",
-                  f"more than 2 at F = {', '.join(many)}", all(float(F) > 1.3 for F in many),
-                  orbits_at_1())]),
-        *taken_from("ssec:hist-pitchfork", [_flips(mine, run)]),
-    ]  # fmt: skip
+def all_by_search(run: Run) -> Found:
+    """Count what a thorough search finds at all F."""
+    found = _everywhere(run)
+    every = [(at(F=F), cycle) for F, cycles in found.items() for cycle in cycles]
+    elliptic, saddle = split(cycle for _, cycle in every)
+    kinds = Counter(cycle.kind(conserves=True) for _, cycle in every)
+    return {
+        "orbits": len(every),
+        "passing": sum(kept(p, cycle) for p, cycle in every),
+        "elliptic": elliptic,
+        "saddle": saddle,
+        "balanced": abs(elliptic - saddle) <= 0.25 * len(every),
+        "types": ", ".join(f"{kinds[kind]} {kind}" for kind in sorted(kinds)),
+        "numbers": ", ".join(f"{F}: {len(cycles)}" for F, cycles in found.items()),
+        "few": all(1 <= len(cycles) <= 3 for F, cycles in found.items() if F != "2"),
+    }
+
+
+def formulas(_run: Run) -> Found:
+    """Evaluate two formulas of the paper."""
+    return {"sc": saddle_center_forcing(), "impulse": impulse_forcing()}
+
+
+def below(_run: Run) -> Found:
+    """Say whether the orbits found below F_sc turn."""
+    found = [*_thorough("0.65"), *_thorough("0.85")]
+    free = {word.split()[0] for cycle in found for word, _ in cycle.events} == {"hit"}
+    shown = "velocity never zero, one hit of each wall: (1,1) orbits" if free else "with turns"
+    return {"shown": shown, "turn": not free}
+
+
+def determinants(run: Run) -> Found:
+    """Count the determinants that lie where most are said to lie."""
+    dets = [cycle.determinant for found in _everywhere(run).values() for cycle in found]
+    within = sum(0.5 <= det <= 0.6 for det in dets)
+    return {"within": within, "orbits": len(dets), "most": 2 * within > len(dets)}
+
+
+def many(run: Run) -> Found:
+    """Say at which F there are more than two orbits."""
+    forces = [F for F, found in _everywhere(run).items() if len(found) > 2]
+    above = all(float(F) > 1.3 for F in forces)
+    return {"forces": ", ".join(forces), "above": above, "at_1": orbits_at_1()}
 
 
 def orbits_at_1() -> str:
     """Count the orbits at F = 1 of which none is missing: those whose velocity never vanishes."""
     number = Counter[str]()
-    for member in census(PAPER.f / PAPER.F, PAPER.R * PAPER.omega**2 / PAPER.F):
-        number[member.kind] += 2 if member.name == "pair" else 1
+    for member, orbits in at_the_paper():
+        number[member.kind] += orbits
     kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(number.items()))
     return (
         f"at F = 1 there are {number.total()} (1,1) orbits, whose velocity never vanishes: {kinds} "
@@ -188,18 +179,13 @@ def orbits_at_1() -> str:
     )
 
 
-def _flips(mine: dict[str, tuple[Cycle, ...]], run: Run) -> Comparison:
+def flips(run: Run) -> Found:
     """Look for period doublings: flip saddles, and where the sinks found become such."""
-    flips = [F for F, found in mine.items()
-             if any(c.kind(conserves=True) == "flip saddle" for c in found)]  # fmt: skip
-    sinks = [(F, c) for F, found in mine.items() for c in found if "sink" in c.kind(conserves=True)]
+    every = [(F, c) for F, found in _everywhere(run).items() for c in found]
+    saddles = dict.fromkeys(F for F, c in every if c.kind(conserves=True) == "flip saddle")
+    sinks = [(F, c) for F, c in every if "sink" in c.kind(conserves=True)]
     where = ", ".join(f"{value:.6f}" for value in doublings(sinks, run))
-    return claim(
-        "period doublings in the range", "none observed, tr != -2",
-        f"flip saddles at F = {', '.join(flips)}; along the sinks found the period doubles at "
-        f"F = {where}", not flips,
-        "a multiplier -1 of a map with det < 1 has trace -1 - det, not -2",
-    )  # fmt: skip
+    return {"saddles": ", ".join(saddles), "where": where, "none": not saddles}
 
 
 def doublings(sinks: list[tuple[str, Cycle]], run: Run) -> list[float]:
@@ -215,6 +201,3 @@ def doublings(sinks: list[tuple[str, Cycle]], run: Run) -> list[float]:
 
     found = sorted(value for values in run.runner.map(follow, sinks, "flips") for value in values)
     return [b for a, b in pairwise([-math.inf, *found]) if b - a > SAME_F]
-
-
-FIGURE = Figure("T-periodic orbits over F", compute, "forcing:forcing", (7.6, 4.8))

@@ -3,16 +3,16 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 
-from cap.audit.comparison import Comparison, claim, percent, proved
 from cap.errors import BadInput
 from cap.floats.diagnostics.chains import Chain, chains
 from cap.floats.diagnostics.portrait import Portrait, portrait
 from cap.floats.diagnostics.rotation import SHAKY, Rotation, rotation
 from cap.paper.certified import theorem
-from cap.paper.figure import Figure, Result, Run
+from cap.paper.figure import Found, Run, percent
 from cap.parameters import PAPER
 
 RADIUS, PERIODS = 0.05, 300
@@ -29,6 +29,35 @@ class Island:
     chains: tuple[Chain, ...]
 
 
+@cache
+def _portrait(run: Run) -> Portrait:
+    """Follow orbits from a disk as in the paper."""
+    radius, orbits = RADIUS / float(PAPER.R), run.size(400, 60)
+    return portrait(PAPER, radius=radius, orbits=orbits, periods=PERIODS, runner=run.runner)
+
+
+@cache
+def _rotation(run: Run) -> Rotation:
+    """Measure rotation numbers along a ray."""
+    orbits, periods = run.size(300, 40), run.size(3000, 400)
+    return rotation(PAPER, radius=0.024, orbits=orbits, periods=periods, runner=run.runner)
+
+
+@cache
+def _chains(run: Run) -> tuple[Chain, ...]:
+    """Search for chains: elliptic orbits of period qT that never turn."""
+    seen = _portrait(run)
+    if seen.centre is None:
+        raise BadInput("the elliptic orbit was not found")
+    regular = seen.states[~seen.turned].reshape(-1, 2)
+    return tuple(chains(PAPER, seen.centre, regular[:: -(-len(regular) // SEEDS)], LARGEST))
+
+
+def data(run: Run) -> Island:
+    """Compute what the picture shows."""
+    return Island(_portrait(run), _rotation(run), _chains(run))
+
+
 def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
     """Give the first convergents of the continued fraction of a number in (0, 1)."""
     h, k = (1, 0), (0, 1)
@@ -42,67 +71,43 @@ def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
         value = 1 / (value - whole)
 
 
-def compute(run: Run) -> Result:
-    """Follow orbits from a disk as in the paper, measure rotation numbers, search for chains."""
-    seen = portrait(PAPER, radius=RADIUS / float(PAPER.R), orbits=run.size(400, 60),
-                    periods=PERIODS, runner=run.runner)  # fmt: skip
-    turns = rotation(PAPER, radius=0.024, orbits=run.size(300, 40), periods=run.size(3000, 400),
-                     runner=run.runner)  # fmt: skip
-    if seen.centre is None:
-        raise BadInput("the elliptic orbit was not found")
-    regular = seen.states[~seen.turned].reshape(-1, 2)
-    found = chains(PAPER, seen.centre, regular[:: -(-len(regular) // SEEDS)], LARGEST)
-    rows = [*_curves(turns), *_chains(found), *_layer(seen)]
-    return Result(tuple(rows), Island(seen, turns, tuple(found)))
+def at_the_point(_run: Run) -> Found:
+    """Enclose the rotation number at P_*."""
+    turn = theorem("elliptic", (0.1003, 0.5419))["rotation_number"]
+    known = list(convergents(Fraction(turn[0]), 4))
+    both = {5, 7} <= {each.denominator for each in known}
+    return {"turn": turn, "tight": ", ".join(map(str, known)), "both": both}
 
 
-def _curves(turns: Rotation) -> list[Comparison]:
-    """Compare the rotation numbers on the curves that a ray meets."""
-    own = theorem("elliptic", (0.1003, 0.5419))
-    good = turns.quality < SHAKY
-    low, high = float(turns.rotation[good].min()), float(turns.rotation[good].max())
-    known = list(convergents(Fraction(own["rotation_number"][0]), 4))
-    tight = ", ".join(map(str, known))
-    steps = np.diff(turns.rotation[good & (turns.distance > 0.006)])
-    near, top = good.argmax(), int(np.argmax(np.where(good, turns.rotation, -np.inf)))
-    inner, there = turns.rotation[near], turns.distance[top]
-    rises = f"rises from {inner:.10f} at P_* (a minimum: tau_1 > 0) to {high:.10f} at {there:.4f}, "
-    return [
-        proved("rotation number at P_*", "0.287", own["rotation_number"]),
-        claim("rotation number with the radius", "varies smoothly, close to 0.287",
-              f"{rises}then falls to {low:.4f}",
-              bool((steps < 1e-4).all()), "",
-              note="on the curves; nearly constant up to a distance of 0.01"),
-        claim("5 and 7 are denominators of convergents", "both",
-              f"convergents {tight}", {5, 7} <= {f.denominator for f in known},
-              "7 is, 5 is not"),
-    ]  # fmt: skip
+def curves(run: Run) -> Found:
+    """Find the rotation numbers on the curves that a ray meets."""
+    seen = _rotation(run)
+    good = seen.quality < SHAKY
+    steps = np.diff(seen.rotation[good & (seen.distance > 0.006)])
+    top = int(np.argmax(np.where(good, seen.rotation, -np.inf)))
+    return {
+        "inner": seen.rotation[good.argmax()],
+        "low": seen.rotation[good].min(),
+        "high": seen.rotation[good].max(),
+        "there": seen.distance[top],
+        "smooth": (steps < 1e-4).all(),
+    }
 
 
-def _chains(found: list[Chain]) -> list[Comparison]:
-    """Compare the chains: elliptic orbits of period qT that never turn."""
-    names = ", ".join(str(chain.number) for chain in found) or "none"
-    said = f"chains found with q <= {LARGEST}: {names}"
-
-    def chain(q: int, word: str) -> Comparison:
-        own = [str(each.number) for each in found if each.number.denominator == q]
-        return claim(f"chain of period {word}", "most visible", ", ".join(own) or "none found",
-                     bool(own), said, note=said)  # fmt: skip
-
-    return [chain(5, "five"), chain(7, "seven")]
-
-
-def _layer(seen: Portrait) -> list[Comparison]:
-    """Compare what lies outside of the curves."""
-    lost, total = int(seen.turned.sum()), len(seen.turned)
-    return [
-        claim(f"orbits of the disk of radius {RADIUS} in {PERIODS} periods",
-              "curves, chains, and a thin chaotic layer within Omega_NS",
-              f"{percent(lost, total)} of {total} turn or stick", lost == 0,
-              "the island is smaller than the disk: what surrounds it lies in Omega_dissip"),
-    ]  # fmt: skip
+def chain(run: Run, q: str) -> Found:
+    """Look for chains of a period."""
+    found = _chains(run)
+    own = [str(each.number) for each in found if each.number.denominator == int(q)]
+    return {
+        "own": ", ".join(own) or "none found",
+        "found": own,
+        "largest": LARGEST,
+        "names": ", ".join(str(each.number) for each in found) or "none",
+    }
 
 
-FIGURE = Figure(
-    "stroboscopic portrait around the elliptic orbit", compute, "island:island", (8.4, 4.4)
-)
+def layer(run: Run) -> Found:
+    """Count what lies outside of the curves."""
+    turned = _portrait(run).turned
+    lost, total = int(turned.sum()), len(turned)
+    return {"lost": percent(lost, total), "total": total, "none": lost == 0}

@@ -1,22 +1,11 @@
 """fig:hist-gallery-low and fig:hist-gallery-high: regimes at six forcings."""
 
-from collections import Counter
-from dataclasses import dataclass
+from functools import cache
 from math import gcd
-from typing import NamedTuple
 
 import numpy as np
 
-from cap.audit.comparison import (
-    Comparison,
-    claim,
-    count,
-    number,
-    percent,
-    roughly,
-    taken_from,
-    unstated,
-)
+from cap.audit import tables
 from cap.floats.diagnostics.attractor import strongest
 from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.engine import swarm
@@ -25,111 +14,36 @@ from cap.floats.search import cycles
 from cap.floats.search.cycles import Cycle
 from cap.floats.search.orbits import search
 from cap.paper.coexistence import mirrored
-from cap.paper.figure import Figure, Result, Run
+from cap.paper.figure import Found, Run, percent
 from cap.paper.rows import Row, Rows
 from cap.parameters import at
 
-
-class Printed(NamedTuple):
-    """What the paper prints of an orbit: state, trace, determinant, hits right and left in 4T."""
-
-    x: str
-    v: str
-    trace: str
-    determinant: str
-    hits: tuple[int, int] | None
-
-
-ORBITS = {
-    "1.5": Printed("+0.6276", "-0.1184", "-1.324", "+0.578", (8, 4)),
-    "3": Printed("+0.4064", "-0.6708", "-0.968", "+0.578", (8, 8)),
-    "4.5": Printed("+0.2156", "-0.8293", "-0.520", "+0.559", (8, 12)),
-    "6": Printed("+0.0267", "-0.4816", "-0.665", "+0.538", None),
-}
+LOW = "1.5", "3", "4.5"
+HIGH = "6"
+SPEED = 2  # at most, at F = 6
 GENERIC = {"12": (4, 4, 5), "50": (2, 1, 7)}  # F: transient and window in T, |v| at most
-SPEED_AT_6 = 2
 SEEDS = 12  # per side, of the generic orbits
 
 
-@dataclass(frozen=True)
-class Seen:
-    """An orbit at F, and its rows of the table."""
-
-    row: Row
-    rows: list[Comparison]
+# periodic orbits
 
 
+@cache
 def _near(F: str) -> Cycle:
-    printed = ORBITS[F]
-    return cycles.near(at(F=F), float(printed.x), float(printed.v))
+    """Return the orbit near the state that the paper prints."""
+    table = "fig:hist-gallery-low" if F in LOW else "fig:hist-gallery-high"
+    x, v = (float(tables.stated(f"F = {F}: {name}", table)) for name in ("x_*", "v_*"))
+    return cycles.near(at(F=F), x, v)
+
+
+@cache
+def _orbit(F: str) -> Trajectory:
+    own = _near(F)
+    return _window(F, (own.x, own.v), 4)
 
 
 def _window(F: str, state: State, periods: int) -> Trajectory:
     return trajectory(at(F=F), orbit=state, exactly=True, periods=periods)
-
-
-def _periodic(F: str) -> Seen:
-    """Compare one of the periodic orbits."""
-    printed, own = ORBITS[F], _near(F)
-    state = own.x, own.v
-    orbit = _window(F, state, 4)
-    words = Counter(str(word) for word in orbit.words)
-    found = [
-        *taken_from("eq:hist-orbits-FPs" if printed.hits else "", [
-            number(f"F = {F}: x_*", printed.x, own.x),
-            number(f"F = {F}: v_*", printed.v, own.v),
-            number(f"F = {F}: trace", printed.trace, own.trace),
-            number(f"F = {F}: determinant", printed.determinant, own.determinant),
-        ]),
-        roughly(claim(
-            f"F = {F}: type", "elliptic", own.kind(conserves=True),
-            own.kind(conserves=True) == "elliptic",
-            "det < 1: a sink, as the text says below; Omega_NS and KAM are not in question")),
-    ]  # fmt: skip
-    if printed.hits:
-        right, left = printed.hits
-        found += [
-            count(f"F = {F}: right hits in 4 T", right, words["hit r"]),
-            count(f"F = {F}: left hits in 4 T", left, words["hit l"]),
-        ]
-    turns = sum(n for word, n in words.items() if word.startswith("turn"))
-    title = f"$F = {float(F):g}$: {own.kind(conserves=True)}, tr $= {own.trace:.3f}$, "
-    title += f"det $= {own.determinant:.3f}$; in $4T$: {words['hit r']} r, {words['hit l']} l, "
-    return Seen(Row(orbit, title + f"{turns} turns"), found)
-
-
-def low(run: Run) -> Result:
-    """Compare the three orbits at moderate F."""
-    del run
-    seen = {F: _periodic(F) for F in ("1.5", "3", "4.5")}
-    hits = {F: _hits(each.row.orbit) for F, each in seen.items()}
-    cycles_ = {F: _near(F) for F in seen}
-    rates = [each.determinant**0.5 for each in cycles_.values()]
-    symmetric = [F for F, own in cycles_.items() if _is_symmetric(F, own)]
-    ratios = ", ".join(f"{a // gcd(a, b)}:{b // gcd(a, b)}" for a, b in hits.values())
-    table = [row for each in seen.values() for row in each.rows]
-    table += [
-        count("wall hits in 4 T at F = 1.5", 12, sum(hits["1.5"])),
-        count("wall hits in 4 T at F = 3", 16, sum(hits["3"])),
-        count("wall hits in 4 T at F = 4.5", 20, sum(hits["4.5"])),
-        count("wall hits per period at F = 1.5", 12, sum(hits["1.5"]) // 4,
-              "12 in four periods: the text says per period"),
-        count("wall hits per period at F = 4.5", 20, sum(hits["4.5"]) // 4,
-              "20 in four periods: the text says per period"),
-        claim("hits at F = 1.5, 3, 4.5: right to left", "2:1, 1:1, 2:3",
-              ratios, ratios == "2:1, 1:1, 2:3"),
-        number("contraction per period, sqrt det", "0.76", float(np.mean(rates)),
-               note=", ".join(f"{rate:.3f}" for rate in rates)),
-        number("determinants, about", "0.57", float(np.mean([r * r for r in rates]))),
-        claim("each orbit is one of a pair of mirror images", "at every F",
-              f"not at F = {', '.join(symmetric)}", not symmetric,
-              "the orbit at F = 3 is its own mirror image"),
-    ]  # fmt: skip
-    return _result(table, [each.row for each in seen.values()])
-
-
-def _result(table: list[Comparison], shown: list[Row]) -> Result:
-    return Result(tuple(table), Rows(tuple(shown), "Regimes over $F$", ("F",)))
 
 
 def _hits(orbit: Trajectory) -> tuple[int, int]:
@@ -137,70 +51,123 @@ def _hits(orbit: Trajectory) -> tuple[int, int]:
     return words.count("hit r"), words.count("hit l")
 
 
-def _is_symmetric(F: str, own: Cycle) -> bool:
-    state = own.x, own.v
+def _turns(orbit: Trajectory) -> int:
+    return sum(str(word).startswith("turn") for word in orbit.words)
+
+
+def periodic(_run: Run, F: str) -> Found:
+    """Find one of the periodic orbits."""
+    own, (right, left) = _near(F), _hits(_orbit(F))
+    kind = own.kind(conserves=True)
+    return {
+        **{name: getattr(own, name) for name in ("x", "v", "trace", "determinant")},
+        "kind": kind,
+        "elliptic": kind == "elliptic",
+        "right": right,
+        "left": left,
+        "hits": right + left,
+        "per_period": (right + left) // 4,
+    }
+
+
+def _row(F: str) -> Row:
+    own, orbit = _near(F), _orbit(F)
+    right, left = _hits(orbit)
+    title = (
+        f"$F = {float(F):g}$: {own.kind(conserves=True)}, tr $= {own.trace:.3f}$, "
+        f"det $= {own.determinant:.3f}$; in $4T$: {right} r, {left} l, {_turns(orbit)} turns"
+    )
+    return Row(orbit, title)
+
+
+def _rows(shown: list[Row]) -> Rows:
+    return Rows(tuple(shown), "Regimes over $F$", ("F",))
+
+
+def low(_run: Run) -> Rows:
+    """Follow the three orbits at moderate F."""
+    return _rows([_row(F) for F in LOW])
+
+
+def together(_run: Run) -> Found:
+    """Compare the three orbits at moderate F."""
+    hits = [_hits(_orbit(F)) for F in LOW]
+    ratios = ", ".join(f"{a // gcd(a, b)}:{b // gcd(a, b)}" for a, b in hits)
+    rates = [_near(F).determinant ** 0.5 for F in LOW]
+    symmetric = [F for F in LOW if _is_symmetric(F)]
+    return {
+        "ratios": ratios,
+        "same": ratios == "2:1, 1:1, 2:3",
+        "rate": float(np.mean(rates)),
+        "rates": ", ".join(f"{rate:.3f}" for rate in rates),
+        "determinant": float(np.mean([rate * rate for rate in rates])),
+        "symmetric": ", ".join(symmetric),
+        "pairs": not symmetric,
+    }
+
+
+def _is_symmetric(F: str) -> bool:
+    state = _near(F).x, _near(F).v
     return bool(np.abs(np.subtract(mirrored(at(F=F), state), state)).max() < 1e-6)
 
 
-def high(run: Run) -> Result:
-    """Compare the orbit at F = 6, and generic orbits at F = 12 and 50."""
-    six = _periodic("6")
-    speed = float(np.abs(six.row.orbit.v).max())
-    table = [
-        *six.rows,
-        claim("F = 6: largest |v|", f"<~ {SPEED_AT_6}", f"{speed:.4f}", speed <= SPEED_AT_6,
-              "the hits are faster than that"),
-    ]  # fmt: skip
-    shown = [six.row]
-    for F, (transient, window, most) in GENERIC.items():
-        row, own = _generic(F, (transient, window), most, run)
-        shown.append(row)
-        table += own
-    return _result(table, shown)
+def fastest(_run: Run) -> Found:
+    """Find the largest speed at F = 6."""
+    speed = float(np.abs(_orbit(HIGH).v).max())
+    return {"speed": speed, "slow": speed <= SPEED}
 
 
-def _generic(F: str, spans: tuple[int, int], most: int, run: Run) -> tuple[Row, list[Comparison]]:
-    """Compare generic orbits after a transient: the paper does not say where its orbit starts."""
-    p, (transient, window) = at(F=F), spans
+# generic orbits: the paper does not say where its orbits start
+
+
+@cache
+def _generic(run: Run, F: str) -> list[Trajectory]:
+    """Follow orbits from a grid after a transient."""
+    transient, window, _ = GENERIC[F]
     side = run.size(SEEDS, 3)
     x, v = np.meshgrid(np.linspace(-0.9, 0.9, side), np.linspace(-2, 2, side))
     seeds = np.stack([x.ravel(), v.ravel()], axis=-1)
-    late = swarm.follow(p, seeds, transient).states
-    orbits = [_window(F, (float(a), float(b)), window) for a, b in late if np.isfinite(a)]
-    speeds = np.array([np.abs(orbit.v).max() for orbit in orbits])
-    stuck = sum("stick" in orbit.counts() or "capture" in orbit.counts() for orbit in orbits)
-    found = () if run.quick else search(p).isolated
-    sinks = [cycle for cycle in found if "sink" in cycle.kind(conserves=True)]
-    settled = None if run.quick else strongest(p)
+    late = swarm.follow(at(F=F), seeds, transient).states
+    return [_window(F, (float(a), float(b)), window) for a, b in late if np.isfinite(a)]
+
+
+def high(run: Run) -> Rows:
+    """Follow the orbit at F = 6, and generic orbits."""
+    return _rows([_row(HIGH), *(_generic_row(run, F) for F in GENERIC)])
+
+
+def _generic_row(run: Run, F: str) -> Row:
+    transient, window, _ = GENERIC[F]
+    orbits = _generic(run, F)
     shown = orbits[len(orbits) // 2]
-    table = [
-        unstated(claim(f"F = {F}: largest |v| in {window} T", f"<~ {most}",
-              f"{speeds.min():.2f} to {speeds.max():.2f} ({len(speeds)} starts); "
-              f"{percent(float((speeds <= most).sum()), len(speeds))} stay so slow", False),
-              "where the paper's one orbit starts is not said"),
-        unstated(claim(f"F = {F}: sticking in the window", "none",
-              f"in {stuck} of {len(orbits)} orbits", False),
-              "where the paper's one orbit starts is not said"),
-    ]  # fmt: skip
-    if F == "50":
-        bounce = float(p.F / p.omega)
-        table.append(
-            claim("F = 50: near-wall chattering at", f"|v| = F/omega = {bounce:.0f}",
-                  f"|v| <= {speeds.max():.2f}", bool(speeds.max() > bounce / 2),
-                  "the gap is too short to reach that: the same caption has |v| <~ 7"),
-        )  # fmt: skip
-    if settled is not None:
-        words = f"{len(sinks)} sinks of period T found; most seeds end on: {settled.kind}"
-        table.append(
-            roughly(claim(
-                f"F = {F}: stable T-periodic orbit", "none found", words, not sinks,
-                "more seeds find them; the generic orbits are transients to one of them"))
-        )  # fmt: skip
-    counts = Counter(str(word).split()[0] for word in shown.words)
     a, b = _hits(shown)
-    title = f"$F = {F}$: after ${transient}T$; in ${window}T$: {a} r, {b} l, {counts['turn']} turns"
-    return Row(shown, title), table
+    words = f"in ${window}T$: {a} r, {b} l, {_turns(shown)} turns"
+    return Row(shown, f"$F = {F}$: after ${transient}T$; {words}")
 
 
-LOW = Figure("regimes at F = 1.5, 3, 4.5", low, "rows:rows", (7.8, 7.4))
-HIGH = Figure("regimes at F = 6, 12, 50", high, "rows:rows", (7.8, 7.4))
+def generic(run: Run, F: str) -> Found:
+    """Find the speeds of generic orbits, and whether they stick."""
+    orbits, most = _generic(run, F), GENERIC[F][2]
+    speeds = np.array([np.abs(orbit.v).max() for orbit in orbits])
+    bounce = float(at(F=F).F / at(F=F).omega)
+    return {
+        "least": speeds.min(),
+        "most": speeds.max(),
+        "orbits": len(orbits),
+        "slow": percent(float((speeds <= most).sum()), len(speeds)),
+        "stuck": sum("stick" in each.counts() or "capture" in each.counts() for each in orbits),
+        "bounces": speeds.max() > bounce / 2,
+    }
+
+
+def sinks(run: Run, F: str) -> Found:
+    """Look for stable orbits, and for where most seeds end."""
+    p = at(F=F)
+    found = () if run.quick else search(p).isolated
+    stable = [cycle for cycle in found if "sink" in cycle.kind(conserves=True)]
+    settled = None if run.quick else strongest(p)
+    return {
+        "sinks": len(stable),
+        "settled": settled.kind if settled else "nothing",
+        "none": not stable,
+    }

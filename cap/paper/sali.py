@@ -1,26 +1,30 @@
 """fig:sali: the smaller alignment index around the elliptic orbit."""
 
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.audit.comparison import Comparison, among, claim, count, number, percent
 from cap.floats.diagnostics import alignment
 from cap.floats.diagnostics.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
-from cap.floats.diagnostics.grid import around, grid
+from cap.floats.diagnostics.grid import Box, around, grid
 from cap.floats.engine import swarm
-from cap.floats.findings import Floats, State
+from cap.floats.engine.swarm import Swarm
+from cap.floats.findings import Floats
 from cap.floats.search import periodic
-from cap.paper.figure import Figure, Result, Run, differences, elliptic
+from cap.paper.figure import Found, Run, differences, elliptic, percent
 from cap.parameters import PAPER
 
 REACH = 0.07, 0.05
 SIDE, PERIODS = 22, 15
+CELLS = SIDE**2
+PAPERS = {"chaotic": 62, "regular": 165}  # cells
 ALIGNED = 1e-8  # SALI of chaotic orbits after many periods
 SADDLE = 0.3435, 0.7753  # a state nearby
 SEEDS = 20  # of the random deviations
+LEAST = 1e-17  # SALI that is told from 0
 
 
 class Counts(NamedTuple):
@@ -28,7 +32,6 @@ class Counts(NamedTuple):
 
     regular: int
     chaotic: int
-    turned: int
     low: float
     high: float
 
@@ -41,163 +44,155 @@ class Maps:
     better: Alignment
 
 
+class Derivatives(NamedTuple):
+    """Φ' along orbits (N, K, 2, 2) by differences and exactly, and which orbits turn."""
+
+    rough: Floats
+    exact: Floats
+    turned: NDArray[np.bool_]
+
+
+def box() -> Box:
+    """Return the box of the paper's map."""
+    return around(PAPER, elliptic(), REACH)
+
+
+@cache
+def coarse(periods: int) -> Alignment:
+    """Compute the paper's map, for some periods."""
+    return alignment.sali(PAPER, orbit=elliptic(), box=box(), points=SIDE, periods=periods)
+
+
+@cache
+def _better(run: Run) -> Alignment:
+    """Compute one with more states and periods."""
+    side, periods = run.size(300, 40), run.size(200, 30)
+    return alignment.sali(
+        PAPER, orbit=elliptic(), box=box(), points=side, periods=periods, runner=run.runner
+    )
+
+
+def data(run: Run) -> Maps:
+    """Compute both maps."""
+    return Maps(coarse(PERIODS), _better(run))
+
+
 def frames(angle: Floats) -> Floats:
     """Return orthonormal deviations (N, 2, 2), one in each row."""
     cos, sin = np.cos(angle), np.sin(angle)
     return np.stack([np.stack([cos, sin], -1), np.stack([-sin, cos], -1)], axis=1)
 
 
-def _monodromies(states: Floats, periods: int) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-    """Return Φ' along orbits (N, K, 2, 2) by differences and exactly, and which orbits turn."""
-    found = swarm.follow(PAPER, states, periods, every=True, derivative=True)
+def _derivatives(found: Swarm) -> Floats:
     if found.monodromy is None:  # it was asked for
         raise TypeError
-    rough = np.stack([differences(found.states[:, k]) for k in range(periods)], axis=1)
-    return rough, found.monodromy, found.turned | found.stuck | found.captured
+    return found.monodromy
 
 
-def _index(monodromy: Floats, seed: int) -> Floats:
-    angle = np.random.default_rng(seed).uniform(0, 2 * np.pi, len(monodromy))
-    units, _ = swarm.stretch(monodromy, frames(angle))
-    return np.asarray(alignment.smaller(units[:, :, 0], units[:, :, 1])[:, -1])
-
-
-def _counts(index: Floats, turned: NDArray[np.bool_]) -> Counts:
-    with np.errstate(divide="ignore"):
-        log = np.log10(np.maximum(index[~turned], 1e-17))
-    regular = int((log > THRESHOLD).sum())
-    return Counts(
-        regular, len(log) - regular, int(turned.sum()), float(log.min()), float(log.max())
-    )
-
-
-def compute(run: Run) -> Result:
-    """Reproduce the paper's map from its description, and compute a better one."""
-    centre = elliptic()
-    box = around(PAPER, centre, REACH)
-    cells = grid(PAPER, box, SIDE)
+@cache
+def _on_the_grid() -> Derivatives:
+    """Follow the paper's states."""
+    cells = grid(PAPER, box(), SIDE)
     states = cells.states(slice(0, cells.count))
-    rough, exact, turned = _monodromies(states, PERIODS)
-    paper = [_counts(_index(rough, seed), turned) for seed in range(SEEDS)]
-    side = run.size(300, 40)
-    better = alignment.sali(
-        PAPER, orbit=centre, box=box, points=side, periods=run.size(200, 30), runner=run.runner
-    )
-    coarse = alignment.sali(PAPER, orbit=centre, box=box, points=SIDE, periods=PERIODS)
-    twice = alignment.sali(PAPER, orbit=centre, box=box, points=SIDE, periods=2 * PERIODS)
-    good = ~turned
-    error = np.abs(rough[good] - exact[good]).max(axis=(1, 2, 3))
-    rows = [
-        among("regular cells of 484", "165", [c.regular for c in paper],
-              "", note="the deviations are random: the number is one of many"),
-        among("chaotic cells", "62", [c.chaotic for c in paper], "", note="as above"),
-        count("cells in Omega_dissip", 257, paper[0].turned,
-              "the grid is 22 x 22 with its edges on the box; cells near the border are chaotic"),
-        among("least log10 SALI", "-13.4", [c.low for c in paper],
-              "random deviations; on cells that aligned only rounding errors are left"),
-        among("largest log10 SALI", "0.14", [c.high for c in paper],
-              "random deviations", note="at most log10 sqrt 2 = 0.1505"),
-        *_ranges(coarse),
-        _doubled(coarse, twice),
-        claim("differences with h = 1e-6 agree with the saltation product",
-              "to machine precision",
-              f"to {np.median(error):.1e} (median), {error.max():.1e} (most)",
-              bool(error.max() < 1e-14),
-              "a central difference loses half the digits: rounding/h = 1e-10, times Φ'"),
-        number("revolutions of a regular orbit in 15 periods", "4.3",
-               PERIODS * _rotation(centre)),
-        _stretched(exact, coarse),
-        _power(centre, run.size(10_000, 1000)),
-        _later(better),
-    ]  # fmt: skip
-    return Result(tuple(rows), Maps(coarse, better))
+    found = swarm.follow(PAPER, states, PERIODS, every=True, derivative=True)
+    rough = np.stack([differences(found.states[:, k]) for k in range(PERIODS)], axis=1)
+    return Derivatives(rough, _derivatives(found), found.turned | found.stuck | found.captured)
 
 
-def _rotation(centre: State) -> float:
-    found = swarm.follow(PAPER, [centre], 1, derivative=True).monodromy
-    if found is None:  # it was asked for
-        raise TypeError
-    return float(np.arccos(np.trace(found[0]) / 2) / (2 * np.pi))
+def _counts(seed: int) -> Counts:
+    """Repeat the paper's procedure with other random deviations."""
+    rough, _, turned = _on_the_grid()
+    angle = np.random.default_rng(seed).uniform(0, 2 * np.pi, len(rough))
+    units, _ = swarm.stretch(rough, frames(angle))
+    index = alignment.smaller(units[:, :, 0], units[:, :, 1])[:, -1]
+    log = np.log10(np.maximum(index[~turned], LEAST))
+    regular = int((log > THRESHOLD).sum())
+    return Counts(regular, len(log) - regular, float(log.min()), float(log.max()))
 
 
-def _exponent() -> float:
-    """Return the logarithm of the multiplier of the saddle whose manifolds bound the island."""
-    return float(np.arccosh(periodic.near(PAPER, *SADDLE).trace / 2))
+def as_the_paper(_run: Run) -> Found:
+    """Count regular and chaotic cells, and find the ends of SALI, in several runs."""
+    runs = [_counts(seed) for seed in range(SEEDS)]
+    return {name: [getattr(run, name) for run in runs] for name in Counts._fields}
 
 
-def _ranges(findings: Alignment) -> list[Comparison]:
-    """Compare where the values are said to lie."""
-    kinds = findings.kinds
+def turned(_run: Run) -> Found:
+    """Count the cells that turn or stick."""
+    return {"cells": int(_on_the_grid().turned.sum())}
+
+
+def ranges(_run: Run) -> Found:
+    """Count the values that lie where they are said to lie."""
+    found = coarse(PERIODS)
     with np.errstate(divide="ignore"):
-        log = np.log10(np.maximum(findings.index, 1e-17))
-    regular, chaotic = log[kinds == REGULAR], log[kinds == CHAOTIC]
-    top, low = int((regular >= -2).sum()), int((chaotic <= -4).sum())
-    why = "the two ranges do not separate: values go on without a gap across the threshold -2.5"
-    return [
-        claim("log10 SALI of regular orbits", "in [-2, 0]",
-              f"{top} of {len(regular)} are", top == len(regular), why),
-        claim("log10 SALI of chaotic orbits", "in [-13, -4]",
-              f"{low} of {len(chaotic)} are at most -4", low == len(chaotic), why),
-    ]  # fmt: skip
+        log = np.log10(np.maximum(found.index, LEAST))
+    regular, chaotic = log[found.kinds == REGULAR], log[found.kinds == CHAOTIC]
+    top, bottom = int((regular >= -2).sum()), int((chaotic <= -4).sum())
+    return {
+        "top": top,
+        "regular": len(regular),
+        "regular_within": top == len(regular),
+        "bottom": bottom,
+        "chaotic": len(chaotic),
+        "chaotic_within": bottom == len(chaotic),
+    }
 
 
-def _doubled(once: Alignment, twice: Alignment) -> Comparison:
+def doubled(_run: Run) -> Found:
     """Compare the kinds after N and 2N periods."""
-    changed = once.kinds != twice.kinds
-    gone = int(((once.kinds != TURNED) & (twice.kinds == TURNED)).sum())
-    return claim(
-        "kinds with N = 30 instead of 15", "the same in every case (spot checks)",
-        f"{int(changed.sum())} of {changed.size} change, {gone} of them turn or stick",
-        not changed.any(),
-        "spot checks miss the orbits that leave between 15 and 30 periods",
-    )  # fmt: skip
+    once, twice = coarse(PERIODS).kinds, coarse(2 * PERIODS).kinds
+    changed = int((once != twice).sum())
+    gone = int(((once != TURNED) & (twice == TURNED)).sum())
+    return {"changed": changed, "cells": once.size, "gone": gone, "same": changed == 0}
 
 
-def _stretched(exact: Floats, findings: Alignment) -> Comparison:
-    """Compare the logarithm of the growth along chaotic orbits."""
-    chaotic = findings.kinds.ravel() == CHAOTIC
-    _, growth = swarm.stretch(exact[chaotic], [[0.6, 0.8]])
-    total = growth[..., 0].sum(axis=1)
-    return number(
-        "log of the growth along chaotic orbits in 15 periods (median)", "5",
-        float(np.median(total)) if len(total) else np.nan,
-        f"the exponent of the saddle nearby would give {PERIODS * _exponent():.1f}",
-    )  # fmt: skip
+def differences_taken(_run: Run) -> Found:
+    """Measure the error of the paper's differences."""
+    rough, exact, turned = _on_the_grid()
+    error = np.abs(rough[~turned] - exact[~turned]).max(axis=(1, 2, 3))
+    return {"median": np.median(error), "most": error.max(), "precise": error.max() < 1e-14}
 
 
-def _power(centre: State, periods: int) -> Comparison:
+def revolutions(_run: Run) -> Found:
+    """Return how often a regular orbit goes around P_*."""
+    matrix = _derivatives(swarm.follow(PAPER, [elliptic()], 1, derivative=True))[0]
+    return {"number": float(PERIODS * np.arccos(np.trace(matrix) / 2) / (2 * np.pi))}
+
+
+def stretched(_run: Run) -> Found:
+    """Return the logarithm of the growth along chaotic orbits."""
+    chaotic = coarse(PERIODS).kinds.ravel() == CHAOTIC
+    _, logs = swarm.stretch(_on_the_grid().exact[chaotic], [[0.6, 0.8]])
+    total = logs[..., 0].sum(axis=1)
+    exponent = np.arccosh(periodic.near(PAPER, *SADDLE).trace / 2)
+    growth = float(np.median(total)) if len(total) else np.nan
+    return {"growth": growth, "saddle": PERIODS * exponent}
+
+
+def power(run: Run) -> Found:
     """Fit how SALI falls along regular orbits."""
+    periods, (x, v) = run.size(10_000, 1000), elliptic()
     distance = np.linspace(0.02, 0.04, 24)
-    starts = np.stack([centre[0] + distance, np.full_like(distance, centre[1])], axis=-1)
+    starts = np.stack([x + distance, np.full_like(distance, v)], axis=-1)
     found = swarm.follow(PAPER, starts, periods, every=True, derivative=True)
-    if found.monodromy is None:  # it was asked for
-        raise TypeError
-    units, _ = swarm.stretch(found.monodromy, frames(np.zeros(len(starts))))
+    units, _ = swarm.stretch(_derivatives(found), frames(np.zeros(len(starts))))
     curves = alignment.smaller(units[:, :, 0], units[:, :, 1])
     regular = ~(found.turned | found.stuck | found.captured) & (curves[:, -1] > 1e-11)
     late = slice(periods // 10, None)
     n = np.log(np.arange(1, periods + 1)[late])
     slopes = [np.polyfit(n, np.log(curve[late]), 1)[0] for curve in curves[regular]]
     slope = float(np.median(slopes)) if slopes else np.nan
-    return claim(
-        "SALI of regular orbits as N grows", "a power law, bounded away from 0",
-        f"N^{slope:.2f} (median of {len(slopes)} orbits, N up to {periods})", slope > -0.05,
-        "in a map of the plane both deviations turn into the direction of the curve, at a "
-        "distance 1/N each: SALI falls like N^-2, and the threshold -2.5 holds for N = 15 only",
-    )  # fmt: skip
+    return {"slope": slope, "orbits": len(slopes), "periods": periods, "bounded": slope > -0.05}
 
 
-def _later(fine: Alignment) -> Comparison:
+def later(run: Run) -> Found:
     """Say what is left later, on a finer grid."""
-    total, known = fine.index.size, fine.index[np.isfinite(fine.index)]
+    index = _better(run).index
+    known = index[np.isfinite(index)]
     chaotic, regular = int((known <= ALIGNED).sum()), int((known > ALIGNED).sum())
-    return claim(
-        f"{len(fine.x)} x {len(fine.v)} states, {fine.periods} periods: chaotic, in Omega_NS",
-        f"{percent(62, 484)} (62 of 484, N = 15)", f"{percent(chaotic, total)} (SALI <= 1e-8)",
-        abs(chaotic / total - 62 / 484) < 0.005,
-        "most orbits that are chaotic after 15 periods turn and stick later: transients, in "
-        f"Omega_dissip; regular are {percent(regular, total)} here, {percent(165, 484)} there",
-    )  # fmt: skip
-
-
-FIGURE = Figure("SALI map around the elliptic orbit", compute, "states:alignment", (8.6, 4.4))
+    return {
+        "chaotic": percent(chaotic, index.size),
+        "same": abs(chaotic / index.size - PAPERS["chaotic"] / CELLS) < 0.005,
+        "regular": percent(regular, index.size),
+        "stated": percent(PAPERS["regular"], CELLS),
+    }

@@ -13,9 +13,10 @@ from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from math import floor, log2, log10
+from typing import Any
 
 import flint
-from flint import acb, acb_poly, arb, arb_mat, ctx, fmpq
+from flint import acb, acb_mat, acb_poly, arb, arb_mat, ctx, fmpq, fmpq_mat
 
 from cap.errors import NotProved
 
@@ -25,6 +26,7 @@ ComplexBall = acb
 ComplexPolynomial = acb_poly  # multiplies fast, and keeps small coefficients sharp
 Box = tuple[arb, arb]
 Matrix = arb_mat  # its products are closer, and for n > 2 faster, than sums of balls
+ComplexMatrix = acb_mat
 Exact = fmpq  # a rational: balls are made of it five times as fast as of a `Fraction`
 workprec = ctx.workprec
 
@@ -92,6 +94,17 @@ def rational(x: arb) -> Fraction:
         raise NotProved("evaluation", "a number is too large or too small to write", {"value": x})
     q = x.fmpq()
     return Fraction(int(q.p), int(q.q))
+
+
+def nearest(x: arb, places: int) -> Fraction:
+    """Return a multiple of 10^-places nearest to a ball of radius zero; see `rational`."""
+    if places < 0:
+        return round(rational(x), places)
+    m, e = map(int, x.man_exp())
+    if abs(e) > LARGEST:
+        raise NotProved("evaluation", "a number is too large or too small to write", {"value": x})
+    scaled, bits = m * 10**places << max(e, 0), max(-e, 0)
+    return Fraction((2 * scaled + (1 << bits)) >> bits + 1, 10**places)
 
 
 def integers(first: arb, last: arb) -> range:
@@ -162,6 +175,21 @@ def column(entries: Sequence[arb]) -> Matrix:
 def identity(size: int) -> Matrix:
     """Return the matrix 1."""
     return arb_mat(size, size, [int(i == j) for i in range(size) for j in range(size)])
+
+
+def complex_matrix(real: Matrix) -> ComplexMatrix:
+    """Return the matrix of complex balls with these real ones."""
+    return acb_mat(real)
+
+
+def eigenvalues(rows: Sequence[Sequence[Fraction]]) -> list[ComplexBall]:
+    """Return enclosures of the eigenvalues of a square matrix that are not 0, each once.
+
+    They are isolated from each other, and real ones are real.
+    """
+    entries = [exact(q) for row in rows for q in row]
+    roots: Any = fmpq_mat(len(rows), len(rows), entries).charpoly().numer().complex_roots()
+    return [acb(z) for z, _ in roots if z != 0]
 
 
 def lower(x: arb) -> arb:

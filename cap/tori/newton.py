@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from cap.sets.fourier import FourierModel
 from cap.sets.interval import ComplexBall
+from cap.tori import flights
 from cap.tori.half_period import HalfPeriods, Hit
 from cap.tori.invariant_curve import Curve, Map, Rotation, Vector, det, error_of
 
@@ -56,7 +57,7 @@ def followed(mapped: HalfPeriods, curve: Curve, steps: int = 1) -> HalfPeriods:
         better = hit
         for _ in range(steps):
             t, _, cos, inverse = better
-            value = x + v * t + 1 - cos - mapped.alpha / 2 * (t * t) - mapped.a
+            value = flights.beyond(mapped.alpha, mapped.a, (x, v), t, cos)
             better = Hit.near(shortened(t - inverse * value, Fraction(1)), inverse)
         hits.append(better)
         x, v = (shortened(u, Fraction(1)) for u in mapped.passage(better, x, v)[:2])

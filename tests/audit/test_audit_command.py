@@ -137,7 +137,7 @@ def test_the_paper(run, tmp_path, monkeypatch, elsewhere):
     elsewhere("labels.json").write_text(usual)
     status, _, err = run("--paper", str(path), "--record")
     assert (status, err.startswith("error: not once in ")) == (2, True)
-    monkeypatch.setattr("cap.audit.quotes.stored", dict)
+    monkeypatch.setattr("cap.audit.ledger.quotes", dict)
     monkeypatch.setattr("cap.audit.errata.changes", tuple)
     assert run("--paper", str(path), "--record")[0] == 0
     labels.stored.cache_clear()

@@ -1,17 +1,19 @@
 """Deciding: nothing that goes wrong is a verdict, and processes decide the same."""
 
-import os
+import json
 from dataclasses import replace
 
+import audit_verdicts
 import pytest
 from audit_verdicts import said
 
-from cap.audit import given, ledger, recorded, subject
+from cap.audit import decide, given, ledger, recorded, subject
 from cap.audit.decide import all_decided, decided
-from cap.audit.means import accepted
+from cap.audit.means import stored as certificates
 from cap.audit.means.need import need
-from cap.audit.means.stored import FOLDER, stored
+from cap.audit.means.stored import stored
 from cap.audit.verdict import Outcome, Strength
+from cap.checker import verdict
 from cap.errors import BadInput, NotProved
 
 pytest_plugins = ["audit_fixtures"]
@@ -75,27 +77,50 @@ def test_a_certificate_that_is_named_must_be_checked(example):
     assert "impulse-1.json is named, and was not checked" in verdict.evidence
 
 
-def test_long_certificates_are_those_that_were_accepted(tmp_path, monkeypatch):
-    """Another file is checked; so is one that does not take long."""
-    name, data = accepted.LONG[0], b"{}"
-    monkeypatch.setattr(accepted, "STORED", tmp_path / "accepted.json")
-    accepted._stored.cache_clear()
-    try:
-        accepted.note("impulse-1.json", data)
-        accepted.note(name, data)
-        accepted.record()
-        assert accepted.known(name, data)
-        assert not accepted.known(name, data + b" ")
-        assert not accepted.known("impulse-1.json", data)
-    finally:
-        accepted._stored.cache_clear()
-        accepted._NEW.clear()
+@pytest.fixture
+def accepted(tmp_path, monkeypatch):
+    """Give a file of accepted certificates, one of which is another now."""
+    path = tmp_path / "accepted.json"
+    path.write_text(json.dumps({"impulse-1.json": "another", "none.json": ""}))
+    monkeypatch.setattr(certificates, "ACCEPTED", path)
+    certificates.accepted.cache_clear()
+    yield path
+    certificates.accepted.cache_clear()
+
+
+@pytest.fixture
+def checks(monkeypatch):
+    """Return a list that grows when the checker is asked."""
+    calls = []
+
+    def check(data, tell):
+        calls.append(1)
+        return usual(data, tell)
+
+    usual = verdict.check
+    monkeypatch.setattr(verdict, "check", check)
+    certificates._accepted.cache_clear()
+    yield calls
+    certificates._accepted.cache_clear()
+
+
+def test_long_certificates_are_those_that_were_accepted(accepted, checks):
+    """Another file is checked, and accepted when verdicts are recorded; then it is not checked."""
+    certificates.accept()
+    assert len(checks) == 1
+    digest = certificates.digest("impulse-1.json")
+    assert certificates.accepted() == {"impulse-1.json": digest, "none.json": ""}
+    certificates._accepted.cache_clear()
+    certificates.stored("impulse-1.json")
+    assert len(checks) == 1
+    certificates.stored("capture.json")
+    assert len(checks) == 2
 
 
 def test_the_stored_long_certificates_are_accepted():
-    """Else claims that ask for them take minutes; see `accepted`."""
-    for name in accepted.LONG:
-        assert accepted.known(name, (FOLDER / name).read_bytes()), "run cap.audit --record"
+    """Else claims that ask for them take minutes; see `cap.audit.means.stored`."""
+    for name, digest in certificates.accepted().items():
+        assert digest == certificates.digest(name), "run cap.audit --record"
 
 
 def test_processes_decide_the_same(own_cache):
@@ -107,27 +132,6 @@ def test_processes_decide_the_same(own_cache):
     assert alone == together
     assert list(together) == list(FEW)
     assert len(heard) == 2 * len(FEW)
-
-
-@pytest.mark.parametrize("jobs", [1, 2])
-def test_certificates_accepted_by_processes_are_recorded(tmp_path, monkeypatch, jobs):
-    """What a process notes while it decides reaches the one that records."""
-    claim = ledger.claims()[FEW[0]]
-
-    def decide():
-        accepted.note(accepted.LONG[0], b"{}")
-        return said("confirmed", "yes", "")
-
-    monkeypatch.setitem(ledger.claims(), claim.id, with_function(claim, decide))
-    monkeypatch.setattr(accepted, "STORED", tmp_path / "accepted.json")
-    accepted._stored.cache_clear()
-    try:
-        all_decided([ledger.claims()[claim.id]], print, jobs=jobs, fresh=True)
-        accepted.record()
-        assert accepted.known(accepted.LONG[0], b"{}")
-    finally:
-        accepted._stored.cache_clear()
-        accepted._NEW.clear()
 
 
 def test_changes_are_noticed():
@@ -198,7 +202,6 @@ def test_recording(elsewhere):
 
 def test_a_process_that_is_killed(own_cache, monkeypatch):
     """One line, no traceback."""
-    claim = ledger.claims()[FEW[0]]
-    monkeypatch.setitem(ledger.claims(), claim.id, with_function(claim, lambda: os._exit(1)))
+    monkeypatch.setattr(decide, "_part", audit_verdicts.killed)
     with pytest.raises(BadInput, match="was killed"):
-        all_decided([ledger.claims()[claim.id]], print, jobs=2, fresh=True)
+        all_decided([ledger.claims()[FEW[0]]], print, jobs=2, fresh=True)

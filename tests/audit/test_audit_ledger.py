@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from cap.audit import coverage, errata, findings, labels, ledger, quotes, recorded
+from cap.audit import coverage, errata, findings, labels, ledger, recorded, revision
 from cap.audit.claim import Kind
 from cap.audit.statements import statements
 from cap.audit.verdict import Outcome
@@ -83,8 +83,8 @@ def test_findings_share_out_what_is_not_confirmed():
 
 def test_quotations_and_changes_name_claims():
     """Each claim has a quotation; both were found to fit the paper as they are stored now."""
-    assert quotes.stored().keys() == ledger.claims().keys() == labels.stored().lines.keys()
-    assert labels.stored().bound == quotes.bound()
+    assert ledger.quotes().keys() == ledger.claims().keys() == labels.stored().lines.keys()
+    assert labels.stored().bound == revision.bound()
     assert {name for each in errata.changes() for name in each.claims} <= ledger.claims().keys()
 
 
@@ -113,7 +113,7 @@ def test_findings_were_written_for_the_recorded_verdicts():
     """Their consequences belong to the verdicts that they have."""
     known = recorded.recorded()
     all_ = findings.findings()
-    assert [known[each.claim].outcome for each in all_] == [each.expected for each in all_]
+    assert [known[each.claims[0]].outcome for each in all_] == [each.verdict for each in all_]
 
 
 def test_claims_are_chosen():

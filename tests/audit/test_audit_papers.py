@@ -2,7 +2,7 @@
 
 import pytest
 
-from cap.audit import command, coverage, findings, given, ledger, quotes, recorded, subject
+from cap.audit import command, coverage, findings, given, ledger, recorded, subject
 from cap.audit.decide import decided
 from cap.audit.papers import FIRST
 from cap.audit.papers.church_fortin.claims import tables as deciding
@@ -37,14 +37,14 @@ def test_papers_are_chosen():
 def test_the_ledger_of_the_tables(tables):
     """Each claim has a row as its quotation, a place, a verdict; what is wrong is in a finding."""
     claims = ledger.claims()
-    assert quotes.stored().keys() == claims.keys() == recorded.recorded().keys()
+    assert ledger.quotes().keys() == claims.keys() == recorded.recorded().keys()
     assert coverage.coverage().wrong == ()
     shared = findings.members(recorded.recorded())
     wrong = {n for n, each in recorded.recorded().items() if each.outcome is not Outcome.CONFIRMED}
     assert wrong == {name for names in shared.values() for name in names}
     for name, each in claims.items():
         text = (deciding.DATA / f"{each.where}.csv").read_text("utf-8")
-        assert text.count(f"\n{quotes.stored()[name]}\n") == 1
+        assert text.count(f"\n{ledger.quotes()[name]}\n") == 1
 
 
 @pytest.mark.parametrize("name", FEW)
@@ -60,7 +60,7 @@ def test_recording_lists_no_figures(tables, elsewhere, capsys):
     stored = elsewhere("recorded.json")
     assert command.main(["--of", "church_fortin", "--only", FEW[1], "--record"]) == 0
     assert FEW[1] in stored.read_text("utf-8")
-    assert not subject.file("tables.json").exists()
+    assert not subject.file("tables").exists()
 
 
 def test_reports_of_the_tables(tables):

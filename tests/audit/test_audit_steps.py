@@ -100,6 +100,7 @@ def test_names_are_defined_in_order():
     [
         ("{x}, {b}", "one, 2 a"),
         ("{third:4}", "[0.3333, 0.3334]"),
+        ("{many:,1}", "1,234.7"),
         ("{1, 3}, {±a}", "{1, 3}, {±a}"),
         ("{elliptic.twist:5}", "[0.11347, 0.11348]"),
         ("{elliptic.twist:<3}, {elliptic.twist:>3}", "0.113, 0.114"),
@@ -107,7 +108,8 @@ def test_names_are_defined_in_order():
 )
 def test_words_are_filled(text, words):
     """Names, numbers rounded outwards, certificates; other braces stay."""
-    names = steps.made({"positive": "a", "steps": "b = 2*a\nthird = Rational(1, 3)"}).names
+    lines = "b = 2*a", "third = Rational(1, 3)", "many = Rational(12347, 10)"
+    names = steps.made({"positive": "a", "steps": "\n".join(lines)}).names
     assert filled(text, {**names, "x": "one"}) == words
 
 

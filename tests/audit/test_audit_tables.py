@@ -1,46 +1,108 @@
-"""The tables of figures as claims: rows that are listed, computed, and kept."""
+"""The tables of figures as claims: each row is decided singly."""
 
-import json
+import sys
+import types
 
 import pytest
 
 from cap.audit import coverage, ledger, subject, tables
-from cap.audit.comparison import claim, number, proved, roughly, taken_from, unstated
 from cap.audit.decide import all_decided, decided
-from cap.audit.papers.mixed_dynamics.means.printed import printed, stated
+from cap.audit.papers.mixed_dynamics.means.printed import printed
 from cap.audit.report.view import report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
 
 pytest_plugins = ["audit_fixtures"]
 LABEL = "fig:sali"
-ROWS = (
-    number("a value", "1.5", 1.52),
-    *taken_from("eq:sali-def", [number("another", "0.25", 0.75, "the sign")]),
-    proved("a proved one", "3.14", ["3.1415", "3.1416"]),
-    claim("words", "yes", "no (proved)", False, "because"),
-    roughly(claim("rough words", "none found", "two", False, "more seeds")),
-    unstated(number("a start that is not given", "1.0", 1.0), "it is not given"),
-)
+TABLE = """
+label = "fig:sali"
+module = "own_finders"
+
+[[row]]
+what = "a value"
+paper = "1.5"
+by = "numbers"
+value = "near"
+
+[[row]]
+what = "another"
+paper = "0.25"
+by = "numbers"
+value = "far"
+why = "the sign"
+where = "eq:sali-def"
+
+[[row]]
+what = "a proved one"
+paper = "3.14"
+by = "numbers"
+value = "pi"
+
+[[row]]
+what = "words"
+paper = "yes"
+by = "words"
+ours = "{said} (proved)"
+holds = "so"
+why = "for {said}"
+
+[[row]]
+what = "rough words"
+paper = "none found"
+by = "words"
+ours = "two"
+rough = true
+
+[[row]]
+what = "a start that is not given"
+paper = "1.0"
+by = "given"
+with = { x = "1.0" }
+value = "x"
+unstated = true
+why = "it is not given"
+"""
+
+
+class Finders(types.ModuleType):
+    """Functions that find what the rows ask for; they note that they are called."""
+
+    def __init__(self):
+        super().__init__("own_finders")
+        self.calls = []
+
+    def numbers(self):
+        """Return numbers."""
+        return {"near": 1.52, "far": 0.75, "pi": ["3.1415", "3.1416"]}
+
+    def words(self):
+        """Return words."""
+        return {"said": "no", "so": False}
+
+    def given(self, x):
+        """Return what is given."""
+        return {"x": float(x)}
+
+    def finds(self, module, function, options):
+        """Call a function."""
+        self.calls.append(function)
+        assert module == self.__name__
+        return getattr(self, function)(**options)
 
 
 @pytest.fixture
 def table(own_cache, elsewhere, monkeypatch):
-    """Make a figure of some rows the only one; return how often it is computed."""
-    calls = []
-
-    def computed(label):
-        calls.append(label)
-        return ROWS
-
-    elsewhere("tables.json")
-    monkeypatch.setattr(tables, "labels", lambda: (LABEL,))
-    monkeypatch.setattr(tables, "computed", computed)
-    monkeypatch.setattr(tables, "_FOUND", {})
-    tables.record(lambda _words: None, [LABEL], fresh=True)
-    calls.clear()
-    tables._FOUND.clear()
-    return calls
+    """Make a figure of some rows the only one; return what finds them."""
+    finders = Finders()
+    monkeypatch.setitem(sys.modules, "own_finders", finders)
+    path = elsewhere("tables/own.toml")
+    path.parent.mkdir()
+    path.write_text(TABLE, encoding="utf-8")
+    own = subject.paper() | {"tables": ["own"], "finds": "own_finders"}
+    monkeypatch.setattr(subject, "paper", lambda: own)
+    tables._found.cache_clear()
+    yield finders
+    tables._found.cache_clear()
 
 
 def verdicts(fresh=False):
@@ -59,82 +121,113 @@ def test_rows_become_claims(table):
         (Outcome.IMPRECISE, Strength.NUMERICAL),
         (Outcome.UNCHECKABLE, Strength.NONE),
     ]
-    assert [each.found for each in found.values()][3] == "no"
+    words = found["Words."]
+    assert (words.found, words.evidence) == ("no", "for no.")
     assert [each.where for each in tables.claims()] == [LABEL, "eq:sali-def", *[LABEL] * 4]
     assert tables.claims()[0].id == "fig-sali.a-value"
-    assert tables.claims()[0].module == "cap.paper.sali"
+    assert tables.claims()[0].module == "own_finders"
 
 
-def test_a_table_is_computed_once(table):
-    """In a process; later it is on disk; fresh ones are computed again."""
+def test_a_row_is_decided_singly(table):
+    """No function but its own is called for it, and that once in a process."""
+    rows = tables.claims()
+    decided(rows[3])
+    assert table.calls == ["words"]
+    decided(rows[4])
+    assert table.calls == ["words"]
     verdicts()
-    tables._FOUND.clear()
-    verdicts()
-    assert table == []  # it was kept when it was recorded
-    tables._FOUND.clear()
-    verdicts(fresh=True)
-    assert table == [LABEL]
+    assert table.calls == ["words", "numbers", "given"]
 
 
-def test_rows_that_are_not_listed_decide_nothing(table):
-    """A row more, or another number of the paper: it has to be looked at, and recorded."""
-    path = subject.file("tables.json")
-    listed = json.loads(path.read_text("utf-8"))
-    listed[LABEL][0][1] = "1.6"
-    path.write_text(json.dumps(listed))
+def test_rows_are_kept(table):
+    """Later they are on disk; fresh ones are computed again."""
+    known = verdicts()
+    tables._found.cache_clear()
+    table.calls.clear()
+    assert verdicts() == known
+    assert table.calls == []
+    assert verdicts(fresh=True) == known
+    assert sorted(table.calls) == ["given", "numbers", "words"]
+
+
+def test_another_row_is_decided_anew(table, elsewhere):
+    """What is kept is about the row as it was."""
+    assert verdicts()["A value."].outcome is Outcome.CONFIRMED
+    path = subject.file("tables/own.toml")
+    path.write_text(path.read_text("utf-8").replace('"1.5"', '"1.7"'), encoding="utf-8")
     subject.forget()
-    for each in verdicts().values():
-        assert each.outcome is Outcome.UNDECIDED
-        assert "other rows than tables.json" in each.evidence
+    assert verdicts()["A value."].outcome is Outcome.CORRECTED
 
 
-def test_a_table_that_cannot_be_computed(table, monkeypatch):
-    """Its rows are undecided, and say why; it is tried once."""
+def test_a_row_that_cannot_be_computed(table, monkeypatch):
+    """It is undecided, and says why; that is tried once, and other rows are decided."""
 
-    def fail(label):
-        table.append(label)
+    def fail():
         raise NotProved("paper", "no reason")
 
-    monkeypatch.setattr(tables, "computed", fail)
-    for each in verdicts(fresh=True).values():
-        assert each.outcome is Outcome.UNDECIDED
-        assert "no reason" in each.evidence
-    assert table == [LABEL]
+    monkeypatch.setattr(table, "numbers", fail)
+    found = verdicts(fresh=True)
+    failed = [each for each in found.values() if each.outcome is Outcome.UNDECIDED]
+    assert len(failed) == 3
+    assert all("no reason" in each.evidence for each in failed)
+    assert table.calls.count("numbers") == 1
 
 
-def test_numbers_of_the_paper_are_read_from_the_list(table):
+def test_a_row_of_which_nothing_is_found(table, monkeypatch):
+    """It is undecided."""
+    monkeypatch.setattr(table, "words", dict)
+    assert verdicts()["Words."].outcome is Outcome.UNDECIDED
+
+
+def test_numbers_of_the_paper_are_read_from_the_rows(table):
     """As they are printed; there must be such a row, and an interval where one is asked for."""
-    assert stated("a value", LABEL) == "1.5"
+    assert tables.stated("a value", LABEL) == "1.5"
     with pytest.raises(NotProved, match="no row"):
-        stated("a number", LABEL)
+        tables.stated("a number", LABEL)
     with pytest.raises(NotProved, match="no interval"):
         printed("a value", LABEL)
 
 
 def test_printed_intervals():
-    """Of the stored list: the trace's."""
+    """Of the stored rows: the trace's."""
     low, high = printed("enclosure of the trace")
     assert -1 < low < high < 0
 
 
 def test_rows_are_in_the_ledger():
-    """All that are listed, but those that a claim decides, which exist."""
-    rows = {(label, entry[0]) for label, each in tables.listed().items() for entry in each}
+    """All that there are, but those that a claim decides, which exist; names are of one row."""
+    rows = [(label, row["what"]) for label, each in tables.tables().items() for row in each["row"]]
+    assert len(set(rows)) == len(rows)
     elsewhere = subject.paper()["elsewhere"]
     decided_by = {
         (label, row): name for label, each in elsewhere.items() for row, name in each.items()
     }
-    assert decided_by.keys() <= rows
+    assert decided_by.keys() <= set(rows)
     assert set(decided_by.values()) <= ledger.claims().keys()
     assert len(tables.claims()) == len(rows) - len(decided_by)
     assert {each.id for each in tables.claims()} <= ledger.claims().keys()
     assert coverage.coverage().wrong == ()
 
 
+ENTRIES = {"what", "paper", "by", "with", "value", "ours", "holds", "why", "note", "where"}
+FLAGS = {"rough", "unstated", "cut"}
+
+
+@pytest.mark.parametrize("label", tables.tables())
+def test_rows_have_known_entries(label):
+    """A number, or words; flags are set or not there; and who finds them exists."""
+    for row in tables.tables()[label]["row"]:
+        assert row.keys() <= ENTRIES | FLAGS, row["what"]
+        assert {"what", "paper", "by"} <= row.keys()
+        assert ("value" in row) is not ("ours" in row), row["what"]
+        assert "ours" in row or "holds" not in row
+        assert all(row[flag] is True for flag in FLAGS & row.keys())
+
+
 def test_a_small_table_is_decided_as_recorded(own_cache):
     """Computed anew, in the way in which all are; its command is shown."""
     rows = [each for each in tables.claims() if each.table == "fig:model-schematic"]
-    tables._FOUND.clear()
+    tables._found.cache_clear()
     found = all_decided(rows, lambda _words: None, fresh=True)
     assert [each.outcome for each in found.values()] == [Outcome.CONFIRMED] * 3
     (entry, *_) = report(found).entries

@@ -85,10 +85,10 @@ def test_another_number_in_the_erratum(monkeypatch):
         with pytest.raises(NotProved, match="another formula"):
             steps.Steps().agrees({**formula, "tex": digits}, f"v = {digits}")
     row = ledger.claims()["fig-orbit.v"]
-    monkeypatch.setattr(tables, "rows", lambda *_, **__: ())
+    monkeypatch.setattr(tables, "_found", lambda *_: {})
     other = replace(change, new="v = 0.5419433067664584")
     monkeypatch.setattr(errata, "changes", lambda: (other,))
-    assert "not in the text of the erratum" in decided(row).evidence
+    assert "not in the text of the erratum" in decided(row, fresh=True).evidence
 
 
 FORMULAS = [(each, formula) for each in errata.changes() for formula in each.formula]

@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 
-from cap.audit import errata, quotes, recorded, revision
+from cap.audit import errata, ledger, recorded, revision
 from cap.audit.manuscript import Manuscript
 from cap.audit.revision import State
 from cap.errors import BadInput
@@ -33,13 +33,13 @@ def test_pieces_are_found_however_lines_are_broken():
 def test_title_and_author():
     """As they stand in the file."""
     text = Manuscript("\\title{On\n mixed dynamics}\n\\author{A. Author}")
-    assert (text.title, text.author) == ("On mixed dynamics", "A. Author")
-    assert Manuscript("").title == ""
+    assert (text.argument("title"), text.argument("author")) == ("On mixed dynamics", "A. Author")
+    assert Manuscript("").argument("title") == ""
 
 
 def test_each_sentence_stands_in_its_own_quotation():
     """Nothing is seen to change where nothing does."""
-    for name, piece in quotes.stored().items():
+    for name, piece in ledger.quotes().items():
         assert state(name, piece) is State.STANDS
 
 
@@ -80,7 +80,7 @@ def test_a_patch_is_one_for_git(tmp_path, monkeypatch):
 )
 def test_a_number_that_changes(new, expected):
     """It is corrected if it is the one found, in any number of digits; words are gone."""
-    text = quotes.stored()[TWIST].replace("-0.42", new)
+    text = ledger.quotes()[TWIST].replace("-0.42", new)
     assert state(TWIST, text) is expected
 
 
@@ -91,21 +91,21 @@ def test_the_erratum_is_recognised():
     assert state(name, " ".join(news)) is State.CORRECTED
     assert state(name, " ".join([news[0], *olds[1:]])) is State.CHANGED
     around = "fig-hist-cont.f-imp-pi-f-2"
-    assert state(around, quotes.stored()[around].replace(olds[-1], news[-1])) is State.CORRECTED
+    assert state(around, ledger.quotes()[around].replace(olds[-1], news[-1])) is State.CORRECTED
     assert state(around, news[-1]) is State.GONE
     beside = "linearization.value-of-the-bound"  # its quotation begins inside of a change
     assert state(beside, news[-1]) is State.CORRECTED
     assert state(beside, f"{news[-1]} {olds[-1]}") is State.GONE
     inside = "fig-hist-cont.orbits-at-each-f-but-2"  # and here a change is a part of it
     (change,) = errata.of("gallery.range-of-the-counts")
-    corrected = quotes.stored()[inside].replace(change.old, change.new)
+    corrected = ledger.quotes()[inside].replace(change.old, change.new)
     assert state(inside, corrected) is State.CORRECTED
     assert state(inside, corrected.replace("$3$", "$4$")) is State.CHANGED
 
 
 def test_what_is_told_of_a_version():
     """What changed, and how many wrong sentences are left, formulas and numbers apart."""
-    pieces = dict.fromkeys(quotes.stored().values())
+    pieces = dict.fromkeys(ledger.quotes().values())
     text = "\n\n".join(pieces).replace(
         "yields $\\tau_1 \\approx -0.42", "yields $\\tau_1 \\approx 0.1135"
     )

@@ -26,7 +26,7 @@ from cap.checker.verdict import check, words
 from cap.explore.commands import COMMANDS
 from cap.floats.candidates import Request
 from cap.floats.engine import swarm
-from cap.paper.registry import LABELS, figure
+from cap.paper.figure import figure, labels
 from cap.parameters import Parameters
 from cap.proofs.census import census
 from cap.proofs.fixed_point import Setting
@@ -230,7 +230,7 @@ def test_one_hit_of_each_wall_is_never_all_that_is_said():
     pages = [ROOT / "README.md", ROOT / "docs/tutorial.md", STORED / "FORMAT.md"]
     texts = [text for page in pages for text in page.read_text(encoding="utf-8").split("\n\n")]
     texts += [theorem.summary for theorem in THEOREMS.values()]
-    texts += [figure(label).title for label in LABELS]
+    texts += [figure(label).title for label in labels()]
     texts += [line for command in COMMANDS.values() for line in (command.summary, command.more)]
     named = [text for text in texts if re.search("one hit of each wall|hits? each wall once", text)]
     assert len(named) > 6

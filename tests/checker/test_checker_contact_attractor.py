@@ -67,7 +67,10 @@ def test_entropy():
     fits_the_schema(TOSS)
     line = words(check(encode(TOSS), lambda _: None))
     assert "v becomes 43/20 cos(omega t) + pi" in line
-    assert "the topological entropy of G on it lies in [0.5567" in line
+    assert "the topological entropy of G on it lies in [0.8785" in line
+    assert "one period 2 pi/omega lies in [0.8785" in line
+    assert "at the time 10.8137963675; G has at least 1, 3, 4, 10, 14, 30, " in line
+    assert "orbits of all least periods, as it has one of the least period 3" in line
 
 
 @pytest.mark.parametrize("k", [0, 10, 40])
@@ -80,7 +83,9 @@ def test_a_map_in_closed_form(k):
     at = F.at(exactly(low), windows(cell))
     wide = F.over(Interval.enclosing(Fraction(low), Fraction(cell["to"]), BITS), windows(cell))
     known = t + 2 * math.pi + 4.3 * math.cos(t), 1 - 4.3 * math.sin(t)
-    for value, found, over in zip(known, (at.time, at.by[0]), (wide.time, wide.by[0]), strict=True):
+    for value, found, over in zip(
+        known, (at.time, at.by[0]), (wide[-1].time, wide[-1].by[0]), strict=True
+    ):
         assert abs(float(found.midpoint().lower) - value) < 1e-12
         assert over.lower <= found.lower <= found.upper <= over.upper
 
@@ -101,8 +106,8 @@ def test_derivatives_are_those_of_differences():
     ("path", "value", "why"),
     [
         (("claims", "rate"), "0.4", "lambda may be larger"),
-        (("claims", "rate"), "0", "not positive"),
-        (("claims", "rate"), "1", "if and only if"),
+        (("claims", "rate"), "0", "between 0 and 1"),
+        (("claims", "rate"), "1", "between 0 and 1"),
         (("claims", "rate"), "1/3", "15 places"),
         (("claims", "periods"), "1", "take I into itself"),
         (("claims", "periods"), "3", "take I into itself"),
@@ -127,24 +132,77 @@ def test_lies(path, value, why):
     rejected(changed(BELT, *path, value), why)
 
 
-def test_a_smaller_rate():
-    """The rate is as small as its last digits allow."""
-    for given in (BELT, TOSS):
-        rate = Fraction(given["claims"]["rate"])
-        less = f"{float(rate - 3 * TINY):.8f}"
-        rejected(changed(given, "claims", "rate", less), "lambda may be larger")
+@pytest.mark.parametrize(
+    ("given", "name", "step", "why"),
+    [
+        (BELT, "rate", -3, "lambda may be larger"),
+        (TOSS, "laps", -3, "B may grow faster"),
+        (TOSS, "growth", 1, "A may not grow"),
+    ],
+)
+def test_the_smallest_lie(given, name, step, why):
+    """The rate, the growth, and that of laps are as good as their last digits allow."""
+    value = Fraction(given["claims"][name]) + step * TINY
+    rejected(changed(given, "claims", name, f"{float(value):.8f}"), why)
+
+
+@pytest.mark.parametrize("name", ["entropy", "entropy_per_period"])
+@pytest.mark.parametrize("end", [0, 1])
+def test_the_smallest_lie_about_entropy(name, end):
+    """Both bounds are as near as their last digits allow."""
+    value = Fraction(TOSS["claims"][name][end]) + (2, -2)[end] * TINY
+    why = "another one" if "period" in name else ("below", "above")[end]
+    rejected(changed(TOSS, "claims", name, end, f"{float(value):.8f}"), why)
+
+
+@pytest.mark.parametrize("m", range(12))
+def test_one_orbit_more(m):
+    """Of each period one more is not proved."""
+    more = str(int(TOSS["claims"]["orbits"][m]) + 1)
+    rejected(changed(TOSS, "claims", "orbits", m, more), "orbits may be fewer")
+
+
+@pytest.mark.parametrize(("m", "period"), [(2, "5"), (2, "2"), (2, "1"), (2, "12")])
+def test_a_period_that_is_not_the_first(m, period):
+    """It is the first one in the order among those claimed."""
+    rejected(changed(TOSS, "claims", "period", period), "is first")
+    without = changed(TOSS, "claims", "orbits", m, "0")
+    rejected(without, "is first")
+
+
+def test_fewer_orbits():
+    """Less is claimed: no orbit of an odd period but 1, so the first period is 2 times 3."""
+    given = changed(TOSS, "digits", "6")
+    counts = given["claims"]["orbits"]
+    given["claims"] |= {"orbits": [c if m % 2 else "0" for m, c in enumerate(counts)]}
+    given["claims"]["period"] = "6"
+    line = words(check(encode(given), lambda _: None))
+    assert "of all least periods that come after it in the order 3, 5, 7, .., 2 x 3" in line
+    rejected(changed(given, "claims", "orbits", ["0"] * 12), "is first")
+
+
+def test_entropy_over_more_periods():
+    """Where n is 1 the two entropies agree; half of it is another one."""
+    low, high = (Fraction(q) for q in TOSS["claims"]["entropy"])
+    half = [f"{float(low / 2):.9f}", f"{float(high / 2):.9f}"]
+    rejected(changed(TOSS, "claims", "entropy_per_period", half), "another one")
 
 
 @pytest.mark.parametrize(
     ("path", "value", "why"),
     [
-        (("claims", "entropy", 0), "0.7", "below its lower bound"),
-        (("claims", "entropy", 1), "1.3", "above its upper bound"),
+        (("claims", "entropy", 0), "0.89", "below its lower bound"),
+        (("claims", "entropy", 1), "0.89", "above its upper bound"),
         (("claims", "entropy", 1), "64", "between 0 and 64"),
-        (("claims", "growth"), "1.8", "may not grow"),
+        (("claims", "entropy", 0), "0", "between 0 and 64"),
+        (("claims", "growth"), "2.5", "may not grow"),
+        (("claims", "laps"), "7/3", "15 places"),
+        (("claims", "entropy_per_period", 0), "1/3", "15 places"),
+        (("hints", "weights", 0), "0", "not positive"),
         (("claims", "growth"), "1", "not above 1"),
         (("hints", "vector", 0), "-1", "negative somewhere"),
-        (("hints", "cells", 20, "to"), "7", "cells|zero|begins|fall|grow|lambda"),
+        (("hints", "cells", 20, "to"), "7", "cells|zero|begins|fall|grow|turn"),
+        (("hints", "vector"), ["1"], "not one entry"),
     ],
 )
 def test_lies_about_entropy(path, value, why):
@@ -160,11 +218,26 @@ def test_a_vector_of_other_cells():
 
 
 def test_parts_that_are_missing_or_too_many():
-    """A fixed point without contraction, entropy with it."""
-    given = changed(BELT, "claims", "growth", "2")
-    rejected(given, "if and only if")
-    del given["claims"]["growth"], given["claims"]["fixed"]
-    rejected(given, "fixed point is claimed")
+    """A fixed point without a rate, entropy with it, one of its claims alone, a vector."""
+    rejected(changed(BELT, "claims", "growth", "2"), "alone")
+    for given, names in ((BELT, ("rate", "fixed")), (TOSS, ("growth", "laps", "orbits", "period"))):
+        for key in names:
+            less = changed(given, "digits", "6")
+            del less["claims"][key]
+            rejected(less, "alone")
+    rejected(
+        changed(BELT, "hints", "vector", ["1"] * len(BELT["hints"]["cells"])), "if and only if"
+    )
+
+
+def test_a_rate_in_the_place_of_entropy():
+    """The toss does not contract."""
+    given = changed(TOSS, "digits", "6")
+    for key in contact_attractor.CHAOTIC:
+        del given["claims"][key]
+    del given["hints"]["vector"]
+    given["claims"] |= {"rate": "0.99", "fixed": ["7.8", "7.9"]}
+    rejected(given, "lambda may be larger")
 
 
 # other systems
@@ -208,15 +281,6 @@ def test_pieces_of_flights_are_limited(monkeypatch):
     """A hostile certificate cannot ask for any number of them."""
     monkeypatch.setattr(contact_attractor, "WORK", 16)
     rejected(BELT, "pieces")
-
-
-@pytest.mark.parametrize("x", ["0", "1/1000", "1", "8/3", "20"])
-def test_exponentials(x):
-    """From below and above, and near."""
-    x = Fraction(x)
-    low, high = contact_attractor._exp_below(x), contact_attractor._exp_above(x)
-    assert low <= high <= low * (1 + Fraction(1, 10**9))
-    assert float(low) == pytest.approx(math.exp(x), rel=1e-9)
 
 
 def test_the_rate_of_a_window_is_seen():

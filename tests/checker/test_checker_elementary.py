@@ -13,7 +13,7 @@ from mpmath import mp
 from support import rounds, seeded
 
 from cap.checker.flow.exponential import phi
-from cap.checker.kernel.arctangent import _arctan_of_inverse, arccos, pi
+from cap.checker.kernel.arctangent import _arctan_series, arccos, pi
 from cap.checker.kernel.elementary import _cos_sin_at, _sine_series, cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
@@ -165,9 +165,10 @@ def test_the_error_bounds_of_the_series_before_the_guard_bits_are_cut(p):
             a = rng.choice((r, -r, r * (1 << 20) + 5, -r * 77))
             for result, f in zip(_cos_sin_at(a, p), (mp.cos, mp.sin), strict=True):
                 assert result.lo <= f(a * unit) / unit <= result.hi
-        for n in (5, 239):
-            value, error = _arctan_of_inverse(n, p)
-            assert abs(value - mp.atan(mp.mpf(1) / n) / unit) <= error <= p
+        for n in (2, 5, 239):
+            result = _arctan_series(Interval.enclosing(Fraction(1, n), Fraction(1, n), p))
+            assert result.lo <= mp.atan(mp.mpf(1) / n) / unit <= result.hi
+            assert result.width <= 3 * p
 
 
 # with few bits, where a unit counts
@@ -213,11 +214,8 @@ def test_tiny_arguments(bits, n):
 
 
 def test_the_error_bounds_that_the_text_states():
-    """2N + 2 for the sine after N terms, 2N + 1 for the arctangent of 1/n."""
+    """2N + 2 for the sine after N terms."""
     for p in (4, 64):
         assert _sine_series(0, p) == (0, 2)
         assert _sine_series(1, p) == (1, 4)
-    assert _arctan_of_inverse(5, 1) == (0, 1)
-    assert _arctan_of_inverse(5, 3) == (1, 3)
     assert _sine_series(200, 8)[1] == 6  # the terms are 200 and 20
-    assert _arctan_of_inverse(5, 10)[1] == 5  # 204 and 8/3

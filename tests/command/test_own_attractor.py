@@ -42,7 +42,24 @@ def test_entropy_of_a_ball_that_is_tossed(tmp_path):
     assert prove(file, "--out", tmp_path / "toss.json") == 0
     claims = json.loads((tmp_path / "toss.json").read_text("utf-8"))["claims"]
     low, high = map(float, claims["entropy"])
-    assert 0.3 < low < high < 1.4
+    assert 0.77 < low < high < 0.78
+    assert claims["entropy_per_period"] == claims["entropy"]
+    assert claims["period"] == "5"
+    assert [int(n) > 0 for n in claims["orbits"][:5]] == [True, True, False, True, True]
+
+
+def test_entropy_over_two_periods(tmp_path, capsys):
+    """The same map, with flights that are a period longer: half the entropy for each."""
+    file = tmp_path / "toss.py"
+    file.write_text(TOSS.replace("pi + a", "2 * pi + a"))
+    assert prove(file, "--set", "a=43/20", "--out", tmp_path / "toss.json") == 0
+    claims = json.loads((tmp_path / "toss.json").read_text("utf-8"))["claims"]
+    assert claims["periods"] == "2"
+    pairs = zip(claims["entropy"], claims["entropy_per_period"], strict=True)
+    assert all(abs(float(one) - 2 * float(each)) < 3e-8 for one, each in pairs)
+    told = " ".join(capsys.readouterr().out.split())
+    assert "+ 2 pi j/omega, j = 0, .., 1; G has at least" in told
+    assert "repeat after m x 2 x 2 pi/omega" in told
 
 
 def test_two_releases_in_a_round(tmp_path):

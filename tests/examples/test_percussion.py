@@ -5,6 +5,7 @@ from fractions import Fraction
 from math import asin, cos, pi, sin
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from cap.command.own import main
@@ -31,9 +32,9 @@ def claims(model, tmp_path, *words):
     return json.loads(out.read_text("utf-8"))["claims"]
 
 
-def after(t, a, b=6.5):
+def after(t, a, b=6.5, cosine=cos):
     """Return the time of the next blow, less a period."""
-    return t + b + a * cos(t) - T
+    return t + b + a * cosine(t) - T
 
 
 def test_chaos(model, tmp_path):
@@ -47,7 +48,23 @@ def test_chaos(model, tmp_path):
     assert max(images) < high
     turns = {1 - 4.1 * sin(t) > 0 for t in places}
     assert turns == {True, False}
-    assert 1 < float(Fraction(found["rate"])) < max(abs(1 - 4.1 * sin(t)) for t in places)
+    assert 1 < float(found["growth"]) <= float(found["laps"]) < 3  # the laps of the map
+    assert found["entropy_per_period"] == found["entropy"]
+    assert found["period"] == "3"
+
+
+def test_periodic_orbits_are_seen_in_floats(model, tmp_path):
+    """The iterates of the map cross the diagonal at least as often as is claimed."""
+    found = claims(model, tmp_path)
+    low, high = (float(Fraction(q)) for q in found["interval"])
+    t = np.linspace(low, high, 400_001)
+    image = t
+    for m in range(1, 8):
+        image = after(image, 4.1, cosine=np.cos)
+        crossings = np.count_nonzero(np.diff(np.sign(image - t)))
+        counted = sum(d * int(n) for d, n in enumerate(found["orbits"], 1) if m % d == 0)
+        assert counted <= crossings
+        assert counted >= crossings // 3
 
 
 def test_one_motion_attracts(model, tmp_path):

@@ -145,7 +145,7 @@ def test_the_colour_bar_is_not_clipped(name):
 
 def test_islands_have_the_colour_of_what_never_turns():
     """The orbits of an island never turn: the legend says what their colour is."""
-    data = decomposition(Run(Runner(1), quick=True)).data
+    data = decomposition(Run(Runner(1), quick=True))
     figure = blank((6, 6), 50)
     sketches.decomposition(data, figure)
     (axes,) = figure.axes

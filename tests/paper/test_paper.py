@@ -3,23 +3,14 @@
 import csv
 import math
 from dataclasses import replace
+from fractions import Fraction
 
 import matplotlib.image
 import numpy as np
 import pytest
 
 from cap.audit import dependencies
-from cap.audit.comparison import (
-    among,
-    claim,
-    count,
-    cut_off,
-    enclosure,
-    markdown,
-    number,
-    percent,
-    proved,
-)
+from cap.audit.comparison import NOT_ROUNDED, Comparison, compared, markdown, number, proved
 from cap.errors import BadInput, NotProved
 from cap.explore import paper as command
 from cap.explore.arrays import load
@@ -31,11 +22,12 @@ from cap.paper import (
     forcing,
     sketches,
 )
-from cap.paper.figure import Run
-from cap.paper.registry import LABELS, figure, labelled, module
+from cap.paper.figure import Run, figure, labelled, labels, percent
 from cap.parameters import PAPER, at
+from cap.proofs.census import census
 from cap.runner import Runner
 
+LABELS = labels()
 PRINTED = {  # every figure label of the paper's source
     "fig:model-schematic", "fig:cover", "fig:impulse-bound", "fig:kam-gallery",
     "fig:decomp-schematic", "fig:multi-particle", "fig:orbit", "fig:KAM", "fig:bifurcation",
@@ -61,11 +53,11 @@ def test_an_unknown_label_is_bad_input(label):
 @pytest.fixture(scope="module")
 def found():
     """Compute each figure once, in its smallest size."""
-    kept = {}
+    kept, run = {}, Run(Runner(1), quick=True)
 
     def compute(label):
         if label not in kept:
-            kept[label] = figure(label).compared(label, Run(Runner(1), quick=True))
+            kept[label] = figure(label).compared(run)
         return kept[label]
 
     return compute
@@ -140,45 +132,55 @@ def test_known_verdicts(expected, rows, found):
             assert verdicts[name] is expected, (label, name)
 
 
+def row(found, **entries):
+    """Compare a row with one number that is found."""
+    return compared({"what": "x", "value": "x", "paper": "1", **entries}, {"x": found})
+
+
 def test_a_number_agrees_if_it_is_rounded():
     """What is cut off is imprecise, unless the paper has dots; others do not agree."""
-    assert number("x", "0.207", 0.20666).agrees
-    off = number("x", "103.30", 103.3055)
-    assert (off.agrees, off.imprecise, cut_off(off).agrees) == (False, True, True)
-    assert not cut_off(number("x", "103.20", 103.3055)).agrees
-    assert proved("x", "3.14", ["3.1415", "3.1416"]).agrees
-    assert proved("x", "3.15", ["3.1415", "3.1416"]).imprecise
-    assert not number("x", "0.467", 0.465904, "why").agrees
-    assert not number("x", "0.467", math.nan, "why").agrees
-    assert number("x", "-0.42", 0.1134, "sign").reason == "sign"
-    assert number("x", "0.5", 0.5, "why", note="a remark").reason == "a remark"
-    assert number("x", "0.5", 0.5).ours == "0.5000"
-    assert number("x", "14.4", 14.3774).ours == "14.3774"
+    assert number("0.207", 0.20666).agrees
+    off = row(103.3055, paper="103.30")
+    assert (off.agrees, off.imprecise, off.reason) == (False, True, NOT_ROUNDED)
+    assert row(103.3055, paper="103.30", cut=True).agrees
+    assert not row(103.3055, paper="103.20", cut=True).agrees
+    assert proved("3.14", ["3.1415", "3.1416"]).agrees
+    assert proved("3.15", ["3.1415", "3.1416"]).nearly
+    assert not number("0.467", 0.465904).agrees
+    assert not number("0.467", math.nan).agrees
+    assert row(0.1134, paper="-0.42", why="sign of {x}").reason == "sign of 0.1134"
+    assert row(0.5, paper="0.5", why="why", note="a remark").reason == "a remark"
+    assert number("0.5", 0.5).ours == "0.5000"
+    assert number("14.4", 14.3774).ours == "14.3774"
 
 
 def test_proved_numbers_and_enclosures():
     """Both ends of what is proved must agree, or lie inside."""
-    assert proved("x", "0.287", ["0.28695", "0.28696"]).ours == "0.286950 (proved)"
-    assert not proved("x", "0.287", ["0.28695", "0.2896"]).agrees
-    assert enclosure("x", ("0.1", "0.3"), ["0.15", "0.2"]).agrees
-    assert not enclosure("x", ("0.1", "0.1"), ["0.09999", "0.10001"], "why").agrees
+    assert proved("0.287", ["0.28695", "0.28696"]).ours == "0.286950 (proved)"
+    assert not proved("0.287", ["0.28695", "0.2896"]).agrees
+    assert row(["0.15", "0.2"], paper="[0.1, 0.3]").agrees
+    assert not row(["0.09999", "0.10001"], paper="[0.1, 0.1]").agrees
 
 
-def test_counts_claims_and_runs():
-    """Counts are compared exactly, runs by their range."""
-    assert count("n", 3, 3).agrees
-    assert not count("n", 3, 4, "why").agrees
-    assert among("n", "165", [161, 164, 166]).agrees
-    assert not among("n", "165", [161, 164], "why").agrees
-    assert among("x", "-13.4", [-13.6, -12.8]).ours == "-13.60 to -12.80 in 2 runs"
-    assert claim("c", "yes", "no", False, "why").reason == "why"
+def test_counts_words_and_runs():
+    """Counts are compared exactly, runs by their range; words hold, or not."""
+    assert row(3, paper="3").agrees
+    assert not row(4, paper="3").agrees
+    assert row([161, 164, 166], paper="165").agrees
+    assert not row([161, 164], paper="165").agrees
+    assert row([-13.6, -12.8], paper="-13.4").ours == "-13.60 to -12.80 in 2 runs"
+    words = {"what": "c", "paper": "yes", "ours": "{n} of 3", "holds": "all", "why": "{n}"}
+    assert compared(words, {"n": 3, "all": True}).agrees
+    said = compared(words, {"n": 2, "all": False})
+    assert (said.agrees, said.ours, said.reason) == (False, "2 of 3", "2")
+    assert not compared(words | {"unstated": True}, {"n": 3, "all": True}).agrees
     assert percent(1, 3) == "33.3%"
     assert percent(1, 0) == "none"
 
 
 def test_a_table_is_markdown():
     """Bars inside cells are escaped."""
-    lines = markdown([claim("|v|", "1 | 2", "3", False, "why")])
+    lines = markdown([Comparison("|v|", "1 | 2", "3", agrees=False, reason="why")])
     assert lines[-1] == "| \\|v\\| | 1 \\| 2 | 3 | **no** | why |"
     assert all(line.count("|") - line.count("\\|") == 6 for line in lines)
 
@@ -207,10 +209,7 @@ def test_the_map_agrees_with_the_census():
         for j in (3, 7):
             members = {
                 member.name: member.kind[0]
-                for member in continuation.census(
-                    continuation.Fraction(float(small.f[j])),
-                    continuation.Fraction(float(small.R[i])),
-                )
+                for member in census(Fraction(float(small.f[j])), Fraction(float(small.R[i])))
             }
             words = "".join(members.get(name, "-") for name in continuation.NAMES)
             assert kinds[i, j] == words
@@ -293,14 +292,15 @@ def test_an_interrupt_keeps_what_is_done(tmp_path, capsys, monkeypatch):
 
     def stopping(label):
         one = figure(label)
-        return one if label == "fig:cover" else replace(one, compute=interrupted)
+        return one if label == "fig:cover" else replace(one, data="interrupted")
 
-    monkeypatch.setattr(command, "labelled", lambda _label: ["fig:cover", "fig:sali"])
+    monkeypatch.setattr(sketches, "interrupted", interrupted, raising=False)
+    monkeypatch.setattr(command, "labelled", lambda _label: ["fig:cover", "fig:multi-particle"])
     monkeypatch.setattr(command, "figure", stopping)
     assert command.run("all", [tmp_path], lambda _words, _part: None) == command.INTERRUPTED
-    assert "interrupted in fig:sali" in capsys.readouterr().err
+    assert "interrupted in fig:multi-particle" in capsys.readouterr().err
     assert "fig:cover" in (tmp_path / "comparison.md").read_text("utf-8")
-    assert not (tmp_path / "sali.png").exists()
+    assert not (tmp_path / "multi-particle.png").exists()
 
 
 def test_what_is_not_proved_is_said(capsys, monkeypatch):
@@ -309,8 +309,7 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
     def failing(_run):
         raise NotProved("Lemma 1", "not certain")
 
-    one = replace(figure("fig:cover"), compute=failing)
-    monkeypatch.setattr(command, "figure", lambda _label: one)
+    monkeypatch.setattr(sketches, "cover", failing)
     assert command.run("fig:cover", [], lambda _words, _part: None) == 1
     assert "fig:cover: not proved: Lemma 1" in capsys.readouterr().err
 
@@ -318,8 +317,9 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
 def test_tables_load_no_pictures():
     """What a figure looks like does not count for its numbers: the audit's cache knows."""
     for label in LABELS:
-        found = dependencies.closure(module(label))
-        assert module(label) in found
+        module = figure(label).module
+        found = dependencies.closure(module)
+        assert module in found
         assert not [name for name in found if name.startswith("cap.pictures.paper")]
 
 

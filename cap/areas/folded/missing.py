@@ -34,12 +34,6 @@ def known(places: Places) -> Known:
     return Known(np.array(places.ends, np.float64), masses, sums)
 
 
-def nothing(width: float) -> Known:
-    """Return that nothing is known of the places in [0, W]."""
-    masses = np.full((len(FATES), 1), width)
-    return Known(np.array([0.0, width]), masses, np.concatenate([0 * masses, masses], axis=1))
-
-
 @kernel
 def _part(known: Known, x: float) -> int:
     """Return the number of the part that contains a place."""

@@ -69,12 +69,6 @@ def _rows(numbers: Iterable[Interval]) -> Floats:
 
 
 @kernel
-def constant(y: Floats, n: int) -> Any:
-    """Return the interval at a place."""
-    return Interval(y[n, 0], y[n, 1])
-
-
-@kernel
 def image(kind: int, y: Floats, x: Interval, v: Interval, axes: Columns) -> tuple[Any, Any, Any]:
     """Return the images (x, v) of a box, and what its derivative makes of two vectors.
 

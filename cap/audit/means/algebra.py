@@ -101,23 +101,18 @@ def _power(arguments: list[Ball], exponent: Any) -> Ball:
 def shown(expression: Any) -> str:
     """Return an expression in one line for people."""
     text = sp.sstr(expression).replace("**2", "²").replace("**3", "³").replace("**4", "⁴")
-    for name in ("omega", "theta", "lambda", "epsilon", "mu", "tau", "alpha", "beta", "pi", "xi"):
-        text = text.replace(name, _GREEK[name])
+    for name, letter in _GREEK.items():
+        text = text.replace(name, letter)
     return str(text.replace("*", " "))
 
 
-_GREEK = {
-    "omega": "ω",
-    "theta": "θ",
-    "lambda": "λ",
-    "epsilon": "ε",
-    "mu": "μ",
-    "tau": "τ",
-    "alpha": "α",
-    "beta": "β",
-    "pi": "π",
-    "xi": "ξ",
-}
+_GREEK = dict(
+    zip(
+        ("omega", "theta", "lambda", "epsilon", "mu", "tau", "alpha", "beta", "pi", "xi"),
+        "ωθλεμταβπξ",
+        strict=True,
+    )
+)
 
 
 def compared(derived: Any, printed: Any) -> Outcome:

@@ -1,10 +1,11 @@
 """Numbers of the paper against enclosures."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from decimal import Decimal
 from fractions import Fraction
 
+from cap.audit.comparison import unit
 from cap.audit.means.need import made
 from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
@@ -16,11 +17,9 @@ BITS = 120
 DEEPEST = 60
 
 
-@contextmanager
-def precisely(bits: int = BITS) -> Iterator[None]:
+def precisely(bits: int = BITS) -> AbstractContextManager[None]:
     """Compute with many digits."""
-    with interval.workprec(bits):
-        yield
+    return interval.workprec(bits)
 
 
 def between(ball: Ball, places: int = 10) -> str:
@@ -29,31 +28,25 @@ def between(ball: Ball, places: int = 10) -> str:
     return lower if lower == upper else f"[{lower}, {upper}]"
 
 
+def below(q: Fraction, places: int) -> str:
+    """Return a number, rounded down."""
+    return interval.decimal(q * 10**places // 1 / Fraction(10**places), places)
+
+
+def above(q: Fraction, places: int) -> str:
+    """Return a number, rounded up."""
+    return interval.decimal(-(-q * 10**places // 1) / Fraction(10**places), places)
+
+
 def pair(claimed: Enclosure, places: int = 10) -> str:
     """Return the enclosure that a certificate claims, in words, rounded outwards."""
-    unit = Fraction(1, 10**places)
-    low, high = claimed.lower // unit * unit, -(-claimed.upper // unit) * unit
-    ends = [interval.decimal(q, places) for q in (low, high)]
-    return ends[0] if ends[0] == ends[1] else f"[{ends[0]}, {ends[1]}]"
+    low, high = below(claimed.lower, places), above(claimed.upper, places)
+    return low if low == high else f"[{low}, {high}]"
 
 
-def inner(claimed: Enclosure, places: int = 6) -> str:
+def inner(claimed: Enclosure, places: int) -> str:
     """Return a range in which something holds, in words, rounded inwards."""
-    unit = Fraction(1, 10**places)
-    low, high = -(-claimed.lower // unit) * unit, claimed.upper // unit * unit
-    return f"[{interval.decimal(low, places)}, {interval.decimal(high, places)}]"
-
-
-def above(claimed: Enclosure, places: int = 4) -> str:
-    """Return a bound from above, rounded up."""
-    unit = Fraction(1, 10**places)
-    return interval.decimal(-(-claimed.upper // unit) * unit, places)
-
-
-def below(claimed: Enclosure, places: int = 4) -> str:
-    """Return a bound from below, rounded down."""
-    unit = Fraction(1, 10**places)
-    return interval.decimal(claimed.lower // unit * unit, places)
+    return f"[{above(claimed.lower, places)}, {below(claimed.upper, places)}]"
 
 
 def compared(printed: str, value: Ball) -> Outcome:
@@ -63,10 +56,9 @@ def compared(printed: str, value: Ball) -> Outcome:
     """
     made()
     number = Decimal(printed)
-    exponent = number.as_tuple().exponent
-    last = Fraction(Decimal(1).scaleb(exponent if isinstance(exponent, int) else 0))
     with precisely():
-        units = abs(value - interval.ball(Fraction(number))) / interval.ball(last)
+        away = abs(value - interval.ball(Fraction(number)))
+        units = away / interval.ball(Fraction(unit(number)))
         if 2 * units <= 1:
             return Outcome.CONFIRMED
         if 2 * units > 1 and units <= 1:

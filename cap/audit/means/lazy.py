@@ -16,4 +16,3 @@ class Lazy:
 
 
 sympy: Any = Lazy("sympy")
-parser: Any = Lazy("sympy.parsing.sympy_parser")

@@ -1,8 +1,8 @@
-"""The one way in which a step of a decision fails; that steps were made is noted."""
+"""The one way in which a step of a decision fails; what a decision rests on is noted."""
 
 from cap.errors import NotProved
 
-_steps = 0
+_NOTED: list[str] = []  # one decision is made at a time
 
 
 def need(ok: object, why: str, **sets: object) -> None:
@@ -12,14 +12,13 @@ def need(ok: object, why: str, **sets: object) -> None:
         raise NotProved("audit", why, sets)
 
 
-def made() -> None:
-    """Note that a step was made."""
-    global _steps  # noqa: PLW0603 (one decision is made at a time)
-    _steps += 1
+def made(certificate: str = "") -> None:
+    """Note that a step was made, or that a certificate was asked for."""
+    _NOTED.append(certificate)
 
 
-def steps() -> int:
-    """Return how many steps were made since the last call; forget them."""
-    global _steps
-    found, _steps = _steps, 0
+def noted() -> list[str]:
+    """Return what was noted since the last call; forget it."""
+    found = list(_NOTED)
+    _NOTED.clear()
     return found

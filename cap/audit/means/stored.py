@@ -1,22 +1,33 @@
-"""Stored certificates: read, checked by `cap.checker`, and remembered for the cache."""
+"""Stored certificates: read, and checked by `cap.checker`.
+
+Those that ``accepted.json`` names take long.  It has a digest of each as it was accepted when the
+verdicts were recorded; while the file is the same it is not checked again here.  ``python -m
+cap.verify`` checks it, with all others, and so does CI with every change.
+"""
 
 import hashlib
+import json
+from contextlib import suppress
+from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any, NamedTuple
 
-from cap.audit.means import accepted, parameters
-from cap.audit.means.need import need
+from cap.audit import subject
+from cap.audit.means.need import made, need
+from cap.audit.subject import cached
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
+from cap.files import replacing
 from cap.tree import inside
 
+ACCEPTED = Path(__file__).with_name("accepted.json")
 FOLDER = inside("certificates")
 THE_PAPER = "the parameters of the paper"
-_asked: set[str] = set()
 
 
 class Stored(NamedTuple):
-    """A certificate that the checker accepts: now, or as `cap.audit.means.accepted` says."""
+    """A certificate that the checker accepts: now, or when the verdicts were recorded."""
 
     name: str
     parameters: dict[str, Any]
@@ -25,7 +36,7 @@ class Stored(NamedTuple):
 
 def stored(name: str) -> Stored:
     """Return a stored certificate, or raise `NotProved` if the checker rejects it."""
-    _asked.add(name)
+    made(name)
     return _accepted(name)
 
 
@@ -38,9 +49,15 @@ def sentence(name: str) -> str:
     return words(read((FOLDER / name).read_bytes()))
 
 
+@cached
+def of_the_paper() -> dict[str, Fraction]:
+    """Return the parameters at which the numbers of the paper are, if it has some, by names."""
+    return {name: Fraction(text) for name, text in subject.data("parameters.json").items()}
+
+
 def at_the_paper(each: Stored) -> bool:
     """Return whether a certificate is about the paper's parameters, and has no others."""
-    own = parameters.of_the_paper()
+    own = of_the_paper()
     return bool(own) and each.parameters == own
 
 
@@ -51,7 +68,7 @@ def claimed(name: str) -> Any:
     paper's own are ``paper.f``.  An enclosure has the ends ``lower`` and ``upper``.
     """
     stem, *path = name.split(".")
-    value: Any = parameters.of_the_paper()
+    value: Any = of_the_paper()
     if stem != "paper":
         if not path or not (FOLDER / f"{stem}.json").is_file():
             return None
@@ -84,23 +101,33 @@ def _accepted(name: str) -> Stored:
     need(path.is_file(), f"there is no certificate {name}")
     data = path.read_bytes()
     try:
-        done = accepted.known(name, data)
+        done = accepted().get(name) == digest(name)
         found = read(data) if done else check(data, lambda _step: None)
     except Rejected as reason:
         raise NotProved("audit", f"the checker rejects {name}: {reason}") from None
-    if not done:
-        accepted.note(name, data)
     return Stored(name, found.parameters._asdict(), found.claims)
-
-
-def asked_for() -> dict[str, str]:
-    """Return the certificates asked for since the last call, with digests; forget them."""
-    names = sorted(_asked)
-    _asked.clear()
-    return {name: digest(name) for name in names}
 
 
 def digest(name: str) -> str:
     """Return a digest of a stored certificate, or nothing if there is none."""
     path = FOLDER / name
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else ""
+
+
+@cache
+def accepted() -> dict[str, str]:
+    """Return the digests of the certificates that take long, as they were accepted."""
+    found: dict[str, str] = json.loads(ACCEPTED.read_text(encoding="utf-8"))
+    return found
+
+
+def accept() -> None:
+    """Check those that take long and are others now; store their digests."""
+    new = dict(accepted())
+    for name in new:
+        with suppress(NotProved):  # else what asks for it is undecided, and not recorded
+            new[name] = digest(stored(name).name)
+    if new != accepted():
+        with replacing(ACCEPTED) as file:
+            file.write(f"{json.dumps(new, indent=1)}\n".encode())
+        accepted.cache_clear()

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
-from cap.audit import labels, ledger
+from cap.audit import labels
 from cap.audit.errata import Change, changes
 from cap.audit.report.markdown import code, escaped
-from cap.audit.report.view import Report, identity
+from cap.audit.report.view import Entry, Report, identity
 
 INTRODUCTION = (
     "Every formula and number that the audit corrects or refutes, and wording that goes with them. "
@@ -19,22 +19,16 @@ def erratum(report: Report) -> str:
     paper = labels.stored()
     lines = [f"# Erratum to “{escaped(paper.title)}”", ""]
     lines += [*(f"{escaped(each)}\n" for each in identity()), INTRODUCTION, ""]
-    for number, name in ledger.sections().items():
-        own = [each for each in changes() if _section(each) == number]
-        if own:
-            lines += [f"## {escaped(name if number == '0' else f'{number}. {name}')}", ""]
+    cores = [report.by_id[each.claims[0]] for each in changes()]
+    for section in report.sections():
+        own = [each for each in zip(changes(), cores, strict=True) if each[1] in section.entries]
+        lines += [f"## {escaped(section.heading)}", ""] if own else []
         for each in own:
-            lines += _change(each, report)
+            lines += _change(*each)
     return "\n".join(lines).rstrip() + "\n"
 
 
-def _section(change: Change) -> str:
-    return ledger.section_of(ledger.claims()[change.claims[0]])
-
-
-def _change(change: Change, report: Report) -> Iterator[str]:
-    by_id = {entry.claim.id: entry for entry in report.entries}
-    core = by_id[change.claims[0]]
+def _change(change: Change, core: Entry) -> Iterator[str]:
     times = f", {change.times} times" if change.times > 1 else ""
     yield f"**{escaped(core.place)}**, by {', '.join(f'`{name}`' for name in change.claims)}{times}"
     yield ""

@@ -53,10 +53,9 @@ def latex(report: Report) -> str:
             lines += [written(paragraph), ""]
         lines += [*_counts(report), *_findings(report), *_statements(report)]
     lines.append(r"\begin{multicols}{2}\raggedright\footnotesize")
-    for number, name, entries in report.sections():
-        heading = name if number == "0" else f"{number}. {name}"
-        lines.append(rf"\section*{{{written(heading)}}}")
-        for entry in entries:
+    for section in report.sections():
+        lines.append(rf"\section*{{{written(section.heading)}}}")
+        for entry in section.entries:
             lines += _entry(entry)
     return "\n".join([*lines, r"\end{multicols}", r"\end{document}", ""])
 
@@ -109,8 +108,7 @@ def _findings(report: Report) -> list[str]:
     for found in report.findings():
         head, change = (written(each) for each in (found.finding.title, found.finding.change))
         lines.append(rf"\item \textbf{{{head}}} ({found.finding.severity}). {written(found.words)}")
-        where = f"{found.core.place}; lines {', '.join(map(str, found.lines))}."
-        lines.append(rf"\emph{{To change:}} {change} {written(where)}")
+        lines.append(rf"\emph{{To change:}} {change} {written(found.where)}.")
     return [*lines, r"\end{enumerate}", ""]
 
 
@@ -127,17 +125,13 @@ def _statements(report: Report) -> list[str]:
 def _entry(entry: Entry) -> list[str]:
     claim, verdict = entry.claim, entry.verdict
     head = rf"{_typed(claim.id)}: \emph{{{verdict.outcome}}} ({verdict.strength})"
-    parts = [
-        ("Text", entry.quote and _broken(entry.quote, r"\texttt")),
-        ("Stated", written(claim.stated)),
-        ("Found", written(verdict.found)),
-        ("Evidence", written(verdict.evidence)),
-        ("Proof", verdict.proof and _typed(f"proofs/audit/{verdict.proof}")),
-        ("Run", "; ".join(map(_typed, entry.commands))),
-    ]
-    rows = [rf"\textit{{{name}.}} {words}" for name, words in parts if words]
-    place = written(f"{entry.place}, line {entry.line}, {claim.kind}.")
-    return [rf"\bigskip\textbf{{{head}}}", "", f"{place} {written(claim.says)}", "", *_apart(rows)]
+    typed = {"text": lambda words: _broken(words, r"\texttt"), "proof": _typed}
+    parts = {k: typed.get(k, written)(words) for k, words in entry.parts().items()}
+    parts.pop("certificate", None)  # a command names it
+    parts["run"] = "; ".join(map(_typed, entry.commands))
+    lines = [rf"\bigskip\textbf{{{head}}}", f"{written(f'{entry.where}. {claim.says}')}"]
+    lines += [rf"\textit{{{name.capitalize()}.}} {words}" for name, words in parts.items()]
+    return [each for line in lines for each in (line, "")]
 
 
 def _typed(text: str) -> str:
@@ -150,7 +144,3 @@ def _broken(text: str, command: str = "") -> str:
     parts = (re.findall(".{1,6}", word) for word in text.split())
     words = " ".join(r"\allowbreak{}".join(map(written, each)) for each in parts)
     return f"{command}{{{words}}}" if command else words
-
-
-def _apart(rows: list[str]) -> list[str]:
-    return [line for row in rows for line in (row, "")]

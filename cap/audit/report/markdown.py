@@ -15,9 +15,9 @@ def markdown(report: Report) -> str:
         for paragraph in INTRODUCTION:
             lines += [escaped(paragraph), ""]
         lines += [*_counts(report), *_findings(report), *_statements(report)]
-    for number, name, entries in report.sections():
-        lines += [f"## {escaped(name if number == '0' else f'{number}. {name}')}", ""]
-        for entry in entries:
+    for section in report.sections():
+        lines += [f"## {escaped(section.heading)}", ""]
+        for entry in section.entries:
             lines += _entry(entry)
     return "\n".join(lines).rstrip() + "\n"
 
@@ -51,8 +51,7 @@ def _findings(report: Report) -> list[str]:
         finding = found.finding
         lines.append(
             f"{count}. **{escaped(finding.title)}** ({finding.severity}). {escaped(found.words)} "
-            f"*To change:* {escaped(finding.change)} {escaped(found.core.place)}; lines "
-            f"{', '.join(map(str, found.lines))}; {links}."
+            f"*To change:* {escaped(finding.change)} {escaped(found.where)}; {links}."
         )
     return [*lines, ""]
 
@@ -71,20 +70,12 @@ def _anchor(entry: Entry) -> str:
 
 def _entry(entry: Entry) -> list[str]:
     claim, verdict = entry.claim, entry.verdict
-    place = f"*{escaped(entry.place)}, line {entry.line}, {claim.kind}.*"
-    lines = [f"### `{claim.id}`", "", f"{place} {escaped(claim.says)}", ""]
+    lines = [f"### `{claim.id}`", "", f"*{escaped(entry.where)}.* {escaped(claim.says)}", ""]
     lines.append(f"- **{verdict.outcome}**, {verdict.strength}")
-    if entry.quote:
-        lines.append(f"- text: {code(entry.quote)}")
-    if claim.stated:
-        lines.append(f"- stated: {escaped(claim.stated)}")
-    lines.append(f"- found: {escaped(verdict.found)}")
-    if verdict.evidence:
-        lines.append(f"- evidence: {escaped(verdict.evidence)}")
-    if verdict.proof:
-        path = f"proofs/audit/{verdict.proof}"
-        lines.append(f"- proof: [{escaped(path)}](../{path})")
-    if verdict.certificate:
-        path = f"certificates/{verdict.certificate}"
-        lines.append(f"- certificate: [{escaped(path)}](../{path})")
+    written = {"text": code, "proof": _file, "certificate": _file}
+    lines += [f"- {k}: {written.get(k, escaped)(words)}" for k, words in entry.parts().items()]
     return [*lines, f"- run: {', '.join(f'`{command}`' for command in entry.commands)}", ""]
+
+
+def _file(path: str) -> str:
+    return f"[{escaped(path)}](../{path})"

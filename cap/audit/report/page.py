@@ -28,11 +28,10 @@ def page(report: Report) -> str:
         '<p class="printed">Each is decided again by <code>python -m cap.audit --only ID '
         "--fresh</code>.</p>"
     )
-    ids = {entry.claim.id for entry in report.entries}
-    for number, name, entries in report.sections():
-        heading = name if number == "0" else f"{number}. {name}"
-        articles = "".join(_entry(entry, ids) for entry in entries)
-        parts.append(f'<section class="claims"><h2>{escape(heading)}</h2>{articles}</section>')
+    for section in report.sections():
+        articles = "".join(_entry(entry, report) for entry in section.entries)
+        head = f"<h2>{escape(section.heading)}</h2>"
+        parts.append(f'<section class="claims">{head}{articles}</section>')
     return "\n".join([*parts, f"<script>{script}</script></body></html>", ""])
 
 
@@ -65,13 +64,13 @@ def _findings(report: Report) -> str:
 
 
 def _finding(found: Found) -> str:
-    finding, lines = found.finding, ", ".join(map(str, found.lines))
+    finding = found.finding
     links = " ".join(map(_link, found.entries))
     return (
         f"<li><b>{escape(finding.title)}</b> {_badge(found.core)} "
         f'<span class="place">{finding.severity}</span> {escape(found.words)} '
         f"<i>To change:</i> {escape(finding.change)} "
-        f'<span class="place">{escape(found.core.place)}; lines {lines}</span> '
+        f'<span class="place">{escape(found.where)}</span> '
         f"<details><summary>{len(found.entries)} claims</summary>{links}</details></li>"
     )
 
@@ -100,33 +99,32 @@ def _badge(entry: Entry) -> str:
     return f'<span class="badge {_kind(entry)}">{entry.verdict.outcome}</span>'
 
 
-def _linked(text: str, ids: set[str]) -> str:
+def _linked(text: str, report: Report) -> str:
     """Return text in which the names of other claims lead to them."""
 
     def link(name: re.Match[str]) -> str:
-        return f'<a href="#{name[0]}">{name[0]}</a>' if name[0] in ids else name[0]
+        return f'<a href="#{name[0]}">{name[0]}</a>' if name[0] in report.by_id else name[0]
 
     return _NAME.sub(link, escape(text))
 
 
-def _entry(entry: Entry, ids: set[str]) -> str:
+def _entry(entry: Entry, report: Report) -> str:
     claim, verdict = entry.claim, entry.verdict
-    rows = [
-        ("text", entry.quote and f"<code>{escape(entry.quote)}</code>"),
-        ("stated", escape(claim.stated)),
-        ("found", _linked(verdict.found, ids)),
-        ("evidence", _linked(verdict.evidence, ids)),
-        ("proof", verdict.proof and f"<code>proofs/audit/{escape(verdict.proof)}</code>"),
-        ("run", "<br>".join(f"<code>{escape(each)}</code>" for each in entry.commands)),
-    ]
+    parts = entry.parts()
+    parts.pop("certificate", None)  # a command names it
+    for name, words in parts.items():
+        linked = name in {"found", "evidence"}
+        parts[name] = _linked(words, report) if linked else escape(words)
+        if name in {"text", "proof"}:
+            parts[name] = f"<code>{parts[name]}</code>"
+    parts["run"] = "<br>".join(f"<code>{escape(each)}</code>" for each in entry.commands)
     listed = "".join(
         f'<dt class="{name}">{name}</dt><dd class="{name}">{words}</dd>'
-        for name, words in rows
-        if words
+        for name, words in parts.items()
     )
     return (
         f'<article id="{claim.id}" class="{_kind(entry)}" data-verdict="{verdict.outcome}">'
         f'<div class="head">{_link(entry)} {_badge(entry)} <span class="place">{verdict.strength}; '
-        f"{escape(entry.place)}, line {entry.line}, {claim.kind}</span></div>"
+        f"{escape(entry.where)}</span></div>"
         f"<p>{escape(claim.says)}</p><dl>{listed}</dl></article>"
     )

@@ -62,8 +62,7 @@ def _statements(report: Report) -> list[str]:
 
 
 def _short(label: str) -> str:
-    place = labels.stored().place(label)
-    return f"{place.kind.capitalize()} {place.number}"
+    return labels.stored().place(label).name
 
 
 def _most(report: Report) -> list[str]:

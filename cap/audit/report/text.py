@@ -16,36 +16,12 @@ def plain(report: Report) -> str:
         for paragraph in INTRODUCTION:
             lines += [*wrapped(paragraph), ""]
         lines += [*_counts(report), "", *_findings(report), *_statements(report)]
-    for number, name, entries in report.sections():
-        heading = name if number == "0" else f"Section {number}. {name}"
+    for section in report.sections():
+        heading = f"{'Section ' if section.number != '0' else ''}{section.heading}"
         lines += [heading, "-" * len(heading), ""]
-        for entry in entries:
+        for entry in section.entries:
             lines += [*_entry(entry), ""]
     return "\n".join(lines)
-
-
-def data(report: Report) -> str:
-    """Return the claims, the findings, and what they are about, as JSON."""
-    paper, (day, program) = labels.stored(), recorded.made()
-    everything = {
-        "paper": {name: getattr(paper, name) for name in ("title", "author", "sha256")},
-        "program": program,
-        "recorded": day,
-        "claims": [entry.data() for entry in report.entries],
-        "findings": [_found(each) for each in report.findings()] if report.whole else [],
-    }
-    return json.dumps(everything, ensure_ascii=False, indent=1)
-
-
-def _found(found: Found) -> dict[str, object]:
-    return {
-        "title": found.finding.title,
-        "severity": str(found.finding.severity),
-        "says": found.words,
-        "change": found.finding.change,
-        "claims": [entry.claim.id for entry in found.entries],
-        "lines": found.lines,
-    }
 
 
 def wrapped(text: str, first: str = "", rest: str = "") -> list[str]:
@@ -75,9 +51,8 @@ def _findings(report: Report) -> list[str]:
     for count, found in enumerate(report.findings(), 1):
         head = f"{count:>2}. {found.finding.title} [{found.finding.severity}]. {found.words} "
         lines += [*wrapped(head + f"To change: {found.finding.change}", rest="    ")]
-        where = f"{found.core.place}; lines {', '.join(map(str, found.lines))}; "
         names = ", ".join(entry.claim.id for entry in found.entries)
-        lines += [*wrapped(where + names, "    ", "    "), ""]
+        lines += [*wrapped(f"{found.where}; {names}", "    ", "    "), ""]
     return lines
 
 
@@ -91,16 +66,55 @@ def _statements(report: Report) -> list[str]:
 def _entry(entry: Entry) -> list[str]:
     claim, verdict = entry.claim, entry.verdict
     lines = wrapped(f"{claim.id}: {verdict.outcome} ({verdict.strength})", rest="    ")
-    parts = [
-        (f"{entry.place}, line {entry.line}, {claim.kind}", claim.says),
-        ("text", entry.quote),
-        ("stated", claim.stated),
-        ("found", verdict.found),
-        ("evidence", verdict.evidence),
-        ("proof", verdict.proof and f"proofs/audit/{verdict.proof}"),
-        *(("run", command) for command in entry.commands),
-    ]
+    parts = [(entry.where, claim.says), *entry.parts().items()]
+    parts += [("run", command) for command in entry.commands]
     for name, words in parts:
-        if words:
+        if name != "certificate":  # a command names it
             lines += wrapped(f"{name}: {words}", "    ", "        ")
     return lines
+
+
+def data(report: Report) -> str:
+    """Return the claims, the findings, and what they are about, as JSON."""
+    paper, (day, program) = labels.stored(), recorded.made()
+    everything = {
+        "paper": {name: getattr(paper, name) for name in ("title", "author", "sha256")},
+        "program": program,
+        "recorded": day,
+        "claims": [_claim(each) for each in report.entries],
+        "findings": [_found(each) for each in report.findings()] if report.whole else [],
+    }
+    return json.dumps(everything, ensure_ascii=False, indent=1)
+
+
+def _claim(entry: Entry) -> dict[str, object]:
+    claim, verdict = entry.claim, entry.verdict
+    return {
+        "id": claim.id,
+        "where": claim.where,
+        "claim": claim.says,
+        "stated": claim.stated,
+        "found": verdict.found,
+        "verdict": str(verdict.outcome),
+        "strength": str(verdict.strength),
+        "evidence": verdict.evidence,
+        "command": " && ".join(entry.commands),
+        "certificate": verdict.certificate,
+        "proof": entry.proof,
+        "kind": str(claim.kind),
+        "section": entry.section,
+        "place": entry.place,
+        "line": entry.line,
+        "quote": entry.quote,
+    }
+
+
+def _found(found: Found) -> dict[str, object]:
+    return {
+        "title": found.finding.title,
+        "severity": str(found.finding.severity),
+        "says": found.words,
+        "change": found.finding.change,
+        "claims": [entry.claim.id for entry in found.entries],
+        "lines": found.lines,
+    }

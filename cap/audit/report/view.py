@@ -59,9 +59,13 @@ class Entry:
         place = labels.stored().place(self.claim.where)
         if place.kind == "abstract":
             return "Abstract"
-        if place.number.startswith("("):
-            return f"{place.kind.capitalize()} {place.number}, {place.label}"
-        return f"{place.kind.capitalize()} {place.number} ({place.label})"
+        label = f", {place.label}" if place.number.startswith("(") else f" ({place.label})"
+        return f"{place.name}{label}"
+
+    @property
+    def where(self) -> str:
+        """The place, the line, and what kind of claim it is."""
+        return f"{self.place}, line {self.line}, {self.claim.kind}"
 
     @property
     def line(self) -> int:
@@ -87,26 +91,22 @@ class Entry:
         name = self.verdict.certificate
         return [*own, f"python -m cap.verify certificates/{name}"] if name else own
 
-    def data(self) -> dict[str, str | int]:
-        """Return it as one object of the JSON list."""
-        return {
-            "id": self.claim.id,
-            "where": self.claim.where,
-            "claim": self.claim.says,
+    @property
+    def proof(self) -> str:
+        """The section of a written proof, from the root of the repository."""
+        return self.verdict.proof and f"proofs/audit/{self.verdict.proof}"
+
+    def parts(self) -> dict[str, str]:
+        """Return what is said of the claim, by what it is, without what there is nothing of."""
+        parts = {
+            "text": self.quote,
             "stated": self.claim.stated,
             "found": self.verdict.found,
-            "verdict": str(self.verdict.outcome),
-            "strength": str(self.verdict.strength),
             "evidence": self.verdict.evidence,
-            "command": " && ".join(self.commands),
-            "certificate": self.verdict.certificate,
-            "proof": self.verdict.proof and f"proofs/audit/{self.verdict.proof}",
-            "kind": str(self.claim.kind),
-            "section": self.section,
-            "place": self.place,
-            "line": self.line,
-            "quote": self.quote,
+            "proof": self.proof,
+            "certificate": self.verdict.certificate and f"certificates/{self.verdict.certificate}",
         }
+        return {name: words for name, words in parts.items() if words}
 
 
 @dataclass(frozen=True)
@@ -131,6 +131,25 @@ class Found:
         """The lines of the TeX file in which its claims are made."""
         return sorted({entry.line for entry in self.entries if entry.line})
 
+    @property
+    def where(self) -> str:
+        """The place of its core, and its lines."""
+        return f"{self.core.place}; lines {', '.join(map(str, self.lines))}"
+
+
+@dataclass(frozen=True)
+class Section:
+    """The entries of a section."""
+
+    number: str
+    title: str
+    entries: list[Entry]
+
+    @property
+    def heading(self) -> str:
+        """Its number and title; the abstract has no number."""
+        return self.title if self.number == "0" else f"{self.number}. {self.title}"
+
 
 @dataclass(frozen=True)
 class Report:
@@ -140,26 +159,30 @@ class Report:
     whole: bool
 
     @cached_property
+    def by_id(self) -> dict[str, Entry]:
+        """The entries by the ids of the claims."""
+        return {entry.claim.id: entry for entry in self.entries}
+
+    @cached_property
     def verdicts(self) -> dict[str, Verdict]:
         """The verdicts by the ids of the claims."""
         return {entry.claim.id: entry.verdict for entry in self.entries}
 
-    def sections(self) -> list[tuple[str, str, list[Entry]]]:
-        """Return number, title and entries of each section that has any."""
-        found = []
-        for number, title in ledger.sections().items():
-            entries = [entry for entry in self.entries if entry.section == number]
-            if entries:
-                found.append((number, title, entries))
-        return found
+    def sections(self) -> list[Section]:
+        """Return the sections that have any entries."""
+        found = [
+            Section(number, title, [each for each in self.entries if each.section == number])
+            for number, title in ledger.sections().items()
+        ]
+        return [each for each in found if each.entries]
 
     def counts(self) -> list[tuple[str, list[int]]]:
         """Return for each section, and for all, how many claims have each of `outcomes`."""
         rows = []
-        for number, title, entries in self.sections():
-            tally = Counter(entry.verdict.outcome for entry in entries)
-            name = title if number == "0" else f"{number} {title}"
-            rows.append((name, [tally[each] for each in self.outcomes()]))
+        for each in self.sections():
+            tally = Counter(entry.verdict.outcome for entry in each.entries)
+            name = each.heading.replace(". ", " ", 1)
+            rows.append((name, [tally[outcome] for outcome in self.outcomes()]))
         total = [sum(column) for column in zip(*(row for _, row in rows), strict=True)]
         return [*rows, ("All", total)]
 
@@ -170,9 +193,8 @@ class Report:
 
     def findings(self) -> list[Found]:
         """Return the findings, with the entries of their claims."""
-        by_id = {entry.claim.id: entry for entry in self.entries}
         return [
-            Found(each, tuple(by_id[name] for name in names))
+            Found(each, tuple(self.by_id[name] for name in names))
             for each, names in members(self.verdicts).items()
         ]
 

@@ -2,9 +2,7 @@
 
 For an alternating series of decreasing terms the remainder is at most the first term left out.
 
-*Pi* = 16 arctan(1/5) - 4 arctan(1/239) (Machin).  With u_j = floor(2^p / n^(2j+1)) and each term
-floor(u_j / (2j+1)), a term is wrong by less than 2 units 2^-p; the loop ends when u_j = 0, so the
-remainder is below one unit.  N terms give an error below 2N + 1.
+*Pi* = 16 arctan(1/5) - 4 arctan(1/239) (Machin).
 
 *Arccosine* decreases; arccos y = 2 arctan sqrt((1 - y)/(1 + y)).  For x >= 0, arctan x = 2 arctan(x
 / (1 + sqrt(1 + x^2))) makes the argument at most tan(pi/4) = 1 after one step and then less than
@@ -25,20 +23,10 @@ _HALVINGS = 9  # then x <= 2^-8, so each term of the arctangent is 16 bits small
 @cache
 def pi(bits: int) -> Interval:
     """Return an enclosure of pi, at most two units 2^-bits wide."""
-    p = bits + bits.bit_length() + 8  # the error is below 20 (p + 1) < 2^(p - bits - 1)
-    (a, error_a), (b, error_b) = _arctan_of_inverse(5, p), _arctan_of_inverse(239, p)
-    value, error = 16 * a - 4 * b, 16 * error_a + 4 * error_b
-    return Interval(value - error, value + error, p).with_bits(bits)
-
-
-def _arctan_of_inverse(n: int, p: int) -> tuple[int, int]:
-    """Return arctan(1/n) in units 2^-p, and a bound of the error."""
-    power, total, j = (1 << p) // n, 0, 0
-    while power:
-        total += (-1) ** j * (power // (2 * j + 1))
-        power //= n * n
-        j += 1
-    return total, 2 * j + 1
+    p = bits + bits.bit_length() + 8  # the p/4 terms are three units wide each, or less
+    one = Interval(1 << p, 1 << p, p)
+    fifth, small = _arctan_series(one / 5), _arctan_series(one / 239)
+    return (fifth * 16 - small * 4).with_bits(bits)
 
 
 def arccos(y: Interval) -> Interval:

@@ -13,70 +13,59 @@ ends with u_j = 0, so the first term left out is below 2, and N terms give an er
 Then cos r = sqrt(1 - sin^2 r) > 1/2 has at most twice the error of sin r, since |tan r| < 2.
 
 *Over an interval* [a, b], cosine and sine have their extrema at the ends or at the multiples n pi/2
-in [a, b]: a maximum 1 of the sine at n = 1 mod 4, a minimum -1 at n = 3; of the cosine at 0 and 2.
+in [a, b], where both are 0, 1 or -1.
 """
 
 from __future__ import annotations
 
-from functools import cache, lru_cache
+from collections.abc import Sequence
+from functools import lru_cache
 from math import isqrt
 
 from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.interval import Interval
 
+CosSin = tuple[Interval, Interval]
 
-def cos_sin(x: Interval) -> tuple[Interval, Interval]:
+
+def cos_sin(x: Interval) -> CosSin:
     """Return enclosures of {cos t : t in x} and {sin t : t in x}, a few units wider than these."""
     bits = x.bits
     magnitude = max(abs(x.lo), abs(x.hi)).bit_length()  # |t| < 2^(magnitude - bits)
     p = max(magnitude, bits) + bits.bit_length() + 16
-    cos_lo, sin_lo = _cos_sin_at(x.lo << (p - bits), p)
     if x.lo == x.hi:
-        return cos_lo.with_bits(bits), sin_lo.with_bits(bits)
-    cos_hi, sin_hi = _cos_sin_at(x.hi << (p - bits), p)
-    cos, sin = _hull(cos_lo, cos_hi), _hull(sin_lo, sin_hi)
-    quarters = x.with_bits(p) / _half_pi(p)  # the interval in units pi/2
-    first, last = -(-quarters.lo >> p), quarters.hi >> p
-    for n in range(first, min(last, first + 3) + 1):  # four in a row are all there are
-        cos, sin = _with_extremum(cos, n), _with_extremum(sin, n - 1)
-    return cos.with_bits(bits), sin.with_bits(bits)
+        cos, sin = _cos_sin_at(x.lo << (p - bits), p)
+        return cos.with_bits(bits), sin.with_bits(bits)
+    half_turns = x.with_bits(p) / pi(p)
+    first, last = -(-2 * half_turns.lo >> p), 2 * half_turns.hi >> p
+    inner = range(first, min(last, first + 3) + 1)  # four in a row are all there are
+    points = [_cos_sin_at(t << (p - bits), p) for t in (x.lo, x.hi)]
+    points += [_turned(x.integer(1).with_bits(p), x.integer(0).with_bits(p), n) for n in inner]
+    cos, sin = (_hull(values).with_bits(bits) for values in zip(*points, strict=True))
+    return cos, sin
 
 
-def _with_extremum(cosine: Interval, n: int) -> Interval:
-    """Return the hull of the interval and cos(n pi/2), if that is an extremum."""
-    if n % 2:
-        return cosine
-    return _hull(cosine, cosine.integer(1 - n % 4))
+def _hull(parts: Sequence[Interval]) -> Interval:
+    """Return the least interval that contains all."""
+    return Interval(min(q.lo for q in parts), max(q.hi for q in parts), parts[0].bits)
 
 
-def _hull(x: Interval, y: Interval) -> Interval:
-    """Return the least interval that contains both."""
-    return Interval(min(x.lo, y.lo), max(x.hi, y.hi), x.bits)
-
-
-@cache
-def _half_pi(p: int) -> Interval:
-    """Return an enclosure of pi/2."""
-    whole = pi(p)
-    return Interval(whole.lo, whole.hi, p + 1).with_bits(p)
+def _turned(cos: Interval, sin: Interval, n: int) -> CosSin:
+    """Return the cosine and the sine of an angle after n quarters of a turn."""
+    return ((cos, sin), (-sin, cos), (-cos, -sin), (sin, -cos))[n % 4]
 
 
 @lru_cache(maxsize=1024)
-def _cos_sin_at(a: int, p: int) -> tuple[Interval, Interval]:
+def _cos_sin_at(a: int, p: int) -> CosSin:
     """Return enclosures of the cosine and the sine of the point a 2^-p."""
-    half_pi = _half_pi(p)
+    half_pi = pi(p - 1)  # its ends in units 2^-p enclose pi/2
     k = (2 * a + half_pi.lo) // (2 * half_pi.lo)
     r = a - k * half_pi.lo
-    error = abs(k) * half_pi.width
-    sin, rounding = _sine_series(abs(r), p)
-    error += rounding
-    cos = isqrt((1 << 2 * p) - sin * sin)
-    sin = sin if r >= 0 else -sin
-    c, s = (
-        Interval(cos - 2 * error - 1, cos + 2 * error + 1, p),
-        Interval(sin - error, sin + error, p),
-    )
-    return ((c, s), (-s, c), (-c, -s), (s, -c))[k % 4]
+    sin, error = _sine_series(abs(r), p)
+    error = 2 * (error + abs(k) * half_pi.width) + 1  # of the cosine; that of the sine is less
+    cos, sin = isqrt((1 << 2 * p) - sin * sin), sin if r >= 0 else -sin
+    c, s = Interval(cos - error, cos + error, p), Interval(sin - error, sin + error, p)
+    return _turned(c, s, k)
 
 
 def _sine_series(r: int, p: int) -> tuple[int, int]:

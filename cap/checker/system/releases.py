@@ -97,13 +97,16 @@ class Releases:
         by = [known.of(self.speed) if z == self.x else zero for z in self.model.state]
         return Moment(t, state, [t.integer(1), *by])
 
-    def over(self, t: Interval, windows: Windows) -> Moment:
-        """Prove that F is defined at all times in an interval; return the next release."""
+    def over(self, t: Interval, windows: Windows) -> list[Moment]:
+        """Prove that F is defined at all times in an interval; return the contacts that follow.
+
+        The last of them is the next release.
+        """
         middle = t.midpoint()
-        centre, found = self._followed(middle, windows), self.release(t)
+        centre, found = self._followed(middle, windows), [self.release(t)]
         for k, (window, at) in enumerate(zip(windows, centre, strict=True)):
-            found = self._next(found, k, window, at, t - middle)
-        return found
+            found.append(self._next(found[-1], k, window, at, t - middle))
+        return found[1:]
 
     def at(self, t: Interval, windows: Windows) -> Moment:
         """Return the next release, where F is known to be defined, with contacts in the windows."""

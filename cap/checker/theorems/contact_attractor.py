@@ -10,33 +10,29 @@ The system is the same a period later: if G takes an interval I of times into it
 is released at a time in I, or whole periods later, has these contacts for ever.
 
 1. *Cells.*  I = [a, b] is cut into cells.  On each, F is defined, and G' in an interval S
-   (``releases``); its contacts are in windows.  At a point that two cells share, both say which
-   contacts are next: F is one function, and analytic on I.
-2. *Images.*  G at the ends of a cell [c, d] is computed; G([c, d]) lies in the hull of G(c) and
-   G(d) if S does not contain 0, and else in G(c) + S [0, d - c], and in G(d) - S [0, d - c].
-   All images lie inside I.
-3. *Rate.*  There are weights w > 0, one for each cell, such that |S| w_K <= lambda w_J for every
-   cell K that the image of a cell J meets.  Along an orbit through the cells J_0, ..., J_m so
+   (``release_cells``); its contacts are in windows.  At a point that two cells share, both say
+   which contacts are next: F is one function, and analytic on I.
+2. *Images.*  G at the ends of a cell is computed, and what contains its image.  All images lie
+   inside I.
+3. *One orbit attracts.*  There are weights w > 0, one for each cell, and lambda < 1 such that |S|
+   w_K <= lambda w_J for every cell K that the image of a cell J meets.  Along an orbit through the
+   cells J_0, ..., J_m so
 
        |(G^m)'| <= lambda^m w_(J_0)/w_(J_m) <= C lambda^m.
 
-   *If lambda < 1*, some G^m contracts I: G has exactly one fixed point in I, and all orbits tend to
-   it.  It lies in [p, q] if G(p) > p and G(q) < q.
-   *If lambda >= 1*, G^m has the Lipschitz constant C lambda^m, so the entropy of G on I is at most
-   (log C)/m + log lambda [Katok, Hasselblatt], for all m: at most log lambda.  Directly: orbits of
-   two times that are at most r/(C lambda^n) apart stay within r of each other up to G^n, so about
-   |I| C lambda^n/r of them span all orbits of this length up to r.
-4. *Growth.*  A cell J covers a cell K, if K lies between the images of its ends.  A is the matrix
-   of the coverings; if A v >= s v for an integer vector v >= 0 that is not 0, its spectral radius
-   is at least s (Lemma 4 of ``coverings.graph``), and the entropy is at least log s.
-   *Proof.*  Let s > 1.  The spectral radius is that of a strong component, so there are a cell J
-   and infinitely many m with k_m closed paths of m coverings at J, lim sup (log k_m)/m >= log s.
-   For each path there is an interval in J that G^i takes into the i-th cell of it, for all i, and
-   G^m onto J; choose it least, then inner points are taken to inner points.  So intervals of
-   different paths have no inner point in common: when the paths part, it would be an inner point
-   of two cells.  Every second one of these intervals, in their order on the line, is disjoint from
-   the next: (k_m - 1)/2 or more disjoint intervals that G^m takes over all of them.  So G^m has at
-   least the entropy log((k_m - 1)/2).
+   Some G^m contracts I: G has exactly one fixed point in I, and all orbits tend to it.  It lies in
+   [p, q] if G(p) > p and G(q) < q.
+4. *Entropy.*  Each cell has one or two laps, on which G is monotone.  With the images and the
+   coverings of cells ``laps`` has bounds of the entropy h of G on I, and periodic orbits.
+   Sharkovsky's theorem has more of these.
+5. *Entropy per period.*  I is shorter than T, so a motion that is released at t in I is not
+   released again before b + j T, j = 0, ..., n - 1: F(t) > a + n T.  Let X_j be the set of the
+   states just after these times; states before and after a contact count as one, so it is the
+   image of I under a continuous map E_j (two contacts are never at once).  The state has all that
+   follows: there is a continuous p_j from X_j to I, p_j E_j = G.  Let P take the state to that a
+   period later.  Then P^n E_j = E_j G, so h(P^n on X_j) <= h; and p_j P^n = G p_j on X_j, and p_j
+   is onto G(I), so h(P^n on X_j) >= h(G on G(I)) = h.  P^n takes each of these n closed sets into
+   itself: the entropy of P on their union is h/n.
 """
 
 from __future__ import annotations
@@ -44,7 +40,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import cite
 from cap.checker.kernel.decimals import decimal
@@ -57,26 +53,29 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Table, Whole, enclosure, region
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.given import printed, told
+from cap.checker.system.laps import (
+    Edges,
+    closed_paths,
+    confirm_bound,
+    confirm_growth,
+    confirm_logarithms,
+    orbits,
+    rank,
+)
 from cap.checker.system.own import OwnSystem
 from cap.checker.system.passage import Contact
-from cap.checker.system.releases import Moment, Releases
+from cap.checker.system.release_cells import Cell, cell, confirm_laps
+from cap.checker.system.releases import Releases
 
 MOST_CONTACTS, MOST_CELLS, MOST_BITS = 32, 4096, 256
 WORK = 1 << 20  # pieces of flights
 SHORT = 10**15  # denominators of claims
-TERMS = 60  # of the series of an exponential
+LONGEST = 24  # of closed paths
+
+ATTRACTS = "rate", "fixed"
+CHAOTIC = "growth", "laps", "entropy", "entropy_per_period", "orbits", "period"
 
 _WINDOWS = Many(enclosure, 1, MOST_CONTACTS)
-
-
-class Cell(NamedTuple):
-    """A cell, the windows of its contacts, S, and what contains its image."""
-
-    lower: Fraction
-    upper: Fraction
-    windows: list[Interval]
-    slope: Interval
-    image: Interval
 
 
 class ContactAttractor(OwnSystem):
@@ -97,38 +96,49 @@ class ContactAttractor(OwnSystem):
               "from a release, the first of them, to the next one"),
         Field("periods", Whole(1, 1000), "", "n", "the periods of the clock that G takes"),
         Field("interval", region, "I", "I", "times of releases; G maps it into its interior"),
-        Field("rate", number, "", "lambda", "|(G^m)'| <= C lambda^m on I, for a C and all m"),
+        Field("rate", Maybe(number), "", "lambda",
+              "|(G^m)'| <= C lambda^m on I, for a C and all m; lambda < 1"),
         Field("fixed", Maybe(region), "", "",
-              "if lambda < 1: the time of the release of the orbit that attracts"),
+              "with the rate: the time of the release of the orbit that attracts"),
         Field("growth", Maybe(number), "", "s",
-              "if lambda >= 1: the spectral radius of A is at least s > 1"),
+              "else: the spectral radius of A, the matrix of coverings, is at least s > 1"),
+        Field("laps", Maybe(number), "", "S",
+              "and that of B, the matrix of laps and the cells that they meet, at most S"),
         Field("entropy", Maybe(region), "", "h",
-              "if lambda >= 1: contains log s and log lambda; the entropy of G on I is in it"),
+              "contains log s and log S; the topological entropy of G on I is in it"),
+        Field("entropy_per_period", Maybe(region), "", "h_T", "contains that interval over n"),
+        Field("orbits", Maybe(Many(Whole(0, 999_999), 1, LONGEST)), "", "",
+              "for m = 1, 2, ..: G has at least so many orbits of the least period m in I"),
+        Field("period", Maybe(Whole(1, LONGEST)), "", "m",
+              "the first m in Sharkovsky's order of which there is one"),
     )
     CITES = (
-        cite("Katok-Hasselblatt",
-             "Katok and Hasselblatt, Introduction to the Modern Theory of Dynamical Systems, 1995, "
-             "Theorem 3.2.9",
-             ("Lipschitz", "a map of a compact interval with a Lipschitz constant", "rate")),
+        cite("Sharkovsky",
+             "Sharkovsky, Coexistence of cycles of a continuous map of the line into itself, Ukr. "
+             "Math. J. 16, 1964; Block and Coppel, Dynamics in One Dimension, Springer LNM 1513, "
+             "1992",
+             ("period", "only where a period is claimed: G is continuous, takes an interval into "
+              "itself, and has an orbit of this least period", "interval, orbits, period")),
     )
     # fmt: on
     @classmethod
     def limit(cls, hints: dict[str, Any], claims: dict[str, Any]) -> None:
         """Bound the work, and what is claimed in each case."""
         need(hints["bits"] <= MOST_BITS, f"bits is above {MOST_BITS}")
-        need(claims["rate"] > 0, "claims.rate is not positive")
-        numbers = [claims["rate"], *(claims[k] for k in ("growth",) if k in claims)]
-        numbers += claims["entropy"][:2] if "entropy" in claims else ()
-        need(all(SHORT % q.denominator == 0 for q in numbers),
-             "the rate, the growth or the entropy has more than 15 places")  # fmt: skip
-        one = claims["rate"] < 1
-        need(("fixed" in claims) == one, "a fixed point is claimed if and only if lambda < 1")
-        both = {"growth", "entropy"} & claims.keys()
-        need(len(both) == (0 if one else 2), "entropy is claimed if and only if lambda >= 1")
-        need(("vector" in hints) != one, "a vector is given if and only if lambda >= 1")
+        one, both = (tuple(k for k in keys if k in claims) for keys in (ATTRACTS, CHAOTIC))
+        cases = (one, both) in ((ATTRACTS, ()), ((), CHAOTIC))
+        need(cases, f"neither {', '.join(ATTRACTS)} nor {', '.join(CHAOTIC)} are claimed, alone")
+        need(
+            ("vector" in hints) == bool(both), "a vector is given if and only if entropy is claimed"
+        )
+        numbers = [claims[k] for k in ("rate", "growth", "laps") if k in claims]
+        for key in ("entropy", "entropy_per_period"):
+            numbers += claims[key][:2] if key in claims else ()
+        need(all(SHORT % q.denominator == 0 for q in numbers), "a number has more than 15 places")
         count = len(hints["cells"])
         need(len(hints["weights"]) == count, "not one weight for each cell")
-        need(one or len(hints["vector"]) == count, "not one entry of the vector for each cell")
+        if both:
+            need(len(hints["vector"]) == count, "not one entry of the vector for each cell")
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -138,16 +148,23 @@ class ContactAttractor(OwnSystem):
         need(a < b, "the interval is empty")
         narrow = (self.releases.period - self.number(b - a)).is_positive()
         need(narrow, "the interval is not shorter than a period of the clock")
-        self.ends = list[Interval]()  # G at the ends of the cells
         self.cells = list(self.covered(a, b))
         self.step("all motions released at times in I have these contacts up to the next release")
         need(all(c.image.lies_inside(a, b) for c in self.cells), "G may not take I into itself")
         self.step("G takes I into its interior")
-        self.rate()
-        if self.claims["rate"] < 1:
+        lower, upper = [c.lower for c in self.cells], [c.upper for c in self.cells]
+        self.met = [
+            range(bisect_left(upper, c.image.lower), bisect_right(lower, c.image.upper))
+            for c in self.cells
+        ]
+        need(all(self.met), "an image meets no cell")
+        if "rate" in self.claims:
+            self.rate()
             self.fixed(a, b)
         else:
+            self.covered_cells = self.coverings(lower, upper)
             self.entropy()
+            self.periodic()
 
     def covered(self, a: Fraction, b: Fraction) -> Iterator[Cell]:
         """Prove for each cell that F is defined on it; yield the cells, from left to right."""
@@ -157,12 +174,7 @@ class ContactAttractor(OwnSystem):
             windows = [
                 Interval.enclosing(w.lower, w.upper, self.hints["bits"]) for w in hint["windows"]
             ]
-            over = self.releases.over(Interval.enclosing(c, d, self.hints["bits"]), windows)
-            if not self.ends:
-                self.ends.append(self.at(c, windows))
-            self.ends.append(self.at(d, windows))
-            image = self.image(self.ends[-2], self.ends[-1], over, self.number(d - c))
-            yield Cell(c, d, windows, over.by[0], image)
+            yield cell(self.releases, self.claims["periods"], (c, d), windows)
             a = d
         need(a == b, "the cells do not cover the interval")
 
@@ -171,25 +183,15 @@ class ContactAttractor(OwnSystem):
         periods: int = self.claims["periods"]
         return self.releases.at(self.number(t), windows).time - self.releases.period * periods
 
-    def image(self, low: Interval, high: Interval, over: Moment, width: Interval) -> Interval:
-        """Return an interval that contains the image of a cell, by 2."""
-        S = over.by[0]
-        if not S.contains_zero():
-            return _hull(low, high)
-        run = S * _hull(width.integer(0), width)
-        return (low + run).intersection(high - run)
-
     def rate(self) -> None:
         """Prove that the derivatives of G^m grow at most like lambda^m."""
         weights, rate = self.hints["weights"], self.claims["rate"]
+        need(0 < rate < 1, "claims.rate is not between 0 and 1")
         need(min(weights) > 0, "a weight is not positive")
-        lower, upper = [c.lower for c in self.cells], [c.upper for c in self.cells]
-        for cell, w in zip(self.cells, weights, strict=True):
-            first = bisect_left(upper, cell.image.lower)
-            last = bisect_right(lower, cell.image.upper)
-            need(first < last, "an image meets no cell")
-            size = max(abs(cell.slope.lower), abs(cell.slope.upper))
-            need(size * max(weights[first:last]) <= rate * w, "lambda may be larger than claimed")
+        for c, met, w in zip(self.cells, self.met, weights, strict=True):
+            size = max(abs(c.slope.lower), abs(c.slope.upper))
+            most = max(weights[met.start : met.stop])
+            need(size * most <= rate * w, "lambda may be larger than claimed")
         self.step("the derivative of G^m is at most C lambda^m in size")
 
     def fixed(self, a: Fraction, b: Fraction) -> None:
@@ -197,30 +199,43 @@ class ContactAttractor(OwnSystem):
         low, high, _, _ = self.claims["fixed"]
         need(a <= low < high <= b, "the fixed point claimed is not in I")
         for t, sign in ((low, 1), (high, -1)):
-            cell = next(c for c in self.cells if c.lower <= t <= c.upper)
-            beyond = (self.at(t, cell.windows) - self.number(t)) * sign
+            there = next(c for c in self.cells if c.lower <= t <= c.upper)
+            beyond = (self.at(t, there.windows) - self.number(t)) * sign
             need(beyond.is_positive(), "the fixed point may lie elsewhere")
         self.step("G has one fixed point in I, where it is claimed; all orbits tend to it")
 
+    def coverings(self, lower: Sequence[Fraction], upper: Sequence[Fraction]) -> Edges:
+        """Return for each cell those in the interior between the images of its ends."""
+        edges = list[range]()
+        for c in self.cells:
+            low, high = sorted(c.ends, key=lambda x: x.lo)
+            first, last = bisect_right(lower, low.upper), bisect_left(upper, high.lower)
+            edges.append(range(first, max(first, last)))
+        return edges
+
     def entropy(self) -> None:
         """Prove the bounds of the entropy."""
-        growth, vector = self.claims["growth"], self.hints["vector"]
+        growth, laps = self.claims["growth"], self.claims["laps"]
         need(growth > 1, "claims.growth is not above 1")
-        need(min(vector) >= 0 and max(vector) > 0, "the vector is negative somewhere, or zero")
-        sums = [0]
-        for v in vector:
-            sums.append(sums[-1] + v)
-        lower, upper = [c.lower for c in self.cells], [c.upper for c in self.cells]
-        for k, v in enumerate(vector):
-            low, high = sorted((self.ends[k], self.ends[k + 1]), key=lambda x: x.lo)
-            first, last = bisect_left(lower, low.upper), bisect_right(upper, high.lower)
-            need(sums[max(first, last)] - sums[first] >= growth * v, "A may not grow as claimed")
+        confirm_growth(self.covered_cells, self.hints["vector"], growth)
         self.step("the matrix of coverings grows as claimed")
+        confirm_bound(self.met, confirm_laps(self.cells), self.hints["weights"], laps)
+        self.step("the matrix of laps grows no faster than claimed")
         low, high, _, _ = self.claims["entropy"]
-        need(0 < low <= high < 64, "the entropy claimed is not between 0 and 64")
-        need(_exp_above(low) <= growth, "the entropy may be below its lower bound")
-        need(self.claims["rate"] <= _exp_below(high), "the entropy may be above its upper bound")
+        confirm_logarithms(low, high, growth, laps)
+        least, most, _, _ = self.claims["entropy_per_period"]
+        n: int = self.claims["periods"]
+        need(n * least <= low and high <= n * most, "the entropy per period may be another one")
         self.step("the entropy lies between its bounds")
+
+    def periodic(self) -> None:
+        """Prove that there are the periodic orbits claimed."""
+        counts, period = self.claims["orbits"], self.claims["period"]
+        found = orbits(closed_paths(self.covered_cells, len(counts)))
+        need(all(n <= m for n, m in zip(counts, found, strict=True)), "orbits may be fewer")
+        known = [m for m, n in enumerate(counts, 1) if n]
+        need(bool(known) and min(known, key=rank) == period, "no orbit of this period is first")
+        self.step("there are the periodic orbits claimed")
 
     def words(self) -> str:
         """Return the theorem in one line."""
@@ -229,41 +244,25 @@ class ContactAttractor(OwnSystem):
         releases = Releases(self.p, [Contact(**c) for c in claims["contacts"]], self.hints["bits"])
         listed = ", ".join(f"'{c['guard']}' of '{c['mode']}', then '{c['to']}'" for c in others)
         between = f" with the contacts {listed}, in order" if others else ""
-        end = _FIXED if claims["rate"] < 1 else _ENTROPY
-        return (_ATTRACTOR + end).format(
+        return (_ATTRACTOR + (_FIXED if "rate" in claims else self.chaos())).format(
             system=told(self.p), **first, between=between, x=releases.x,
             place=printed(releases.place),
             n=claims["periods"], interval=claims["interval"],
-            rate=decimal(claims["rate"]), fixed=claims.get("fixed"), entropy=claims.get("entropy"),
-            growth=decimal(claims.get("growth", claims["rate"])), cells=len(self.hints["cells"]),
+            rate=decimal(claims.get("rate", Fraction(0))), fixed=claims.get("fixed"),
         )  # fmt: skip
 
-
-def _hull(x: Interval, y: Interval) -> Interval:
-    """Return the least interval that contains both."""
-    return Interval(min(x.lo, y.lo), max(x.hi, y.hi), x.bits)
-
-
-def _exp_below(x: Fraction) -> Fraction:
-    """Return a number at most exp(x), x >= 0: the beginning of its series."""
-    total = term = Fraction(1)
-    for n in range(1, TERMS):
-        term = term * x / n
-        total += term
-    return total
-
-
-def _exp_above(x: Fraction) -> Fraction:
-    """Return a number at least exp(x), 0 <= x < 64.
-
-    For z = x/64 < 1 the terms from z^n/n! on sum up to less than twice it.
-    """
-    z = x / 64
-    total = term = Fraction(1)
-    for n in range(1, TERMS // 2):
-        term = term * z / n
-        total += term
-    return (total + term) ** 64
+    def chaos(self) -> str:
+        """Return what is said of entropy and periodic orbits."""
+        claims = self.claims
+        m, counts = claims["period"], claims["orbits"]
+        n = claims["periods"]
+        at = "time {}" if n == 1 else f"times {{}} + 2 pi j/omega, j = 0, .., {n - 1}"
+        more = "" if m == 3 else f" that come after it in the order {_ORDER}"
+        return _ENTROPY.format(
+            **claims, cells=len(self.hints["cells"]), s=decimal(claims["growth"]),
+            S=decimal(claims["laps"]), longest=len(counts), counts=", ".join(map(str, counts)),
+            m=m, more=more, at=at.format(claims["interval"].text[1]),
+        )  # fmt: skip
 
 
 _ATTRACTOR = (
@@ -282,8 +281,14 @@ _FIXED = (
 )
 _ENTROPY = (
     "the topological entropy of G on it lies in {entropy}: {cells} cells cover each other with a "
-    "matrix of a spectral radius of at least {growth}, and for a C and all m the derivative of G^m "
-    "is at most C {rate}^m in size"
+    "matrix of a spectral radius of at least {s}, and their laps meet each other with one of at "
+    "most {S}; where the states before and after a contact count as one, the entropy of the map "
+    "over one period 2 pi/omega lies in {entropy_per_period}, on the set of the states of these "
+    "motions at the {at}; "
+    "G has at least {counts} orbits of the least periods 1, .., {longest}, and (Sharkovsky) orbits "
+    "of all least periods{more}, as it has one of the least period {m}; the motions released at "
+    "the times of an orbit of the least period m repeat after m x {periods} x 2 pi/omega"
 )
+_ORDER = "3, 5, 7, .., 2 x 3, 2 x 5, .., 4 x 3, .., 8, 4, 2, 1"
 
 THEOREM = ContactAttractor

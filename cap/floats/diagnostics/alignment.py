@@ -21,7 +21,6 @@ THRESHOLD = -2.5  # of log10 of the index: regular above
 REACH = 0.035, 0.025  # half-widths of the box around the fixed point, in units of R and Rω
 CURVES = 5  # orbits, from the middle of the box to its right edge, whose index is kept …
 LONG = 1000  # … after each of at least so many periods
-LEAST = 1e-17  # below the distance of neighbouring unit vectors in doubles: aligned
 
 LOST, TURNED, REGULAR, CHAOTIC = -1, 0, 1, 2
 

@@ -12,7 +12,6 @@ import math
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-import mpmath
 import numpy as np
 
 from cap.floats.models.identities import (
@@ -23,7 +22,9 @@ from cap.floats.models.identities import (
     restitution,
     split,
 )
-from cap.floats.models.spectrum import Exponential, Floats, exponential, number
+from cap.floats.models.spectrum import BITS, Exponential, Floats, exponential, number
+from cap.sets import interval
+from cap.sets.interval import Ball
 from cap.system.lemmas import Clocked, Falls, Lemma, clock_part, lemmas
 from cap.system.model import Guard, System
 from cap.system.polynomial import COS, ONE, PI, SIN, ZERO, Polynomial, Quotient
@@ -324,11 +325,13 @@ def _zero_angle(parts: Sequence[Polynomial], side: int) -> float:
 
     inf if it is nowhere zero, or touches it.
     """
-    a, b, c = map(number, parts)
-    size = mpmath.hypot(a, b)
-    if not size > abs(c):
-        return math.inf
-    return float((mpmath.atan2(b, a) + side * mpmath.acos(-c / size)) % (2 * mpmath.pi))
+    with interval.workprec(BITS):
+        a, b, c = map(number, parts)
+        size = (a * a + b * b).sqrt()
+        if not size > abs(c):
+            return math.inf
+        angle, turn = Ball.atan2(b, a) + side * (-c / size).acos(), 2 * interval.pi()
+        return float(angle - turn * math.floor(float(angle / turn)))
 
 
 def kinds(E: Exponential, omega: float) -> str:

@@ -6,8 +6,8 @@ onto the eigenspaces.  Then
     exp(M d) = 1 + M d + M^2 d^2/2 + sum over z of P_z R(z d),   R(x) = exp(x) - 1 - x - x^2/2,
 
 and P_z = (M/z)^k times the product of (M - o)/(z - o) over the other roots o.  Of a pair of complex
-roots one is kept, with twice its projector: the real part of the sum is meant.  Sums of 40 digits
-are rounded to doubles at the end.
+roots one is kept, with twice its projector: the real part of the sum is meant.  Sums in balls of
+`BITS` bits are rounded to doubles at the end.
 """
 
 from __future__ import annotations
@@ -17,17 +17,19 @@ from fractions import Fraction
 from functools import reduce
 from typing import Any, NamedTuple
 
-import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput
+from cap.sets import interval
+from cap.sets.interval import Ball, ComplexBall, ComplexMatrix
+from cap.system import exponential as enclosures
 from cap.system.model import System
 from cap.system.polynomial import Polynomial
 
 Floats = NDArray[np.float64]
-DIGITS, LONGEST = 40, 3
-TINY = mpmath.mpf(10) ** -25
+BITS, LONGEST = 140, 3
+TINY = 1e-25
 
 
 class Exponential(NamedTuple):
@@ -49,49 +51,49 @@ class Exponential(NamedTuple):
 
 def exponential(system: System, mode: str) -> Exponential:
     """Return the exponential of y' = M y; refuse resonance, and matrices of other kinds."""
-    with mpmath.workdps(DIGITS):
-        M = matrix(system, mode)
-        roots = [*state_roots(system, mode), *_clock_roots(system)]
+    with interval.workprec(BITS):
+        M = interval.complex_matrix(enclosures.enclosed(system.matrix(mode)))
+        clock = ComplexBall(0, enclosures.number(system.omega))
+        roots = [*state_roots(system, mode), clock, -clock]
         distinct = [z for n, z in enumerate(roots) if all(abs(z - o) > TINY for o in roots[:n])]
-        one = mpmath.eye(M.rows)
-        rest = reduce(lambda P, z: P * (M - z * one), distinct, one)
+        one = interval.complex_matrix(interval.identity(M.nrows()))
+        rest = reduce(lambda P, z: P * (M - one * z), distinct, one)
         length = 0
-        while mpmath.mnorm(rest, mpmath.inf) > TINY:
+        while not all(abs(u) < TINY for u in rest.entries()):
             rest, length = rest * M, length + 1
             if length > LONGEST:
                 raise BadInput(
                     f"floats do not follow the mode {mode}: resonance with the clock, or a "
                     "repeated rate (M is not the sum of a diagonalisable and a short nilpotent one)"
                 )
-        kept = [z for z in distinct if mpmath.im(z) >= 0]
+        kept = [z for z in distinct if not z.imag < 0]
         parts = [_projector(M, z, distinct, length) for z in kept]
-        size = (len(kept), M.rows, M.rows)
-        real = np.array([_floats(P.apply(mpmath.re)) for P in parts]).reshape(size)
-        imaginary = np.array([_floats(P.apply(lambda u: -mpmath.im(u))) for P in parts])
+        size = (len(kept), M.nrows(), M.nrows())
+        real = np.array([_floats(P.real.entries()) for P in parts])
+        imaginary = np.array([_floats((-P.imag).entries()) for P in parts])
+        first, second = (_floats(P.real.entries()).reshape(size[1:]) for P in (M, M * M))
         rates = np.array([complex(z) for z in kept], dtype=complex)
-        return Exponential(_floats(M), _floats(M * M), rates, real, imaginary.reshape(size))
+        return Exponential(first, second, rates, real.reshape(size), imaginary.reshape(size))
 
 
-def _projector(M: Any, z: Any, roots: Sequence[Any], length: int) -> Any:
+def _projector(
+    M: ComplexMatrix, z: ComplexBall, roots: Sequence[ComplexBall], length: int
+) -> ComplexMatrix:
     """Return the projector of one of a pair, twice; of a real rate, once."""
-    P = mpmath.eye(M.rows) * (2 if mpmath.im(z) else 1)
+    one = interval.complex_matrix(interval.identity(M.nrows()))
+    P = one * (1 if z.imag == 0 else 2)
     for other in roots:
-        if other != z:
-            P = P * (M - other * mpmath.eye(M.rows)) / (z - other)
+        if other is not z:
+            P = P * (M - one * other) / (z - other)
     for _ in range(length):
         P = P * M / z
     return P
 
 
-def matrix(system: System, mode: str) -> Any:
-    """Return M (Z, Z), y = (state, cos, sin, 1), with 40 digits."""
-    return mpmath.matrix([[number(q) for q in row] for row in system.matrix(mode)])
-
-
-def number(q: Any) -> Any:
-    """Return the value of an exact number."""
-    value = q.evaluated({}, lambda c: mpmath.mpf(c.numerator) / c.denominator, mpmath.pi)
-    return mpmath.mpf(value)
+def number(q: Polynomial) -> Ball:
+    """Return a ball that contains an exact number, much shorter than the spacing of doubles."""
+    with interval.workprec(BITS):
+        return enclosures.number(q)
 
 
 def evaluated(q: Polynomial, values: Mapping[str, Any]) -> Any:
@@ -99,84 +101,24 @@ def evaluated(q: Polynomial, values: Mapping[str, Any]) -> Any:
     return q.evaluated(values, float, np.pi)
 
 
-def _clock_roots(system: System) -> list[Any]:
-    """Return i w and - i w."""
-    w = number(system.omega)
-    return [mpmath.mpc(0, w), mpmath.mpc(0, -w)]
-
-
-def state_roots(system: System, mode: str) -> list[Any]:
+def state_roots(system: System, mode: str) -> list[ComplexBall]:
     """Return the eigenvalues of the state's matrix that are not 0, each once."""
     field = system.modes[mode].field
     A = [[field[z].derivative(y) for y in system.state] for z in system.state]
     if any(set(q.terms) - {()} for row in A for q in row):
         raise BadInput(f"floats do not follow the mode {mode}: its matrix is not rational")
     numbers = [[q.terms.get((), Fraction(0)) for q in row] for row in A]
-    coefficients = _squarefree(_without_zeros(_characteristic(numbers)))
-    if len(coefficients) == 1:
-        return []
-    exact = [mpmath.mpf(c.numerator) / c.denominator for c in coefficients]
-    roots = mpmath.polyroots(exact, maxsteps=500, extraprec=400)
-    return [_clean(mpmath.mpc(z)) for z in roots]
+    with interval.workprec(BITS):
+        roots = [_clean(z) for z in interval.eigenvalues(numbers)]
+    return sorted(roots, key=lambda z: (abs(float(z.imag)), float(z.real)))
 
 
-def _clean(z: Any) -> Any:
+def _clean(z: ComplexBall) -> ComplexBall:
     """Return a root without the rounding errors in a part that is 0."""
-    real, imaginary = (0 if abs(part) < TINY * abs(z) else part for part in (z.real, z.imag))
-    return mpmath.mpc(real, imaginary)
+    parts = (0 if abs(part) < TINY * abs(z) else part for part in (z.real, z.imag))
+    return ComplexBall(*parts)
 
 
-def _characteristic(A: list[list[Fraction]]) -> list[Fraction]:
-    """Return the coefficients of det(x - A), the first is 1 (Faddeev and Leverrier)."""
-    n = len(A)
-    found, B = [Fraction(1)], [[Fraction(0)] * n for _ in range(n)]
-    for k in range(1, n + 1):
-        for i in range(n):
-            B[i][i] += found[-1]
-        B = [
-            [
-                sum(a * b for a, b in zip(row, column, strict=True))
-                for column in zip(*B, strict=True)
-            ]
-            for row in A
-        ]
-        found.append(-sum((B[i][i] for i in range(n)), Fraction(0)) / k)
-    return found
-
-
-def _without_zeros(p: list[Fraction]) -> list[Fraction]:
-    """Return p without its factors x."""
-    while len(p) > 1 and not p[-1]:
-        p = p[:-1]
-    return p
-
-
-def _squarefree(p: list[Fraction]) -> list[Fraction]:
-    """Return the polynomial with the same roots, each once."""
-    degree = len(p) - 1
-    slope = [c * (degree - k) for k, c in enumerate(p[:-1])]
-    common, rest = p, slope
-    while any(rest):
-        common, rest = rest, _divided(common, rest)[1]
-    return _divided(p, common)[0]
-
-
-def _divided(p: list[Fraction], q: list[Fraction]) -> tuple[list[Fraction], list[Fraction]]:
-    """Return the quotient and the remainder, which has no leading zeros."""
-    quotient, rest = [], list(p)
-    while len(rest) >= len(q):
-        c = rest[0] / q[0]
-        quotient.append(c)
-        rest = [
-            a - c * b
-            for a, b in zip(rest, [*q, *[Fraction(0)] * (len(rest) - len(q))], strict=True)
-        ][1:]
-    while rest and not rest[0]:
-        rest = rest[1:]
-    return quotient, rest
-
-
-def _floats(M: Any) -> Floats:
-    """Return a matrix in doubles; what is 0 up to the 40 digits is 0."""
-    entries = [[float(u) if abs(u) > TINY else 0.0 for u in M[i, :]] for i in range(M.rows)]
-    return np.array(entries)
+def _floats(entries: Sequence[Ball]) -> Floats:
+    """Return balls in doubles; what is 0 up to `TINY` is 0."""
+    return np.array([float(u) if abs(u) > TINY else 0.0 for u in entries])

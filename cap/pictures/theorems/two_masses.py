@@ -3,7 +3,6 @@
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,6 +12,7 @@ from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Theorem
 from cap.errors import BadInput
 from cap.floats.masses.mass_trajectory import trajectory
+from cap.floats.masses.particles import Particles
 from cap.pictures.masses import MARKS, NAMES
 from cap.pictures.style import BLUE, CYCLE, GREEN, RED, UNITS, star
 from cap.pictures.theorems.parts import (
@@ -130,24 +130,25 @@ def _at_a_limit(theorem: Theorem, axes: Axes, name: str) -> None:
     p, claims = theorem.p, theorem.claims
     point = [float(q) for q in theorem.hints[name]["upper"][0]]
     masses = p.masses[0], claims[name].upper
-    state = _before(p, masses, claims["itinerary"][0], point)
+    state = _before(theorem, masses, claims["itinerary"][0], point)
     _drawn(theorem, axes, masses, state, [])
     axes.set_title(f"at $m_2 \\approx {float(masses[1]):.6f}$ (floats)")
 
 
 def _before(
-    p: Any, masses: Sequence[Fraction], word: str, point: Sequence[float]
+    theorem: Theorem, masses: Sequence[Fraction], word: str, point: Sequence[float]
 ) -> tuple[float, ...]:
     """Return the state at t = 0 from which the first contact comes, given as time, coordinate,
     velocities."""
     t, xi, *speeds = point
-    F, w, f = (float(q) for q in (p.F, p.omega, p.f))
+    p = system(theorem)
     places = {"hit r": (xi, float(p.r)), "hit l": (float(p.l), xi)}.get(word, (xi, xi))
     x, v = list[float](), list[float]()
-    for mass, place, speed in zip(masses, places, speeds, strict=True):
-        m, s = float(mass), math.copysign(1, speed)
-        v.append(speed - (F * math.sin(w * t) / w - f * s * t) / m)
-        x.append(place - v[-1] * t - (F * (1 - math.cos(w * t)) / w**2 - f * s * t * t / 2) / m)
+    oscillators = Particles(p, tuple(masses)).oscillators()
+    for o, place, speed in zip(oscillators, places, speeds, strict=True):
+        flight, begin = o.launch(1 if speed > 0 else -1, o.moment(t), place, speed), o.moment(0.0)
+        x.append(o.position(flight, begin))
+        v.append(o.velocity(flight, begin))
     return *x, *v
 
 

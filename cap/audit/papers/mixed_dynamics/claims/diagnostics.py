@@ -7,19 +7,20 @@ from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.papers.mixed_dynamics.means.equation import Equation
 from cap.audit.papers.mixed_dynamics.means.orbits import States
-from cap.audit.papers.mixed_dynamics.means.printed import stated
 from cap.audit.steps import Words
+from cap.audit.tables import stated
 from cap.sets import interval
 
 LEAVES = States("0.0653", "0.5069")  # a state in the box of the map of fig:sali
+EARLY, LATE = 15, 30  # periods
 
 
 def classes_of_the_map() -> Words:
-    early, late = LEAVES.follow(15), LEAVES.follow(30)
-    need(early.only_hits(), "it stops within 15 periods")
-    need(late.has("turn") or late.has("stick"), "it does not stop within 30 periods")
+    early, late = LEAVES.follow(EARLY), LEAVES.follow(LATE)
+    need(early.only_hits(), f"it stops within {EARLY} periods")
+    need(late.has("turn") or late.has("stick"), f"it does not stop within {LATE} periods")
     word = next(word for word in late.words if not word.startswith("hit"))
-    return {"leaves": LEAVES, "word": word}
+    return {"leaves": LEAVES, "word": word, "early": EARLY, "late": LATE}
 
 
 def elliptic_only_region() -> Words:

@@ -8,8 +8,8 @@ from cap.audit.means.balls import pair
 from cap.audit.means.need import need
 from cap.audit.means.stored import Stored, stored
 from cap.audit.papers.mixed_dynamics.means.bouncing import FORCINGS, STARTS, growth, near_the_walls
-from cap.audit.papers.mixed_dynamics.means.printed import stated
 from cap.audit.steps import Words
+from cap.audit.tables import stated
 
 CERTIFIED = {"1.5": 4, "3": 1, "4.5": 5, "6": 6}  # F: number of the certificate
 

@@ -3,14 +3,7 @@
 from fractions import Fraction
 
 from cap.audit.means.need import need
-from cap.audit.tables import listed
-
-
-def stated(what: str, table: str = "fig:orbit") -> str:
-    """Return what the paper states in a row of a table."""
-    found = [paper for name, paper, *_ in listed().get(table, []) if name == what]
-    need(len(found) == 1, f"the table of {table} has no row {what!r}")
-    return found[0]
+from cap.audit.tables import stated
 
 
 def printed(what: str, table: str = "fig:orbit") -> tuple[Fraction, Fraction]:
