@@ -1,5 +1,6 @@
 """Shared set-up: the precision is checked around every test; the header names the versions."""
 
+import gc
 import platform
 from importlib.metadata import version
 
@@ -32,6 +33,12 @@ def pytest_collection_modifyitems(items):
     for item in items:
         if item.nodeid in names:
             item.add_marker(pytest.mark.slow)
+
+
+def pytest_collection_finish():
+    """Let the garbage collector pass over the tests and the libraries, which stay to the end."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True)
