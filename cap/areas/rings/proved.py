@@ -15,7 +15,7 @@ from cap.sets.doubles import Interval, lower, upper
 ROOM, FAR = 1 + 1e-9, 1.1  # segments are longer by so much, farther outside, and thicker:
 THICK = 1e-15
 MOST = 12  # pieces
-LARGE = 0.05  # errors that are larger grow so fast that no other arithmetic agrees
+LARGE = 0.02  # errors that are larger grow so fast that no other arithmetic agrees
 ROUNDING = 1e-13  # more than all errors of a few products of numbers below 10
 
 

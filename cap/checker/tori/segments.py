@@ -157,7 +157,7 @@ class Sense:
     def _guess(self, z: Segment) -> float:
         """Return, in doubles, when m hits the wall."""
         (alpha, a), e = self.floats, self.sign
-        t = (a - z.y) / z.v
+        t = math.acos(alpha) if e > 0 else (a - z.y) / z.v  # the greatest speed, or the first
         for _ in range(NEWTON):
             speed = z.v + e * (math.sin(t) - alpha * t)
             need(abs(speed) > 1e-9 and abs(t) < 10, "no hit is found")
