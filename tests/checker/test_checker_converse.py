@@ -221,7 +221,7 @@ def test_guards_of_a_segment():
         (forward, Segment(0.1, 0.54, 0.3, 0.3), "a speed at a hit"),
         (forward, Segment(-0.9, 1.0, 0.0, 0.0), "second wall"),
         (forward, Segment(0.1, -0.1, 0.0, 0.0), "not one with a positive"),
-        (forward, Segment(-0.4, 0.1, 0.0, 0.0), "no hit is found"),
+        (backward, Segment(-0.9, 0.05, 0.0, 0.0), "no hit is found"),
         (forward, Segment(0.8, 0.2, 0.05, 0.05), "a hit may be elsewhere"),
         (backward, Segment(-0.1, 3.0, 0.0, 0.0), "second wall"),
         (backward, Segment(-0.1, 0.2, 0.0, 0.0), "not be in"),
