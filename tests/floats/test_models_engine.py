@@ -75,6 +75,7 @@ def test_two_masses_as_the_hand_written_engine():
     assert same > 30
 
 
+@pytest.mark.slow  # half a minute to compile two masses
 def test_a_release_is_no_stop():
     """What is released at a zero of its acceleration does not stop there again, by rounding."""
     random = np.random.default_rng(1)
