@@ -16,7 +16,6 @@ stay is found in floats.
 """
 
 import math
-from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
@@ -27,7 +26,7 @@ from cap.checker.kernel.shapes import matched
 from cap.checker.system.given import SYSTEM, model
 from cap.checker.system.laps import PATHS, closed_paths, orbits, rank, sums
 from cap.checker.system.passage import Contact
-from cap.checker.system.release_cells import Cell
+from cap.checker.system.release_cells import Cell, coverings, met
 from cap.checker.system.releases import Releases
 from cap.errors import NotProved
 from cap.floats import candidates
@@ -153,37 +152,19 @@ def _size(c: Cell) -> Fraction:
     return max(abs(c.slope.lower), abs(c.slope.upper))
 
 
-def _met(cells: Sequence[Cell]) -> list[range]:
-    """Return for each cell which cells its image meets."""
-    lower, upper = [c.lower for c in cells], [c.upper for c in cells]
-    images = [c.image for c in cells]
-    return [range(bisect_left(upper, x.lower), bisect_right(lower, x.upper)) for x in images]
-
-
-def _covered(cells: Sequence[Cell]) -> list[range]:
-    """Return for each cell which cells lie in the interior between the images of its ends."""
-    lower, upper = [c.lower for c in cells], [c.upper for c in cells]
-    edges = list[range]()
-    for c in cells:
-        low, high = sorted(c.ends, key=lambda x: x.lo)
-        first, last = bisect_right(lower, low.upper), bisect_left(upper, high.lower)
-        edges.append(range(first, max(first, last)))
-    return edges
-
-
 def lemma_1_rate(cells: Sequence[Cell]) -> tuple[Fraction, list[int]]:
     """*Statement.* |G'| w_K <= lambda w_J if the image of the cell J meets K.
 
     *Computed.* The logarithms of the largest products of sizes along paths of m cells grow like m
     log lambda; the weights are the largest products of sizes over powers of lambda.
     """
-    met = _met(cells)
-    if not all(met):
+    images = met(cells)
+    if not all(images):
         raise NotProved("Lemma 1", "the image of a cell is not certain to lie in I")
     logs = np.array([math.log(max(float(_size(c)), 1e-12)) for c in cells])
     values = [np.zeros(len(cells))]
     for _ in range(POWER):
-        values.append(logs + np.array([values[-1][e.start : e.stop].max() for e in met]))
+        values.append(logs + np.array([values[-1][e.start : e.stop].max() for e in images]))
     half = POWER // 2
     rate = float((values[-1] - values[half]).max()) / half + 1e-6
     best = np.max([v - n * rate for n, v in enumerate(values)], axis=0)
@@ -191,7 +172,7 @@ def lemma_1_rate(cells: Sequence[Cell]) -> tuple[Fraction, list[int]]:
     weights = [max(1, round(float(w) * 10**12)) for w in scaled]
     need = max(
         _size(c) * max(weights[e.start : e.stop]) / w
-        for c, e, w in zip(cells, met, weights, strict=True)
+        for c, e, w in zip(cells, images, weights, strict=True)
     )
     return UNIT * (math.ceil(need / UNIT) + 1), weights
 
@@ -202,16 +183,12 @@ def lemma_2_growth(cells: Sequence[Cell]) -> tuple[Fraction, list[int]]:
     *Computed.* Which cells lie between the images of the ends of a cell; the vector is that of the
     power method, and s the least quotient of the entries.
     """
-    edges = _covered(cells)
+    edges = coverings(cells)
     source = np.array([k for k, targets in enumerate(edges) for _ in targets], dtype=np.int64)
     target = np.array([j for targets in edges for j in targets], dtype=np.int64)
     part = fastest(source, target, len(cells))
     vector = [int(float(v) * SCALE) for v in part.right]
-    quotients = [
-        Fraction(sum(vector[j] for j in targets), v)
-        for targets, v in zip(edges, vector, strict=True)
-        if v
-    ]
+    quotients = [Fraction(x, v) for x, v in zip(sums(edges, vector), vector, strict=True) if v]
     growth = UNIT * math.floor(min(quotients, default=Fraction(0)) / UNIT)
     if growth <= 1:
         raise NotProved(
@@ -227,16 +204,16 @@ def lemma_3_laps(cells: Sequence[Cell]) -> tuple[Fraction, list[int]]:
 
     *Computed.* (r - B) w = 1, r a little more than the spectral radius: then B w = r w - 1.
     """
-    met, count = _met(cells), len(cells)
+    images, count = met(cells), len(cells)
     B = np.zeros((count, count))
-    for row, cell, edges in zip(B, cells, met, strict=True):
+    for row, cell, edges in zip(B, cells, images, strict=True):
         row[edges.start : edges.stop] = cell.laps
     radius = float(np.abs(np.linalg.eigvals(B)).max())
     w = np.linalg.solve((radius + ABOVE) * np.eye(count) - B, np.ones(count))
     if not w.min() > 0:
         raise NotProved("Lemma 3", "no bound of the number of laps is found")
     weights = [max(1, round(x * SCALE)) for x in (w / w.min()).tolist()]
-    parts = zip(cells, sums(met, weights), weights, strict=True)
+    parts = zip(cells, sums(images, weights), weights, strict=True)
     bound = max(Fraction(c.laps * x, y) for c, x, y in parts)
     return UNIT * (math.ceil(bound / UNIT) + 1), weights
 
@@ -246,7 +223,7 @@ def lemma_4_orbits(cells: Sequence[Cell]) -> dict[str, Any]:
 
     *Computed.* From the closed paths of coverings.
     """
-    covered = _covered(cells)
+    covered = coverings(cells)
     longest = max(1, min(ORBITS, PATHS // sum(map(bool, covered)) ** 2))
     found = orbits(closed_paths(covered, longest))
     if not any(found):

@@ -41,11 +41,11 @@ def cos_sin(x: Interval) -> CosSin:
     inner = range(first, min(last, first + 3) + 1)  # four in a row are all there are
     points = [_cos_sin_at(t << (p - bits), p) for t in (x.lo, x.hi)]
     points += [_turned(x.integer(1).with_bits(p), x.integer(0).with_bits(p), n) for n in inner]
-    cos, sin = (_hull(values).with_bits(bits) for values in zip(*points, strict=True))
+    cos, sin = (hull(values).with_bits(bits) for values in zip(*points, strict=True))
     return cos, sin
 
 
-def _hull(parts: Sequence[Interval]) -> Interval:
+def hull(parts: Sequence[Interval]) -> Interval:
     """Return the least interval that contains all."""
     return Interval(min(q.lo for q in parts), max(q.hi for q in parts), parts[0].bits)
 

@@ -9,10 +9,12 @@ monotone.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from cap.checker.kernel.elementary import hull
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 from cap.checker.system.release_bend import bend
@@ -44,7 +46,7 @@ def cell(
     laps = 1
     if S.contains_zero():
         laps = _laps(bend(F, t, moments), first.by[0] * last.by[0])
-    image = _hull(low, high)
+    image = hull((low, high))
     if laps != 1:
         run = S * Interval.enclosing(0, d - c, F.bits)
         image = (low + run).intersection(high - run)
@@ -57,13 +59,26 @@ def confirm_laps(cells: Sequence[Cell]) -> list[int]:
     return [c.laps for c in cells]
 
 
+def met(cells: Sequence[Cell]) -> list[range]:
+    """Return for each cell those that its image meets, if it lies in I."""
+    lower, upper = [c.lower for c in cells], [c.upper for c in cells]
+    images = [c.image for c in cells]
+    return [range(bisect_left(upper, x.lower), bisect_right(lower, x.upper)) for x in images]
+
+
+def coverings(cells: Sequence[Cell]) -> list[range]:
+    """Return for each cell those in the interior between the images of its ends."""
+    lower, upper = [c.lower for c in cells], [c.upper for c in cells]
+    edges = list[range]()
+    for c in cells:
+        low, high = sorted(c.ends, key=lambda x: x.lo)
+        first, last = bisect_right(lower, low.upper), bisect_left(upper, high.lower)
+        edges.append(range(first, max(first, last)))
+    return edges
+
+
 def _laps(turns: Interval, signs: Interval) -> int:
     """Return the laps, from G'' on the cell and the product of G' at its ends; 0 if not known."""
     if turns.contains_zero():
         return 0
     return 1 if signs.is_positive() else 2
-
-
-def _hull(x: Interval, y: Interval) -> Interval:
-    """Return the least interval that contains both."""
-    return Interval(min(x.lo, y.lo), max(x.hi, y.hi), x.bits)

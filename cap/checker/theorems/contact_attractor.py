@@ -37,7 +37,6 @@ is released at a time in I, or whole periods later, has these contacts for ever.
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
@@ -54,7 +53,6 @@ from cap.checker.kernel.shapes import Field, Many, Table, Whole, enclosure, regi
 from cap.checker.kernel.theorem import BITS
 from cap.checker.system.given import printed, told
 from cap.checker.system.laps import (
-    Edges,
     closed_paths,
     confirm_bound,
     confirm_growth,
@@ -64,7 +62,7 @@ from cap.checker.system.laps import (
 )
 from cap.checker.system.own import OwnSystem
 from cap.checker.system.passage import Contact
-from cap.checker.system.release_cells import Cell, cell, confirm_laps
+from cap.checker.system.release_cells import Cell, cell, confirm_laps, coverings, met
 from cap.checker.system.releases import Releases
 
 MOST_CONTACTS, MOST_CELLS, MOST_BITS = 32, 4096, 256
@@ -152,17 +150,13 @@ class ContactAttractor(OwnSystem):
         self.step("all motions released at times in I have these contacts up to the next release")
         need(all(c.image.lies_inside(a, b) for c in self.cells), "G may not take I into itself")
         self.step("G takes I into its interior")
-        lower, upper = [c.lower for c in self.cells], [c.upper for c in self.cells]
-        self.met = [
-            range(bisect_left(upper, c.image.lower), bisect_right(lower, c.image.upper))
-            for c in self.cells
-        ]
+        self.met = met(self.cells)
         need(all(self.met), "an image meets no cell")
         if "rate" in self.claims:
             self.rate()
             self.fixed(a, b)
         else:
-            self.covered_cells = self.coverings(lower, upper)
+            self.covered_cells = coverings(self.cells)
             self.entropy()
             self.periodic()
 
@@ -188,9 +182,9 @@ class ContactAttractor(OwnSystem):
         weights, rate = self.hints["weights"], self.claims["rate"]
         need(0 < rate < 1, "claims.rate is not between 0 and 1")
         need(min(weights) > 0, "a weight is not positive")
-        for c, met, w in zip(self.cells, self.met, weights, strict=True):
+        for c, images, w in zip(self.cells, self.met, weights, strict=True):
             size = max(abs(c.slope.lower), abs(c.slope.upper))
-            most = max(weights[met.start : met.stop])
+            most = max(weights[images.start : images.stop])
             need(size * most <= rate * w, "lambda may be larger than claimed")
         self.step("the derivative of G^m is at most C lambda^m in size")
 
@@ -203,15 +197,6 @@ class ContactAttractor(OwnSystem):
             beyond = (self.at(t, there.windows) - self.number(t)) * sign
             need(beyond.is_positive(), "the fixed point may lie elsewhere")
         self.step("G has one fixed point in I, where it is claimed; all orbits tend to it")
-
-    def coverings(self, lower: Sequence[Fraction], upper: Sequence[Fraction]) -> Edges:
-        """Return for each cell those in the interior between the images of its ends."""
-        edges = list[range]()
-        for c in self.cells:
-            low, high = sorted(c.ends, key=lambda x: x.lo)
-            first, last = bisect_right(lower, low.upper), bisect_left(upper, high.lower)
-            edges.append(range(first, max(first, last)))
-        return edges
 
     def entropy(self) -> None:
         """Prove the bounds of the entropy."""

@@ -33,6 +33,7 @@ from typing import Any
 from cap.checker.kernel.arctangent import pi
 from cap.checker.kernel.citation import Citation, cite
 from cap.checker.kernel.decimals import decimal
+from cap.checker.kernel.elementary import hull
 from cap.checker.kernel.fourier import Circle, Function
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.optional import Maybe
@@ -367,11 +368,6 @@ class Island(BetweenWalls):
 def determinant(M: Sequence[Sequence[Fraction]]) -> Fraction:
     """Return the determinant."""
     return M[0][0] * M[1][1] - M[0][1] * M[1][0]
-
-
-def hull(parts: list[Interval]) -> Interval:
-    """Return the least interval that contains all."""
-    return Interval(min(p.lo for p in parts), max(p.hi for p in parts), parts[0].bits)
 
 
 _PHI = "the map Phi over a period T = 2 pi/omega from t = 0"
