@@ -30,7 +30,7 @@ def driven(place: Wall) -> Polynomial:
     mode = system.modes[place.falling]
     pull = -system.lie(place.falling, place.rate)
     slopes = [pull.derivative(z) for z in (COS, SIN)]
-    sides = [[z for z in system.state if q.derivative(z)] for q in (place.h, place.rate)]
+    sides = [variables(place, q) for q in (place.h, place.rate)]
     held = [q.multiple_of(pull) for q in place.rested().values()] if pull else [None]
     for fails, reason in (
         (len(system.state) != 2, f"the state has {len(system.state)} variables, not two"),
@@ -46,6 +46,11 @@ def driven(place: Wall) -> Polynomial:
         if fails:
             raise BadInput(f"no share of a rectangle is proved of this model: {reason}")
     return pull
+
+
+def variables(place: Wall, q: Polynomial) -> list[str]:
+    """Return on which variables of the state h, or h', depends: one, if the theorem applies."""
+    return [z for z in place.system.state if q.derivative(z)]
 
 
 def numbers(place: Wall, pull: Polynomial, asked: Rectangle) -> tuple[Pull, Sides]:
@@ -66,7 +71,7 @@ def numbers(place: Wall, pull: Polynomial, asked: Rectangle) -> tuple[Pull, Side
     )
     sides: list[Interval] = []
     for q in (place.h, place.rate):
-        (z,) = (z for z in place.system.state if q.derivative(z))
+        (z,) = variables(place, q)
         a, b = asked.box[z]
         slope = value(q.derivative(z), {})
         base = slope * interval.ball(a) + value(q.without(z), known)

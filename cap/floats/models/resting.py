@@ -13,7 +13,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from cap.areas.resting.asked import Rectangle, driven, numbers
+from cap.areas.resting.asked import Rectangle, driven, numbers, variables
 from cap.areas.resting.fates import RESTS, fates
 from cap.areas.resting.pull import table
 from cap.errors import BadInput
@@ -22,7 +22,6 @@ from cap.floats.models.subject import Subject
 from cap.orbits.wall import Wall, wall
 from cap.sets import interval
 from cap.sets.compiled import PROBE, require_ieee
-from cap.system.polynomial import Polynomial
 
 PERIODS, BITS = 16, 128  # soon: within so many periods of the clock
 
@@ -32,16 +31,15 @@ def resting(subject: Subject, states: Floats) -> tuple[NDArray[np.bool_], list[s
 
     Where the sweep does not apply these are none, and the words say why.
     """
-    none = np.zeros(len(states), dtype=bool)
+    found = np.zeros(len(states), dtype=bool)
     try:
         place = wall(subject.system)
         driven(place)
     except BadInput as reason:
-        return none, [f"each state is followed, for {reason}"]
+        return found, [f"each state is followed, for {reason}"]
     until = Fraction(round(PERIODS * subject.period))
     engine = subject.engine
     here = engine.begun(states) == engine.modes.index(place.falling)
-    found = none
     found[here] = _rest(place, states[here], until)
     if not found.any():
         return found, [f"each state is followed: none is seen to rest before t = {until}"]
@@ -63,14 +61,10 @@ def _rest(place: Wall, states: Floats, until: Fraction) -> NDArray[np.bool_]:
     box = {z: (Fraction(a), Fraction(b)) for z, a, b in pairs}
     with interval.workprec(BITS):
         pull, sides = numbers(place, driven(place), Rectangle(Fraction(0), until, box))
-    columns = [k for q in (place.h, place.rate) for k in _of(place, q)]
+    order = place.system.state
+    columns = [order.index(z) for q in (place.h, place.rate) for z in variables(place, q)]
     x, y = ((states - low) / width).T[columns]
     found = np.empty(len(states), dtype=np.int8)
     cells = np.stack([x, x, y, y], axis=1)
     require_ieee(fates(pull, table(pull), PROBE, sides, cells, found))
     return np.asarray(found == RESTS)
-
-
-def _of(place: Wall, q: Polynomial) -> list[int]:
-    """Return on which variables of the state h, or h', depends: one, by `driven`."""
-    return [k for k, z in enumerate(place.system.state) if q.derivative(z)]
