@@ -210,6 +210,11 @@ def test_lies_about_entropy(path, value, why):
     rejected(changed(TOSS, *path, value), why)
 
 
+def test_entropy_of_two_rounds():
+    """States do not tell how many releases of a round have been: its entropy is not claimed."""
+    rejected(changed(TOSS, "claims", "contacts", TOSS["claims"]["contacts"] * 2), "only one round")
+
+
 def test_a_vector_of_other_cells():
     """One that does not grow."""
     vector = TOSS["hints"]["vector"]
