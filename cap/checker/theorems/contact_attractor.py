@@ -28,10 +28,10 @@ is released at a time in I, or whole periods later, has these contacts for ever.
 4. *Entropy.*  Each cell has one or two laps, on which G is monotone.  With the images and the
    coverings of cells ``laps`` has bounds of the entropy h of G on I, and periodic orbits.
    Sharkovsky's theorem has more of these.
-5. *Entropy per period.*  Here k = 1.  I is shorter than T, so a motion that is released at t in I is
-   not released again before b + j T, j = 0, ..., n - 1: F(t) > a + n T.  Let X_j be the set of the
-   states just after these times; states before and after a contact count as one, so it is the image
-   of I under a continuous map E_j (two contacts are never at once).  The state has all that
+5. *Entropy per period.*  Here k = 1.  I is shorter than T, so a motion that is released at t in I
+   is not released again before b + j T, j = 0, ..., n - 1: F(t) > a + n T.  Let X_j be the set of
+   the states just after these times; states before and after a contact count as one, so it is the
+   image of I under a continuous map E_j (two contacts are never at once).  The state has all that
    follows, and F(t) is the first release that does: there is a continuous p_j from X_j to I, p_j
    E_j = G.  Let P take the state to that a period later.  Then P^n E_j = E_j G, so h(P^n on X_j) <=
    h; and p_j P^n = G p_j on X_j, and p_j is onto G(I), so h(P^n on X_j) >= h(G on G(I)) = h.  P^n
