@@ -37,6 +37,7 @@ def part(text, k, new):
     return ",".join(items)
 
 
+@pytest.mark.slow
 def test_it_is_verified():
     """All steps; the schema describes it; the sentence has the numbers claimed."""
     assert len(verify(GOOD)) == 6
