@@ -65,7 +65,6 @@ def refuses(step, why, *arguments):
         step(*arguments)
 
 
-@pytest.mark.slow
 def test_it_is_verified():
     """In six steps; the schema describes it; the line says what was proved and what was not."""
     steps = []

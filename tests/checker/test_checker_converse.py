@@ -37,7 +37,6 @@ def part(text, k, new):
     return ",".join(items)
 
 
-@pytest.mark.slow
 def test_it_is_verified():
     """All steps; the schema describes it; the sentence has the numbers claimed."""
     assert len(verify(GOOD)) == 6

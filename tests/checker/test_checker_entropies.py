@@ -73,7 +73,6 @@ def refused(at, why, n, certificate):
         examined(at, n, certificate)
 
 
-@pytest.mark.slow
 def test_it_is_verified():
     """The schema describes it; the line says what was proved and what was not."""
     steps = []

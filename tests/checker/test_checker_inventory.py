@@ -50,7 +50,6 @@ def small(inventory):
     return inventory | {"parameters": parameters, "claims": claims, "hints": hints}
 
 
-@pytest.mark.slow
 def test_it_is_verified(inventory, small):
     """In steps; the schema describes it; the line says what was proved."""
     assert len(verify(inventory)) == 5

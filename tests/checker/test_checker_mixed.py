@@ -25,7 +25,6 @@ def true():
     return certificate()
 
 
-@pytest.mark.slow
 def test_it_is_verified(true):
     """With its lemmas, in one process and in two; and it says what was shown."""
     steps = verify(true)

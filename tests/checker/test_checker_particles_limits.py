@@ -68,7 +68,6 @@ def shifted(pair, by):
     return [str(Fraction(end) + by) for end in pair]
 
 
-@pytest.mark.slow
 def test_it_is_verified(limits):
     """Step by step; the schema describes it; the line says what was proved and no more."""
     steps = []

@@ -63,7 +63,6 @@ def moved(pair, by):
     return [str(low + by * (high - low)), str(high + by * (high - low))]
 
 
-@pytest.mark.slow
 def test_it_is_verified():
     """The schema describes it; the line says what was proved and what was not."""
     steps = []
