@@ -69,6 +69,7 @@ def made(lines):
     return steps.made({"positive": "f", "real": "t", "steps": lines})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("line", HOLD)
 def test_what_holds(line):
     """Identities, differences, signs, what certificates claim."""
@@ -93,6 +94,32 @@ def test_names_are_defined_in_order():
     """A later step uses what an earlier one defined; a common part comes first."""
     done = steps.made({"positive": "a", "steps": "b = 2*a"}, {"steps": "c = b + a\nc == 3*a"})
     assert str(done.names["c"]) == "3*a"
+
+
+MEANS = "cap.audit.papers.mixed_dynamics.means"
+CALLED = """
+kept(4, 1/5) == [[0, 4]]
+theta = roots(1/2, 2)
+theta[0] + theta[1] > 314/100
+theta[0] + theta[1] < 315/100
+late = until([elliptic.x, elliptic.v], 2*pi)
+late.stops == []
+late.words == ["hit r", "hit l"]
+overlap(late.state[0], elliptic.x) == True
+labels.cited > 0
+"""
+
+
+def test_functions_that_are_used():
+    """They are given exact numbers and balls; what they find has parts, which are numbers again."""
+    used = [f"{MEANS}.{name}" for name in ("resonances", "equation", "orbits")]
+    done = steps.made({"steps": CALLED}, used=used)
+    shown = filled("{late.words}: {late.times.0:2}, {theta.0:2}", done.names, done.balls)
+    assert shown == "hit r, hit l: [1.09, 1.10], [0.96, 0.97]"
+    assert "Fraction" not in done.names
+    for wrong in ("kept(4, 1/5) == []", "late.state[0] < 0", "theta[0] > theta[1]"):
+        with pytest.raises(NotProved):
+            steps.made({"steps": f"{CALLED}\n{wrong}"}, used=used)
 
 
 @pytest.mark.parametrize(

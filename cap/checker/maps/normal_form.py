@@ -30,8 +30,8 @@ Proof: f preserves area, hence (D o f) = D (det N' o psi).  If D = 1 below degre
 rho |z|^2n.  The left side has the same term |z|^2n as D_2n, so rho = 0; then e^(j-k) != 1 leaves no
 other term of D_2n, and none of D_(2n+1).
 
-*The twists* tau_k are real, since N preserves area: the enclosure of Re(i tau_k) must contain 0, and
-the one of tau_k is that of Im(i tau_k), with which the next degrees are treated.
+*The twists* tau_k are real, since N preserves area: the enclosure of Re(i tau_k) must contain 0,
+and that of Im(i tau_k) is the enclosure of tau_k with which the next degrees are treated.
 """
 
 from __future__ import annotations

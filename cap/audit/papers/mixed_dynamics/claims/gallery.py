@@ -54,22 +54,6 @@ def turns_of_the_gallery() -> Words:
     return {"turns": f"{counts[0]}, {counts[1]} and {counts[2]}"}
 
 
-def growth_of_the_hits() -> Words:
-    hits = {F: Fraction(stated(f"wall hits in 4 T at F = {F}", "fig:hist-gallery-low"))
-            for F in ("1.5", "3", "4.5")}  # fmt: skip
-    ratios = [count / Fraction(F) for F, count in hits.items()]
-    need(ratios[0] > ratios[1] > ratios[2], "the ratio does not fall", ratios=ratios)
-    slope = (hits["4.5"] - hits["1.5"]) / 3
-    constant = hits["3"] - 3 * slope
-    need(constant != 0, "the line goes through 0")
-    need(all(constant + slope * Fraction(F) == n for F, n in hits.items()), "it is no line")
-    return {
-        "constant": constant,
-        "slope": slope,
-        "ratios": ", ".join(f"{float(each):.3g}" for each in ratios),
-    }
-
-
 def scaling_of_the_hits() -> Words:
     grown = growth()
     return _slower(grown.hits, grown.exponents[0])
@@ -93,11 +77,6 @@ def time_near_the_walls() -> Words:
     largest, median = max(shares), sorted(shares)[len(shares) // 2]
     need(largest < 1 / 2, "an orbit is near the walls most of the time", shares=shares)
     return {"orbits": len(shares), "median": f"{median:.0%}", "largest": f"{largest:.0%}"}
-
-
-def range_of_the_counts() -> None:
-    text = stated("F = 2: elliptic + saddle, grid-Newton", "fig:hist-cont")
-    need(text == "0 + 0", "the bar at F = 2 is not empty")
 
 
 def number_of_subsections() -> Words:
