@@ -12,7 +12,10 @@ If K lies inside of [-r, r], there is exactly one zero b of F for each s, and it
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,7 +27,7 @@ from cap.orbits.equations import derivative
 from cap.orbits.numbers import Balls, Floats
 from cap.orbits.periodic import symmetric
 from cap.sets import interval
-from cap.sets.interval import Ball, Matrix
+from cap.sets.interval import Ball, Exact, Matrix
 
 SHIFT = 48  # C has the unit 2^-48
 NEWTON, TRIALS = 12, 3
@@ -34,26 +37,43 @@ EVEN = 1000  # times r_k is no smaller than another one
 MARGIN = 3 / 4  # of r, in which K must lie: the checker's K may be somewhat larger
 
 
-class Line(NamedTuple):
-    """Where a cell is looked for: w_0, w_1, and C; exact."""
+_identity = lru_cache(interval.identity)
+
+
+@dataclass(frozen=True)
+class Line:
+    """Where a cell is looked for: w_0, w_1, and C, of doubles; exact."""
 
     along: int
     ends: tuple[Fraction, Fraction]
     centre: Sequence[Fraction]
     slope: Sequence[Fraction]
-    matrix: Sequence[Sequence[Fraction]]
+    matrix: Sequence[Sequence[float]]
 
-    @property
+    @cached_property
     def middle(self) -> Fraction:
         """s_0."""
         return (self.ends[0] + self.ends[1]) / 2
 
+    @cached_property
+    def _exact(self) -> list[tuple[Exact, Exact]]:
+        """w_0 and w_1, of which balls are made fast."""
+        pairs = zip(self.centre, self.slope, strict=True)
+        return [(interval.exact(c), interval.exact(q)) for c, q in pairs]
+
+    @property
+    def direction(self) -> list[Ball]:
+        """w_1, enclosed."""
+        return [interval.ball(q) for _, q in self._exact]
+
+    @property
+    def preconditioner(self) -> Matrix:
+        """C, enclosed."""
+        return interval.matrix(self.matrix)
+
     def at(self, offset: Ball) -> Box:
         """Return the points of the line at s - s_0."""
-        return tuple(
-            interval.ball(c) + interval.ball(q) * offset
-            for c, q in zip(self.centre, self.slope, strict=True)
-        )
+        return tuple([interval.ball(c) + interval.ball(q) * offset for c, q in self._exact])
 
 
 class Cell(NamedTuple):
@@ -167,11 +187,9 @@ class Cells:
         v[others] = -C @ J[:, along]
         if not np.abs(C).max() < 1e9:
             raise NotProved("curve", "F' is nearly singular", {"w": w})
-        centre = [Fraction(f"{x:.14g}") for x in w]
+        centre = [decimal(x, 14) for x in w]
         centre[along] = middle
-        slope = [Fraction(f"{x:.8g}") for x in v]
-        rows = [[Fraction(round(x * 2**SHIFT), 2**SHIFT) for x in row] for row in C.tolist()]
-        return Line(along, ends, centre, slope, rows)
+        return Line(along, ends, centre, [decimal(x, 8) for x in v.tolist()], in_units(C))
 
     def prove(self, line: Line) -> Cell:
         """Prove the same as `zeros`, and enclose the multipliers."""
@@ -183,17 +201,17 @@ class Cells:
         along, curve, of = line.along, self.curve, self.balls
         size = curve.size
         others = [k for k in range(size + 1) if k != along]
-        C = interval.matrix([[interval.ball(q) for q in row] for row in line.matrix])
+        C = line.preconditioner
         with interval.guarded():
             value = curve.value(line.at(interval.ZERO), of)
         F = C * interval.column(value)
-        offset, w1 = spread(line), interval.column([interval.ball(q) for q in line.slope])
+        offset, w1 = spread(line), interval.column(line.direction)
         place, reach = line.at(offset), [Fraction(0)] * (size + 1)
         for _ in range(TRIALS):
             aside = [interval.symmetric(interval.ball(r)) for r in reach]
             blocks = curve.blocks([x + b for x, b in zip(place, aside, strict=True)], of)
             rows = curve.rows(blocks)
-            E = interval.identity(size) - C * interval.matrix(
+            E = _identity(size) - C * interval.matrix(
                 [[r[k] for k in others] for r in rows]
             )
             forced = C * (interval.matrix(rows) * w1)
@@ -217,4 +235,15 @@ def _above(x: Ball) -> Fraction:
     size = float(interval.upper(abs(x)))
     if not size < 1e3:
         raise NotProved("curve", "a cell is too long", {"K": x})
-    return Fraction(f"{max(ROOM * size, 1e-60):.3g}")
+    return decimal(max(ROOM * size, 1e-60), 3)
+
+
+def decimal(x: float, digits: int) -> Fraction:
+    """Return a decimal of so many significant digits near a double."""
+    return Fraction(Decimal(f"{x:.{digits}g}"))
+
+
+def in_units(C: Any) -> list[list[float]]:
+    """Return a matrix in units of 2^-48, exact doubles."""
+    rows: list[list[float]] = (np.round(C * 2.0**SHIFT) / 2.0**SHIFT).tolist()
+    return rows
