@@ -37,7 +37,11 @@ EVEN = 1000  # times r_k is no smaller than another one
 MARGIN = 3 / 4  # of r, in which K must lie: the checker's K may be somewhat larger
 
 
-_identity = lru_cache(interval.identity)
+@lru_cache
+def _one(size: int, along: int) -> Matrix:
+    """Return the matrix that takes all unknowns to those but one."""
+    rows = interval.identity(size).tolist()
+    return interval.matrix([[*row[:along], interval.ZERO, *row[along:]] for row in rows])
 
 
 @dataclass(frozen=True)
@@ -199,29 +203,24 @@ class Cells:
     def zeros(self, line: Line) -> Cell:
         """Prove that the curve has one point for each s; see the statement of this module."""
         along, curve, of = line.along, self.curve, self.balls
-        size = curve.size
-        others = [k for k in range(size + 1) if k != along]
-        C = line.preconditioner
+        C, one = line.preconditioner, _one(curve.size, along)
         with interval.guarded():
             value = curve.value(line.at(interval.ZERO), of)
         F = C * interval.column(value)
         offset, w1 = spread(line), interval.column(line.direction)
-        place, reach = line.at(offset), [Fraction(0)] * (size + 1)
+        place, aside = line.at(offset), [interval.ZERO] * (curve.size + 1)
+        reach = [Fraction(0)] * len(aside)
         for _ in range(TRIALS):
-            aside = [interval.symmetric(interval.ball(r)) for r in reach]
             blocks = curve.blocks([x + b for x, b in zip(place, aside, strict=True)], of)
-            rows = curve.rows(blocks)
-            E = _identity(size) - C * interval.matrix(
-                [[r[k] for k in others] for r in rows]
-            )
-            forced = C * (interval.matrix(rows) * w1)
-            B = interval.column([aside[k] for k in others])
-            K = (E * B - F - forced * offset).entries()
-            if all(abs(x) < MARGIN * aside[k].rad() for x, k in zip(K, others, strict=True)):
-                return Cell(line, reach, (*K[:along], interval.ZERO, *K[along:]), [])
-            least = max(map(_above, K)) / EVEN
-            for x, k in zip(K, others, strict=True):
-                reach[k] = max(least, _above(x))
+            CA = C * interval.matrix(curve.rows(blocks))  # with a column for s, which b has not
+            K = ((one - CA) * interval.column(aside) - F - CA * w1 * offset).entries()
+            K.insert(along, interval.ZERO)
+            inside = [abs(x) < MARGIN * b.rad() for x, b in zip(K, aside, strict=True)]
+            if all(inside[:along] + inside[along + 1 :]):
+                return Cell(line, reach, tuple(K), [])
+            reach = _reach(K)
+            reach[along] = Fraction(0)
+            aside = [interval.symmetric(interval.ball(r)) for r in reach]
         raise NotProved("curve", "K does not lie inside of the box of a cell", {"s": place[along]})
 
     def multipliers(self, box: Box) -> list[Ball]:
@@ -230,12 +229,14 @@ class Cells:
         return symmetric(D, autonomous=self.curve.equations.autonomous)
 
 
-def _above(x: Ball) -> Fraction:
-    """Return a short number above |x|, with room."""
-    size = float(interval.upper(abs(x)))
-    if not size < 1e3:
-        raise NotProved("curve", "a cell is too long", {"K": x})
-    return decimal(max(ROOM * size, 1e-60), 3)
+def _reach(K: Sequence[Ball]) -> list[Fraction]:
+    """Return short numbers above |K|, with room, none of them much smaller than another."""
+    sizes = [float(interval.upper(abs(x))) for x in K]
+    if not all(size < 1e3 for size in sizes):
+        raise NotProved("curve", "a cell is too long", {"K": K[0]})
+    above = [decimal(max(ROOM * size, 1e-60), 3) for size in sizes]
+    least = max(above) / EVEN
+    return [max(least, r) for r in above]
 
 
 def decimal(x: float, digits: int) -> Fraction:

@@ -8,7 +8,7 @@ from math import cos, pi, sin
 from typing import Any, Protocol
 
 from cap.errors import BadInput
-from cap.orbits.motion import BITS, Motion
+from cap.orbits.motion import Motion
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.system.exponential import Exponential, number
@@ -81,8 +81,7 @@ class Floats:
 
     def exponential(self, motion: Motion, d: float) -> Sequence[float]:
         """Return the entries of exp(N d)."""
-        with interval.workprec(BITS):
-            return [float(x) for x in motion.in_few_bits(Ball(d))]
+        return motion.in_doubles.near(d)
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of doubles."""

@@ -162,8 +162,8 @@ def total(terms: Iterable[arb]) -> arb:
     return sum(terms, ZERO)
 
 
-def matrix(rows: Sequence[Sequence[arb]]) -> Matrix:
-    """Return a matrix of balls, or of integers."""
+def matrix(rows: Sequence[Sequence[arb | float]]) -> Matrix:
+    """Return a matrix of balls, or of integers or doubles."""
     return arb_mat(rows)
 
 
