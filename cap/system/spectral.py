@@ -4,7 +4,9 @@ It is the sum over its eigenvalues z of e^(zd) P, where P is the product of (N -
 others; two that are conjugate, a ± iw, give 2 e^(ad) (cos wd Re P - sin wd Im P).  For d = m + s,
 where D is the ball of d, Taylor's formula is
 
-    exp(N d) = exp(N m) (1 + N s) + exp(N D) N² s²/2.
+    exp(N d) = exp(N m) (1 + N s) + exp(N D) N² s²/2,
+
+with one more term where D is long.
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ from cap.sets import interval
 from cap.sets.interval import Ball, ComplexBall, ComplexMatrix, Matrix
 from cap.system.polynomial import Polynomial
 
+SHORT = 1 / 32  # of a radius times the largest eigenvalue
 ROOM = 64  # more bits for what is kept
 LARGEST = 100  # entry of P: it is large where eigenvalues are close
 
@@ -39,24 +42,31 @@ class Rate(Generic[T]):
 class Spectral:
     """Some entries of X = exp(N d), as products with the row u of e^(ad), and e^(ad) (cos, sin) wd.
 
-    Those of X and X N are u ``here``, those of X N² are u ``further``.
+    Those of X N^k are u times the k-th of the ``towers``.  Where a radius is ``short``, two terms
+    of Taylor's formula are enough.
     """
 
     rates: list[Rate[Ball]]
-    here: Matrix
-    further: Matrix
+    towers: list[Matrix]
+    short: float
 
     def __call__(self, d: Ball) -> list[Ball]:
         """Return enclosures for all numbers in d."""
-        size, middle = self.further.ncols(), interval.point(d)
-        near, aside = (self._row(middle) * self.here).entries(), d - middle
-        if aside.is_zero():
-            return near[:size]
-        bend = interval.hull(interval.ZERO, aside.abs_upper() ** 2 / 2)
-        far = (self._row(d) * self.further).entries()
-        return [
-            x + y * aside + z * bend for x, y, z in zip(near[:size], near[size:], far, strict=True)
-        ]
+        middle = interval.point(d)
+        u, s = self._row(middle), d - middle
+        terms = (u * self.towers[0]).entries()
+        if s.is_zero():
+            return terms
+        size = s.abs_upper()
+        bend = interval.hull(interval.ZERO, size * size / 2)
+        slopes, wide = (u * self.towers[1]).entries(), self._row(d)
+        if size < self.short:
+            bends = (wide * self.towers[2]).entries()
+            return [x + y * s + z * bend for x, y, z in zip(terms, slopes, bends, strict=True)]
+        bends, rest = (u * self.towers[2]).entries(), (wide * self.towers[3]).entries()
+        cube = size * size * s / 6
+        parts = zip(terms, slopes, bends, rest, strict=True)
+        return [x + y * s + z * bend + r * cube for x, y, z, r in parts]
 
     def _row(self, d: Ball) -> Matrix:
         """Return u."""
@@ -83,7 +93,7 @@ class Spectral:
     def _doubles(self) -> tuple[list[Rate[float]], list[list[float]]]:
         """The rates, and the columns that give X."""
         rates = [Rate(float(r.a), None if r.w is None else float(r.w)) for r in self.rates]
-        columns = self.here.transpose().tolist()[: self.further.ncols()]
+        columns = self.towers[0].transpose().tolist()
         return rates, [[float(x) for x in column] for column in columns]
 
 
@@ -106,7 +116,7 @@ def _spectral(
 ) -> Spectral | None:
     """Return the entries, or None if some P is large."""
     M = interval.matrix([[interval.ball(q) for q in row] for row in N])
-    rates, here, further = list[Rate[Ball]](), list[list[Ball]](), list[list[Ball]]()
+    rates, parts = list[Rate[Ball]](), list[Matrix]()
     for z in eigenvalues:
         if z.imag < 0:
             continue
@@ -115,13 +125,12 @@ def _spectral(
             return None
         is_real = z.imag.is_zero()
         rates.append(Rate(z.real, None if is_real else z.imag))
-        for part in [P] if is_real else [P * 2, P * ComplexBall(0, 2)]:
-            X, first, second = (
-                Y.entries()[:size] for Y in (part.real, part.real * M, part.real * M * M)
-            )
-            here.append([*X, *first])
-            further.append([*second])
-    return Spectral(rates, interval.matrix(here), interval.matrix(further))
+        parts += [P.real] if is_real else [(P * 2).real, (P * ComplexBall(0, 2)).real]
+    towers = list[Matrix]()
+    for _ in range(4):
+        towers.append(interval.matrix([X.entries()[:size] for X in parts]))
+        parts = [X * M for X in parts]
+    return Spectral(rates, towers, SHORT / max(1e-9, *(float(abs(z)) for z in eigenvalues)))
 
 
 def _projection(M: Matrix, z: ComplexBall, others: Sequence[ComplexBall]) -> ComplexMatrix:
