@@ -69,6 +69,7 @@ def made(lines):
     return steps.made({"positive": "f", "real": "t", "steps": lines})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("line", HOLD)
 def test_what_holds(line):
     """Identities, differences, signs, what certificates claim."""

@@ -326,6 +326,7 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
     assert "fig:cover: not proved: Lemma 1" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_tables_load_no_pictures():
     """What a figure looks like does not count for its numbers: the audit's cache knows."""
     for label in LABELS:
