@@ -91,6 +91,7 @@ def test_the_folder(monkeypatch, tmp_path):
     assert cache.folder() == tmp_path / "cap" / "audit"
 
 
+@pytest.mark.slow
 def test_dependencies_are_followed():
     """Modules that are imported inside of functions, and by imported modules; not the libraries."""
     found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.gallery")
@@ -100,6 +101,7 @@ def test_dependencies_are_followed():
     assert "cap.audit.papers.mixed_dynamics.claims.existence" not in found
 
 
+@pytest.mark.slow
 def test_modules_that_are_loaded_by_name_count():
     """With the checker all of its theorems, with a proof all others."""
     found = dependencies.closure("cap.audit.papers.mixed_dynamics.means.one_one")

@@ -24,6 +24,7 @@ def prove(model, *words):
     return main(["attractor", "--model", str(model), *map(str, words)])
 
 
+@pytest.mark.slow
 def test_the_belt_as_stored(tmp_path, capsys):
     """One orbit of two periods attracts what is released in more than a third of a period."""
     assert prove("examples/belt.py", "--out", tmp_path) == 0
@@ -35,6 +36,7 @@ def test_the_belt_as_stored(tmp_path, capsys):
     assert claims["periods"] == "2"
 
 
+@pytest.mark.slow
 def test_entropy_of_a_ball_that_is_tossed(tmp_path):
     """The map t + 4 cos t; its entropy is between bounds, and the Lyapunov exponent in floats."""
     file = tmp_path / "toss.py"
