@@ -4,10 +4,11 @@
 
 A certificate is made of the largest stored one of its theorem, with as many bits as the checker
 admits (certificates/FORMAT.md); those of `elliptic` have order 9, too, those of `persistence` more
-rectangles, those of `contact_basin` more cells.  Each is checked in a process of its own.  `mixed` and `conservative` would take hours
-at their limits of work: there the stored one is checked, and its time for a unit of work, in that
-part of the proof in which it is the longest, is multiplied by the units that are admitted.  Their
-memory is that of the stored one and, for `conservative`, of the longest families that are read.
+rectangles, those of `contact_basin` more cells.  Each is checked in a process of its own.  `mixed`
+and `conservative` would take hours at their limits of work: there the stored one is checked, and
+its time for a unit of work, in that part of the proof in which it is the longest, is multiplied by
+the units that are admitted.  Their memory is that of the stored one and, for `conservative`, of the
+longest families that are read.
 """
 
 from __future__ import annotations

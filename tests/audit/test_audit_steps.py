@@ -11,7 +11,7 @@ from cap.audit import given, steps
 from cap.audit.decide import decided
 from cap.audit.filled import filled
 from cap.audit.means import stored
-from cap.audit.papers.mixed_dynamics.claims import gallery
+from cap.audit.papers.mixed_dynamics.means.itineraries import around_turns
 from cap.audit.verdict import Outcome, Strength
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
@@ -264,14 +264,18 @@ def test_another_orbit_does_not_persist(monkeypatch):
     [
         ["turn right", "turn left", "hit r", "hit l", "hit r"],
         ["turn right", "hit r", "hit l"],
-        ["hit l", "turn left", "hit l", "hit r"],
+        ["hit l", "turn left", "hit l", "turn right", "hit r"],
     ],
 )
-def test_turns_of_the_gallery(monkeypatch, words):
-    """Two turns that follow each other, one between both walls, one at l: not what is found."""
-    assert gallery.turns_of_the_gallery()["turns"] == "1, 2 and 3"
-    true = stored.stored("periodic-4.json")
-    wrong = true._replace(claims={**true.claims, "itinerary": words})
-    monkeypatch.setattr(gallery, "stored", lambda _name: wrong)
+def test_turns_that_are_not_alone(words):
+    """Two turns that follow each other, one between both walls: not what is found."""
     with pytest.raises(NotProved):
-        gallery.turns_of_the_gallery()
+        around_turns(words)
+
+
+def test_turns_of_the_gallery():
+    """The hits around each turn, also of one that begins the period."""
+    assert around_turns(["turn left", "hit l", "hit r", "turn right", "hit r", "hit l"]) == [
+        "hit l",
+        "hit r",
+    ]

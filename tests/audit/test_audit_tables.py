@@ -2,13 +2,14 @@
 
 import sys
 import types
+from importlib import import_module
 
 import pytest
 
 from cap.audit import coverage, ledger, subject, tables
 from cap.audit.decide import all_decided, decided
 from cap.audit.papers.mixed_dynamics.means.printed import printed
-from cap.audit.report.view import report
+from cap.audit.report.view import Report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
 
@@ -43,7 +44,7 @@ what = "words"
 paper = "yes"
 by = "words"
 ours = "{said} (proved)"
-holds = "so"
+holds = 'said == "yes"'
 why = "for {said}"
 
 [[row]]
@@ -209,16 +210,30 @@ def test_rows_are_in_the_ledger():
     assert coverage.coverage().wrong == ()
 
 
-ENTRIES = {"what", "paper", "by", "with", "value", "ours", "holds", "why", "note", "where"}
+ENTRIES = {
+    "what",
+    "paper",
+    "by",
+    "module",
+    "with",
+    "value",
+    "ours",
+    "holds",
+    "why",
+    "note",
+    "where",
+}
 FLAGS = {"rough", "unstated", "cut"}
 
 
 @pytest.mark.parametrize("label", tables.tables())
 def test_rows_have_known_entries(label):
     """A number, or words; flags are set or not there; and who finds them exists."""
+    module = tables.tables()[label]["module"]
     for row in tables.tables()[label]["row"]:
         assert row.keys() <= ENTRIES | FLAGS, row["what"]
         assert {"what", "paper", "by"} <= row.keys()
+        assert callable(getattr(import_module(row.get("module", module)), row["by"]))
         assert ("value" in row) is not ("ours" in row), row["what"]
         assert "ours" in row or "holds" not in row
         assert all(row[flag] is True for flag in FLAGS & row.keys())
@@ -230,5 +245,5 @@ def test_a_small_table_is_decided_as_recorded(own_cache):
     tables._found.cache_clear()
     found = all_decided(rows, lambda _words: None, fresh=True)
     assert [each.outcome for each in found.values()] == [Outcome.CONFIRMED] * 3
-    (entry, *_) = report(found).entries
+    (entry, *_) = Report(found).by_id.values()
     assert "python -m cap.explore --paper fig:model-schematic" in entry.commands
