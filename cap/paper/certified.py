@@ -1,17 +1,21 @@
 """Theorems that the tables ask for: proved when they are asked for, not read from files."""
 
+from contextlib import suppress
 from fractions import Fraction
 from functools import cache
 from typing import Any
 
+from cap.errors import NotProved
 from cap.floats import candidates
 from cap.floats.candidates import Request
 from cap.floats.findings import State
-from cap.parameters import at
+from cap.floats.search.cycles import Cycle
+from cap.maps.fixed_point import Start
+from cap.parameters import Parameters, at
 from cap.proofs import theorems
 from cap.proofs.fixed_point import Setting
 
-DIGITS = 25
+DIGITS, FEW = 25, 12
 
 
 @cache
@@ -34,3 +38,12 @@ def theorem(
     found = theorems.accepted(proof, Setting(request.parameters, start, digits))
     claims: dict[str, Any] = found["claims"]
     return claims
+
+
+def proves(p: Parameters, cycle: Cycle) -> bool:
+    """Return whether an orbit that was found is proved; the checker accepts it."""
+    start = Start(cycle.x, cycle.v, cycle.events, cycle.periods)
+    with suppress(NotProved):
+        setting = Setting(p, start, FEW, widest=False)
+        return bool(theorems.accepted(theorems.THEOREMS["periodic"], setting))
+    return False
