@@ -6,10 +6,9 @@ from functools import cache
 from typing import Any
 
 from cap.errors import NotProved
-from cap.floats import candidates
-from cap.floats.candidates import Request
 from cap.floats.findings import State
 from cap.floats.search.cycles import Cycle
+from cap.floats.search.request import Request
 from cap.maps.fixed_point import Start
 from cap.parameters import Parameters, at
 from cap.proofs import theorems
@@ -21,20 +20,16 @@ DIGITS, FEW = 25, 12
 @cache
 def theorem(
     kind: str,
-    orbit: State | None = None,
+    orbit: State,
     F: str = "1",
     f: str = "2/5",
     R: str = "2",
     digits: int = DIGITS,
 ) -> dict[str, Any]:
-    """Return the claims of a theorem, on the orbit near a state if one is named.
-
-    The checker accepts them.
-    """
+    """Return the claims of a theorem on the orbit near a state; the checker accepts them."""
     half, proof = Fraction(R) / 2, theorems.THEOREMS[kind]
     request = Request(kind, at(F=F, f=f, l=str(-half), r=str(half)), orbit)
-    search = proof.search if orbit else candidates.closed_form
-    start = search(request).candidates[0].start
+    start = proof.search(request).candidates[0].start
     found = theorems.accepted(proof, Setting(request.parameters, start, digits))
     claims: dict[str, Any] = found["claims"]
     return claims
