@@ -83,9 +83,7 @@ def _newton(f: float, z: State) -> tuple[State, float, int]:
     point = np.array(z)
     for k in range(1, MOST_STEPS + 1):  # noqa: B007
         path = swarm.follow(p, [point], 1, derivative=True)
-        if path.monodromy is None:  # it was asked for
-            raise TypeError
-        jacobian = path.monodromy[0]
+        jacobian = path.derivatives[0]
         step = np.linalg.solve(jacobian - np.eye(2), path.states[0] - point)
         point = point - step
         if np.abs(step).max() < 1e-11:
