@@ -9,7 +9,7 @@ import pytest
 from cap.audit import coverage, ledger, subject, tables
 from cap.audit.decide import all_decided, decided
 from cap.audit.papers.mixed_dynamics.means.printed import printed
-from cap.audit.report.view import report
+from cap.audit.report.view import Report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
 
@@ -245,5 +245,5 @@ def test_a_small_table_is_decided_as_recorded(own_cache):
     tables._found.cache_clear()
     found = all_decided(rows, lambda _words: None, fresh=True)
     assert [each.outcome for each in found.values()] == [Outcome.CONFIRMED] * 3
-    (entry, *_) = report(found).entries
+    (entry, *_) = Report(found).by_id.values()
     assert "python -m cap.explore --paper fig:model-schematic" in entry.commands
