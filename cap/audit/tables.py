@@ -23,17 +23,15 @@ cut = true                         # dots follow the number: it need not be roun
 calls the functions.  Those must not depend on what was called before.
 """
 
-import hashlib
 import json
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
 from cap.audit import errata, given, subject
-from cap.audit.claim import Claim, Kind
+from cap.audit.claim import Claim, Kind, content
 from cap.audit.comparison import PROVED, Comparison, compared
 from cap.audit.steps import Given, Steps
 from cap.audit.subject import cached
@@ -45,13 +43,6 @@ Find = Callable[[Given], Found]  # finds what a row asks for
 LONGEST = 60  # end of an id
 
 
-@dataclass(frozen=True)
-class Row(Claim):
-    """A claim that a row of a table decides."""
-
-    table: str = ""
-
-
 @cached
 def tables() -> dict[str, Given]:
     """Return the tables by their labels, in the order of the paper."""
@@ -59,7 +50,7 @@ def tables() -> dict[str, Given]:
     return {each["label"]: each for each in found}
 
 
-def claims() -> tuple[Row, ...]:
+def claims() -> tuple[Claim, ...]:
     """Return the claims of all tables; not the rows that another claim decides."""
     elsewhere, quotes = subject.paper().get("elsewhere", {}), subject.data("quotes.toml")
     return tuple(
@@ -70,12 +61,11 @@ def claims() -> tuple[Row, ...]:
     )
 
 
-def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
+def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Claim:
     label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
     module = row.get("module", table["module"])
-    content = json.dumps([row, [each.formula for each in errata.of(name)]], sort_keys=True)
-    return Row(
+    return Claim(
         id=name,
         where=row.get("where", label),
         kind=Kind.WORDS if "ours" in row else Kind.NUMBER,
@@ -84,7 +74,7 @@ def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
         decide=partial(_decided, name, module, row),
         quote=quotes.get(name, ""),
         module=module,
-        content=hashlib.sha256(content.encode()).hexdigest(),
+        content=content(row, [each.formula for each in errata.of(name)]),
         table=label,
     )
 
