@@ -77,8 +77,8 @@ def patch(path: Path) -> tuple[str, list[str], list[str]]:
         raise BadInput(f"the corrected text would be no TeX: {'; '.join(wrong)}")
     before, after = (each.text.splitlines(keepends=True) for each in (old, new))
     difference = difflib.unified_diff(before, after, f"a/{path.name}", f"b/{path.name}")
-    done = [each.claims[0] for each in changes() if each.made(old)]
-    return "".join(difference), done, list(map(misfit, others))
+    done = dict.fromkeys(each.claims[0] for each in changes() if each.made(old))
+    return "".join(difference), list(done), list(map(misfit, others))
 
 
 def misfit(change: Change) -> str:
