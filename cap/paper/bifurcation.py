@@ -20,7 +20,6 @@ from cap.floats.one_one import (
     turn,
 )
 from cap.paper.figure import Found, Run, elliptic
-from cap.paper.formulas import saddle_center
 from cap.parameters import PAPER, at
 
 Pair = tuple[str, str]  # decimals that enclose
@@ -155,12 +154,10 @@ def _exponent() -> float:
 
 
 def proved(_run: Run) -> Found:
-    """Return what is proved of the pair, beside the paper's formula."""
-    birth, end, resonances, twist = landmarks()
+    """Return what is proved of the pair."""
+    birth, _, resonances, twist = landmarks()
     return {
-        "sc": saddle_center(2),
         "birth": birth,
-        "end": end[0][:12],
         "taken": {turn: place[0][:14] for turn, place in resonances.items()},
         "zero": twist,
         "above": float(twist[0]) - float(PAPER.f),

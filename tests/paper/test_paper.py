@@ -244,11 +244,10 @@ def test_the_search_of_the_paper_filters_as_it_says():
     assert all(abs(each.v) > 0.05 and 0.1 <= each.determinant <= 5 for each in found)
 
 
-def test_the_wave_and_the_collision():
-    """The triangular wave and the matrix of a collision at simple values."""
+def test_the_wave():
+    """The triangular wave at simple values."""
     q = np.array([0.0, 0.25, 1.0, 1.75, 2.0, 3.5])
     assert sketches.wave(q) == pytest.approx([0, 0.25, 1, 0.25, 0, 0.5])
-    assert np.array_equal(sketches.collision(1, 1), [[0, 1], [1, 0]])
 
 
 def test_the_command_writes_a_picture_or_a_table(tmp_path, capsys):
