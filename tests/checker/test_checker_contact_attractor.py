@@ -113,6 +113,7 @@ def test_derivatives_are_those_of_differences():
         (("claims", "periods"), "1", "take I into itself"),
         (("claims", "periods"), "3", "take I into itself"),
         (("claims", "fixed"), ["4.7023317749", "4.7023317750"], "elsewhere"),
+        (("claims", "fixed"), ["4.7023317900", "4.7023317901"], "elsewhere"),
         (("claims", "fixed"), ["3", "4.8"], "not in I"),
         (("claims", "interval", 0), "3.6", "own|zero|fall|defined|begin"),
         (("claims", "interval", 1), "5.2", "do not cover"),
@@ -127,6 +128,7 @@ def test_derivatives_are_those_of_differences():
         (("hints", "cells", 5, "windows", 1), ["3", "20"], "begins before"),
         (("hints", "weights", 3), "0", "not positive"),
         (("hints", "weights"), ["1"], "not one weight"),
+        (("hints", "weights", 30), "1" + "0" * 40, "lambda may be larger"),
         (("hints", "bits"), "257", "above 256"),
     ],
 )
@@ -189,6 +191,28 @@ def test_entropy_over_more_periods():
     low, high = (Fraction(q) for q in TOSS["claims"]["entropy"])
     half = [f"{float(low / 2):.9f}", f"{float(high / 2):.9f}"]
     rejected(changed(TOSS, "claims", "entropy_per_period", half), "another one")
+
+
+@pytest.mark.parametrize("end", [0, 1])
+def test_entropy_over_two_periods(monkeypatch, end):
+    """It is half of that of G, on both sides; the bounds by coverings and laps are taken as known.
+
+    The cells are those of one period.
+    """
+    for known in ("confirm_growth", "confirm_laps", "confirm_bound"):
+        monkeypatch.setattr(contact_attractor, known, lambda *_: None)
+    given = changed(TOSS, "claims", "periods", "2")
+    ends = [Fraction(q) / 2 for q in TOSS["claims"]["entropy"]]
+    for step, right in ((0, True), ((1, -1)[end] * TINY, False)):
+        ends[end] += step
+        given["claims"]["entropy_per_period"] = [f"{float(q):.9f}" for q in ends]
+        theorem = contact_attractor.THEOREM(read(encode(given)), lambda _: None)
+        theorem.cells = theorem.met = theorem.covered_cells = []
+        if right:
+            theorem.entropy()
+        else:
+            with pytest.raises(Rejected, match="another one"):
+                theorem.entropy()
 
 
 @pytest.mark.parametrize(
