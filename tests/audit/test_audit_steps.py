@@ -276,7 +276,7 @@ def test_what_is_found_elsewhere_decides_nothing(name, old, new):
     group, _, end = name.partition(".")
     common, claims = data_of(group)
     claim = claims[end]
-    used = [subject.means(each) for each in claim.get("uses", "").split()]
+    used = [subject.module(f"means.{each}") for each in claim.get("uses", "").split()]
     assert old in claim["steps"]
     with pytest.raises(NotProved):
         steps.made(common, claim | {"steps": claim["steps"].replace(old, new)}, used=used)

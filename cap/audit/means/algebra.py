@@ -106,13 +106,8 @@ def shown(expression: Any) -> str:
     return str(text.replace("*", " "))
 
 
-_GREEK = dict(
-    zip(
-        ("omega", "theta", "lambda", "epsilon", "mu", "tau", "alpha", "beta", "pi", "xi"),
-        "ωθλεμταβπξ",
-        strict=True,
-    )
-)
+_NAMES = "omega theta lambda epsilon mu tau alpha beta pi xi"
+_GREEK = dict(zip(_NAMES.split(), "ωθλεμταβπξ", strict=True))
 
 
 def compared(derived: Any, printed: Any) -> Outcome:
