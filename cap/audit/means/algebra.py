@@ -27,16 +27,6 @@ _UNARY: dict[str, Callable[[Ball], Ball]] = {
 }
 
 
-def symbols(names: str) -> Any:
-    """Return positive symbols: the parameters F, f, ω, R and what is positive beside them."""
-    return sp.symbols(names, positive=True)
-
-
-def reals(names: str) -> Any:
-    """Return real symbols."""
-    return sp.symbols(names, real=True)
-
-
 def same(left: Any, right: Any) -> bool:
     """Return whether the difference of two expressions, or matrices, simplifies to 0."""
     difference = left - right
