@@ -10,7 +10,6 @@ Nothing outside of the folder knows what the paper says.
 """
 
 import json
-import re
 import tomllib
 from collections.abc import Callable
 from functools import cache
@@ -82,13 +81,6 @@ def store(name: str, text: str) -> None:
     with replacing(file(name)) as stored:
         stored.write(text.encode())
     forget()
-
-
-def dumps(everything: Any) -> str:
-    """Return JSON with a line for each entry of its lists and tables, and for no part of these."""
-    text = json.dumps(everything, ensure_ascii=False, indent=1)
-    text = re.sub(r"(?<=[\[{])\n {3,}|\n  (?=[\]}])", "", text)
-    return re.sub(r"\n {3,}", " ", text) + "\n"
 
 
 @cached
