@@ -61,10 +61,10 @@ def next_contact(table, e, t, v, force=(0.0, 0.0), g=1.0):
 
 
 def forced(A, e, C, S):
-    """Return the ball with a force of the clock."""
+    """Return the system of the ball with a force of the clock."""
     given = system(A, e)
     given["modes"]["fly"]["field"]["v"] += [[C, "cos"], [S, "sin"]]
-    return read(given)
+    return given
 
 
 def shifted():
@@ -79,7 +79,7 @@ def shifted():
 CASES = {
     "low table": (ball("1/2"), Table(0.5), 1.0, (0.0, 0.0)),
     "high table": (ball("3/2", "9/10"), Table(1.5), 0.9, (0.0, 0.0)),
-    "forced": (forced("1/2", "4/5", "1/4", "-1/8"), Table(0.5), 0.8, (0.25, -0.125)),
+    "forced": (read(forced("1/2", "4/5", "1/4", "-1/8")), Table(0.5), 0.8, (0.25, -0.125)),
     "shifted": (shifted(), Table(0.5, 1 / 3, 1.5), 0.8, (0.25, -0.125)),
 }
 
