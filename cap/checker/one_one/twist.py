@@ -54,6 +54,7 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.series import K, divided, nilpotent, plus, square_root
 from cap.checker.kernel.substitution import substituted
 from cap.checker.one_one.pairs import Pair, Pairs
+from cap.checker.system.flight import place, velocity
 
 _ORDER = 3
 
@@ -86,13 +87,13 @@ def flight(
     """Return the deviation of the time and the speed at the end from those at the start."""
     (t, u), (first, last) = start, hits
     cos, sin = turned(first, t)
-    base, eta = u - sin * s, Jet[K](_ORDER, {})
+    base, long = u - sin * s, Jet[K](_ORDER, {(0, 0): d})
     for _ in range(_ORDER):
-        long = eta + Jet(_ORDER, {(0, 0): d})
-        H = base * long - (turned(last, t + eta)[0] - cos) * s - divided(long * long * alpha, 2)
-        eta = eta - nilpotent(plus(H, -rho)) * (rho.integer(1) / last.u)
-    speed = base + turned(last, t + eta)[1] * s - (eta + Jet(_ORDER, {(0, 0): d})) * alpha
-    return t + eta, speed
+        c = turned(last, t + nilpotent(long))[0] * s
+        H = plus(place(cos * s, base, long, alpha / 2, c), -rho)
+        long = long - nilpotent(H) * (rho.integer(1) / last.u)
+    t = t + nilpotent(long)
+    return t, velocity(base, long, alpha, turned(last, t)[1] * s)
 
 
 def turned(hit: Hit[K], t: Jet[K]) -> tuple[Jet[K], Jet[K]]:
