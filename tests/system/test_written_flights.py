@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 import sympy
 
-from cap.areas.folded import backward, next_event, paths
+from cap.areas.folded import backward, lines, next_event, paths, polynomials
+from cap.areas.folded.laws import laws
 from cap.areas.strips import arcs, hits
 from cap.floats.engine import flight as floats
 from cap.floats.engine import lifted
@@ -155,27 +156,28 @@ def folded(push):
 
 @pytest.mark.parametrize(("module", "push"), [(paths, -f), (backward, f)])
 def test_folded_flights(monkeypatch, module, push):
-    """Place and speed at an event and at a given time, and B of the flight from p = 0 at T.
-
-    In ``paths`` the event before it is half a period earlier.
-    """
+    """Place and speed at an event and at a given time, and B of the flight from p = 0 at T."""
     for name, plain in PLAIN.items():
         if hasattr(module, name):
             monkeypatch.setattr(module, name, plain)
     p, s = folded(push)
     flight, span = SimpleNamespace(A=A, B=B, ref=ref, errors=(0, 0)), T - ref
-    if module is paths:
-        event = SimpleNamespace(cos=cos(T), sin=sin(T), D=span, k=0, e=0)
-        ours = paths.place(Y, flight, event), paths.speed(Y, flight, event)
-        begun = paths.start(Y, A, span, SimpleNamespace(cos=-cos(T), k=0, e=0))
-        at = paths.seen(Y, flight, (T, 0), cos(T), sin(T))
-    else:
-        ours = backward.place(Y, flight, span, cos(T)), backward.speed(Y, A, span, sin(T))
-        begun = backward.start(Y, A, span, cos(T))
-        at = backward.at(Y, flight, (T, 0), cos(T), sin(T))
+    speed, place, start = laws(*(PLAIN[n] for n in ("total", "product", "scaled")), push / f)
+    ours = place(Y, flight, span, cos(T)), speed(Y, A, span, sin(T))
+    now = module.seen if module is paths else module.at
+    at = now(Y, flight, (T, 0), cos(T), sin(T))
     for found, truth in (*zip(ours, (p, s), strict=True), *zip(at, (p, s), strict=True)):
         assert same(found, truth)
-    assert same(p.subs(B, begun), 0)
+    assert same(p.subs(B, start(Y, A, span, cos(T))), 0)
+
+
+def test_senses_of_folded_flights():
+    """Friction brakes in ``paths``: its speed falls by a d where the one of ``backward`` grows."""
+    none, one = lines.constant(0.0, 0.0), lines.constant(1.0, 0.0)
+    y = SimpleNamespace(a=0.25, a_error=0.0)
+    assert paths.speed(y, none, one, none)[0] == -0.25
+    none, one = polynomials.constant(0.0, 0.0), polynomials.constant(1.0, 0.0)
+    assert backward.speed(y, none, one, none)[0] == 0.25
 
 
 @pytest.mark.parametrize("push", [f, -f])
