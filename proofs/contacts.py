@@ -289,9 +289,9 @@ def legs(prover: Prover, box: Box, reasons: Sequence[Reason]) -> Cuts:
     They are those of the motions whose contacts lie in a box.
     """
     found = Cuts()
-    for leg in prover.legs(box):
-        begin, end = (Fraction(float(at.time)) for at in (leg.start, leg.end))
-        cut = [r for r in reasons if r.leg == leg.number and r.lemma == "B"]
+    for number, span in enumerate(prover.spans(box)):
+        begin, end = (Fraction(float(time)) for time in span)
+        cut = [r for r in reasons if r.leg == number and r.lemma == "B"]
         found.append({r.guard: [begin, *map(decimal_of, r.cuts), end] for r in cut})
     return found
 

@@ -40,6 +40,19 @@ def pair():
     return prove(Itinerary(system, contacts), guess, ends)
 
 
+def level(range_=("0.0608", "0.0625")):
+    """Return the curve of symmetric orbits of a level pair, to where each end is touched again."""
+    ends = Fraction(range_[0]), Fraction(range_[1])
+
+    def at(s):
+        return read("examples/harvester.py", {"s": s, "G": 0})
+
+    system = moving(at, "s", ends, ["free"])
+    (found,) = symmetries(system, ["s"])
+    contacts = [Contact("free", "top", "free")]
+    return prove(Itinerary(system, contacts, 1, found), [0.0866, 0.0308, 0.3423, 0.0616], ends)
+
+
 def thrice():
     """Return the curve of an impact pair with two hits of the top, to where one of them is lost."""
     ends = Fraction("0.173"), Fraction("0.178")
@@ -76,6 +89,7 @@ CASES = {
     "flip": lambda: ball(FLIP, [0.8, 1.1, -3.14159, 1.525]),
     "clock": clock,
     "graze": pair,
+    "level": level,
     "thrice": thrice,
     "wall": wall,
 }

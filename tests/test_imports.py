@@ -99,6 +99,7 @@ def climbing(edges):
     }
 
 
+@pytest.mark.slow
 def test_no_circle_of_imports():
     """Not even of those inside functions."""
     assert len(graph()) > 200

@@ -23,7 +23,7 @@ def test_what_repeats():
         (f"{at}both again", 5.0, [two, one], False),
         (f"{at}a sentence", 5.5, [two, one], True),
         (f"{at}nothing", 6.0, [], False),
-        (f"{at}quick again", 0.2, [one], False),
+        (f"{at}quick again", 0.1, [one], False),
         ("tests/proofs/test_y.py::elsewhere", 7.0, [one], False),
     ]
     assert repeated.repeating(notes) == [f"{at}both again", f"{at}slow"]

@@ -138,6 +138,7 @@ def test_processes(tmp_path):
     assert len(list(tmp_path.iterdir())) >= len(found)
 
 
+@pytest.mark.slow
 def test_a_cluster(tmp_path):
     """The executor of a cluster serves unchanged, with a journal."""
     distributed = pytest.importorskip("distributed")

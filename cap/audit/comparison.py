@@ -7,13 +7,26 @@ rounded from both, or, if it is an interval, holds them.  Of several floats, whi
 apart, the range agrees.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+import ast
+import operator
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from string import Formatter
 from typing import Any, NamedTuple
 
 MORE = 3  # digits shown beyond those of the paper
 PROVED = " (proved)"
+_RELATION = re.compile(r"(.+) (==|!=|<=|>=|<|>) (.+)")
+_RELATIONS: dict[str, Callable[[Any, Any], Any]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<=": operator.le,
+    ">=": operator.ge,
+    "<": operator.lt,
+    ">": operator.gt,
+}
 NOT_ROUNDED = "less than a unit of the last digit away, but not rounded"
 
 
@@ -53,9 +66,9 @@ def compared(row: Mapping[str, Any], found: Mapping[str, Any]) -> Comparison:
     """Return the comparison that a row of a table asks for: see `cap.audit.tables`."""
     words, unstated = "ours" in row, row.get("unstated", False)
     if words:
-        seen = Seen(row["ours"].format_map(found), "holds" in row and bool(found[row["holds"]]))
+        seen = Seen(row["ours"].format_map(found), "holds" in row and _holds(row["holds"], found))
     else:
-        seen = value(row["paper"], found[row["value"]])
+        seen = value(row["paper"], _part(row["value"], found))
     agrees = not unstated and (seen.agrees or (seen.nearly and row.get("cut", False)))
     nearly = seen.nearly and not unstated
     text = "note" if agrees else "why"
@@ -69,6 +82,21 @@ def compared(row: Mapping[str, Any], found: Mapping[str, Any]) -> Comparison:
         imprecise=row.get("rough", False) or nearly,
         unstated=unstated,
     )
+
+
+def _holds(condition: str, found: Mapping[str, Any]) -> bool:
+    """Return whether a part is true, or in a relation to another, a number or a word in quotes."""
+    if (relation := _RELATION.fullmatch(condition)) is None:
+        return bool(_part(condition, found))
+    return bool(_RELATIONS[relation[2]](_part(relation[1], found), _part(relation[3], found)))
+
+
+def _part(text: str, found: Mapping[str, Any]) -> Any:
+    """Return a number, a word in quotes, or a part of what is found: ``name[0][key].name``."""
+    try:
+        return ast.literal_eval(text)
+    except (ValueError, SyntaxError):
+        return Formatter().get_field(text, (), found)[0]
 
 
 def value(paper: str, ours: Any) -> Seen:

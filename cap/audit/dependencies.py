@@ -17,13 +17,13 @@ LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
 
 @cache
 def digest(module: str) -> str:
-    """Return a digest of the module, of all our modules it imports, and of the libraries.
+    """Return a digest of a module or some, of all our modules they import, and of the libraries.
 
     With each module counts the JSON file that has its name, which it reads: beside it, or, for the
     audit's, in the folder of the paper.
     """
     total = hashlib.sha256(_versions().encode())
-    for name in sorted(closure(module)):
+    for name in sorted(set().union(*map(closure, module.split()))):
         total.update(name.encode() + _content(name))
     return total.hexdigest()
 

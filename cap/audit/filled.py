@@ -1,6 +1,6 @@
 """Words with numbers in them: ``{name}``, or ``{name:places}``, rounded so that they stay true.
 
-{x}      words, or an expression
+{x}      words, or an expression; {x.name} or {x.0} of what has parts
 {x:8}    a number, enclosed and rounded outwards to 8 places
 {x:<4}   a bound from below, {x:>4} from above
 {x:in6}  a range in which something holds, rounded inwards
@@ -18,6 +18,7 @@ from cap.audit.means import algebra, balls
 from cap.audit.means.stored import claimed
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
+from cap.sets import interval
 from cap.sets.interval import Ball
 
 Balls = Mapping[Any, Ball]
@@ -44,21 +45,27 @@ def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyTy
 
 
 def _value(name: str, words: Mapping[str, object]) -> object:
-    value = words[name] if name in words else claimed(name)
+    first, *path = name.split(".")
+    value = words[first] if first in words else claimed(name)
     if value is None:
         raise NotProved("audit", f"there are no words for {name!r}")
+    for each in path if first in words else ():
+        value = value[int(each)] if isinstance(value, list) else getattr(value, each)
     return value
 
 
 def _shown(value: Any, way: str, places: str | None, known: Balls) -> str:
     if places is None:
-        return algebra.shown(value) if hasattr(value, "free_symbols") else str(value)
-    if way == "," and value.is_Rational:
-        value = Fraction(int(value.p), int(value.q))
-    if isinstance(value, Fraction):
-        value = Enclosure(value, value, (str(value), str(value)))
+        words = value if isinstance(value, list) else [value]
+        return ", ".join(algebra.shown(w) if hasattr(w, "free_symbols") else str(w) for w in words)
     if isinstance(value, Enclosure):
         return _ROUNDED[way](value, int(places))
-    with balls.precisely():
-        ball = value if isinstance(value, Ball) else algebra.enclosure(value, known)
-        return balls.between(ball, int(places))
+    if getattr(value, "is_Rational", False):
+        ends = (Fraction(int(value.p), int(value.q)),) * 2
+    elif isinstance(value, Fraction):
+        ends = (value, value)
+    else:
+        with balls.precisely():
+            ball = value if isinstance(value, Ball) else algebra.enclosure(value, known)
+            ends = interval.ends(ball)
+    return _ROUNDED[way](Enclosure(*ends, ("", "")), int(places))

@@ -14,6 +14,7 @@ proof = "FILE.md#section"          # of a written proof, if it rests on one
 certificate = "NAME.json"          # stored, if it rests on one
 
 What is decided by algebra, or by what certificates claim, has ``steps``: see `cap.audit.steps`.
+They may call functions of modules of the folder ``means/``, whose names are in ``uses``.
 What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, or of another's,
 ``GROUP.function``, with what it is given, ``with``.  It is called after the steps, if there are
 some, raises `NotProved`, or returns the words that ``verdict``, ``found`` and ``evidence`` ask for.
@@ -24,7 +25,7 @@ under ``[common]``.
 import hashlib
 import json
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -47,7 +48,7 @@ def claims(path: Path, module: str) -> tuple[Claim, ...]:
 
 
 def _claim(entry: Given, common: Given, module: str) -> Claim:
-    function = None
+    function, used = None, [subject.means(each) for each in entry.get("uses", "").split()]
     if "decide" in entry:
         group, _, name = entry["decide"].rpartition(".")
         module = subject.group(group)[1] if group else module
@@ -60,22 +61,26 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
         kind=Kind(entry["kind"]),
         says=entry["says"],
         stated=entry["stated"],
-        decide=partial(decided, entry, common, function),
+        decide=partial(decided, entry, common, function, used),
         quote=entry["quote"],
-        module=module,
+        module=" ".join([module, *used]),
         content=hashlib.sha256(content.encode()).hexdigest(),
     )
 
 
 def decided(
-    entry: Given, common: Given, function: Callable[[], Words | None] | None = None
+    entry: Given,
+    common: Given,
+    function: Callable[[], Words | None] | None = None,
+    used: Sequence[str] = (),
 ) -> Verdict:
     """Return the verdict that follows when all steps hold, and what a function asks for.
 
-    It is what a rule says, or the words of the function, or the one that is named.
+    It is what a rule says, or the words of the function, or the one that is named.  The steps may
+    call functions of the modules that are ``used``.
     """
     every = function is None or "steps" in entry
-    made = steps.made(common, entry) if every else steps.Steps()
+    made = steps.made(common, entry, used=used) if every else steps.Steps()
     words = {**made.names, **((function and function()) or {})}
     as_in_the_erratum(entry["id"], made)
     texts = {name: {**common, **entry}.get(name, "") for name in WORDS}

@@ -12,18 +12,26 @@
     "turn left" in segment.itinerary     an entry of a list
     elliptic.box.x.lower < paper.r       an end of an enclosure; a parameter of the paper
     elliptic.at == paper                 it is about the paper's parameters
+    labels.cited > 0                     of the places of the text: `cap.audit.labels.Paper`
     hit(1).det() == 1                    of a derivative of `cap.audit.means.linear`: hit, turn
+    late = follow("0.1", "0.5", 2)       what a function finds of a module that the claim ``uses``
+    late.state[0] < 1                    balls, by what is claimed or found, are numbers in them
     '''
 
-What follows ``#`` says, for people, what is shown, or what would be the case if it were not.
+A function is called with exact numbers, balls and words.  What follows ``#`` says, for people, what
+is shown, or what would be the case if it were not.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields, is_dataclass
 from fractions import Fraction
+from importlib import import_module
+from inspect import isroutine
+from types import SimpleNamespace
 from typing import Any
 
-from cap.audit import tex
+from cap.audit import labels, tex
 from cap.audit.means import algebra, balls, linear
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
@@ -49,15 +57,23 @@ _CLAIMED = re.compile(r"(?<![\w.])[a-z_]+(?:-\d+)?(?:\.\w+)+")
 
 
 class Steps:
-    """The names that steps have defined, and the balls of numbers that certificates enclose."""
+    """The names that steps have defined, and the balls of the numbers that are enclosed.
 
-    def __init__(self) -> None:
+    Steps may call the functions of some modules, too.
+    """
+
+    def __init__(self, used: Iterable[str] = ()) -> None:
         self.names: dict[str, Any] = {
             "paper": THE_PAPER,
+            "labels": labels.stored(),
             "hit": linear.hit,
             "turn": linear.turn,
         }
         self.balls: dict[Any, Ball] = {}
+        for module in used:
+            for name, each in vars(import_module(module)).items():
+                if getattr(each, "__module__", "") == module and isroutine(each):
+                    self.names[name] = self._called(each)
 
     def make(self, given: Given) -> None:
         """Declare the symbols, and make the steps; `NotProved` if one of them fails."""
@@ -88,18 +104,42 @@ class Steps:
 
         return sp.parse_expr(_CLAIMED.sub(name, text), local_dict=known)
 
-    def _exact(self, value: Any) -> Any:
-        """Return a claimed value for an expression: for an enclosure a symbol, which has a ball."""
-        if isinstance(value, Enclosure):
-            symbol = sp.Dummy(str(value), real=True)
+    def _called(self, function: Callable[..., Any]) -> Callable[..., Any]:
+        """Return a function for expressions."""
+
+        def call(*given: Any, **named: Any) -> Any:
             with balls.precisely():
-                self.balls[symbol] = interval.hull(*map(interval.ball, value[:2]))
+                options = {name: self._given(each) for name, each in named.items()}
+                return self._exact(function(*map(self._given, given), **options))
+
+        return call
+
+    def _given(self, value: Any) -> Any:
+        """Return what a function is given: exact numbers as fractions, others as balls."""
+        if isinstance(value, list | tuple):
+            return tuple(map(self._given, value))
+        if getattr(value, "is_Rational", False):
+            return Fraction(int(value.p), int(value.q))
+        return self.enclosed(value) if isinstance(value, sp.Expr) else value
+
+    def _exact(self, value: Any) -> Any:
+        """Return what is claimed or found for an expression: for a ball a symbol, which has it."""
+        if isinstance(value, Enclosure):
+            with balls.precisely():
+                return self._exact(interval.hull(*map(interval.ball, value[:2])))
+        if isinstance(value, Ball):
+            symbol = sp.Dummy(str(value), real=True)
+            self.balls[symbol] = value
             return symbol
+        if is_dataclass(value):
+            own = {each.name: self._exact(getattr(value, each.name)) for each in fields(value)}
+            return SimpleNamespace(**own)
         if isinstance(value, dict):
             return {name: self._exact(each) for name, each in value.items()}
         if isinstance(value, list | tuple):
             return [self._exact(each) for each in value]
-        return sp.Rational(value) if isinstance(value, Fraction | int) else value
+        number = isinstance(value, Fraction | int) and not isinstance(value, bool)
+        return sp.Rational(value) if number else value
 
     def _holds(self, left: Any, relation: str, right: Any) -> bool:
         if relation == "in":
@@ -152,9 +192,9 @@ class Steps:
             return algebra.enclosure(value, self.balls)
 
 
-def made(*given: Given) -> Steps:
-    """Make the steps of some data, one after the other."""
-    steps = Steps()
+def made(*given: Given, used: Iterable[str] = ()) -> Steps:
+    """Make the steps of some data, one after the other; they may call functions of modules."""
+    steps = Steps(used)
     for each in given:
         steps.make(each)
     return steps

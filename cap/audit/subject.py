@@ -1,10 +1,11 @@
 """The paper that is audited: a folder of `cap.audit.papers`, chosen by its name.
 
 Its files: ``labels.json``, the places; ``claims/``, the claims, and the functions that decide those
-that need some; ``findings.toml``, ``errata.toml`` and ``statements.toml``; ``recorded.json``, the
-verdicts; ``parameters.json``, those of its system, if it has one; ``tables/``, whose rows are
-claims, too; and ``paper.toml``: the tables, if there are some, and what finds their numbers, the
-groups of claims in their order, why some places have none, and which rows are decided elsewhere.
+that need some; ``means/``, what these functions and the steps of claims use; ``findings.toml``,
+``errata.toml`` and ``statements.toml``; ``recorded.json``, the verdicts; ``parameters.json``, those
+of its system, if it has one; ``tables/``, whose rows are claims, too; and ``paper.toml``: the
+tables, if there are some, and what finds their numbers, the groups of claims in their order, why
+some places have none, and which rows are decided elsewhere.
 Nothing outside of the folder knows what the paper says.
 """
 
@@ -67,6 +68,11 @@ def file(name: str) -> Path:
 def group(name: str) -> tuple[Path, str]:
     """Return the data of a group of claims, and the module with the functions they name."""
     return file(f"claims/{name}.toml"), f"{__package__}.papers.{_chosen[0]}.claims.{name}"
+
+
+def means(name: str) -> str:
+    """Return a module of the folder ``means/``, whose functions the steps of claims may call."""
+    return f"{__package__}.papers.{_chosen[0]}.means.{name}"
 
 
 def data(name: str) -> dict[str, Any]:

@@ -7,10 +7,11 @@ module = "package.module"          # whose functions find what rows ask for
 what = "cells of 3600"
 paper = "814"                      # what the paper states
 by = "counted"                     # a function of the module; it returns what it finds, by names
+module = "package.other"           # if it is a function of another module
 with = { side = 60 }               # what it is given
 value = "cells"                    # what it finds under this name is compared: `comparison.value`
-ours = "from {low:.2f} on"         # or words, which are those of the paper if this ``holds``
-holds = "both"
+ours = "from {low:.2f} on"         # or words, which are those of the paper if this ``holds``:
+holds = "low > 0.5"                # a name, or a relation; parts are called ``x[0]``, ``x[name]``
 why = "if not, that is why: {low}"
 note = "if so, a remark"
 where = "eq:place"                 # if that is not the table's label
@@ -72,6 +73,7 @@ def claims() -> tuple[Row, ...]:
 def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
     label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
+    module = row.get("module", table["module"])
     content = json.dumps([row, [each.formula for each in errata.of(name)]], sort_keys=True)
     return Row(
         id=name,
@@ -79,9 +81,9 @@ def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
         kind=Kind.WORDS if "ours" in row else Kind.NUMBER,
         says=f"{what[0].upper()}{what[1:]}.",
         stated=row["paper"],
-        decide=partial(_decided, name, table["module"], row),
+        decide=partial(_decided, name, module, row),
         quote=quotes.get(name, ""),
-        module=table["module"],
+        module=module,
         content=hashlib.sha256(content.encode()).hexdigest(),
         table=label,
     )

@@ -8,6 +8,7 @@ circle and turns of the curve, is then enclosed in cells of the length 4e-24 (`P
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from decimal import Decimal
 from fractions import Fraction
 from itertools import combinations
 from math import prod
@@ -17,7 +18,7 @@ import numpy as np
 
 from cap.errors import NotProved
 from cap.maps.zero import Box
-from cap.orbits.cells import Cell, Cells, Line
+from cap.orbits.cells import Cell, Cells, Line, decimal, in_units
 from cap.orbits.periodic import outside
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -271,8 +272,7 @@ class Follower(Generic[Legs]):
         """Return a line through a point of the curve that is known to many digits."""
         middle, along, size = (ends[0] + ends[1]) / 2, line.along, self.size
         others = [k for k in range(size + 1) if k != along]
-        C = interval.matrix([[interval.ball(q) for q in row] for row in line.matrix])
-        start = line.at(interval.ball(middle - line.middle))
+        C, start = line.preconditioner, line.at(interval.ball(middle - line.middle))
         w, of = [x.mid() for x in start], self.cells.balls
         w[along] = interval.ball(middle)
         for _ in range(STEPS):
@@ -287,8 +287,8 @@ class Follower(Generic[Legs]):
         rates[others] = -inverse @ rows[:, along]
         centre = [round(interval.midpoint(x), 2 * PLACES) for x in w]
         centre[along] = middle
-        matrix = [[Fraction(round(x * 2**48), 2**48) for x in row] for row in inverse.tolist()]
-        return Line(along, ends, centre, [Fraction(f"{q:.8g}") for q in rates], matrix)
+        slope = [decimal(q, 8) for q in rates.tolist()]
+        return Line(along, ends, centre, slope, in_units(inverse))
 
     def _zero(self, kind: str, cell: Cell) -> Fraction:
         """Return where the test function changes its sign, by the secant method; a guess."""
@@ -311,11 +311,11 @@ class Follower(Generic[Legs]):
 
 
 def _exactly(x: float) -> Fraction:
-    return Fraction(repr(x))
+    return Fraction(Decimal(repr(x)))
 
 
 def _rounded(x: float) -> Fraction:
-    return Fraction(f"{x:.9f}")
+    return Fraction(Decimal(f"{x:.9f}"))
 
 
 def _at_minus_one(e: Sequence[Ball]) -> Ball:

@@ -12,7 +12,10 @@ If K lies inside of [-r, r], there is exactly one zero b of F for each s, and it
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,7 +27,7 @@ from cap.orbits.equations import derivative
 from cap.orbits.numbers import Balls, Floats
 from cap.orbits.periodic import symmetric
 from cap.sets import interval
-from cap.sets.interval import Ball, Matrix
+from cap.sets.interval import Ball, Exact, Matrix
 
 SHIFT = 48  # C has the unit 2^-48
 NEWTON, TRIALS = 12, 3
@@ -34,26 +37,47 @@ EVEN = 1000  # times r_k is no smaller than another one
 MARGIN = 3 / 4  # of r, in which K must lie: the checker's K may be somewhat larger
 
 
-class Line(NamedTuple):
-    """Where a cell is looked for: w_0, w_1, and C; exact."""
+@lru_cache
+def _one(size: int, along: int) -> Matrix:
+    """Return the matrix that takes all unknowns to those but one."""
+    rows = interval.identity(size).tolist()
+    return interval.matrix([[*row[:along], interval.ZERO, *row[along:]] for row in rows])
+
+
+@dataclass(frozen=True)
+class Line:
+    """Where a cell is looked for: w_0, w_1, and C, of doubles; exact."""
 
     along: int
     ends: tuple[Fraction, Fraction]
     centre: Sequence[Fraction]
     slope: Sequence[Fraction]
-    matrix: Sequence[Sequence[Fraction]]
+    matrix: Sequence[Sequence[float]]
 
-    @property
+    @cached_property
     def middle(self) -> Fraction:
         """s_0."""
         return (self.ends[0] + self.ends[1]) / 2
 
+    @cached_property
+    def _exact(self) -> list[tuple[Exact, Exact]]:
+        """w_0 and w_1, of which balls are made fast."""
+        pairs = zip(self.centre, self.slope, strict=True)
+        return [(interval.exact(c), interval.exact(q)) for c, q in pairs]
+
+    @property
+    def direction(self) -> list[Ball]:
+        """w_1, enclosed."""
+        return [interval.ball(q) for _, q in self._exact]
+
+    @property
+    def preconditioner(self) -> Matrix:
+        """C, enclosed."""
+        return interval.matrix(self.matrix)
+
     def at(self, offset: Ball) -> Box:
         """Return the points of the line at s - s_0."""
-        return tuple(
-            interval.ball(c) + interval.ball(q) * offset
-            for c, q in zip(self.centre, self.slope, strict=True)
-        )
+        return tuple([interval.ball(c) + interval.ball(q) * offset for c, q in self._exact])
 
 
 class Cell(NamedTuple):
@@ -167,11 +191,9 @@ class Cells:
         v[others] = -C @ J[:, along]
         if not np.abs(C).max() < 1e9:
             raise NotProved("curve", "F' is nearly singular", {"w": w})
-        centre = [Fraction(f"{x:.14g}") for x in w]
+        centre = [decimal(x, 14) for x in w]
         centre[along] = middle
-        slope = [Fraction(f"{x:.8g}") for x in v]
-        rows = [[Fraction(round(x * 2**SHIFT), 2**SHIFT) for x in row] for row in C.tolist()]
-        return Line(along, ends, centre, slope, rows)
+        return Line(along, ends, centre, [decimal(x, 8) for x in v.tolist()], in_units(C))
 
     def prove(self, line: Line) -> Cell:
         """Prove the same as `zeros`, and enclose the multipliers."""
@@ -181,29 +203,24 @@ class Cells:
     def zeros(self, line: Line) -> Cell:
         """Prove that the curve has one point for each s; see the statement of this module."""
         along, curve, of = line.along, self.curve, self.balls
-        size = curve.size
-        others = [k for k in range(size + 1) if k != along]
-        C = interval.matrix([[interval.ball(q) for q in row] for row in line.matrix])
+        C, one = line.preconditioner, _one(curve.size, along)
         with interval.guarded():
             value = curve.value(line.at(interval.ZERO), of)
         F = C * interval.column(value)
-        offset, w1 = spread(line), interval.column([interval.ball(q) for q in line.slope])
-        place, reach = line.at(offset), [Fraction(0)] * (size + 1)
+        offset, w1 = spread(line), interval.column(line.direction)
+        place, aside = line.at(offset), [interval.ZERO] * (curve.size + 1)
+        reach = [Fraction(0)] * len(aside)
         for _ in range(TRIALS):
-            aside = [interval.symmetric(interval.ball(r)) for r in reach]
             blocks = curve.blocks([x + b for x, b in zip(place, aside, strict=True)], of)
-            rows = curve.rows(blocks)
-            E = interval.identity(size) - C * interval.matrix(
-                [[r[k] for k in others] for r in rows]
-            )
-            forced = C * (interval.matrix(rows) * w1)
-            B = interval.column([aside[k] for k in others])
-            K = (E * B - F - forced * offset).entries()
-            if all(abs(x) < MARGIN * aside[k].rad() for x, k in zip(K, others, strict=True)):
-                return Cell(line, reach, (*K[:along], interval.ZERO, *K[along:]), [])
-            least = max(map(_above, K)) / EVEN
-            for x, k in zip(K, others, strict=True):
-                reach[k] = max(least, _above(x))
+            CA = C * interval.matrix(curve.rows(blocks))  # with a column for s, which b has not
+            K = ((one - CA) * interval.column(aside) - F - CA * w1 * offset).entries()
+            K.insert(along, interval.ZERO)
+            inside = [abs(x) < MARGIN * b.rad() for x, b in zip(K, aside, strict=True)]
+            if all(inside[:along] + inside[along + 1 :]):
+                return Cell(line, reach, tuple(K), [])
+            reach = _reach(K)
+            reach[along] = Fraction(0)
+            aside = [interval.symmetric(interval.ball(r)) for r in reach]
         raise NotProved("curve", "K does not lie inside of the box of a cell", {"s": place[along]})
 
     def multipliers(self, box: Box) -> list[Ball]:
@@ -212,9 +229,22 @@ class Cells:
         return symmetric(D, autonomous=self.curve.equations.autonomous)
 
 
-def _above(x: Ball) -> Fraction:
-    """Return a short number above |x|, with room."""
-    size = float(interval.upper(abs(x)))
-    if not size < 1e3:
-        raise NotProved("curve", "a cell is too long", {"K": x})
-    return Fraction(f"{max(ROOM * size, 1e-60):.3g}")
+def _reach(K: Sequence[Ball]) -> list[Fraction]:
+    """Return short numbers above |K|, with room, none of them much smaller than another."""
+    sizes = [float(interval.upper(abs(x))) for x in K]
+    if not all(size < 1e3 for size in sizes):
+        raise NotProved("curve", "a cell is too long", {"K": K[0]})
+    above = [decimal(max(ROOM * size, 1e-60), 3) for size in sizes]
+    least = max(above) / EVEN
+    return [max(least, r) for r in above]
+
+
+def decimal(x: float, digits: int) -> Fraction:
+    """Return a decimal of so many significant digits near a double."""
+    return Fraction(Decimal(f"{x:.{digits}g}"))
+
+
+def in_units(C: Any) -> list[list[float]]:
+    """Return a matrix in units of 2^-48, exact doubles."""
+    rows: list[list[float]] = (np.round(C * 2.0**SHIFT) / 2.0**SHIFT).tolist()
+    return rows

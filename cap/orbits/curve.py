@@ -21,6 +21,7 @@ class Curve:
         self.equations = Equations(itinerary, kinds)
         self.step = self.equations.n  # time and state of a contact, without p
         self.size = self.step * len(itinerary.contacts)  # equations; p is the unknown after these
+        self.places = self.equations.places_of(self.step)
 
     def expanded(self, w: Unknowns) -> list[Any]:
         """Return the unknowns of the system in which p is a variable."""
@@ -44,11 +45,23 @@ class Curve:
 
     def rows(self, blocks: Sequence[Block]) -> list[list[Any]]:
         """Return F' by rows."""
-        width = self.step + 1
-        return [
-            [*self._shortened(row), sum(row[self.step :: width])]
-            for row in self._shortened(self.equations.rows(blocks))
-        ]
+        n, found = self.step, list[list[Any]]()
+        for (guard, rows), (here, there, _) in zip(blocks, self.places, strict=True):
+            fixed = self.equations.autonomous and not here  # the first contact is at the time 0
+            found.append(self._row(here, guard[:n], guard[n]))
+            for i, (*by, by_p, by_next) in enumerate(rows[:-1]):
+                row = self._row(here, [0, *by[1:]] if fixed else by, by_p)
+                row[there] = row[there] + by_next
+                row[there + 1 + i] = row[there + 1 + i] - 1
+                found.append(row)
+        return found
+
+    def _row(self, here: int, by: Sequence[Any], by_p: Any) -> list[Any]:
+        """Return a row with the derivatives by the unknowns of a contact, and by p."""
+        row: list[Any] = [0] * (self.size + 1)
+        row[here : here + self.step] = by
+        row[self.size] = by_p
+        return row
 
     def of_round(self, blocks: Sequence[Block]) -> list[Block]:
         """Return the derivatives of each leg at one p."""

@@ -69,9 +69,12 @@ class Equations:
         step = self.n + 1
         self.size = step * count
         self.autonomous = kinds.autonomous
-        self.places = [
-            Place(step * k, step * (k + 1) % self.size, k + 1 == count) for k in range(count)
-        ]
+        self.places = self.places_of(step)
+
+    def places_of(self, step: int) -> list[Place]:
+        """Return where the contacts stand in a row of so many unknowns for each."""
+        count = len(self.legs)
+        return [Place(step * k, step * ((k + 1) % count), k + 1 == count) for k in range(count)]
 
     def value(self, z: Unknowns, of: Numbers) -> list[Any]:
         """Return F(z)."""

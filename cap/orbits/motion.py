@@ -14,8 +14,7 @@ from functools import cached_property
 
 from cap.errors import BadInput
 from cap.sets import interval
-from cap.sets.interval import Matrix
-from cap.system.exponential import enclosed
+from cap.system.exponential import BITS, Exponential
 from cap.system.flight import Flights, Scalars, flights, response
 from cap.system.model import System
 from cap.system.polynomial import COS, SIN, Polynomial
@@ -23,7 +22,6 @@ from cap.system.tape import Tape, Term
 
 Clock = tuple[Term, Term]
 Generator = list[list[Polynomial]]
-BITS = 64  # where doubles are wanted
 
 
 class Motion:
@@ -55,10 +53,10 @@ class Motion:
         self.generator = [[M[i][j] for j in places] for i in places]
 
     @cached_property
-    def in_few_bits(self) -> Matrix:
-        """An enclosure of N, for doubles."""
+    def in_doubles(self) -> Exponential:
+        """X as a function of doubles d."""
         with interval.workprec(BITS):
-            return enclosed(self.generator)
+            return Exponential(self.generator, len(self.system.state))
 
     @cached_property
     def inputs(self) -> list[str]:

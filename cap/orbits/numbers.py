@@ -8,10 +8,10 @@ from math import cos, pi, sin
 from typing import Any, Protocol
 
 from cap.errors import BadInput
-from cap.orbits.motion import BITS, Motion
+from cap.orbits.motion import Motion
 from cap.sets import interval
-from cap.sets.interval import Ball, Matrix
-from cap.system.exponential import enclosed, exponential, number
+from cap.sets.interval import Ball
+from cap.system.exponential import Exponential, number
 from cap.system.model import System
 from cap.system.source import Evaluated, Function
 from cap.system.source import enclosed as enclosed_number
@@ -43,7 +43,7 @@ class Balls:
         self.bits, self._omega = interval.working_bits(), number(system.omega)
         self._bound = dict[Function, Evaluated]()
         self.period = 2 * interval.pi() * number(system.omega.reciprocal())
-        self._generators = dict[Motion, Matrix]()
+        self._exponentials = dict[Motion, Exponential]()
 
     def clock(self, t: Ball) -> Clock:
         """Return an enclosure of cos wt and sin wt."""
@@ -52,9 +52,9 @@ class Balls:
 
     def exponential(self, motion: Motion, d: Ball) -> Sequence[Ball]:
         """Return an enclosure of the entries of exp(N d) in the rows of the state."""
-        if motion not in self._generators:
-            self._generators[motion] = enclosed(motion.generator)
-        return exponential(self._generators[motion], d).entries()[: len(motion.inputs)]
+        if motion not in self._exponentials:
+            self._exponentials[motion] = Exponential(motion.generator, len(motion.system.state))
+        return self._exponentials[motion](d)
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of balls."""
@@ -81,9 +81,7 @@ class Floats:
 
     def exponential(self, motion: Motion, d: float) -> Sequence[float]:
         """Return the entries of exp(N d)."""
-        with interval.workprec(BITS):
-            rows = exponential(motion.in_few_bits, Ball(d)).entries()
-        return [float(x) for x in rows[: len(motion.inputs)]]
+        return motion.in_doubles.near(d)
 
     def of(self, function: Function) -> Evaluated:
         """Return a function of doubles."""

@@ -253,16 +253,24 @@ class Prover:
         """Return the legs of the orbits whose contacts lie in a box."""
         equations, of, n = self.equations, self.balls, self.equations.n
         clocks = {place.here: of.clock(equations.time(box, place)) for place in equations.places}
-        found = []
+        found, spans = [], self.spans(box)
         for k, (leg, place) in enumerate(zip(equations.legs, equations.places, strict=True)):
-            here, there, _ = place
+            (here, there, _), (first, last) = place, spans[k]
             before = box[here + 1 : here + n + 1]
             after = of.of(leg.after)(*clocks[here], *before)
-            end = End(equations.end(box, place, of), clocks[there], box[there + 1 : there + n + 1])
+            end = End(last, clocks[there], box[there + 1 : there + n + 1])
             cos, sin = clocks[here]
             begin = (-cos, -sin) if equations.is_moved(place) else (cos, sin)
-            found.append(Leg(k, End(equations.start(box, place, of), begin, after), end, of))
+            found.append(Leg(k, End(first, begin, after), end, of))
         return found
+
+    def spans(self, box: Box) -> list[tuple[Ball, Ball]]:
+        """Return the times at which the legs begin and end."""
+        equations, of = self.equations, self.balls
+        return [
+            (equations.start(box, place, of), equations.end(box, place, of))
+            for place in equations.places
+        ]
 
     def _minima_of(self, mode: str, name: str) -> list[Minimum] | None:
         key = interval.working_bits(), mode, name

@@ -137,7 +137,7 @@ def _symmetric(alpha: float) -> float:
 
 
 def _birth() -> float:
-    return float(certified.pitchfork()["f"][0])
+    return float(certified.theorem("pitchfork")["f"][0])
 
 
 def data(run: Run) -> Branches:
@@ -153,17 +153,15 @@ def data(run: Run) -> Branches:
 
 def birth(_run: Run) -> Found:
     """Prove where the branch ends."""
-    return {"f": certified.pitchfork()["f"]}
+    return {"f": certified.theorem("pitchfork")["f"]}
 
 
 def branch(run: Run) -> Found:
     """Say how x and the rotation number change along the branch."""
     pair = _pair(run, -1)
-    direction = _direction(pair[pair[:, 0] >= 0.4])
     numbers = turn(pair[:, 2])
     return {
-        "direction": direction,
-        "increases": direction == "increases",
+        "direction": _direction(pair[pair[:, 0] >= 0.4]),
         "birth": _birth(),
         "decreases": (np.diff(numbers[numbers > 0]) > 0).all(),
         "exponent": _exponent(),
@@ -184,29 +182,24 @@ def _exponent() -> float:
     return float(np.polyfit(np.log(_birth() - f), np.log(numbers), 1)[0])
 
 
-def taken(_run: Run, turn: str) -> Found:
-    """Prove where the pair takes a rotation number."""
-    where = landmarks().resonances
-    return {"at": where[turn][0][:14], "passed": turn in where}
+def proved(_run: Run) -> Found:
+    """Prove where the pair ends, beside the paper's formula, and takes rotation numbers."""
+    marks = landmarks()
+    return {
+        "sc": saddle_center(2),
+        "end": marks.end[0][:12],
+        "taken": {turn: place[0][:14] for turn, place in marks.resonances.items()},
+    }
 
 
 def swept(run: Run) -> Found:
     """Say which orbit the sweep follows."""
-    most, steps = max(step.steps for step in sweep(run)), sweep(run)
-    on = [step for step in steps if step.f > _birth()]
-    beyond = [f"f = {s.f:.4f}" for s in on
-              if abs(s.x - _symmetric(s.f / float(PAPER.F))) < ASYMMETRIC]  # fmt: skip
+    beyond = [f"f = {s.f:.4f}" for s in sweep(run) if s.f > _birth()
+              and abs(s.x - _symmetric(s.f / float(PAPER.F))) < ASYMMETRIC]  # fmt: skip
     return {
-        "steps": most,
-        "fast": most < 20,
+        "steps": max(step.steps for step in sweep(run)),
         "beyond": f"on the symmetric one at {', '.join(beyond)}" if beyond else "is on that branch",
-        "elliptic": not beyond,
     }
-
-
-def end(_run: Run) -> Found:
-    """Prove where the pair ends, beside the paper's formula."""
-    return {"sc": saddle_center(2), "end": landmarks().end[0][:12]}
 
 
 def twist_vanishes(_run: Run) -> Found:

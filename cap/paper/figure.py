@@ -83,9 +83,12 @@ class Figure:
 
     def compared(self, run: Run) -> Compared:
         """Compute it."""
-        rows = tables.comparisons(
-            self.label, lambda row: found(self.module, row["by"], run, row.get("with", {}))
-        )
+
+        def find(row: Mapping[str, Any]) -> Found:
+            module = row.get("module", self.module)
+            return dict(found(module, row["by"], run, row.get("with", {})))
+
+        rows = tables.comparisons(self.label, find)
         data = found(self.module, self.data, run, {}) if self.data else None
         return Compared(parameters=PAPER, label=self.label, title=self.title, rows=rows, data=data)
 

@@ -9,13 +9,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from cap.audit import tables
 from cap.errors import BadInput
 from cap.floats.diagnostics.continuation import continuation
 from cap.floats.search.cycles import Cycle, StroboscopicMap
 from cap.floats.search.orbits import search
 from cap.paper.figure import Found, Run
-from cap.paper.formulas import impulse_forcing, saddle_center_forcing
 from cap.paper.nine_points import at_the_paper
 from cap.parameters import Parameters, at
 
@@ -103,10 +101,7 @@ def by_the_paper(_run: Run, F: str) -> Found:
 
 def by_search(_run: Run, F: str) -> Found:
     """Count what a thorough search finds at F, and what the paper's misses."""
-    found = _sum(split(_thorough(F)))
-    what = f"F = {F}: all orbits found, elliptic + saddle"
-    same = found == tables.stated(what, "fig:hist-cont")
-    return {"found": found, "missed": _missed(_thorough(F), _paper(F)), "same": same}
+    return {"found": _sum(split(_thorough(F))), "missed": _missed(_thorough(F), _paper(F))}
 
 
 def _missed(full: tuple[Cycle, ...], rough: tuple[Cycle, ...]) -> str:
@@ -140,31 +135,26 @@ def all_by_search(run: Run) -> Found:
     }
 
 
-def formulas(_run: Run) -> Found:
-    """Evaluate two formulas of the paper."""
-    return {"sc": saddle_center_forcing(), "impulse": impulse_forcing()}
-
-
 def below(_run: Run) -> Found:
     """Say whether the orbits found below F_sc turn."""
     found = [*_thorough("0.65"), *_thorough("0.85")]
     free = {word.split()[0] for cycle in found for word, _ in cycle.events} == {"hit"}
     shown = "velocity never zero, one hit of each wall: (1,1) orbits" if free else "with turns"
-    return {"shown": shown, "turn": not free}
+    return {"shown": shown}
 
 
 def determinants(run: Run) -> Found:
     """Count the determinants that lie where most are said to lie."""
     dets = [cycle.determinant for found in _everywhere(run).values() for cycle in found]
     within = sum(0.5 <= det <= 0.6 for det in dets)
-    return {"within": within, "orbits": len(dets), "most": 2 * within > len(dets)}
+    return {"within": within, "orbits": len(dets), "half": len(dets) / 2}
 
 
 def many(run: Run) -> Found:
     """Say at which F there are more than two orbits."""
     forces = [F for F, found in _everywhere(run).items() if len(found) > 2]
-    above = all(float(F) > 1.3 for F in forces)
-    return {"forces": ", ".join(forces), "above": above, "at_1": orbits_at_1()}
+    least = min(map(float, forces), default=math.inf)
+    return {"forces": ", ".join(forces), "least": least, "at_1": orbits_at_1()}
 
 
 def orbits_at_1() -> str:
@@ -185,7 +175,7 @@ def flips(run: Run) -> Found:
     saddles = dict.fromkeys(F for F, c in every if c.kind(conserves=True) == "flip saddle")
     sinks = [(F, c) for F, c in every if "sink" in c.kind(conserves=True)]
     where = ", ".join(f"{value:.6f}" for value in doublings(sinks, run))
-    return {"saddles": ", ".join(saddles), "where": where, "none": not saddles}
+    return {"saddles": ", ".join(saddles), "where": where}
 
 
 def doublings(sinks: list[tuple[str, Cycle]], run: Run) -> list[float]:

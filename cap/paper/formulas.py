@@ -1,13 +1,9 @@
-"""Formulas of the paper for where orbits should begin and end, in floats; F and ω are 1."""
+"""Formulas of the paper for where orbits should begin and end, in floats, at ω = 1."""
 
 import math
 
+from cap.paper.figure import Found, Run
 from cap.parameters import PAPER
-
-
-def impulse_bound() -> float:
-    """Return f_imp = 2F/π."""
-    return 2 * float(PAPER.F) / math.pi
 
 
 def impulse_forcing() -> float:
@@ -20,7 +16,12 @@ def saddle_center(R: float, F: float = 1) -> float:
     return 4 * (2 * F + R - F * math.pi) / math.pi**2
 
 
-def saddle_center_forcing() -> float:
-    """Return F_sc, the F at which f_sc is the paper's f."""
+def evaluated(_run: Run, F: str = "1") -> Found:
+    """Evaluate them at F: f_imp = 2F/π, F_imp, f_sc, and the F at which f_sc is the paper's f."""
     f, R = float(PAPER.f), float(PAPER.R)
-    return (f * math.pi**2 - 4 * R) / (4 * (2 - math.pi))
+    return {
+        "impulse": 2 * float(F) / math.pi,
+        "forcing": impulse_forcing(),
+        "saddle_center": saddle_center(R, float(F)),
+        "saddle_center_forcing": (f * math.pi**2 - 4 * R) / (4 * (2 - math.pi)),
+    }

@@ -15,7 +15,6 @@ from cap.floats.one_one import asymmetry, pair_member, root, symmetric_member, t
 from cap.floats.search import periodic
 from cap.floats.search.periodic import Guess
 from cap.paper.figure import Found, Run, elliptic
-from cap.paper.formulas import impulse_forcing
 from cap.paper.rows import Row, Rows
 from cap.parameters import PAPER, at
 
@@ -69,11 +68,9 @@ def panel(_run: Run, F: str) -> Found:
         "trace": near.own.trace,
         "turn": float(turn(near.own.trace)),
         "hits": len(near.own.hit_times),
-        "two": len(near.own.hit_times) == 2,
         "strays": "turns" if near.leaves else strays,
         "stays": not near.leaves,
         "kind": near.kind,
-        "asymmetric": near.kind.startswith("asymmetric"),
     }
 
 
@@ -92,21 +89,18 @@ def thickness(points: Floats) -> float:
 def below(_run: Run) -> Found:
     """Follow the orbit of panel (c), below the bound."""
     events = swarm.itinerary(at(F=LOW), START, 12)
-    turns = [event for event in events if event.word.startswith("turn")]
-    sticks = [event for event in events if event.word == "stick"]
-    releases = [event for event in events if event.word.startswith("release")]
+    turns, sticks, releases = (
+        [event for event in events if event.word.split()[0] == kind]
+        for kind in ("turn", "stick", "release")
+    )
     rests = [e.time - s.time for s, e in zip(sticks, releases, strict=False)]
-    drift = abs(sticks[-1].x - sticks[-3].x)
     return {
-        "bound": impulse_forcing(),
         "rest": sticks[0].time,
         "turn": turns[0].time,
-        "late": turns[0].time > 14.3,
         "rests": rests[-1],
         "last": sticks[-1].x,
         "before": sticks[-2].x,
-        "drift": drift,
-        "drifts": drift > 1e-6,
+        "drift": abs(sticks[-1].x - sticks[-3].x),
     }
 
 
@@ -115,8 +109,7 @@ def everybody(run: Run) -> Found:
     p = at(F=LOW)
     cells = grid(p, whole(p), run.size(200, 40))
     seen = swarm.follow(p, cells.states(slice(0, cells.count)), 20)
-    lost = int((seen.turned | seen.stuck | seen.captured).sum())
-    return {"lost": lost, "count": cells.count, "all": lost == cells.count}
+    return {"lost": (seen.turned | seen.stuck | seen.captured).sum(), "count": cells.count}
 
 
 def resonances(_run: Run) -> Found:
@@ -139,15 +132,13 @@ def resonances(_run: Run) -> Found:
         return root(lambda F: trace(F) - 2 * math.cos(2 * math.pi * turn), low, high)
 
     fork, half = root(birth, 0.75, 1.0), root(identity, 0.629, 0.8)
-    quarter = passes(pair, 1 / 4, fork + 1e-6, 1.0), passes(plus, 1 / 4, half, fork - 1e-6)
-    third = passes(plus, 1 / 3, half, fork - 1e-6)
     return {
         "fork": fork,
         "smooth": not 0.85 < fork < 1,
-        "quarter": quarter,
-        "quarters": math.isfinite(quarter[0]),
-        "third": third,
-        "thirds": math.isfinite(third),
+        "quarter": [
+            passes(pair, 1 / 4, fork + 1e-6, 1.0),
+            passes(plus, 1 / 4, half, fork - 1e-6),
+        ],
+        "third": passes(plus, 1 / 3, half, fork - 1e-6),
         "half": half,
-        "halves": math.isfinite(half),
     }

@@ -1,12 +1,12 @@
 """fig:KAM: the stroboscopic portrait around the elliptic orbit, and its island chains."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cache
+from itertools import islice
 
 import numpy as np
 
+from cap.audit.means.lazy import sympy as sp
 from cap.errors import BadInput
 from cap.floats.diagnostics.chains import Chain, chains
 from cap.floats.diagnostics.portrait import Portrait, portrait
@@ -58,24 +58,12 @@ def data(run: Run) -> Island:
     return Island(_portrait(run), _rotation(run), _chains(run))
 
 
-def convergents(value: Fraction, count: int) -> Iterator[Fraction]:
-    """Give the first convergents of the continued fraction of a number in (0, 1)."""
-    h, k = (1, 0), (0, 1)
-    for _ in range(count):
-        whole = value.numerator // value.denominator
-        h, k = (whole * h[0] + h[1], h[0]), (whole * k[0] + k[1], k[0])
-        if h[0]:
-            yield Fraction(h[0], k[0])
-        if value == whole:
-            return
-        value = 1 / (value - whole)
-
-
 def at_the_point(_run: Run) -> Found:
-    """Enclose the rotation number at P_*."""
+    """Enclose the rotation number at P_*, and take its first convergents."""
     turn = theorem("elliptic", (0.1003, 0.5419))["rotation_number"]
-    known = list(convergents(Fraction(turn[0]), 4))
-    both = {5, 7} <= {each.denominator for each in known}
+    fraction = sp.continued_fraction_iterator(sp.Rational(turn[0]))
+    known = list(islice(sp.continued_fraction_convergents(fraction), 1, 4))
+    both = {5, 7} <= {each.q for each in known}
     return {"turn": turn, "tight": ", ".join(map(str, known)), "both": both}
 
 
@@ -100,7 +88,6 @@ def chain(run: Run, q: str) -> Found:
     own = [str(each.number) for each in found if each.number.denominator == int(q)]
     return {
         "own": ", ".join(own) or "none found",
-        "found": own,
         "largest": LARGEST,
         "names": ", ".join(str(each.number) for each in found) or "none",
     }
@@ -109,5 +96,4 @@ def chain(run: Run, q: str) -> Found:
 def layer(run: Run) -> Found:
     """Count what lies outside of the curves."""
     turned = _portrait(run).turned
-    lost, total = int(turned.sum()), len(turned)
-    return {"lost": percent(lost, total), "total": total, "none": lost == 0}
+    return {"lost": percent(int(turned.sum()), len(turned)), "total": len(turned)}

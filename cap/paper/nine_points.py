@@ -41,7 +41,7 @@ def point(_run: Run, f: str, R: str) -> Found:
     has = next((kind for kind in ("elliptic", "saddle") if kind in kinds), "none")
     missed = sorted(kinds - {found})
     why = f"missed by the four seeds: {', '.join(missed)}" if missed else ""
-    return {"orbits": _words(own), "all": has == found and not missed, "missed": why}
+    return {"orbits": _words(own), "has": has, "all": has == found and not missed, "missed": why}
 
 
 def _words(own: dict[str, str]) -> str:
@@ -62,12 +62,6 @@ def counts(_run: Run) -> Found:
         "saddle": kinds.count({"saddle"}),
         "none": kinds.count(set()),
     }
-
-
-def corner(_run: Run) -> Found:
-    """Find the orbits at the point at which the paper supposes a false negative."""
-    own = members("0.55", "1")
-    return {"orbits": _words(own), "elliptic": "elliptic" in own.values()}
 
 
 def other(_run: Run, f: str, R: str) -> Found:

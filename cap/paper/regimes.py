@@ -13,6 +13,7 @@ from cap.floats.findings import State
 from cap.floats.search import cycles
 from cap.floats.search.cycles import Cycle
 from cap.floats.search.orbits import search
+from cap.paper import events
 from cap.paper.coexistence import mirrored
 from cap.paper.figure import Found, Run, percent
 from cap.paper.rows import Row, Rows
@@ -20,7 +21,6 @@ from cap.parameters import at
 
 LOW = "1.5", "3", "4.5"
 HIGH = "6"
-SPEED = 2  # at most, at F = 6
 GENERIC = {"12": (4, 4, 5), "50": (2, 1, 7)}  # F: transient and window in T, |v| at most
 SEEDS = 12  # per side, of the generic orbits
 
@@ -46,38 +46,30 @@ def _window(F: str, state: State, periods: int) -> Trajectory:
     return trajectory(at(F=F), orbit=state, exactly=True, periods=periods)
 
 
-def _hits(orbit: Trajectory) -> tuple[int, int]:
-    words = [str(word) for word in orbit.words]
-    return words.count("hit r"), words.count("hit l")
-
-
-def _turns(orbit: Trajectory) -> int:
-    return sum(str(word).startswith("turn") for word in orbit.words)
-
-
 def periodic(_run: Run, F: str) -> Found:
-    """Find one of the periodic orbits."""
-    own, (right, left) = _near(F), _hits(_orbit(F))
-    kind = own.kind(conserves=True)
+    """Find one of the periodic orbits, and count its hits in 4 T."""
+    own, hits = _near(F), events.counted(_orbit(F).words)
+    total = hits["right"] + hits["left"]
     return {
         **{name: getattr(own, name) for name in ("x", "v", "trace", "determinant")},
-        "kind": kind,
-        "elliptic": kind == "elliptic",
-        "right": right,
-        "left": left,
-        "hits": right + left,
-        "per_period": (right + left) // 4,
+        **hits,
+        "kind": own.kind(conserves=True),
+        "hits": total,
+        "per_period": total // 4,
     }
 
 
 def _row(F: str) -> Row:
-    own, orbit = _near(F), _orbit(F)
-    right, left = _hits(orbit)
+    own = _near(F)
     title = (
         f"$F = {float(F):g}$: {own.kind(conserves=True)}, tr $= {own.trace:.3f}$, "
-        f"det $= {own.determinant:.3f}$; in $4T$: {right} r, {left} l, {_turns(orbit)} turns"
+        f"det $= {own.determinant:.3f}$; in $4T$: {_in_short(_orbit(F))}"
     )
-    return Row(orbit, title)
+    return Row(_orbit(F), title)
+
+
+def _in_short(orbit: Trajectory) -> str:
+    return "{right} r, {left} l, {turns} turns".format_map(events.counted(orbit.words))
 
 
 def _rows(shown: list[Row]) -> Rows:
@@ -89,20 +81,16 @@ def low(_run: Run) -> Rows:
     return _rows([_row(F) for F in LOW])
 
 
-def together(_run: Run) -> Found:
+def together(run: Run) -> Found:
     """Compare the three orbits at moderate F."""
-    hits = [_hits(_orbit(F)) for F in LOW]
-    ratios = ", ".join(f"{a // gcd(a, b)}:{b // gcd(a, b)}" for a, b in hits)
+    hits = [(each["right"], each["left"]) for each in (periodic(run, F) for F in LOW)]
     rates = [_near(F).determinant ** 0.5 for F in LOW]
-    symmetric = [F for F in LOW if _is_symmetric(F)]
     return {
-        "ratios": ratios,
-        "same": ratios == "2:1, 1:1, 2:3",
+        "ratios": ", ".join(f"{a // gcd(a, b)}:{b // gcd(a, b)}" for a, b in hits),
         "rate": float(np.mean(rates)),
         "rates": ", ".join(f"{rate:.3f}" for rate in rates),
         "determinant": float(np.mean([rate * rate for rate in rates])),
-        "symmetric": ", ".join(symmetric),
-        "pairs": not symmetric,
+        "symmetric": ", ".join(F for F in LOW if _is_symmetric(F)),
     }
 
 
@@ -113,8 +101,7 @@ def _is_symmetric(F: str) -> bool:
 
 def fastest(_run: Run) -> Found:
     """Find the largest speed at F = 6."""
-    speed = float(np.abs(_orbit(HIGH).v).max())
-    return {"speed": speed, "slow": speed <= SPEED}
+    return {"speed": float(np.abs(_orbit(HIGH).v).max())}
 
 
 # generic orbits: the paper does not say where its orbits start
@@ -140,23 +127,19 @@ def _generic_row(run: Run, F: str) -> Row:
     transient, window, _ = GENERIC[F]
     orbits = _generic(run, F)
     shown = orbits[len(orbits) // 2]
-    a, b = _hits(shown)
-    words = f"in ${window}T$: {a} r, {b} l, {_turns(shown)} turns"
-    return Row(shown, f"$F = {F}$: after ${transient}T$; {words}")
+    return Row(shown, f"$F = {F}$: after ${transient}T$; in ${window}T$: {_in_short(shown)}")
 
 
 def generic(run: Run, F: str) -> Found:
     """Find the speeds of generic orbits, and whether they stick."""
     orbits, most = _generic(run, F), GENERIC[F][2]
     speeds = np.array([np.abs(orbit.v).max() for orbit in orbits])
-    bounce = float(at(F=F).F / at(F=F).omega)
     return {
         "least": speeds.min(),
         "most": speeds.max(),
         "orbits": len(orbits),
         "slow": percent(float((speeds <= most).sum()), len(speeds)),
         "stuck": sum("stick" in each.counts() or "capture" in each.counts() for each in orbits),
-        "bounces": speeds.max() > bounce / 2,
     }
 
 
@@ -169,5 +152,4 @@ def sinks(run: Run, F: str) -> Found:
     return {
         "sinks": len(stable),
         "settled": settled.kind if settled else "nothing",
-        "none": not stable,
     }

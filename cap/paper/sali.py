@@ -128,14 +128,7 @@ def ranges(_run: Run) -> Found:
         log = np.log10(np.maximum(found.index, LEAST))
     regular, chaotic = log[found.kinds == REGULAR], log[found.kinds == CHAOTIC]
     top, bottom = int((regular >= -2).sum()), int((chaotic <= -4).sum())
-    return {
-        "top": top,
-        "regular": len(regular),
-        "regular_within": top == len(regular),
-        "bottom": bottom,
-        "chaotic": len(chaotic),
-        "chaotic_within": bottom == len(chaotic),
-    }
+    return {"top": top, "regular": len(regular), "bottom": bottom, "chaotic": len(chaotic)}
 
 
 def doubled(_run: Run) -> Found:
@@ -143,14 +136,14 @@ def doubled(_run: Run) -> Found:
     once, twice = coarse(PERIODS).kinds, coarse(2 * PERIODS).kinds
     changed = int((once != twice).sum())
     gone = int(((once != TURNED) & (twice == TURNED)).sum())
-    return {"changed": changed, "cells": once.size, "gone": gone, "same": changed == 0}
+    return {"changed": changed, "cells": once.size, "gone": gone}
 
 
 def differences_taken(_run: Run) -> Found:
     """Measure the error of the paper's differences."""
     rough, exact, turned = _on_the_grid()
     error = np.abs(rough[~turned] - exact[~turned]).max(axis=(1, 2, 3))
-    return {"median": np.median(error), "most": error.max(), "precise": error.max() < 1e-14}
+    return {"median": np.median(error), "most": error.max()}
 
 
 def revolutions(_run: Run) -> Found:
@@ -182,7 +175,7 @@ def power(run: Run) -> Found:
     n = np.log(np.arange(1, periods + 1)[late])
     slopes = [np.polyfit(n, np.log(curve[late]), 1)[0] for curve in curves[regular]]
     slope = float(np.median(slopes)) if slopes else np.nan
-    return {"slope": slope, "orbits": len(slopes), "periods": periods, "bounded": slope > -0.05}
+    return {"slope": slope, "orbits": len(slopes), "periods": periods}
 
 
 def later(run: Run) -> Found:

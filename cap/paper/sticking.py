@@ -1,7 +1,6 @@
 """fig:hist-chatter: an orbit that comes to stick-slip, two neighbours, and a true accumulation."""
 
 import math
-from collections import Counter
 from dataclasses import dataclass
 from functools import cache
 
@@ -11,6 +10,7 @@ from cap.floats.diagnostics.chatter import Chatter, chatter
 from cap.floats.diagnostics.trajectory import Trajectory, trajectory
 from cap.floats.engine import swarm
 from cap.floats.findings import State
+from cap.paper import events
 from cap.paper.certified import theorem
 from cap.paper.figure import Found, Run
 from cap.parameters import PAPER, at
@@ -59,63 +59,47 @@ def data(_run: Run) -> Panels:
     return Panels(_slow(), _two(), _distance(), _captured())
 
 
-def events(_run: Run) -> Found:
-    """List the events of panel (a): their times, in order, and their numbers."""
-    words, times = [str(word) for word in _slow().words], _slow().times.tolist()
-    kinds = [word.split()[0] for word in words]
-    sticks = [t for kind, t in zip(kinds, times, strict=True) if kind == "stick"]
-    releases = [t for kind, t in zip(kinds, times, strict=True) if kind == "release"]
-    return {
-        "hit_r": times[words.index("hit r")],
-        "hit_l": times[words.index("hit l")],
-        "turn": times[kinds.index("turn")],
-        **{f"stick_{k}": time for k, time in enumerate(sticks, 1)},
-        **{f"release_{k}": time for k, time in enumerate(releases, 1)},
-        "hits_r": words.count("hit r"),
-        "hits_l": words.count("hit l"),
-        "turns": kinds.count("turn"),
-        "sticks": len(sticks),
-        "releases": len(releases),
-        "bound": 2 * float(WEAK) / math.pi,
-    }
+def happened(_run: Run) -> Found:
+    """List the events of panel (a): the times of each kind, in order, and their numbers."""
+    times: dict[str, list[float]] = {}
+    for word, time in zip(map(str, _slow().words), _slow().times.tolist(), strict=True):
+        times.setdefault(word if word.startswith("hit") else word.split()[0], []).append(time)
+    return {"times": times, **events.counted(_slow().words)}
 
 
 def rests(_run: Run) -> Found:
     """Say where the orbit of panel (a) rests in the end."""
     seen = swarm.itinerary(at(F=WEAK), START, 40)
     before, here, last = [event.x for event in seen if event.word == "stick"][-3:]
-    drift = abs(last - before)
-    return {"last": last, "other": here, "drift": drift, "drifts": drift > 1e-6}
+    return {"last": last, "other": here, "drift": abs(last - before)}
 
 
 def neighbour(_run: Run, number: str) -> Found:
     """Count the events of an orbit of panel (b)."""
-    words = Counter(str(word) for word in _two()[int(number) - 1].words)
-    kinds = Counter(word.split()[0] for word in words.elements())
-    found = f"{words['hit r']} right, {words['hit l']} left, {kinds['turn']} turns"
-    same = found == "4 right, 4 left, 4 turns"
-    return {"found": found, "sticks": kinds["stick"], "same": same}
+    return events.counted(_two()[int(number) - 1].words)
 
 
 def grazing(_run: Run) -> Found:
     """Find the speeds at which the orbits of panel (b) hit the right wall."""
     hits = [abs(v) for orbit in _two() for word, v in zip(orbit.words, orbit.before, strict=True)
             if word == "hit r"]  # fmt: skip
-    return {"least": min(hits), "most": max(hits), "grazes": min(hits) < 0.1}
+    return {"least": min(hits), "most": max(hits)}
 
 
 def separation(_run: Run) -> Found:
     """Follow the distance of the orbits of panel (b)."""
     distance = _distance()
-    shown = ", ".join(f"{each:.4f}" for each in distance)
-    return {"distances": shown, "separate": distance[-1] > distance[0]}
+    return {
+        "distances": ", ".join(f"{each:.4f}" for each in distance),
+        "first": distance[0],
+        "last": distance[-1],
+    }
 
 
 def gaps(_run: Run) -> Found:
     """Find the shortest time between hits of the orbit that is captured."""
     F, f = float(PAPER.F), float(PAPER.f)
-    shortest = float(np.diff(_captured().times).min())
-    return {"shortest": shortest, "long": shortest >= 2 * (F - f) / (F + f)}
+    return {"shortest": np.diff(_captured().times).min(), "stated": 2 * (F - f) / (F + f)}
 
 
 def capture(_run: Run) -> Found:

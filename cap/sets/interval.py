@@ -162,14 +162,19 @@ def total(terms: Iterable[arb]) -> arb:
     return sum(terms, ZERO)
 
 
-def matrix(rows: Sequence[Sequence[arb]]) -> Matrix:
-    """Return a matrix of balls, or of integers."""
+def matrix(rows: Sequence[Sequence[arb | float]]) -> Matrix:
+    """Return a matrix of balls, or of integers or doubles."""
     return arb_mat(rows)
 
 
 def column(entries: Sequence[arb]) -> Matrix:
     """Return a column of balls."""
     return arb_mat(len(entries), 1, entries)
+
+
+def row(entries: Sequence[arb]) -> Matrix:
+    """Return a row of balls."""
+    return arb_mat(1, len(entries), entries)
 
 
 def identity(size: int) -> Matrix:
@@ -190,6 +195,16 @@ def eigenvalues(rows: Sequence[Sequence[Fraction]]) -> list[ComplexBall]:
     entries = [exact(q) for row in rows for q in row]
     roots: Any = fmpq_mat(len(rows), len(rows), entries).charpoly().numer().complex_roots()
     return [acb(z) for z, _ in roots if z != 0]
+
+
+def spectrum(rows: Sequence[Sequence[Fraction]]) -> list[ComplexBall] | None:
+    """Return enclosures of all eigenvalues of a square matrix, each once; real ones are real.
+
+    None if it has no basis of eigenvectors: then its minimal polynomial has a multiple root.
+    """
+    entries = [exact(q) for row in rows for q in row]
+    roots: Any = fmpq_mat(len(rows), len(rows), entries).minpoly().numer().complex_roots()
+    return [acb(z) for z, _ in roots] if all(times == 1 for _, times in roots) else None
 
 
 def lower(x: arb) -> arb:

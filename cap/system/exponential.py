@@ -10,6 +10,9 @@ from collections.abc import Sequence
 from cap.sets import interval
 from cap.sets.interval import Ball, Matrix
 from cap.system.polynomial import Polynomial
+from cap.system.spectral import spectral
+
+BITS = 64  # where doubles are wanted
 
 
 def enclosed(rows: Sequence[Sequence[Polynomial]]) -> Matrix:
@@ -31,3 +34,28 @@ def number(q: Polynomial) -> Ball:
     """Return a ball that contains a number, a sum of rationals times powers of pi."""
     value: Ball = q.evaluated({}, interval.ball, interval.pi())
     return value
+
+
+class Exponential:
+    """The first rows of exp(N d), entry by entry, as a function of d: by eigenvalues if N has them.
+
+    It holds at any precision; at one much higher than here it is wider than need be.
+    """
+
+    def __init__(self, rows: Sequence[Sequence[Polynomial]], count: int) -> None:
+        """Take N, and how many of its rows are wanted."""
+        self._matrix, self._size = enclosed(rows), count * len(rows)
+        self._spectral = spectral(rows, self._size)
+
+    def __call__(self, d: Ball) -> Sequence[Ball]:
+        """Return enclosures of the entries for all numbers in d."""
+        if self._spectral:
+            return self._spectral(d)
+        return exponential(self._matrix, d).entries()[: self._size]
+
+    def near(self, d: float) -> Sequence[float]:
+        """Return doubles near the entries; nothing is rounded outwards."""
+        if self._spectral:
+            return self._spectral.near(d)
+        with interval.workprec(BITS):
+            return [float(x) for x in self(Ball(d))]

@@ -51,6 +51,7 @@ def checked(g, source, target):
     return True
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_all_coverings_of_a_certificate(name):
     """Each is seen, with few boxes."""

@@ -91,19 +91,29 @@ def test_the_folder(monkeypatch, tmp_path):
     assert cache.folder() == tmp_path / "cap" / "audit"
 
 
+@pytest.mark.slow
 def test_dependencies_are_followed():
     """Modules that are imported inside of functions, and by imported modules; not the libraries."""
     found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.gallery")
     assert {"cap.audit.means.stored", "cap.sets.interval", "cap.errors"} <= found
     assert "cap.floats.engine.swarm" in found
     assert "sympy" not in found
-    assert "cap.audit.papers.mixed_dynamics.claims.tori" not in found
+    assert "cap.audit.papers.mixed_dynamics.claims.existence" not in found
 
 
+@pytest.mark.slow
 def test_modules_that_are_loaded_by_name_count():
     """With the checker all of its theorems, with a proof all others."""
-    found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.linearization")
+    found = dependencies.closure("cap.audit.papers.mixed_dynamics.means.one_one")
     assert {"cap.checker.theorems.capture", "cap.proofs.elliptic", "cap.proofs.theorems"} <= found
+
+
+def test_what_some_modules_import_counts():
+    """Those of a claim whose steps call functions of several."""
+    means = "cap.audit.papers.mixed_dynamics.means"
+    one, two = f"{means}.resonances", f"{means}.printed"
+    digests = {dependencies.digest(each) for each in (one, two, f"{one} {two}")}
+    assert len(digests) == 3
 
 
 def forget():

@@ -26,6 +26,7 @@ MODULES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("modules", MODULES)
 def test_claims_are_decided_as_recorded(modules):
     """Verdict, strength and what was found."""

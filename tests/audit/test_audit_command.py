@@ -128,6 +128,7 @@ def test_coverage_fails(run, monkeypatch):
     assert "WRONG: eq:model is forgotten" in out
 
 
+@pytest.mark.slow
 def test_the_paper(run, tmp_path, monkeypatch, elsewhere):
     """Another file has other places: status 1; with --record they are stored."""
     path = tmp_path / "paper.tex"

@@ -123,6 +123,7 @@ def test_the_stored_long_certificates_are_accepted():
         assert digest == certificates.digest(name), "run cap.audit --record"
 
 
+@pytest.mark.slow
 def test_processes_decide_the_same(own_cache):
     """In the order of the claims, with progress."""
     claims = [ledger.claims()[name] for name in FEW]

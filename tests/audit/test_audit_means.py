@@ -8,8 +8,14 @@ from support import holds
 from cap.audit.means import stored
 from cap.audit.means.balls import above, below, between, compared, inner, pair, roots
 from cap.audit.means.need import noted
-from cap.audit.papers.mixed_dynamics.means.equation import Equation
-from cap.audit.papers.mixed_dynamics.means.orbits import States, before_a_stop, hits_only, until
+from cap.audit.papers.mixed_dynamics.means import equation
+from cap.audit.papers.mixed_dynamics.means.orbits import (
+    before_a_hit,
+    before_a_stop,
+    follow,
+    overlap,
+    until,
+)
 from cap.audit.papers.mixed_dynamics.means.quadrature import over_the_line
 from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
@@ -64,14 +70,11 @@ def test_a_double_root_is_refused():
 
 @pytest.mark.parametrize("alpha", ["3/10", "2/5", "1/2", "13/20"])
 def test_roots_of_the_equation(alpha):
-    """They are symmetric about π/2, and sharper enclosures still contain a zero."""
-    equation = Equation(Fraction(alpha), Fraction(2))
-    with interval.workprec(100):
-        found = [equation.bisected(root) for root in equation.roots()]
+    """They are narrow, symmetric about π/2, and none for small friction."""
+    with interval.workprec(120):
+        found = equation.roots(Fraction(alpha), Fraction(2))
         assert len(found) == (0 if alpha == "3/10" else 2)
-        for root in found:
-            assert equation.value(root).contains(0)
-            assert float(root.rad()) < 1e-19
+        assert all(float(root.rad()) < 1e-20 for root in found)
         if found:
             assert (found[0] + found[1] - interval.pi()).contains(0)
 
@@ -90,30 +93,46 @@ def test_a_pole_on_the_line_is_refused():
         over_the_line(lambda u: 1 / u, 1)
 
 
-@pytest.mark.slow
 def test_orbits_agree_with_floats():
     """The image of a box contains that of its centre."""
-    states = States("-0.39", "0.53", "0.001")
-    first = hits_only(states)
+    with interval.workprec(100):
+        first = follow("-0.39", "0.53", "0.001")
+        centre = follow("-0.39", "0.53")
     seen = swarm.follow(PAPER, [[-0.39, 0.53]], 1).states[0]
     assert [abs(float(b.mid()) - q) < 0.02 for b, q in zip(first.state, seen, strict=True)]
     assert all(b.contains(q) for b, q in zip(first.state, seen, strict=True))
-    assert "hit r at [" in first.shown()
-    assert str(states) == "|x - (-0.39)| <= 0.001, |v - (0.53)| <= 0.001"
-    assert str(States("1", "2")) == "(x, v) = (1, 2)"
+    assert (first.words, first.stops, first.turning) == (("hit r", "hit l"), (), 1)
+    assert first.determinant.contains(1)
+    assert first.trace.contains(centre.trace)
+    assert "hit r at [" in first.events
+    assert first.box == "|x - (-0.39)| <= 0.001, |v - (0.53)| <= 0.001"
+    assert centre.box == "(x, v) = (-0.39, 0.53)"
 
 
 def test_orbits_that_stop():
-    """They do not only hit walls."""
-    with pytest.raises(NotProved, match="do not only hit walls"):
-        hits_only(States("-0.73", "2.08", "0.001"))
+    """Their events are more than hits, and areas shrink by the factors of the turns."""
+    with interval.workprec(100):
+        found = follow("0.4064", "-0.6708", F="3")
+    assert found.stops == ("turn right", "turn left")
+    assert overlap(found.determinant, found.turning)
+    assert not overlap(found.determinant, Fraction(1))
+
+
+def test_orbits_made_to_hit():
+    """At 11/10 they hit r with the speed 1; a little to the left they come later."""
+    with interval.workprec(100):
+        early = until(before_a_hit(Fraction(1, 100)), Fraction(12, 10))
+        assert early.words == ("hit r",)
+        assert early.times[0] < Fraction(11, 10).numerator / Ball(10)
+        late = until(before_a_hit(Fraction(-1, 100)), Fraction(11, 10))
+        assert late.words == ()
 
 
 @pytest.mark.parametrize(("cosine", "verb"), [("-3/10", "stick"), ("-1/2", "turn left")])
 def test_orbits_made_to_stop(cosine, verb):
     """They hit l at 3/2, and stop at the time that was asked for."""
     with interval.workprec(100):
-        orbit = until(before_a_stop(Fraction(cosine)), interval.ball(Fraction(5, 2)))
+        orbit = until(before_a_stop(Fraction(cosine)), Fraction(5, 2))
         assert orbit.words[:2] == ("hit l", verb)
         assert orbit.times[0].contains(Fraction(3, 2).numerator / Ball(2))
         assert (orbit.times[1].cos() - interval.ball(Fraction(cosine))).contains(0)

@@ -5,11 +5,10 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from cap.audit.papers.mixed_dynamics.means import melnikov
-from cap.audit.papers.mixed_dynamics.means.melnikov import Integral
+from cap.audit.papers.mixed_dynamics.means.melnikov import INTEGRALS, integrals
+from cap.errors import NotProved
 from cap.sets import interval
 
-INTEGRALS = {name: each for name, each in vars(melnikov).items() if isinstance(each, Integral)}
 FREQUENCIES = Fraction(1, 3), Fraction(7, 4), Fraction(503, 100)
 
 
@@ -41,6 +40,14 @@ def test_the_paper_s_formula_is_another():
     """∫ sech u tanh u sin ξu du is πξ/cosh(πξ/2), as mpmath has it, and not πξ/sinh(πξ/2)."""
     expected = mpmath.quad(lambda u: mpmath.sech(u) * mpmath.tanh(u) * mpmath.sin(u), [-30, 0, 30])
     with interval.workprec(100):
-        sine, square = melnikov.SECH_TANH_SIN, melnikov.SECH_SQUARED_COS
+        sine, square = INTEGRALS["sech tanh sin"], INTEGRALS["sech^2 cos"]
         assert abs(float(sine.closed(interval.ONE)) - expected) < 1e-12
         assert not sine.closed(interval.ONE).overlaps(square.closed(interval.ONE))
+
+
+def test_a_wrong_closed_form_is_noticed(monkeypatch):
+    """The integral is not returned then."""
+    wrong = INTEGRALS["sech"]._replace(closed=lambda _xi: interval.ONE)
+    monkeypatch.setitem(INTEGRALS, "sech", wrong)
+    with interval.workprec(100), pytest.raises(NotProved, match="the closed form is another"):
+        integrals("sech", [Fraction(1)])

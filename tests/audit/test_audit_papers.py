@@ -47,6 +47,7 @@ def test_the_ledger_of_the_tables(tables):
         assert text.count(f"\n{ledger.quotes()[name]}\n") == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FEW)
 def test_claims_that_are_data_are_decided(tables, name):
     """As recorded: a wrong label, a right one, a row that crosses the table."""

@@ -59,6 +59,7 @@ def test_summary(whole):
     assert rows[-1][1] == [sum(c) for c in zip(*(row for _, row in rows[:-1]), strict=True)]
 
 
+@pytest.mark.slow
 def test_every_claim_is_in_every_format(whole):
     """With its id, and in text with what was found."""
     unbroken = latex(whole).replace(r"\allowbreak{}", "")

@@ -11,7 +11,7 @@ from cap.audit import given, steps
 from cap.audit.decide import decided
 from cap.audit.filled import filled
 from cap.audit.means import stored
-from cap.audit.papers.mixed_dynamics.claims import gallery
+from cap.audit.papers.mixed_dynamics.means.itineraries import around_turns
 from cap.audit.verdict import Outcome, Strength
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
@@ -69,6 +69,7 @@ def made(lines):
     return steps.made({"positive": "f", "real": "t", "steps": lines})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("line", HOLD)
 def test_what_holds(line):
     """Identities, differences, signs, what certificates claim."""
@@ -93,6 +94,32 @@ def test_names_are_defined_in_order():
     """A later step uses what an earlier one defined; a common part comes first."""
     done = steps.made({"positive": "a", "steps": "b = 2*a"}, {"steps": "c = b + a\nc == 3*a"})
     assert str(done.names["c"]) == "3*a"
+
+
+MEANS = "cap.audit.papers.mixed_dynamics.means"
+CALLED = """
+kept(4, 1/5) == [[0, 4]]
+theta = roots(1/2, 2)
+theta[0] + theta[1] > 314/100
+theta[0] + theta[1] < 315/100
+late = until([elliptic.x, elliptic.v], 2*pi)
+late.stops == []
+late.words == ["hit r", "hit l"]
+overlap(late.state[0], elliptic.x) == True
+labels.cited > 0
+"""
+
+
+def test_functions_that_are_used():
+    """They are given exact numbers and balls; what they find has parts, which are numbers again."""
+    used = [f"{MEANS}.{name}" for name in ("resonances", "equation", "orbits")]
+    done = steps.made({"steps": CALLED}, used=used)
+    shown = filled("{late.words}: {late.times.0:2}, {theta.0:2}", done.names, done.balls)
+    assert shown == "hit r, hit l: [1.09, 1.10], [0.96, 0.97]"
+    assert "Fraction" not in done.names
+    for wrong in ("kept(4, 1/5) == []", "late.state[0] < 0", "theta[0] > theta[1]"):
+        with pytest.raises(NotProved):
+            steps.made({"steps": f"{CALLED}\n{wrong}"}, used=used)
 
 
 @pytest.mark.parametrize(
@@ -237,14 +264,18 @@ def test_another_orbit_does_not_persist(monkeypatch):
     [
         ["turn right", "turn left", "hit r", "hit l", "hit r"],
         ["turn right", "hit r", "hit l"],
-        ["hit l", "turn left", "hit l", "hit r"],
+        ["hit l", "turn left", "hit l", "turn right", "hit r"],
     ],
 )
-def test_turns_of_the_gallery(monkeypatch, words):
-    """Two turns that follow each other, one between both walls, one at l: not what is found."""
-    assert gallery.turns_of_the_gallery()["turns"] == "1, 2 and 3"
-    true = stored.stored("periodic-4.json")
-    wrong = true._replace(claims={**true.claims, "itinerary": words})
-    monkeypatch.setattr(gallery, "stored", lambda _name: wrong)
+def test_turns_that_are_not_alone(words):
+    """Two turns that follow each other, one between both walls: not what is found."""
     with pytest.raises(NotProved):
-        gallery.turns_of_the_gallery()
+        around_turns(words)
+
+
+def test_turns_of_the_gallery():
+    """The hits around each turn, also of one that begins the period."""
+    assert around_turns(["turn left", "hit l", "hit r", "turn right", "hit r", "hit l"]) == [
+        "hit l",
+        "hit r",
+    ]

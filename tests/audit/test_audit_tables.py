@@ -2,6 +2,7 @@
 
 import sys
 import types
+from importlib import import_module
 
 import pytest
 
@@ -43,7 +44,7 @@ what = "words"
 paper = "yes"
 by = "words"
 ours = "{said} (proved)"
-holds = "so"
+holds = 'said == "yes"'
 why = "for {said}"
 
 [[row]]
@@ -209,16 +210,30 @@ def test_rows_are_in_the_ledger():
     assert coverage.coverage().wrong == ()
 
 
-ENTRIES = {"what", "paper", "by", "with", "value", "ours", "holds", "why", "note", "where"}
+ENTRIES = {
+    "what",
+    "paper",
+    "by",
+    "module",
+    "with",
+    "value",
+    "ours",
+    "holds",
+    "why",
+    "note",
+    "where",
+}
 FLAGS = {"rough", "unstated", "cut"}
 
 
 @pytest.mark.parametrize("label", tables.tables())
 def test_rows_have_known_entries(label):
     """A number, or words; flags are set or not there; and who finds them exists."""
+    module = tables.tables()[label]["module"]
     for row in tables.tables()[label]["row"]:
         assert row.keys() <= ENTRIES | FLAGS, row["what"]
         assert {"what", "paper", "by"} <= row.keys()
+        assert callable(getattr(import_module(row.get("module", module)), row["by"]))
         assert ("value" in row) is not ("ours" in row), row["what"]
         assert "ours" in row or "holds" not in row
         assert all(row[flag] is True for flag in FLAGS & row.keys())

@@ -129,6 +129,7 @@ def test_a_strip_has_all_points():
     assert seen > 100
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("stored", "where"),
     [(CERTIFICATE, "directions of each set exp"), (WITH_UNITS, "each set, in units of each, exp")],

@@ -116,15 +116,17 @@ def test_derivatives_are_those_of_differences():
         (("claims", "interval", 0), "3.6", "own|zero|fall|defined|begin"),
         (("claims", "interval", 1), "5.2", "do not cover"),
         (("claims", "interval", 1), "8", "not shorter than a period"),
+        (("claims", "interval", 1), BELT["claims"]["interval"][0], "cells are not in order"),
         (("claims", "contacts", 0, "guard"), "ahead", "does not lead|another mode"),
         (("claims", "contacts", 0, "to"), "faster", "does not lead"),
         (("claims", "contacts", 1, "guard"), "turn", "there is no guard"),
-        (("hints", "cells", 0, "to"), "3.7", "not in order"),
+        (("hints", "cells", 0, "to"), "3.7", "cells are not in order"),
         (("hints", "cells", 5, "windows"), [["0", "1"]], "not one window"),
         (("hints", "cells", 5, "windows", 0), ["4", "4.1"], "zero|fall"),
         (("hints", "cells", 5, "windows", 1), ["3", "20"], "begins before"),
         (("hints", "weights", 3), "0", "not positive"),
         (("hints", "weights"), ["1"], "not one weight"),
+        (("hints", "bits"), "257", "above 256"),
     ],
 )
 def test_lies(path, value, why):
@@ -208,6 +210,11 @@ def test_entropy_over_more_periods():
 def test_lies_about_entropy(path, value, why):
     """Each is rejected for its reason."""
     rejected(changed(TOSS, *path, value), why)
+
+
+def test_entropy_of_two_rounds():
+    """States do not tell how many releases of a round have been: its entropy is not claimed."""
+    rejected(changed(TOSS, "claims", "contacts", TOSS["claims"]["contacts"] * 2), "one round alone")
 
 
 def test_a_vector_of_other_cells():

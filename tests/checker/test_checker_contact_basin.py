@@ -41,6 +41,7 @@ def test_it_is_verified():
     fits_the_schema(GOOD)
 
 
+@pytest.mark.slow
 def test_the_stored_one():
     """What is told: the shares, the times, the rule of the model."""
     line = words(check(encode(STORED), lambda _: None))

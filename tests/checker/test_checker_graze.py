@@ -68,6 +68,16 @@ def test_the_sentence():
     assert "just beyond it the guard is negative" in said
 
 
+def test_the_sentence_with_a_symmetry():
+    """The leg after the last contact is looked at where its image ends, at the first contact."""
+    given = certificate("level")
+    (graze,), (cell, *_) = given["claims"]["grazes"], given["claims"]["cells"]
+    assert float(graze["time"][1]) < float(cell["centre"][0])
+    said = words(check(dumps(given).encode(), lambda _: None))
+    assert ", before contact 1, after the image of contact 1, 'bottom' of 'free' touches 0" in said
+    assert "vanishes elsewhere but at the contacts, and at the image; until there" in said
+
+
 def of(part, key, value):
     """Return what changes an entry of a graze."""
     return lambda given: given[part]["grazes"][0].__setitem__(key, value)

@@ -150,6 +150,7 @@ def test_what_is_claimed_to_attract_is_loaded_only_then(name, tmp_path):
         assert not used & {"theorems.attractor", "kernel.jet", "release.kneading"}
 
 
+@pytest.mark.slow
 def test_every_module_can_be_imported_alone():
     """No module depends on another being imported first: each is, after all are forgotten."""
     code = """

@@ -15,8 +15,8 @@ from cap.checker.kernel.substitution import substituted
 from cap.checker.maps.normal_form import (
     Complex,
     elliptic_frame,
+    free_coefficient,
     in_complex_coordinate,
-    logarithm,
     twists,
 )
 
@@ -222,9 +222,13 @@ def test_the_coordinate():
     assert p > 0
 
 
-def test_the_logarithm():
-    """log(1 + s + s^2/2 + s^3/6 + ...) = s."""
-    nu = [Complex(thin(Fraction(1, n)), thin(0)) for n in (1, 2, 6, 24)]
-    for g, exact in zip(logarithm(nu), (1, 0, 0, 0), strict=True):
-        assert g.re.lower <= exact <= g.re.upper
-        assert g.im.contains_zero()
+def test_the_free_coefficient_makes_the_jacobian_determinant_one():
+    """For psi = z + a z^2 + b z z^- + c z^-^2 + beta z |z|^2: beta = |c|^2 - |a|^2.
+
+    In |1 + 2 a z + b z^- + 2 beta |z|^2|^2 - |b z + 2 c z^- + beta z^2|^2 the coefficient of |z|^2
+    is 4 |a|^2 + |b|^2 + 4 beta - |b|^2 - 4 |c|^2.
+    """
+    terms = {(1, 0): (1, 0), (2, 0): (3, 1), (1, 1): (2, -5), (0, 2): (1, 7)}
+    psi = Jet(3, {power: Complex(thin(re), thin(im)) for power, (re, im) in terms.items()})
+    beta = free_coefficient(psi, 1)
+    assert beta.lower <= 50 - 10 <= beta.upper

@@ -26,6 +26,7 @@ def pages():
         sys.path.remove(str(ROOT / "docs"))
 
 
+@pytest.mark.slow
 def test_every_module_is_reached(pages):
     """By room, once each, with its first line."""
     lines = [line for line in pages.modules() if line.startswith("- ")]

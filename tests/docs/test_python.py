@@ -3,6 +3,8 @@
 import doctest
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -12,6 +14,7 @@ def test_the_pages():
     assert 'simplefilter("error")' in (ROOT / "docs/api.py").read_text("utf-8")
 
 
+@pytest.mark.slow
 def test_the_examples(monkeypatch):
     """All of them, in their order, in the root of the repository."""
     monkeypatch.chdir(ROOT)

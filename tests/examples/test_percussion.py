@@ -53,6 +53,7 @@ def test_chaos(model, tmp_path):
     assert found["period"] == "3"
 
 
+@pytest.mark.slow
 def test_periodic_orbits_are_seen_in_floats(model, tmp_path):
     """The iterates of the map cross the diagonal at least as often as is claimed."""
     found = claims(model, tmp_path)

@@ -1,10 +1,13 @@
 """Den Hartog's oscillator with a static friction above the kinetic one: its map of releases."""
 
+import pytest
+
 from cap.command.prover import main
 
 WORDS = ["attractor", "--model", "examples/den_hartog.py", "--set"]
 
 
+@pytest.mark.slow
 def test_one_motion_attracts(tmp_path, capsys):
     """At omega = 1/2, f = 1/10, s = 1/5 the certificate is accepted, and written."""
     out = tmp_path / "one.json"

@@ -70,6 +70,7 @@ def drawn(path):
     return " ".join(texts)
 
 
+@pytest.mark.slow
 def test_what_a_picture_of_a_map_says():
     """No more digits of the entropy than are proved, and the map."""
     words = drawn(STORED / "map_horseshoe-1.json")
@@ -105,6 +106,7 @@ def test_stored_certificates(name):
                                     if p.stem.rstrip("-0123456789") == name))  # fmt: skip
 
 
+@pytest.mark.slow
 def test_what_is_rejected_is_not_drawn(tmp_path, monkeypatch, capsys):
     """The verdict has the reason of the checker; there is no file, and the status is 1."""
     monkeypatch.setattr(theorems, "drawn", None)

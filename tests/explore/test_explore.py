@@ -95,6 +95,7 @@ def test_data_and_picture(name, tmp_path, capsys):
     assert capsys.readouterr().out.splitlines()[0] == said.splitlines()[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", only(["pdf", "svg"], "svg"))
 def test_vector_pictures(kind, tmp_path):
     """They are what they are called, and the same bytes every time."""
@@ -339,6 +340,7 @@ def test_inventory_hands_over_to_the_prover(capsys):
     assert "a family of orbits that touch no wall, not counted" in family
 
 
+@pytest.mark.slow
 def test_certificates_of_an_inventory(tmp_path, capsys):
     """They are of the very parameters typed, and go where they are told; one value once."""
     words = ["--parameter", "F", "--values", "0.85", "17/20", "--certificates", str(tmp_path / "c")]
@@ -354,6 +356,7 @@ def test_certificates_of_an_inventory(tmp_path, capsys):
         assert verify.main([str(file)]) == 0
 
 
+@pytest.mark.slow
 def test_a_smaller_box_is_claimed_where_the_checker_needs_it():
     """At F = 2 there is an orbit with a tenth of whose largest box it cannot follow."""
     p = replace(PAPER, F=Fraction(2))

@@ -70,6 +70,7 @@ def test_a_figure_in_several_files(tmp_path, capsys):
     assert all(file.stat().st_size > 100 for file in files)
 
 
+@pytest.mark.slow
 def test_an_interrupt_while_a_picture_is_written(tmp_path, monkeypatch, capsys):
     """The tables of the figures before are there: they are written after each."""
 
@@ -90,6 +91,7 @@ def add(numbers):
         numbers[k] += 1
 
 
+@pytest.mark.slow
 def test_a_word_while_one_waits(monkeypatch, capsys):
     """One line if the first call takes long, of however many threads; none later."""
 

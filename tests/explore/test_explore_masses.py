@@ -38,6 +38,7 @@ def run(*words):
     return explore.main([*words, "--jobs", "1"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", only(TINY, "attractor"))
 def test_data_and_picture(name, tmp_path, capsys):
     """Each writes and draws the same again; the masses are told, written and read back."""
@@ -165,6 +166,7 @@ def test_processes_change_nothing():
             assert all(a <= b + 1e-12 for a, b in pairwise((-1.0, *x, 1.0)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["portrait", "attractor"])
 def test_ctrl_c_at_once(name, tmp_path, monkeypatch, capsys):
     """Even nothing can be written and drawn."""

@@ -233,6 +233,7 @@ def test_a_continuum(capsys, spring):
     assert "cap.prove" not in text
 
 
+@pytest.mark.slow
 def test_it_is_followed_from_where_a_state_leads(capsys, spring):
     """No orbit closes near rest; where an event comes to t = 0 the branch ends, without a fold."""
     words = ("--set", "k=2,c=0.1,F=1.6", "--parameter", "F", "--range", "1.4", "1.6")
@@ -254,6 +255,7 @@ def test_what_is_lost_says_why(capsys, tmp_path):
     assert re.search(r"\n  \d+ were lost: too many events in a period: they accumulate", text)
 
 
+@pytest.mark.slow
 def test_a_picture_of_none(capsys, tmp_path):
     """It says what was met instead; its axes have no numbers."""
     picture = tmp_path / "none.svg"

@@ -40,6 +40,7 @@ def test_pitchfork_and_fold_in_closed_form(over_friction):
     assert len(over_friction.branches) == 2
 
 
+@pytest.mark.slow
 def test_the_branch_passes_known_orbits(over_friction):
     """P* and its mirror image at f = 2/5, both elliptic."""
     branch = over_friction.branches[0]
@@ -203,6 +204,7 @@ def test_attractors_over_a_plane():
     assert found.names[found.code[2, 2]] == "never hits a wall"
 
 
+@pytest.mark.slow
 def test_inventory_of_the_paper():
     """Four orbits at F = 1, as proved: two elliptic, two saddles."""
     found = inventory(PAPER, values=(1.0, 1.5))
@@ -213,6 +215,7 @@ def test_inventory_of_the_paper():
     assert all(each.verdict == "" for each in found.orbits)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("force", "count"), [("3/2", 7), ("2", 11)])
 def test_inventory_from_many_seeds(force, count):
     """576 seeds find 5 and 9 orbits; all of these can be proved, as can the 25 at F = 3."""

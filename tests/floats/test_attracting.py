@@ -42,6 +42,7 @@ def test_an_island_is_no_attractor():
     assert attracting(PAPER, np.array([0.10027988984, 0.54194330674]), 1) is None
 
 
+@pytest.mark.slow
 def test_a_gallery_shows_whole_periods():
     """The longest period found is shown, unless one asks for another time."""
     found = gallery(PAPER, values=(1.5,))

@@ -43,6 +43,7 @@ def test_they_are_elliptic_orbits_that_never_turn(found):
         assert abs(np.trace(whole)) < 2
 
 
+@pytest.mark.slow
 def test_they_turn_p_times_in_q_periods(found):
     """In the plane of x and v itself, where each step is from x to v, by less than half a turn."""
     centre, known = found

@@ -70,6 +70,7 @@ def test_the_paper_s_four_orbits_are_found():
     assert [round(c.x, 4) for c in found("1")] == [-0.7914, 0.1003, 0.3435, 0.5592]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("force", "periods"), [*((f, 1) for f in ("1", *TABLE)), ("1", 2)])
 def test_they_are_what_they_are_said_to_be(force, periods):
     """Periodic, in order, no two the same, of least period n; events within n periods."""
@@ -199,6 +200,7 @@ def test_without_friction_a_turn_takes_nothing():
     assert "elliptic" in candidates._described(p, cycle)
 
 
+@pytest.mark.slow
 def test_nothing_is_found_where_nothing_is():
     """Walls out of reach: orbits come in families, none alone; the request says so in one line."""
     wide = replace(PAPER, f=Fraction(9, 10), l=Fraction(-1000), r=Fraction(1000))

@@ -108,6 +108,7 @@ def test_a_general_integrator(system):
     assert seen >= {"hit", "meet", "turn", "stick", "release"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("system", SYSTEMS, ids=["unequal", "proportional", "other"])
 def test_the_derivative(system):
     """It is what differences of neighbouring orbits say, through all events."""
@@ -136,6 +137,7 @@ def test_the_derivative(system):
     assert compared >= rounds(4)
 
 
+@pytest.mark.slow
 def test_order_is_kept():
     """After every period the masses are in order between the walls, also after slow bounces."""
     random, system = seeded(7), Particles(PAPER, UNEQUAL)

@@ -59,6 +59,7 @@ def test_windows():
     assert period_of(cycle, 1e-3) == 0
 
 
+@pytest.mark.slow
 def test_the_least_period_counts():
     """On both sides of where period 3 doubles to 6, which the stored cascade proves."""
     stored = json.loads((ROOT / "certificates/cascade-1.json").read_text("utf-8"))
@@ -78,6 +79,7 @@ def test_what_stands_still_is_no_cycle():
     assert attracting(PAPER, 0.1, 6) == []
 
 
+@pytest.mark.slow
 def test_without_an_interval():
     """Where several branches are used no interval is shown."""
     findings = release(replace(PAPER, f=Fraction(9, 20)), points=200)

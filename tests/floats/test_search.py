@@ -61,6 +61,7 @@ def test_all_known_orbits_are_found(change, number):
         assert all(strobe.size((one.x - c.x, one.v - c.v)) > 1e-7 for c in orbits[:k])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", KNOWN)
 def test_no_command_lists_what_another_omits(change, monkeypatch):
     """The lists of elliptic, saddle, periodic and inventory: each is the part asked for of one."""
@@ -153,6 +154,7 @@ def test_families_with_losses_and_other_units():
     assert scaled.v == pytest.approx(4 * plain.v)
 
 
+@pytest.mark.slow
 def test_families_are_told_and_not_counted(capsys):
     """In the lines of the inventory and among the candidates; none in its counts."""
     (family,) = families(PAPER)

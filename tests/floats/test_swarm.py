@@ -96,6 +96,7 @@ def test_random_orbits_against_mpmath():
     assert len(words) == 9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [30.0, 200.0])
 def test_many_hits_per_period(speed):
     """A fast mass, with hundreds of hits in a period, ends where it does in mpmath."""

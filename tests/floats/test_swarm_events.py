@@ -160,6 +160,7 @@ def test_viscosity_has_a_limit(state):
     compare(replace(PAPER, mu=Fraction(1, 10**9)), state, 1, digits=50)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mu", [2, 5])
 def test_much_viscosity(mu):
     """A mass that hardly keeps its speed is where it is in mpmath."""

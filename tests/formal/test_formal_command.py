@@ -199,6 +199,7 @@ def test_what_was_compiled_of_other_sources_is_compiled_again(home, installed):
     assert compiled() == ["Checked.v", "Statement.v"]
 
 
+@pytest.mark.slow
 def test_memory_and_time_are_limited(tmp_path, monkeypatch):
     """A program that asks for more memory, or more time, than it may have ends."""
     monkeypatch.setattr(coq, "MEMORY", 1 << 28)

@@ -169,6 +169,18 @@ def test_counts_words_and_runs():
     assert row([161, 164, 166], paper="165").agrees
     assert not row([161, 164], paper="165").agrees
     assert row([-13.6, -12.8], paper="-13.4").ours == "-13.60 to -12.80 in 2 runs"
+    parts = {"ends": [1.5, 2.5], "of": {"1/4": "hit"}, "none": False}
+    for holds in (
+        "ends[0] < ends[1]",
+        "ends[1] >= 2.5",
+        'of[1/4] == "hit"',
+        "none != 1",
+        "of[1/4]",
+    ):
+        said = {"what": "c", "paper": "yes", "ours": "{of[1/4]}", "holds": holds}
+        assert compared(said, parts).agrees
+        assert not compared(said | {"holds": "none"}, parts).agrees
+        assert not compared(said | {"holds": "ends[0] > ends[1]"}, parts).agrees
     words = {"what": "c", "paper": "yes", "ours": "{n} of 3", "holds": "all", "why": "{n}"}
     assert compared(words, {"n": 3, "all": True}).agrees
     said = compared(words, {"n": 2, "all": False})
@@ -314,6 +326,7 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
     assert "fig:cover: not proved: Lemma 1" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_tables_load_no_pictures():
     """What a figure looks like does not count for its numbers: the audit's cache knows."""
     for label in LABELS:

@@ -14,7 +14,7 @@ from cap.sets import interval
 from cap.sets.interval import Ball
 
 BITS = 120
-DEEPEST = 60
+DEEPEST = 90
 
 
 def precisely(bits: int = BITS) -> AbstractContextManager[None]:
@@ -69,12 +69,16 @@ def compared(printed: str, value: Ball) -> Outcome:
 
 
 def roots(
-    function: Callable[[Ball], Ball], slope: Callable[[Ball], Ball], low: Ball, high: Ball
+    function: Callable[[Ball], Ball],
+    slope: Callable[[Ball], Ball],
+    low: Ball,
+    high: Ball,
+    width: Fraction = Fraction(1),
 ) -> list[Ball]:
     """Return disjoint enclosures of all zeros in [low, high], each with one zero, ascending.
 
     Intervals are bisected until the function has a sign, or is monotone with opposite signs at the
-    ends.  Raises `NotProved` if that does not come to an end.
+    ends, on no more than this width.  Raises `NotProved` if that does not come to an end.
     """
     found: list[Ball] = []
     todo = [(interval.ends(interval.hull(low, high)), 0)]
@@ -88,7 +92,7 @@ def roots(
             continue
         ends = function(interval.ball(a)), function(interval.ball(b))
         signed = all(end > 0 or end < 0 for end in ends)
-        if (rate > 0 or rate < 0) and signed:
+        if (rate > 0 or rate < 0) and signed and b - a <= width:
             if (ends[0] > 0) is not bool(ends[1] > 0):
                 found.append(whole)
             continue

@@ -37,7 +37,6 @@ from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, Power, RealJet, lift
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.substitution import substituted
-from cap.checker.maps.normal_form import complexified
 
 Rows = Sequence[Sequence[Fraction]]
 Polynomial = Mapping[Power, Fraction]
@@ -114,7 +113,8 @@ def size(homogeneous: RealJet, axes: Rows, zero: Interval) -> Interval:
     """Return a bound of a homogeneous polynomial in dz at dz = A u, |u| <= 1."""
     forms = [_form(row, homogeneous.order, zero) for row in axes]
     total = zero
-    for power, c in substituted(complexified(homogeneous), forms).coefficients.items():
+    terms = {power: Complex(c, zero) for power, c in homogeneous.coefficients.items()}
+    for power, c in substituted(Jet(homogeneous.order, terms), forms).coefficients.items():
         k = [sum(power[j : j + 2]) for j in range(0, len(power), 2)]
         most = Fraction(prod(d**d for d in k), sum(k) ** sum(k))
         square = (c.re.square() + c.im.square()) * Interval.enclosing(most, most, zero.bits)

@@ -9,30 +9,36 @@ z^-).
 
 *The normal form.*  Write f for the map in z and z^-.  We seek psi = z + psi_2 + psi_3 + ... and
 
-    psi o f = N o psi,    N(w) = e w (1 + nu_1 |w|^2 + nu_2 |w|^4 + ...).
+    psi o f = N o psi,    N(w) = e w exp(i (tau_1 |w|^2 + tau_2 |w|^4 + ...)).
 
 Suppose that this holds below degree d, and let E be the terms of degree d of psi_<d o f - N_<d o
 psi_<d.  A term psi_jk z^j z^-k, j + k = d, adds psi_jk (e^(j-k) - e) to E_jk.  So psi_jk = E_jk /
-(e - e^(j-k)) unless j = k + 1; for j = k + 1 the coefficient psi_jk is free and e nu_k = E_jk.  The
-division proves that e^(j-k-1) != 1.
+(e - e^(j-k)) unless j = k + 1; for j = k + 1 the coefficient psi_jk is free, and e i tau_k = E_jk.
+The division proves that e^(j-k-1) != 1.
 
 *The free coefficients.*  Let D = |d psi/dz|^2 - |d psi/dz^-|^2, the Jacobian determinant of psi.
-Choose psi_(k+1,k) = beta real: it adds 2 (k+1) beta |z|^2k to the terms of D of degree 2k, so that
-beta = -D_kk / (2 (k+1)) removes |z|^2k.  (An imaginary part of beta would be the rotation w -> w
-exp(ib |w|^2k), which commutes with N.)  Then D = 1, and N preserves area, up to the degree treated.
-Proof: f preserves area, hence (D o f) = D (det N' o psi).  If D = 1 below degree 2k and N(w) = e w
-(unimodular) (1 + rho |w|^2k + ...), rho real, the terms of degree 2k are D_2k o e = D_2k + 2 (k+1)
-rho |z|^2k.  The left side has the same term |z|^2k as D_2k, so rho = 0; then e^(j-k) != 1 leaves no
-other term of D_2k, and none of D_(2k+1).
+The monomials jk and lm of psi give |z|^2n, n > 0, where j + m = k + l = n + 1, with the factor
+j l - k m = (n + 1)(j - k).  So the coefficient of |z|^2n in D is
 
-*The twists.*  N = e w exp(i (tau_1 |w|^2 + tau_2 |w|^4 + ...)).  The logarithm g of 1 + nu_1 s +
-nu_2 s^2 + ... has k g_k = k nu_k - sum over m < k of m g_m nu_(k-m), and g_k = i tau_k.  By the
-proof above its real part is zero: the enclosures must contain 0.
+    D_nn = (n + 1) times the sum of (j - k) Re(psi_jk psi^-_lm),    l = n + 1 - k,  m = n + 1 - j.
+
+Choose psi_(n+1,n) = beta real: with psi_10 = 1 it adds 2 beta to the sum, so that beta = -1/2 times
+the sum without it removes |z|^2n.  (An imaginary part of beta would be the rotation w -> w exp(ib
+|w|^2n), which commutes with N.)  Then D = 1, and N preserves area, up to the degree treated.
+Proof: f preserves area, hence (D o f) = D (det N' o psi).  If D = 1 below degree 2n and N(w) = e w
+(unimodular) (1 + rho |w|^2n + ...), rho real, the terms of degree 2n are D_2n o e = D_2n + 2 (n+1)
+rho |z|^2n.  The left side has the same term |z|^2n as D_2n, so rho = 0; then e^(j-k) != 1 leaves no
+other term of D_2n, and none of D_(2n+1).
+
+*The twists* tau_k are real, since N preserves area: the enclosure of Re(i tau_k) must contain 0,
+and that of Im(i tau_k) is the enclosure of tau_k with which the next degrees are treated.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate
+from operator import mul
 from typing import NamedTuple
 
 from cap.checker.kernel.arctangent import arccos
@@ -40,7 +46,7 @@ from cap.checker.kernel.complex import Complex
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Jet, RealJet
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.substitution import substituted
+from cap.checker.kernel.substitution import powers, substituted
 
 
 def told_form(x: str = "x", v: str = "v") -> str:
@@ -78,23 +84,14 @@ def in_complex_coordinate(x: RealJet, v: RealJet, frame: EllipticFrame) -> Jet[C
 
     Its linear part is e z exactly, since z is an eigenvector.
     """
-    p, q = frame.p, frame.q
-    zero, one = p.integer(0), p.integer(1)
-    half = one / 2
-    i_half_q = Complex(zero, half) * q.conjugate()
-    dx = Jet(x.order, {(1, 0): i_half_q, (0, 1): i_half_q.conjugate()})
-    dv = Jet(x.order, {(1, 0): Complex(zero, -p * half), (0, 1): Complex(zero, p * half)})
-    image = complexified(x) * Complex(p, zero) + complexified(v) * q
-    nonlinear = {power: c for power, c in image.coefficients.items() if sum(power) >= 2}
-    composed = substituted(Jet(x.order, nonlinear), (dx, dv))
-    return composed + Jet(x.order, {(1, 0): frame.eigenvalue})
-
-
-def complexified(jet: RealJet) -> Jet[Complex]:
-    """Return the same series with complex coefficients."""
-    return Jet(
-        jet.order, {power: Complex(c, c.integer(0)) for power, c in jet.coefficients.items()}
-    )
+    p, q, zero = frame.p, frame.q, frame.p.integer(0)
+    i_half = Complex(zero, p.integer(1) / 2)
+    linear = (i_half * q.conjugate(), i_half * Complex(-p, zero))
+    real = [Jet(x.order, {(1, 0): c, (0, 1): c.conjugate()}) for c in linear]  # dx and dv
+    nonlinear = {u for u in (*x.coefficients, *v.coefficients) if sum(u) >= 2}
+    a, b = ({u: w.coefficients.get(u, zero) for u in nonlinear} for w in (x, v))
+    image = Jet(x.order, {u: Complex(a[u] * p + b[u] * q.re, b[u] * q.im) for u in nonlinear})
+    return substituted(image, real) + Jet(x.order, {(1, 0): frame.eigenvalue})
 
 
 def conjugate(jet: Jet[Complex]) -> Jet[Complex]:
@@ -109,66 +106,42 @@ def twists(f: Jet[Complex]) -> list[Interval]:
     real part that certainly is not zero.
     """
     e, f_conjugate = f.coefficients[1, 0], conjugate(f)
-    zero = e.re.integer(0)
-    one = Complex(zero + 1, zero)
-    psi, nu = Jet(f.order, {(1, 0): one}), list[Complex]()
+    zero, one = e.re.integer(0), Complex(e.re.integer(1), e.re.integer(0))
+    turns = list(accumulate([e] * f.order, mul, initial=one))  # e^n, and e^-n is the conjugate
+    psi, tau = Jet(f.order, {(1, 0): one}), list[Interval]()
     for d in range(2, f.order + 1):
-        low = psi.truncated(d)
-        rest = substituted(low, (f, f_conjugate)) - rotated(low, e, nu)
-        rest_d = {power: c for power, c in rest.coefficients.items() if sum(power) == d}
+        low, n = psi.truncated(d), d // 2
+        rest = substituted(low, (f, f_conjugate)) - rotated(low, e, tau)
+        E = {power: c for power, c in rest.coefficients.items() if sum(power) == d}
         if d % 2:
-            nu.append(rest_d.pop((d // 2 + 1, d // 2), Complex(zero, zero)) / e)
-        psi = psi + Jet(
-            f.order, {(j, k): c / (e - _power(e, j - k)) for (j, k), c in rest_d.items()}
-        )
+            i_tau = E.pop((n + 1, n), one * 0) / e
+            need(i_tau.re.contains_zero(), "a coefficient of the normal form is not imaginary")
+            tau.append(i_tau.im)
+        solved = {u: c / (e - turns[u[0]] * turns[u[1]].conjugate()) for u, c in E.items()}
+        psi = psi + Jet(f.order, solved)
         if d % 2:
-            psi = psi + Jet(f.order, {(d // 2 + 1, d // 2): free_coefficient(psi, d // 2, one)})
-    return [_imaginary(g) for g in logarithm(nu)]
+            psi = psi + Jet(f.order, {(n + 1, n): Complex(free_coefficient(psi, n), zero)})
+    return tau
 
 
-def rotated(psi: Jet[Complex], e: Complex, nu: Sequence[Complex]) -> Jet[Complex]:
-    """Return N o psi for N(w) = e w (1 + nu_1 |w|^2 + nu_2 |w|^4 + ...)."""
-    square = psi * conjugate(psi)
+def rotated(psi: Jet[Complex], e: Complex, tau: Sequence[Interval]) -> Jet[Complex]:
+    """Return N o psi for N(w) = e w exp(i (tau_1 |w|^2 + tau_2 |w|^4 + ...))."""
+    zero, one = e.re.integer(0), e.re.integer(1)
+    square, i_angle = psi * conjugate(psi), Jet[Complex](psi.order, {})
+    for power, tau_k in zip(powers(square, psi.order), tau, strict=False):
+        i_angle = i_angle + power * Complex(zero, tau_k)
     total = term = psi * e
-    for nu_k in nu:
-        term = term * square
-        total = total + term * nu_k
+    for k in range(1, psi.order // 2 + 1):  # later terms have a degree of 2k + 1 at least
+        term = term * i_angle * Complex(one / k, zero)
+        total = total + term
     return total
 
 
-def free_coefficient(psi: Jet[Complex], k: int, one: Complex) -> Complex:
-    """Return the real number that, as coefficient (k+1, k) of psi, removes |z|^2k from D."""
-    psi_z = Jet(psi.order, {(i - 1, j): c * i for (i, j), c in psi.coefficients.items() if i})
-    psi_w = Jet(psi.order, {(i, j - 1): c * j for (i, j), c in psi.coefficients.items() if j})
-    determinant = psi_z * conjugate(psi_z) - psi_w * conjugate(psi_w)
-    zero = one.im
-    return Complex(
-        -determinant.coefficients.get((k, k), Complex(zero, zero)).re / (2 * (k + 1)), zero
-    )
-
-
-def logarithm(nu: Sequence[Complex]) -> list[Complex]:
-    """Return the coefficients g_1, g_2, ... of log(1 + nu_1 s + nu_2 s^2 + ...)."""
-    g = list[Complex]()
-    for k, nu_k in enumerate(nu, start=1):
-        g_k = nu_k
-        for m in range(1, k):
-            product = g[m - 1] * nu[k - m - 1] * m
-            g_k = g_k - Complex(product.re / k, product.im / k)
-        g.append(g_k)
-    return g
-
-
-def _imaginary(g: Complex) -> Interval:
-    """Return the imaginary part of a number whose real part is zero by theorem."""
-    need(g.re.contains_zero(), "a coefficient of the normal form is not purely imaginary")
-    return g.im
-
-
-def _power(e: Complex, n: int) -> Complex:
-    """Return e^n for |e| = 1, where e^-1 is the conjugate."""
-    base = e if n >= 0 else e.conjugate()
-    result = Complex(e.re.integer(1), e.re.integer(0))
-    for _ in range(abs(n)):
-        result = result * base
-    return result
+def free_coefficient(psi: Jet[Complex], n: int) -> Interval:
+    """Return the real number that, as coefficient (n+1, n) of psi, removes |z|^2n from D."""
+    total = psi.coefficients[1, 0].re * 0
+    for (j, k), c in psi.coefficients.items():
+        partner = psi.coefficients.get((n + 1 - k, n + 1 - j))
+        if partner is not None:
+            total = total + (c * partner.conjugate()).re * (j - k)
+    return total / -2

@@ -6,6 +6,9 @@ that gives the state after it, F(t) is the time of the next release (``releases`
 
     G(t) = F(t) - n T,      T = 2 pi/omega.
 
+If the release occurs k times among the contacts, they are those of k rounds: F(t) is the time of
+the k-th release after t.
+
 The system is the same a period later: if G takes an interval I of times into itself, a motion that
 is released at a time in I, or whole periods later, has these contacts for ever.
 
@@ -25,19 +28,19 @@ is released at a time in I, or whole periods later, has these contacts for ever.
 4. *Entropy.*  Each cell has one or two laps, on which G is monotone.  With the images and the
    coverings of cells ``laps`` has bounds of the entropy h of G on I, and periodic orbits.
    Sharkovsky's theorem has more of these.
-5. *Entropy per period.*  I is shorter than T, so a motion that is released at t in I is not
-   released again before b + j T, j = 0, ..., n - 1: F(t) > a + n T.  Let X_j be the set of the
-   states just after these times; states before and after a contact count as one, so it is the
+5. *Entropy per period.*  Here k = 1.  I is shorter than T, so a motion that is released at t in I
+   is not released again before b + j T, j = 0, ..., n - 1: F(t) > a + n T.  Let X_j be the set of
+   the states just after these times; states before and after a contact count as one, so it is the
    image of I under a continuous map E_j (two contacts are never at once).  The state has all that
-   follows: there is a continuous p_j from X_j to I, p_j E_j = G.  Let P take the state to that a
-   period later.  Then P^n E_j = E_j G, so h(P^n on X_j) <= h; and p_j P^n = G p_j on X_j, and p_j
-   is onto G(I), so h(P^n on X_j) >= h(G on G(I)) = h.  P^n takes each of these n closed sets into
-   itself: the entropy of P on their union is h/n.
+   follows, and F(t) is the first release that does: there is a continuous p_j from X_j to I, p_j
+   E_j = G.  Let P take the state to that a period later.  Then P^n E_j = E_j G, so h(P^n on X_j) <=
+   h; and p_j P^n = G p_j on X_j, and p_j is onto G(I), so h(P^n on X_j) >= h(G on G(I)) = h.  P^n
+   takes each of these n closed sets into itself: the entropy of P on their union is h/n.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -133,6 +136,8 @@ class ContactAttractor(OwnSystem):
         for key in ("entropy", "entropy_per_period"):
             numbers += claims[key][:2] if key in claims else ()
         need(all(SHORT % q.denominator == 0 for q in numbers), "a number has more than 15 places")
+        once = not both or rounds(claims) == 1
+        need(once, "entropy is claimed of one round alone, but the first contact comes again")
         count = len(hints["cells"])
         need(len(hints["weights"]) == count, "not one weight for each cell")
         if both:
@@ -143,7 +148,6 @@ class ContactAttractor(OwnSystem):
         contacts = [Contact(**contact) for contact in self.claims["contacts"]]
         self.releases = Releases(self.p, contacts, self.hints["bits"], WORK)
         a, b, _, _ = self.claims["interval"]
-        need(a < b, "the interval is empty")
         narrow = (self.releases.period - self.number(b - a)).is_positive()
         need(narrow, "the interval is not shorter than a period of the clock")
         self.cells = list(self.covered(a, b))
@@ -151,7 +155,6 @@ class ContactAttractor(OwnSystem):
         need(all(c.image.lies_inside(a, b) for c in self.cells), "G may not take I into itself")
         self.step("G takes I into its interior")
         self.met = met(self.cells)
-        need(all(self.met), "an image meets no cell")
         if "rate" in self.claims:
             self.rate()
             self.fixed(a, b)
@@ -229,8 +232,10 @@ class ContactAttractor(OwnSystem):
         releases = Releases(self.p, [Contact(**c) for c in claims["contacts"]], self.hints["bits"])
         listed = ", ".join(f"'{c['guard']}' of '{c['mode']}', then '{c['to']}'" for c in others)
         between = f" with the contacts {listed}, in order" if others else ""
+        more = rounds(claims) - 1
+        following = f"the next release but {more}" if more else "the next release"
         return (_ATTRACTOR + (_FIXED if "rate" in claims else self.chaos())).format(
-            system=told(self.p), **first, between=between, x=releases.x,
+            system=told(self.p), **first, between=between, following=following, x=releases.x,
             place=printed(releases.place),
             n=claims["periods"], interval=claims["interval"],
             rate=decimal(claims.get("rate", Fraction(0))), fixed=claims.get("fixed"),
@@ -250,9 +255,15 @@ class ContactAttractor(OwnSystem):
         )  # fmt: skip
 
 
+def rounds(claims: Mapping[str, Any]) -> int:
+    """Return how many releases are among the contacts."""
+    contacts: list[Any] = claims["contacts"]
+    return contacts.count(contacts[0])
+
+
 _ATTRACTOR = (
     "the system with the {system}; a release is where '{guard}' of '{mode}' falls through 0 and "
-    "the system goes on in '{to}', with {x} = {place} just before; if after it the next release "
+    "the system goes on in '{to}', with {x} = {place} just before; if after it {following} "
     "follows{between}, a guard falling through 0 at each, and nothing else, G maps the time t of "
     "the one to that of the other less {n} x 2 pi/omega; G is defined for all t in {interval} and "
     "takes this interval into its interior: so all motions released then, or whole periods 2 "

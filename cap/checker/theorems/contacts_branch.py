@@ -157,7 +157,8 @@ class ContactsBranch(Contacts):
         Field("grazes", Many(_GRAZE, 0, GRAZES), "", "",
               "pieces that go on from the cell of this number to where the leg after a contact, "
               "counted from 1, touches the zero of a guard, in a window of times; a short part of "
-              "the piece, the parameter and the time of the touch"),
+              "the piece, the parameter and the time of the touch; with a symmetry the last leg is "
+              "that after the image of the last contact, before the first one"),
         Field("lost", Maybe(Many(_LOST, 1, GRAZES)), "", "",
               "pieces that go on from the cell of this number to where the speed at a contact, "
               "counted from 1, goes to 0: the guard touches zero, and the contact does nothing; a "
@@ -497,16 +498,21 @@ class ContactsBranch(Contacts):
 
     def told_grazes(self) -> Iterator[str]:
         """Give where orbits graze."""
-        p = self.p.state[-1]
+        p, contacts = self.p.state[-1], self.claims["contacts"]
         for graze in self.claims["grazes"]:
-            mode = self.claims["contacts"][graze["leg"] - 1]["to"]
+            leg = graze["leg"]
+            mode, where = contacts[leg - 1]["to"], f"after contact {leg}"
+            symmetric = "symmetry" in self.claims
+            if symmetric and leg == len(contacts):  # it is seen half a round before
+                mode = self.claims["symmetry"]["modes"][mode]
+                where = f"before contact 1, after the image of contact {leg}"
             yield (
                 f"; from piece {graze['cell']} on the curve goes on, by one more piece, to exactly "
                 f"one graze on it, with {p} in {graze['at']}: there, at t in {graze['time']}, "
-                f"after contact {graze['leg']}, '{graze['guard']}' of '{mode}' touches 0, its "
+                f"{where}, '{graze['guard']}' of '{mode}' touches 0, its "
                 f"first derivative along the flight 0 and its second positive, and no guard "
-                f"vanishes elsewhere but at the contacts; until there it is one of such orbits, "
-                f"just beyond it the guard is negative in between"
+                f"vanishes elsewhere but at the contacts{', and at the image' * symmetric}; until "
+                f"there it is one of such orbits, just beyond it the guard is negative in between"
             )
 
     def told_lost(self) -> Iterator[str]:

@@ -9,19 +9,10 @@ from cap.audit.steps import Words
 from cap.flow.propagation import after_periods
 from cap.parameters import PAPER
 from cap.sets import interval, matrix
-from cap.sets.interval import Ball, Box
-from cap.sets.matrix import Matrix
 
 BITS = 120
 CENTRE = Fraction("0.1002798898"), Fraction("0.5419433068")
 RADIUS = Fraction(1, 10**9)
-
-
-def orbits(centre: tuple[Fraction, Fraction], radius: Fraction) -> tuple[Box, Matrix[Ball]]:
-    """Return Φ and Φ' on a box."""
-    x, v = (interval.around(q, radius) for q in centre)
-    image = after_periods(PAPER, x, v, 1)
-    return image.state, image.monodromy
 
 
 def newton_from_any_point() -> Words:
@@ -57,25 +48,20 @@ def number_of_fixed_points() -> Words:
 
 def margin_of_the_inclusion() -> None:
     with interval.workprec(BITS):
-        image, ((a, b), (c, d)) = orbits(CENTRE, Fraction(0))
-        defect = [q - interval.ball(each) for q, each in zip(image, CENTRE, strict=True)]
+        x, v = map(interval.ball, CENTRE)
+        image = after_periods(PAPER, x, v, 1)
+        defect = image.state[0] - x, image.state[1] - v
+        (a, b), (c, d) = image.monodromy
         (p, q), (r, s) = matrix.inverse(((a - 1, b), (c, d - 1)))
         point = interval.point
         C = (point(p), point(q)), (point(r), point(s))
-        (a, b), (c, d) = orbits(CENTRE, RADIUS)[1]
+        x, v = (interval.around(q, RADIUS) for q in CENTRE)
+        (a, b), (c, d) = after_periods(PAPER, x, v, 1).monodromy
         product = matrix.product(C, ((a - 1, b), (c, d - 1)))
         rest = [[abs((i == j) - product[i][j]) for j in (0, 1)] for i in (0, 1)]
-        shift = matrix.apply(C, (defect[0], defect[1]))
+        shift = matrix.apply(C, defect)
         radius = interval.ball(RADIUS)
         reach = [abs(shift[i]) + radius * (rest[i][0] + rest[i][1]) for i in (0, 1)]
         need(all(each < radius for each in reach), "K([z]) may leave [z]")
         margins = [radius - interval.upper(each) for each in reach]
         need(all(each > radius * 9 / 10 for each in margins), "the margin is smaller")
-
-
-def twist_is_feasible() -> Words:
-    claims = stored("elliptic.json").claims
-    order = max(sum(map(int, key.split(","))) for key in claims["taylor"]["x"])
-    need(order >= 3, "the Taylor coefficients are of lower order")
-    need(claims["twist"].lower > 0, "the twist may vanish")
-    return {"twist": pair(claims["twist"], 12), "order": order}

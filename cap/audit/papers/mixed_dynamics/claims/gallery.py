@@ -1,106 +1,75 @@
-"""Appendix, A.2 and A.3: the certified orbits of the gallery, and how counts grow with F."""
+"""Appendix, A.2 and A.3: orbits at large forcing, from random starts, in floats."""
 
-from collections.abc import Iterable
-from fractions import Fraction
+import math
+from functools import cache
+from statistics import median
+from typing import TYPE_CHECKING
 
 from cap.audit import labels
-from cap.audit.means.balls import pair
 from cap.audit.means.need import need
-from cap.audit.means.stored import Stored, stored
-from cap.audit.papers.mixed_dynamics.means.bouncing import FORCINGS, STARTS, growth, near_the_walls
 from cap.audit.steps import Words
-from cap.audit.tables import stated
+from cap.parameters import at
 
-CERTIFIED = {"1.5": 4, "3": 1, "4.5": 5, "6": 6}  # F: number of the certificate
+if TYPE_CHECKING:
+    from cap.floats.diagnostics.trajectory import Trajectory
 
-
-def _orbit(F: str) -> Stored:
-    found = stored(f"periodic-{CERTIFIED[F]}.json")
-    need(found.parameters["F"] == Fraction(F), f"it is not about F = {F}")
-    return found
+FORCINGS, STARTS = (6, 12, 24, 48, 96, 192), 30
 
 
-def agrees(F: str) -> Words:
-    """Compare x*, v*, trace and determinant with what is printed, up to one unit of the last."""
-    table = "fig:hist-gallery-high" if F == "6" else "fig:hist-gallery-low"
-    claims = _orbit(F).claims
-    words = {"type": claims["type"], "hits": _hits(claims)}
-    for what, name in (("x_*", "x"), ("v_*", "v"), ("trace", "trace"), ("determinant",) * 2):
-        text = stated(f"F = {F}: {what}", table)
-        unit = Fraction(1, 10 ** len(text.partition(".")[2]))
-        ends = claims[name].lower, claims[name].upper
-        need(all(abs(each - Fraction(text)) <= unit for each in ends), f"{what} is not {text}")
-        words[name] = pair(claims[name], 7)
-    return words
+@cache
+def _late(F: int) -> list["Trajectory"]:
+    """Follow random starts for 20 T; return what they do in the 4 T after."""
+    import numpy as np  # noqa: PLC0415 (the float engine, where it is asked)
+
+    from cap.floats.diagnostics.trajectory import trajectory  # noqa: PLC0415
+    from cap.floats.engine import swarm  # noqa: PLC0415
+
+    p = at(F=str(F))
+    starts = np.random.default_rng(F).uniform((-0.9, -2.0), (0.9, 2.0), (STARTS, 2))
+    late = swarm.follow(p, starts, 20).states
+    return [trajectory(p, orbit=(x, v), exactly=True, periods=4) for x, v in late]
 
 
-def _hits(claims: dict[str, list[str]]) -> str:
-    words = claims["itinerary"]
-    turns = sum(word.startswith("turn") for word in words)
-    return f"{words.count('hit r')} right and {words.count('hit l')} left hits, {turns} turns"
+def _hits(orbit: "Trajectory") -> float:
+    """Return the hits per period."""
+    return orbit.counts().get("hit", 0) / 4
 
 
-def turns_of_the_gallery() -> Words:
-    counts = []
-    for F in ("1.5", "3", "4.5"):
-        words = _orbit(F).claims["itinerary"]
-        after = [*words[1:], words[0]]
-        turns = [k for k, word in enumerate(words) if word.startswith("turn")]
-        need(all(words[k - 1] == after[k] for k in turns), f"F = {F}: before a turn is another hit")
-        need(all(after[k].startswith("hit") for k in turns), f"F = {F}: turns follow each other")
-        if F == "1.5":
-            need(all(after[k] != "hit l" for k in turns), "at l there is a turn")
-        counts.append(len(turns))
-    return {"turns": f"{counts[0]}, {counts[1]} and {counts[2]}"}
+def _speed(orbit: "Trajectory") -> float:
+    return float(abs(orbit.v).max())
 
 
-def growth_of_the_hits() -> Words:
-    hits = {F: Fraction(stated(f"wall hits in 4 T at F = {F}", "fig:hist-gallery-low"))
-            for F in ("1.5", "3", "4.5")}  # fmt: skip
-    ratios = [count / Fraction(F) for F, count in hits.items()]
-    need(ratios[0] > ratios[1] > ratios[2], "the ratio does not fall", ratios=ratios)
-    slope = (hits["4.5"] - hits["1.5"]) / 3
-    constant = hits["3"] - 3 * slope
-    need(constant != 0, "the line goes through 0")
-    need(all(constant + slope * Fraction(F) == n for F, n in hits.items()), "it is no line")
+def scaling(what: str) -> Words:
+    """The median of the hits per period, or of the largest |v|, grows more slowly than F."""
+    measure = {"hits": _hits, "speed": _speed}[what]
+    medians = [median(map(measure, _late(F))) for F in FORCINGS]
+    exponent = math.log(medians[-1] / medians[0]) / math.log(FORCINGS[-1] / FORCINGS[0])
+    need(exponent < 3 / 4, "they may grow in proportion to F", medians=medians)
     return {
-        "constant": constant,
-        "slope": slope,
-        "ratios": ", ".join(f"{float(each):.3g}" for each in ratios),
+        "numbers": ", ".join(f"{value:.3g}" for value in medians),
+        "forcings": ", ".join(map(str, FORCINGS)),
+        "exponent": f"{exponent:.2f}",
+        "starts": STARTS,
     }
 
 
-def scaling_of_the_hits() -> Words:
-    grown = growth()
-    return _slower(grown.hits, grown.exponents[0])
-
-
-def scaling_of_the_speed() -> Words:
-    grown = growth()
-    return _slower(grown.speeds, grown.exponents[1])
-
-
-def _slower(medians: Iterable[float], exponent: float) -> Words:
-    numbers = ", ".join(f"{value:.3g}" for value in medians)
-    need(exponent < 3 / 4, "they may grow in proportion to F", medians=numbers)
-    forcings = ", ".join(map(str, FORCINGS))
-    shown = f"{exponent:.2f}"
-    return {"numbers": numbers, "forcings": forcings, "exponent": shown, "starts": STARTS}
-
-
 def time_near_the_walls() -> Words:
-    shares = near_the_walls(50)
-    largest, median = max(shares), sorted(shares)[len(shares) // 2]
-    need(largest < 1 / 2, "an orbit is near the walls most of the time", shares=shares)
-    return {"orbits": len(shares), "median": f"{median:.0%}", "largest": f"{largest:.0%}"}
+    """At F = 50 no orbit is within R/10 of a wall for half of the time."""
+    shares = sorted(map(_near_the_walls, _late(50)))
+    need(shares[-1] < 1 / 2, "an orbit is near the walls most of the time", shares=shares)
+    middle = shares[len(shares) // 2]
+    return {"orbits": len(shares), "median": f"{middle:.0%}", "largest": f"{shares[-1]:.0%}"}
 
 
-def range_of_the_counts() -> None:
-    text = stated("F = 2: elliptic + saddle, grid-Newton", "fig:hist-cont")
-    need(text == "0 + 0", "the bar at F = 2 is not empty")
+def _near_the_walls(orbit: "Trajectory") -> float:
+    """Return the share of the time that an orbit is so near to a wall."""
+    steps, sizes = orbit.t[1:] - orbit.t[:-1], abs(orbit.x)
+    near = (sizes[1:] + sizes[:-1]) / 2 > 0.8
+    return float(steps[near].sum() / steps.sum())
 
 
 def number_of_subsections() -> Words:
+    """The appendix has not five of them."""
     found = [p for p in labels.stored().places if p.section == "A" and p.kind == "subsection"]
     need(len(found) != 5, "there are five")
     return {"found": len(found)}

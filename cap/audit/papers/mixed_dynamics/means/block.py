@@ -26,7 +26,7 @@ from fractions import Fraction
 
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
-from cap.flow.propagation import Image, after_periods
+from cap.flow.propagation import after_periods
 from cap.parameters import PAPER
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball, Box
@@ -34,6 +34,7 @@ from cap.sets.matrix import Matrix
 
 BITS = 160
 CONE = Fraction(1, 10)
+HEIGHT = Fraction(8, 10**9)  # of the block around the saddle, half
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,7 @@ class Block:
     def covers_itself(self) -> None:
         """Prove the hypotheses of the cone, of covering and of escape, or raise `NotProved`."""
         h, k, c = (interval.ball(q) for q in (self.h, self.k, CONE))
-        image = after_periods(PAPER, *self.box(symmetric(h), symmetric(k)), 1)
+        image = after_periods(PAPER, *self.box(interval.symmetric(h), interval.symmetric(k)), 1)
         hits = all(event.word.startswith("hit") for event in image.events)
         need(hits, "not all orbits from the block only hit walls")
         (p, q), (r, s) = self.conjugated(image.monodromy)
@@ -77,12 +78,48 @@ class Block:
 
     def edge(self, side: int) -> Box:
         """Return a box around {ξ = side h, |η| <= c h}."""
-        return self.box(interval.ball(side * self.h), symmetric(interval.ball(self.h * CONE)))
+        return self.box(
+            interval.ball(side * self.h), interval.symmetric(interval.ball(self.h * CONE))
+        )
 
 
-def symmetric(x: Ball) -> Ball:
-    """Return [-x, x]."""
-    return interval.symmetric(x)
+def from_an_edge(periods: int) -> list[str]:
+    """Return the events of all orbits from an edge of the block around the saddle.
+
+    Every neighbourhood of the saddle contains a point whose orbit reaches this edge.
+    """
+    with interval.workprec(BITS):
+        around = around_the_saddle(HEIGHT, 2 * HEIGHT)
+        around.covers_itself()
+        image = after_periods(PAPER, *around.edge(-1), int(periods))
+    return [event.word for event in image.events]
+
+
+def along_an_arc(x: Fraction, v: Fraction, reach: Fraction, periods: int) -> list[list[str]]:
+    """Return the events of all orbits from an arc |v' - v| <= ``reach`` before T; stops later on.
+
+    After these periods its image crosses the block around the saddle from side to side, so one of
+    the orbits stays in the block for ever.
+    """
+    with interval.workprec(BITS):
+        around = around_the_saddle(HEIGHT, 2 * HEIGHT)
+        around.covers_itself()
+        start, h, k = interval.ball(x), interval.ball(HEIGHT), interval.ball(2 * HEIGHT)
+        arc, left, right = (
+            after_periods(PAPER, start, each, int(periods))
+            for each in (
+                interval.around(v, reach),
+                interval.ball(v - reach),
+                interval.ball(v + reach),
+            )
+        )
+        need(abs(around.coordinates(arc.state)[1]) < k, "the arc is not within the block's height")
+        ends = around.coordinates(left.state)[0], around.coordinates(right.state)[0]
+        need(ends[0] > h and ends[1] < -h, "the arc does not cross the block", ends=ends)
+        early = [bool(event.time < 2 * interval.pi()) for event in arc.events]
+    words = [event.word for event in arc.events]
+    later = [word for word in words[sum(early) :] if not word.startswith("hit")]
+    return [words[: sum(early)], later]
 
 
 def around_the_saddle(h: Fraction, k: Fraction) -> Block:
@@ -102,8 +139,3 @@ def _unit(vector: Box) -> Box:
     """Return a vector of about length one, exact, in the same direction."""
     length = (vector[0] * vector[0] + vector[1] * vector[1]).sqrt()
     return interval.point(vector[0] / length), interval.point(vector[1] / length)
-
-
-def followed(states: Box, periods: int) -> Image:
-    """Follow all orbits from a box at the paper's parameters."""
-    return after_periods(PAPER, *states, periods)

@@ -15,8 +15,10 @@ e^(iξu) du (1 - e^(-πξ)) = 2πi (-iξ) e^(-πξ/2).  QED
 """
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import NamedTuple
 
+from cap.audit.means.need import need
 from cap.audit.papers.mixed_dynamics.means.quadrature import over_the_line
 from cap.sets import interval
 from cap.sets.interval import Ball, ComplexBall
@@ -37,6 +39,15 @@ class Integral(NamedTuple):
         return over_the_line(lambda u: self.integrand(u, xi), self.weight)
 
 
+def integrals(name: str, frequencies: list[Fraction]) -> list[Ball]:
+    """Return an integral by quadrature, where it overlaps its closed form, at some ξ."""
+    own, found = INTEGRALS[name], []
+    for xi in map(interval.ball, frequencies):
+        found.append(own.by_quadrature(xi))
+        need(found[-1].overlaps(own.closed(xi)), f"{name}: the closed form is another", xi=xi)
+    return found
+
+
 def _half(xi: Ball) -> Ball:
     return interval.pi() * xi / 2
 
@@ -52,13 +63,17 @@ def _sech_tanh(u: ComplexBall) -> ComplexBall:
     return value
 
 
-SECH = Integral(lambda u, _xi: _sech(u), 2, lambda _xi: interval.pi())
-SECH_TANH_SIN = Integral(
-    lambda u, xi: _sech_tanh(u) * (u * xi).sin(), 2, lambda xi: 2 * _half(xi) / _half(xi).cosh()
-)
-SECH_TANH_COS = Integral(lambda u, xi: _sech_tanh(u) * (u * xi).cos(), 2, lambda _xi: interval.ZERO)
-SECH_SQUARED_COS = Integral(
-    lambda u, xi: (u * xi).cos() / (u.cosh() * u.cosh()),
-    4,
-    lambda xi: 2 * _half(xi) / _half(xi).sinh(),
-)
+INTEGRALS = {
+    "sech": Integral(lambda u, _xi: _sech(u), 2, lambda _xi: interval.pi()),
+    "sech tanh sin": Integral(
+        lambda u, xi: _sech_tanh(u) * (u * xi).sin(), 2, lambda xi: 2 * _half(xi) / _half(xi).cosh()
+    ),
+    "sech tanh cos": Integral(
+        lambda u, xi: _sech_tanh(u) * (u * xi).cos(), 2, lambda _xi: interval.ZERO
+    ),
+    "sech^2 cos": Integral(
+        lambda u, xi: (u * xi).cos() / (u.cosh() * u.cosh()),
+        4,
+        lambda xi: 2 * _half(xi) / _half(xi).sinh(),
+    ),
+}

@@ -4,73 +4,57 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from cap.audit.means.balls import between
-from cap.audit.means.need import need
 from cap.flow.propagation import Image, after_periods, at_time_zero, propagate
-from cap.parameters import PAPER, Parameters
-from cap.sets import interval
+from cap.parameters import PAPER, Parameters, at
+from cap.sets import interval, matrix
 from cap.sets.interval import Ball, Box
-from cap.sets.matrix import Matrix
 
-BITS = 100
+Number = Fraction | Ball
 
 
 @dataclass(frozen=True)
 class Followed:
-    """What all orbits from a box of states at t = 0 do: their events, and Φⁿ and its derivative."""
+    """What all orbits from a box of states at t = 0 do: their events, and Φⁿ at the end.
+
+    ``stops``: the words of the events that are no hits; there are none if no velocity vanishes.
+    ``determinant``, ``trace``: of the derivative.  ``turning``: the product over the turns of the
+    factors (|F cos ωt| - f) / (|F cos ωt| + f).  ``box`` and ``events`` are in words.
+    """
 
     words: tuple[str, ...]
     times: tuple[Ball, ...]
+    stops: tuple[str, ...]
     state: Box
-    monodromy: Matrix[Ball]
-
-    def only_hits(self) -> bool:
-        """Return whether nothing but hits happens: the velocity never vanishes."""
-        return all(word.startswith("hit") for word in self.words)
-
-    def has(self, verb: str) -> bool:
-        """Return whether an event of this kind happens."""
-        return any(word.startswith(verb) for word in self.words)
-
-    def shown(self) -> str:
-        """Return the events in words, with the times."""
-        pairs = zip(self.words, self.times, strict=True)
-        return ", ".join(f"{word} at {between(time, 3)}" for word, time in pairs)
+    determinant: Ball
+    trace: Ball
+    turning: Ball
+    box: str
+    events: str
 
 
-@dataclass(frozen=True)
-class States:
-    """A box of states: centre ± radius in x and in v, as exact decimals."""
+def follow(
+    x: str, v: str, radius: str = "0", periods: Fraction = Fraction(1), **others: str
+) -> Followed:
+    """Follow all orbits from a box, centre ± radius in x and in v, over some periods.
 
-    x: str
-    v: str
-    radius: str = "0"
-
-    def __str__(self) -> str:
-        """Return it in words."""
-        if self.radius == "0":
-            return f"(x, v) = ({self.x}, {self.v})"
-        return f"|x - ({self.x})| <= {self.radius}, |v - ({self.v})| <= {self.radius}"
-
-    def follow(self, periods: int, p: Parameters = PAPER, bits: int = BITS) -> Followed:
-        """Follow all orbits over some periods."""
-        radius = Fraction(self.radius)
-        with interval.workprec(bits):
-            box = [interval.around(Fraction(q), radius) for q in (self.x, self.v)]
-            return _followed(after_periods(p, box[0], box[1], periods))
+    At the paper's parameters but for others.
+    """
+    p, states = at(**others), [interval.around(Fraction(q), Fraction(radius)) for q in (x, v)]
+    box = f"(x, v) = ({x}, {v})"
+    if radius != "0":
+        box = f"|x - ({x})| <= {radius}, |v - ({v})| <= {radius}"
+    return _followed(p, after_periods(p, states[0], states[1], int(periods)), box)
 
 
-def _followed(image: Image) -> Followed:
-    return Followed(
-        tuple(each.word for each in image.events),
-        tuple(each.time for each in image.events),
-        image.state,
-        image.monodromy,
-    )
+def until(state: tuple[Number, Number], end: Number, **others: str) -> Followed:
+    """Follow all orbits from a box at t = 0 until a time."""
+    p, (x, v) = at(**others), map(_ball, state)
+    return _followed(p, propagate(p, at_time_zero(x, v), _ball(end)))
 
 
-def until(state: Box, end: Ball) -> Followed:
-    """Follow all orbits from a box at t = 0 until a time, at the paper's parameters."""
-    return _followed(propagate(PAPER, at_time_zero(*state), end))
+def overlap(first: Number, second: Number) -> bool:
+    """Return whether enclosures of what should be one number have one in common."""
+    return _ball(first).overlaps(_ball(second))
 
 
 def before_a_stop(cosine: Fraction) -> Box:
@@ -86,8 +70,36 @@ def before_a_stop(cosine: Fraction) -> Box:
     return interval.ball(PAPER.l) - v * hit - (1 - hit.cos()) - f * hit * hit / 2, v
 
 
-def hits_only(states: States, periods: int = 1) -> Followed:
-    """Return what all orbits do, if that is only to hit walls."""
-    found = states.follow(periods)
-    need(found.only_hits(), "the orbits do not only hit walls", events=found.words)
-    return found
+def before_a_hit(shift: Fraction) -> Box:
+    """Return a state at t = 0, this far to the right of one whose orbit hits r at t = 11/10.
+
+    At the paper's parameters, with the speed 1.
+    """
+    f, hit = interval.ball(PAPER.f), interval.ball(Fraction(11, 10))
+    v = 1 - hit.sin() + f * hit
+    x = interval.ball(PAPER.r) - v * hit - (1 - hit.cos()) + f * hit * hit / 2
+    return x + interval.ball(shift), v
+
+
+def _ball(number: Number) -> Ball:
+    return number if isinstance(number, Ball) else interval.ball(number)
+
+
+def _followed(p: Parameters, image: Image, box: str = "") -> Followed:
+    words = tuple(each.word for each in image.events)
+    turning, f = Ball(1), interval.ball(p.f)
+    for event in image.events:
+        if event.word.startswith("turn"):
+            force = abs(interval.ball(p.F) * (interval.ball(p.omega) * event.time).cos())
+            turning = turning * (force - f) / (force + f)
+    return Followed(
+        words=words,
+        times=tuple(each.time for each in image.events),
+        stops=tuple(word for word in words if not word.startswith("hit")),
+        state=image.state,
+        determinant=matrix.determinant(image.monodromy),
+        trace=matrix.trace(image.monodromy),
+        turning=turning,
+        box=box,
+        events=", ".join(f"{each.word} at {between(each.time, 3)}" for each in image.events),
+    )

@@ -12,3 +12,8 @@ def printed(what: str, table: str = "fig:orbit") -> tuple[Fraction, Fraction]:
     need(text.startswith("[") and text.endswith("]"), f"{text} is no interval")
     low, high = (Fraction(end.strip()) for end in text[1:-1].split(","))
     return low, high
+
+
+def total(what: str, table: str) -> Fraction:
+    """Return a number that is printed, or the sum of those between which there is a plus."""
+    return sum((Fraction(each) for each in stated(what, table).split(" + ")), Fraction(0))
