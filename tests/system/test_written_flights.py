@@ -15,6 +15,7 @@ from cap.areas.folded.laws import laws
 from cap.areas.strips import arcs, hits
 from cap.floats.engine import flight as floats
 from cap.floats.engine import lifted
+from cap.flow import flight, kernels
 from cap.maps import launch_set
 from cap.one_one import closed_form
 from cap.system.flight import Scalars, flights
@@ -61,6 +62,20 @@ def same(found, truth):
 def phase(time):
     """Return a time with its sine and cosine."""
     return time, sin(time), cos(time)
+
+
+@pytest.mark.parametrize("mode", [RIGHT, LEFT])
+def test_flights(mode):
+    """Of ``flow.flight``: from any state; it is also what compiled code calls."""
+    state = x, v = sympy.symbols("x v")
+    rest, friction_ = (x + cos(t), v - sin(t)), {RIGHT: f, LEFT: -f}[mode]
+    found = (
+        flight.place(*rest, T - t, friction_ / 2, cos(T)),
+        flight.velocity(rest[1], T - t, friction_, sin(T)),
+    )
+    truth = from_the_model(mode, state, (t, T))
+    assert all(same(a, b) for a, b in zip(found, truth, strict=True))
+    assert (kernels.place, kernels.velocity) == (flight.place, flight.velocity)
 
 
 # launches
@@ -161,14 +176,17 @@ def test_folded_flights(monkeypatch, module, push):
         if hasattr(module, name):
             monkeypatch.setattr(module, name, plain)
     p, s = folded(push)
-    flight, span = SimpleNamespace(A=A, B=B, ref=ref, errors=(0, 0)), T - ref
-    speed, place, start = laws(*(PLAIN[n] for n in ("total", "product", "scaled")), push / f)
-    ours = place(Y, flight, span, cos(T)), speed(Y, A, span, sin(T))
+    path, span = SimpleNamespace(A=A, B=B, ref=ref, errors=(0, 0)), T - ref
+    speed, place, start, from_rest = laws(
+        *(PLAIN[n] for n in ("total", "product", "scaled")), push / f
+    )
+    ours = place(Y, path, span, cos(T)), speed(Y, A, span, sin(T))
     now = module.seen if module is paths else module.at
-    at = now(Y, flight, (T, 0), cos(T), sin(T))
+    at = now(Y, path, (T, 0), cos(T), sin(T))
     for found, truth in (*zip(ours, (p, s), strict=True), *zip(at, (p, s), strict=True)):
         assert same(found, truth)
     assert same(p.subs(B, start(Y, A, span, cos(T))), 0)
+    assert same(s.subs(A, from_rest(Y, span, -sin(T))), 0)
 
 
 def test_senses_of_folded_flights():

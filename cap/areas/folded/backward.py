@@ -109,7 +109,7 @@ class Event(NamedTuple):
     most: float
 
 
-speed, place, start = laws(total, product, scaled, 1.0)
+speed, place, start, from_rest = laws(total, product, scaled, 1.0)
 
 
 @kernel

@@ -13,7 +13,7 @@ Operation = Callable[..., Any]
 
 
 def laws(total: Operation, product: Operation, scaled: Operation, sense: float) -> Any:
-    """Return the compiled functions speed, place and start over these operations.
+    """Return the compiled functions speed, place, start and from_rest.
 
     The first argument, y, has a and a bound of its error.  d is the time since ref, with the sine
     or the cosine at ref + d.
@@ -36,4 +36,9 @@ def laws(total: Operation, product: Operation, scaled: Operation, sense: float) 
         half = scaled(d, -0.5 * sense * y.a, y.a_error)
         return total(cos, product(d, total(half, scaled(A, -1.0, 0.0))))
 
-    return speed, place, start
+    @kernel
+    def from_rest(y: Any, d: Any, minus_sin: Any) -> Any:
+        """Return A where s = 0, given minus the sine."""
+        return total(minus_sin, scaled(d, -sense * y.a, y.a_error))
+
+    return speed, place, start, from_rest

@@ -196,7 +196,7 @@ def certain(h: Happening, m: float, change: float, left: Pair, K: float) -> Happ
     return Happening(h.T, h.cos, h.sin, h.D, h.k, found, e, e_all, bounds)
 
 
-speed, place, start = laws(total, product, scaled, -1.0)
+speed, place, start, from_rest = laws(total, product, scaled, -1.0)
 
 
 @kernel
@@ -331,7 +331,7 @@ def _turned(y: Constants, f: Path, h: Happening, ahead: Line) -> Path:
     j11 = quotient(minus(minus(NONE, c), a), minus(c, a))
     J = j11, NONE, minus(minus(NONE, D), times(tau, j11)), (-1.0, 0.0)
     ref, later = folded(h)
-    A = widened(total(h.sin, scaled(later, y.a, y.a_error)), h.k * h.e)
+    A = widened(from_rest(y, later, h.sin), h.k * h.e)
     found = followed(y, f, h, ref, (A, total(ahead, start(y, A, later, minus_cosine(h)))), J)
     begun, ref, A, B, C, R, errors, _ = found
     return Path(begun, ref, A, B, C, R, errors, 1)

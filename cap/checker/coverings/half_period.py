@@ -62,15 +62,14 @@ class HalfPeriod(Planar):
         need(abs(x.mid) + x.rad < self.a.lower * (1 - 2.0**-50), "a state beyond a wall")
         need(v.is_positive(), "a velocity that is not positive")
         t, cos, sin, w = self.first_hit(x, v)
-        top = self.sine + self.phi * self.slow - v - sin * 2.0
-        need((-top).is_positive(), "the velocity may vanish after the hit")
+        least = velocity(v, self.slow, self.phi, sin * 2.0 - self.sine)  # of minus the velocity
+        need(least.is_positive(), "the velocity may vanish after the hit")
         d = PI - t
         X = place(-self.a - cos, w + sin, d, self.half, 1.0)
         need((self.a - X).is_positive(), "a second hit within half a period")
         k = cos * -2.0 / w
         D = d * k + 1.0
-        V = velocity(v, PI, self.phi, sin * 2.0)
-        return Image(X, V, ((D, D * t + d), (k, k * t + 1.0)))
+        return Image(X, velocity(v, PI, self.phi, sin * 2.0), ((D, D * t + d), (k, k * t + 1.0)))
 
     def first_hit(self, x: Double, v: Double) -> tuple[Double, Double, Double, Double]:
         """Return t1 in (0, pi), its cosine and sine, and w(t1), all w > 0 before."""

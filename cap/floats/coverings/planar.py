@@ -140,10 +140,10 @@ def _half_period(phi: float, a: float, x: float, v: float) -> tuple[bool, Six]:
     t = _hit(phi, a, x, v, end)
     w = velocity(v, t, phi, math.sin(t))
     slow = math.pi - math.acos(phi)
-    top = -velocity(v, slow, phi, 2 * math.sin(t) - math.sqrt(1 - phi * phi))
+    least = velocity(v, slow, phi, 2 * math.sin(t) - math.sqrt(1 - phi * phi))
     d = math.pi - t
     X = place(-a - math.cos(t), w + math.sin(t), d, phi / 2, 1)
-    if not (w > 0 and top < 0 and a > X):
+    if not (w > 0 and least > 0 and a > X):
         return _nowhere()
     k = -2 * math.cos(t) / w
     D = 1 + d * k

@@ -73,7 +73,8 @@ def equations(times: Array, ratios: Ratios) -> tuple[Array, Array]:
     jacobian[:, k, k] = -np.roll(end / d, 1, axis=1) - start / d - 2 * s * np.cos(times)
     jacobian[:, k, k - 1] += np.roll(start / d, 1, axis=1)
     jacobian[:, k, (k + 1) % len(k)] += end / d
-    value[:, 0] = -2 * (s * np.sin(times)).sum(axis=1) - PERIOD * ratios.alpha
+    gains = velocity(-s * np.sin(times), d, ratios.alpha, s * np.sin(times + d))
+    value[:, 0] = gains.sum(axis=1)
     jacobian[:, 0, :] = -2 * s * np.cos(times)
     return value, jacobian
 
