@@ -266,7 +266,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0, help="of the sample")
     parser.add_argument("--budget", type=float, default=60, help="seconds of tests for a mutant")
     options = parser.parse_args()
-    sys.path[:1] = [str(ROOT), str(ROOT / "tests")]  # not the modules beside this one
+    sys.path[:0] = [str(ROOT), str(ROOT / "tests")]  # before the modules beside this one
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
     sys.pycache_prefix, sys.dont_write_bytecode = str(options.work / "pycache"), False
     pytest.main(["--version", "--noconftest"])  # loads its own modules once for all processes

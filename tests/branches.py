@@ -31,9 +31,9 @@ def clock():
     return prove(Itinerary(system, [Contact(*names) for names in TURN]), guess, ends)
 
 
-def pair():
+def pair(range_=("0.17", "0.19")):
     """Return the curve of an impact pair, to where it touches an end once more."""
-    ends = Fraction("0.17"), Fraction("0.19")
+    ends = Fraction(range_[0]), Fraction(range_[1])
     system = moving(lambda s: read("examples/harvester.py", {"s": s}), "s", ends, ["free"])
     contacts = [Contact("free", end, "free") for end in ("top", "bottom")]
     guess = [-0.01301, 0.09178, 0.57762, 1.45939, -0.09178, -0.44429, 0.18357]
@@ -53,9 +53,9 @@ def level(range_=("0.0608", "0.0625")):
     return prove(Itinerary(system, contacts, 1, found), [0.0866, 0.0308, 0.3423, 0.0616], ends)
 
 
-def thrice():
+def thrice(range_=("0.173", "0.178")):
     """Return the curve of an impact pair with two hits of the top, to where one of them is lost."""
-    ends = Fraction("0.173"), Fraction("0.178")
+    ends = Fraction(range_[0]), Fraction(range_[1])
     system = moving(lambda s: read("examples/harvester.py", {"s": s}), "s", ends, ["free"])
     contacts = [Contact("free", end, "free") for end in ("top", "bottom", "top")]
     guess = [0.7976, 0.088645, 0.006581, 1.466816, -0.088645, -0.441985, 1.979846, 0.088645]

@@ -3,7 +3,7 @@
 import argparse
 import os
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from cap.audit import errata, labels, ledger, recorded, revision, subject
@@ -12,26 +12,13 @@ from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
 from cap.audit.means import stored
 from cap.audit.papers import FIRST
-from cap.audit.report.erratum import erratum
-from cap.audit.report.latex import latex
-from cap.audit.report.markdown import markdown
-from cap.audit.report.page import page
-from cap.audit.report.summary import bibtex, summary
-from cap.audit.report.text import data, plain
-from cap.audit.report.view import Report, report
+from cap.audit.report.formats import FORMATS, written
+from cap.audit.report.view import Report
 from cap.audit.verdict import Outcome, Verdict
 from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.words import printable, say
-
-FORMATS: dict[str, Callable[[Report], str]] = {
-    "text": plain,
-    "markdown": markdown,
-    "html": page,
-    "json": data,
-    "latex": latex,
-}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -105,7 +92,7 @@ def main(words: Sequence[str]) -> int:
         if options.coverage:
             return _coverage()
         if (text := _text(options)) is not None:
-            print(text, end="" if text.endswith("\n") else "\n")
+            print(text, end="")
             return 0
         return _audit(options)
     except BadInput as error:
@@ -123,11 +110,11 @@ def _text(options: argparse.Namespace) -> str | None:
     if options.patch is not None:
         return errata.patch(options.patch)
     if options.bibtex:
-        return bibtex()
+        return written("citation.bib")
     if options.summary:
-        return summary(report(_known(ledger.claims())))
+        return written("summary.txt", Report(_known(ledger.claims())))
     if options.erratum:
-        return erratum(report(_known(ledger.claims())))
+        return written("erratum.md", Report(_known(ledger.claims())))
     return None
 
 
@@ -173,7 +160,7 @@ def _audit(options: argparse.Namespace) -> int:
     shown = {name: each for name, each in verdicts.items() if wanted in (None, each.outcome)}
     if not shown:
         say(f"no claim that was asked for is {wanted}", sys.stderr)
-    print(FORMATS[options.format](report(shown)), end="" if options.format == "markdown" else "\n")
+    print(written(FORMATS[options.format], Report(shown)), end="")
     changed = recorded.changes(verdicts, whole=whole)
     for line in changed:
         say(f"changed: {line}", sys.stderr)

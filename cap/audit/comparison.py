@@ -66,7 +66,7 @@ def compared(row: Mapping[str, Any], found: Mapping[str, Any]) -> Comparison:
     """Return the comparison that a row of a table asks for: see `cap.audit.tables`."""
     words, unstated = "ours" in row, row.get("unstated", False)
     if words:
-        seen = Seen(row["ours"].format_map(found), "holds" in row and _holds(row["holds"], found))
+        seen = Seen(row["ours"].format_map(found), _holds(row.get("holds", False), found))
     else:
         seen = value(row["paper"], _part(row["value"], found))
     agrees = not unstated and (seen.agrees or (seen.nearly and row.get("cut", False)))
@@ -84,8 +84,10 @@ def compared(row: Mapping[str, Any], found: Mapping[str, Any]) -> Comparison:
     )
 
 
-def _holds(condition: str, found: Mapping[str, Any]) -> bool:
+def _holds(condition: str | bool, found: Mapping[str, Any]) -> bool:
     """Return whether a part is true, or in a relation to another, a number or a word in quotes."""
+    if isinstance(condition, bool):
+        return condition
     if (relation := _RELATION.fullmatch(condition)) is None:
         return bool(_part(condition, found))
     return bool(_RELATIONS[relation[2]](_part(relation[1], found), _part(relation[3], found)))

@@ -45,11 +45,13 @@ def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyTy
 
 
 def _value(name: str, words: Mapping[str, object]) -> object:
+    if (value := words[name] if name in words else claimed(name)) is not None:
+        return value
     first, *path = name.split(".")
-    value = words[first] if first in words else claimed(name)
-    if value is None:
+    if first not in words:
         raise NotProved("audit", f"there are no words for {name!r}")
-    for each in path if first in words else ():
+    value = words[first]
+    for each in path:
         value = value[int(each)] if isinstance(value, list) else getattr(value, each)
     return value
 

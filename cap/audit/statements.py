@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cap.audit import labels, subject
+from cap.audit.labels import Place
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Verdict
 
@@ -37,11 +38,15 @@ class Statement:
     instead: str
 
     @property
+    def place(self) -> Place:
+        """Where it stands."""
+        return labels.stored().place(self.label)
+
+    @property
     def name(self) -> str:
         """Its kind, number and title."""
-        place = labels.stored().place(self.label)
-        title = f" ({place.title})" if place.title else ""
-        return f"{place.name}{title}"
+        title = f" ({self.place.title})" if self.place.title else ""
+        return f"{self.place.name}{title}"
 
     def status(self, verdicts: dict[str, Verdict]) -> str:
         """Return what became of it: the first claim decides; what stands may need a change."""

@@ -9,6 +9,7 @@ paper = "814"                      # what the paper states
 by = "counted"                     # a function of the module; it returns what it finds, by names
 module = "package.other"           # if it is a function of another module
 with = { side = 60 }               # what it is given
+steps = "low = 1/2"                # in the place of a function: see `cap.audit.steps`
 value = "cells"                    # what it finds under this name is compared: `comparison.value`
 ours = "from {low:.2f} on"         # or words, which are those of the paper if this ``holds``:
 holds = "low > 0.5"                # a name, or a relation; parts are called ``x[0]``, ``x[name]``
@@ -32,17 +33,21 @@ from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
-from cap.audit import errata, given, subject
+from cap.audit import errata, given, steps, subject
 from cap.audit.claim import Claim, Kind
 from cap.audit.comparison import PROVED, Comparison, compared
-from cap.audit.steps import Given, Steps
+from cap.audit.filled import filled
+from cap.audit.steps import Given
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.errors import NotProved
+from cap.sets import interval
 
 Found = Mapping[str, Any]
 Find = Callable[[Given], Found]  # finds what a row asks for
 LONGEST = 60  # end of an id
+PLACES = 30  # of a number that steps define
+WORDS = "ours", "why", "note"
 
 
 @dataclass(frozen=True)
@@ -73,7 +78,7 @@ def claims() -> tuple[Row, ...]:
 def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
     label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
-    module = row.get("module", table["module"])
+    module = steps.__name__ if "steps" in row else row.get("module", table["module"])
     content = json.dumps([row, [each.formula for each in errata.of(name)]], sort_keys=True)
     return Row(
         id=name,
@@ -102,7 +107,17 @@ def _slug(text: str) -> str:
 
 def comparisons(label: str, find: Find) -> tuple[Comparison, ...]:
     """Compare all rows of a table."""
-    return tuple(compared(row, find(row)) for row in tables()[label]["row"])
+    rows = tables()[label]["row"]
+    return tuple(_by_steps(row) if "steps" in row else compared(row, find(row)) for row in rows)
+
+
+def _by_steps(row: Given) -> Comparison:
+    """Compare what the steps of a row define: words, or a number, which is enclosed."""
+    done, found = steps.made(row), {}
+    if name := row.get("value"):
+        found = {name: interval.outward(done.enclosed(done.names[name]), PLACES)}
+    words = {key: filled(row[key], done.names, done.balls) for key in WORDS if key in row}
+    return compared({**row, **words}, found)
 
 
 def stated(what: str, label: str) -> str:
@@ -114,10 +129,12 @@ def stated(what: str, label: str) -> str:
 
 
 def _decided(name: str, module: str, row: Given) -> Verdict:
+    given.as_in_the_erratum(name, steps.Steps())
+    if "steps" in row:
+        return verdict(_by_steps(row))
     found = _found(module, row["by"], json.dumps(row.get("with", {})))
     if isinstance(found, str):
         raise NotProved("audit", found)
-    given.as_in_the_erratum(name, Steps())
     return verdict(compared(row, found))
 
 

@@ -53,20 +53,14 @@ class Ahead:
             raise NotProved(self.step, "the curve has one cell")
         return [float(x) for x in ordered[-1].at(_outer(ordered[-1], ordered[-2]))]
 
-    def first(
-        self,
-        begins: Iterable[Begin],
-        number: Number,
-        proved: Callable[[int, Cell], T],
-        why: str,
-    ) -> T:
+    def first(self, begins: Iterable[Begin], proved: Callable[[Begin], T], why: str) -> T:
         """Return what is proved on the first piece that will do; raise `NotProved`.
 
         ``why`` is the reason if no piece begins anywhere.
         """
         for begin in begins:
             try:
-                return proved(begin.number, self.piece(begin, number))
+                return proved(begin)
             except NotProved as reason:
                 why = str(reason)
         raise NotProved(self.step, why)

@@ -25,7 +25,8 @@ from cap.sets.interval import Ball
 
 FINE = 224  # bits for points
 PLACES, STEPS = 24, 40  # decimals of a point; steps of the secant method
-FIRST, LONG, SHORT, GROWTH = 1 / 100, 1 / 20, 1e-5, 1.4  # half lengths of cells, of the range
+FIRST, LONG, GROWTH = 1 / 100, 1 / 20, 1.4  # half lengths of cells, of the range
+SHORT = 1e-4  # of the longest cell, along the curve: a shorter one is not tried
 CLEAR = 1 / 500  # a longer cell should tell how many multipliers are outside the unit circle
 MOST = 1500
 STEEP = 0.03  # of the parameter in the tangent, so that a cell goes along it
@@ -104,11 +105,13 @@ class Follower(Generic[Legs]):
         found, last = list[Shown[Legs]](), beside.cell if beside else None
         along = self.unknown(v)
         s, part = _exactly(z[along]) if along == self.size else _rounded(z[along]), FIRST
+        longest = 0.0
         while len(found) < MOST:
             self.tell("following the branch", None)
             if self._is_over(s if along == self.size else _exactly(z[self.size]), v[self.size]):
                 return found, ""
             new = self.unknown(v)
+            far = self._far(new, v)
             begin = s if new == along else self.begin(found[-1].cell, s, new)
             end = self._end(new, begin, v[new], part)
             try:
@@ -120,10 +123,11 @@ class Follower(Generic[Legs]):
                     raise NotProved("branch", "cells are not certain to be one curve")
             except NotProved as reason:
                 why, part = str(reason), part / 2
-                if part < SHORT:
+                if part * far < SHORT * (longest or FIRST * far):
                     return found, why
                 continue
             found.append(shown)
+            longest = max(longest, part * far)
             last, along, s = shown.cell, new, end
             z = [float(x) for x in last.at(end)]
             ahead = self.cells.tangent(z)
@@ -134,6 +138,10 @@ class Follower(Generic[Legs]):
     def unknown(self, v: Any) -> int:
         """Return along which unknown a cell goes: the parameter, if the curve is not too steep."""
         return self.size if abs(v[self.size]) > STEEP * max(abs(v)) else int(np.argmax(abs(v)))
+
+    def _far(self, along: int, v: Any) -> float:
+        """Return how far on the curve, of the tangent v, a cell goes whose part is 1."""
+        return (float(self.high - self.low) if along == self.size else 1.0) / abs(float(v[along]))
 
     def _is_over(self, p: Fraction, rate: float) -> bool:
         """Return whether the parameter is at an end of its range, and leaves it."""

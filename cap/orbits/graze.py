@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from cap.errors import NotProved
 from cap.maps.zero import Box
-from cap.orbits.ahead import Ahead
+from cap.orbits.ahead import Ahead, Begin
 from cap.orbits.along import Along
 from cap.orbits.branch import FINE, PLACES, Follower
 from cap.orbits.cells import Cell
@@ -78,14 +78,9 @@ class Grazer:
 
     def graze(self, cells: list[Cell], *, last: bool) -> Graze:
         """Return the graze beyond the first or the last cell of a curve; raise `NotProved`."""
-        near = self._near(self.ahead.end(cells, last=last))
         begins = self.ahead.begins(cells, last=last)
-        proved = partial(self._proved, near=near)
-        return self.ahead.first(begins, near, proved, "no graze is met")
-
-    def _near(self, w: list[float]) -> "Least":
-        """Return the least value of the guard that is about to be touched."""
-        return Least(self._along, self._place(w))
+        proved = partial(self._proved, place=self._place(self.ahead.end(cells, last=last)))
+        return self.ahead.first(begins, proved, "no graze is met")
 
     def _place(self, w: list[float]) -> Place:
         """Return the least relative minimum of all guards within legs."""
@@ -120,15 +115,19 @@ class Grazer:
         every = self._alongs(w)
         return next(a for a in every if (a.leg.number, a.name) == (place.leg, place.guard))
 
-    def _proved(self, inside: int, piece: Cell, near: "Least") -> Graze:
-        """Prove the graze on a piece."""
+    def _proved(self, begin: Begin, place: Place) -> Graze:
+        """Prove the graze on a piece, where a guard is about to be touched at a place."""
+        near = Least(self._along, place)
+        piece = self.ahead.piece(begin, near)
         place, why = near.place, "the guard is not certain to have one least value"
         for window in self._windows(piece.wider, place):
             try:
                 reasons = self._approached(piece, place, window)
                 with interval.workprec(FINE):
                     short, time = self._short(piece, near)
-                return Graze(inside, piece, place.leg, place.guard, window, reasons, short, time)
+                return Graze(
+                    begin.number, piece, place.leg, place.guard, window, reasons, short, time
+                )
             except NotProved as reason:
                 why = str(reason)
         raise NotProved("graze", why)

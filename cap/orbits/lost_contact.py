@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from cap.errors import NotProved
 from cap.maps.zero import Box
-from cap.orbits.ahead import Ahead
+from cap.orbits.ahead import Ahead, Begin
 from cap.orbits.branch import FINE, Follower
 from cap.orbits.cells import Cell
 from cap.orbits.periodic import Prover
@@ -53,10 +53,11 @@ class LostContacts:
         slowest.confirm()
         begins = self.ahead.begins(cells, last=last)
         proved = partial(self._proved, speed=slowest)
-        return self.ahead.first(begins, slowest, proved, "no speed goes to zero")
+        return self.ahead.first(begins, proved, "no speed goes to zero")
 
-    def _proved(self, inside: int, piece: Cell, speed: "Speed") -> Lost:
+    def _proved(self, begin: Begin, speed: "Speed") -> Lost:
         """Prove that the contact is lost on a piece."""
+        piece = self.ahead.piece(begin, speed)
         box = tuple(speed.curve.expanded(piece.wider))
         speed.turns(piece.wider)
         reasons = self.prover.reasons(box, lost=speed.contact)
@@ -68,7 +69,7 @@ class LostContacts:
             u, v = (speed.over(short.at(s)) for s in short.line.ends)
             if not ((u < 0 and v > 0) or (u > 0 and v < 0)):
                 raise NotProved("lost contact", "its speed is not certain to change its sign")
-            return Lost(inside, piece, speed.contact, reasons, short, speed.time(short.box))
+            return Lost(begin.number, piece, speed.contact, reasons, short, speed.time(short.box))
 
 
 class Speed:

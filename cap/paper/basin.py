@@ -1,7 +1,6 @@
 """fig:basin: which states around the elliptic orbit turn or stick, and the basin entropies."""
 
 import math
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -12,7 +11,7 @@ from cap.floats.diagnostics.fate import Fate, fate
 from cap.floats.diagnostics.grid import Box, around, grid
 from cap.floats.diagnostics.stops import stops
 from cap.floats.findings import Floats
-from cap.paper.figure import Found, Run, elliptic, percent
+from cap.paper.figure import Found, Refined, Run, elliptic, percent
 from cap.parameters import PAPER
 
 REACH = 0.10, 0.07
@@ -21,14 +20,6 @@ PAPERS = {"cells": (814, 0), "mean": (0.189, 0.001), "boundary": (0.349, 0.001)}
 NOISE = 1e-8  # of the starts: as large as an error of another integrator may become
 RUNS = 40
 SIZES = 2, 3, 4, 5, 6, 8, 10, 12, 15, 20  # of boxes
-
-
-@dataclass(frozen=True)
-class Basins:
-    """The paper's partition, and one with more states and periods."""
-
-    paper: Fate
-    better: Fate
 
 
 def box() -> Box:
@@ -56,9 +47,9 @@ def _finer(run: Run, periods: int) -> Fate:
     )
 
 
-def data(run: Run) -> Basins:
+def data(run: Run) -> Refined[Fate]:
     """Compute both partitions."""
-    return Basins(_paper(), _finer(run, 200))
+    return Refined(_paper(), _finer(run, 200))
 
 
 def _parts(lost: NDArray[np.bool_]) -> dict[str, float]:

@@ -8,31 +8,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cap.certificate.writer import Pair
-from cap.errors import BadInput
+from cap.audit.means.stored import stored
 from cap.floats.engine import swarm
 from cap.floats.findings import Floats, State
 from cap.floats.one_one import (
     asymmetry,
     pair_member,
-    root,
     state,
     symmetric_member,
     symmetric_state,
     turn,
-    twist,
 )
-from cap.maps.fixed_point import Start
-from cap.paper import certified
 from cap.paper.figure import Found, Run, elliptic
-from cap.paper.formulas import saddle_center
 from cap.parameters import PAPER, at
-from cap.proofs.branch_curve import Curve
-from cap.proofs.fixed_point import Setting
-from cap.proofs.one_one import Scale
-from cap.proofs.pitchfork import lemma_2_parabolic
-from cap.sets import interval
 
+Pair = tuple[str, str]  # decimals that enclose
 RHO = float(PAPER.R * PAPER.omega**2 / PAPER.F)
 FOLD = 0.467  # the paper's
 MOST_STEPS = 40  # of Newton's method
@@ -40,11 +30,12 @@ ASYMMETRIC = 1e-6  # of x_*, against the symmetric orbit
 
 
 class Landmarks(NamedTuple):
-    """Where the pair ends, and takes rotation numbers: f, proved; where its twist vanishes."""
+    """The f, proved, at which the pair is born, ends, takes rotation numbers, has no twist."""
 
+    birth: Pair
     end: Pair
     resonances: dict[str, Pair]
-    twist: float
+    twist: Pair
 
 
 class Step(NamedTuple):
@@ -63,30 +54,17 @@ class Branches:
     pair: Floats
     mirror: Floats
     symmetric: Floats
-    pitchfork: float
     landmarks: Landmarks
     sweep: list[Step]
     fold: float  # the paper's
 
 
-@cache
 def landmarks() -> Landmarks:
-    """Prove where the pair ends and which rotation numbers it has; find where the twist is 0."""
-    setting = Setting(PAPER, Start(0.0, 0.0, ()), certified.DIGITS)
-    with interval.workprec(setting.bits):
-        scale = Scale(setting)
-        curve = Curve(scale, lemma_2_parabolic(scale).alpha)
-        end, last = curve.end()
-        if end is None:
-            raise BadInput("the pair does not end")
-
-        def force(ends: tuple[Fraction, Fraction]) -> Pair:
-            return scale.force(interval.hull(*(curve.at(delta).alpha for delta in ends)))
-
-        resonances = {str(q): force(ends) for q, ends in curve.resonances(last).items()}
-        found = Landmarks(force(end), resonances, math.nan)
-    zero = root(lambda d: twist(d, RHO), 0.35, 0.37)
-    return found._replace(twist=pair_member(zero, RHO).alpha * float(PAPER.F))
+    """Return what the theorem `branch` claims at the paper's parameters, from its certificate."""
+    own = stored("branch.json").claims
+    resonances = {str(each["ratio"]): each["f"].text for each in own["resonances"]}
+    (zero,) = own["twist_zeros"]
+    return Landmarks(own["f_start"].text, own["f_end"].text, resonances, zero.text)
 
 
 @cache
@@ -104,9 +82,7 @@ def _newton(f: float, z: State) -> tuple[State, float, int]:
     point = np.array(z)
     for k in range(1, MOST_STEPS + 1):  # noqa: B007
         path = swarm.follow(p, [point], 1, derivative=True)
-        if path.monodromy is None:  # it was asked for
-            raise TypeError
-        jacobian = path.monodromy[0]
+        jacobian = path.derivatives[0]
         step = np.linalg.solve(jacobian - np.eye(2), path.states[0] - point)
         point = point - step
         if np.abs(step).max() < 1e-11:
@@ -137,7 +113,7 @@ def _symmetric(alpha: float) -> float:
 
 
 def _birth() -> float:
-    return float(certified.theorem("pitchfork")["f"][0])
+    return float(landmarks().birth[0])
 
 
 def data(run: Run) -> Branches:
@@ -148,12 +124,7 @@ def data(run: Run) -> Branches:
         for alpha in alphas
     ]
     pair, mirror = _pair(run, -1), _pair(run, 1)
-    return Branches(pair, mirror, np.array(symmetric), _birth(), landmarks(), sweep(run), FOLD)
-
-
-def birth(_run: Run) -> Found:
-    """Prove where the branch ends."""
-    return {"f": certified.theorem("pitchfork")["f"]}
+    return Branches(pair, mirror, np.array(symmetric), landmarks(), sweep(run), FOLD)
 
 
 def branch(run: Run) -> Found:
@@ -183,12 +154,13 @@ def _exponent() -> float:
 
 
 def proved(_run: Run) -> Found:
-    """Prove where the pair ends, beside the paper's formula, and takes rotation numbers."""
-    marks = landmarks()
+    """Return what is proved of the pair."""
+    birth, _, resonances, twist = landmarks()
     return {
-        "sc": saddle_center(2),
-        "end": marks.end[0][:12],
-        "taken": {turn: place[0][:14] for turn, place in marks.resonances.items()},
+        "birth": birth,
+        "taken": {turn: place[0][:14] for turn, place in resonances.items()},
+        "zero": twist,
+        "above": float(twist[0]) - float(PAPER.f),
     }
 
 
@@ -200,10 +172,3 @@ def swept(run: Run) -> Found:
         "steps": max(step.steps for step in sweep(run)),
         "beyond": f"on the symmetric one at {', '.join(beyond)}" if beyond else "is on that branch",
     }
-
-
-def twist_vanishes(_run: Run) -> Found:
-    """Find where the twist is 0."""
-    zero = landmarks().twist
-    above = zero - float(PAPER.f)
-    return {"zero": zero, "above": above, "far": abs(above) > 0.01}

@@ -2,19 +2,15 @@
 
 import math
 from collections import Counter
+from functools import partial
 
-import numpy as np
-
-from cap.explore.inventory import inventory
 from cap.floats.diagnostics.trajectory import trajectory
-from cap.floats.engine import swarm
-from cap.floats.findings import State
-from cap.floats.search.inventory import PROVED
-from cap.paper import events
-from cap.paper.certified import theorem
+from cap.floats.search.orbits import search
+from cap.paper import events, mirror
+from cap.paper.certified import proves, theorem
 from cap.paper.figure import Found, Run
 from cap.paper.rows import Row, Rows
-from cap.parameters import Parameters, at
+from cap.parameters import at
 
 F = "3"
 STARTS = {"focus": (0.4064, -0.6708), "saddle": (0.1992, -1.4002)}
@@ -51,25 +47,22 @@ def patterns(run: Run) -> Found:
     return {"differ": first != second}
 
 
-def mirrored(p: Parameters, state: State) -> State:
-    """Return the state at t = 0 of the mirror image of an orbit."""
-    x, v = swarm.follow(p, [state], 0.5).states[0].tolist()
-    return float(p.l + p.r) - x, -v
-
-
 def symmetry(_run: Run) -> Found:
     """Compare both orbits with their mirror images."""
-    defects = [np.abs(np.subtract(mirrored(at(F=F), s), s)).max() for s in STARTS.values()]
-    own = max(defects) < 1e-3
+    own = max(mirror.defect(at(F=F), state) for state in STARTS.values()) < 1e-3
     return {"images": "each is its own image" if own else "not their own images", "own": own}
 
 
 def all_orbits(run: Run) -> Found:
-    """Search for others, and prove them."""
-    found = inventory(at(F=F), prove=not run.quick, runner=run.runner).orbits
-    kinds = Counter(each.kind for each in found)
+    """Search for others; prove one of each pair of mirror images, and so both."""
+    p = at(F=F)
+    found = search(p).isolated
+    kinds = Counter(cycle.kind(conserves=True) for cycle in found)
+    chosen = [] if run.quick else mirror.of_pairs(p, found)
+    proofs = run.runner.map(partial(proves, p), [cycle for cycle, _ in chosen], "proving",
+                            processes=True)  # fmt: skip
     return {
         "orbits": len(found),
         "kinds": ", ".join(f"{n} {kind}" for kind, n in kinds.items()),
-        "proved": sum(each.verdict == PROVED for each in found),
+        "proved": sum(n for (_, n), proved in zip(chosen, proofs, strict=True) if proved),
     }

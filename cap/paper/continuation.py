@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 from cap.floats.findings import Floats
 from cap.floats.one_one import pair_curve, symmetric_member
 from cap.paper.figure import Found, Run, percent
-from cap.paper.formulas import saddle_center
 from cap.paper.nine_points import POINTS, members, papers_kind
 from cap.parameters import PAPER
 
@@ -92,6 +91,11 @@ def data(run: Run) -> Sampled:
     return Sampled(_map(run), points, {key: papers_kind(*key) for key in POINTS})
 
 
+def saddle_center(R: float) -> float:
+    """Return the paper's f_sc(R), at F = ω = 1."""
+    return 4 * (2 + R - math.pi) / math.pi**2
+
+
 def curve(_run: Run) -> Found:
     """Say which of the nine points are above the paper's curve f_sc(R)."""
     above = [key for key in POINTS if float(key[0]) > saddle_center(float(key[1]))]
@@ -103,11 +107,6 @@ def curve(_run: Run) -> Found:
         "at_3": saddle_center(3),
         "predicted": len(predicted),
     }
-
-
-def steps(_run: Run) -> Found:
-    """Return the steps of the paper's grid."""
-    return {"f": (BOX[1] - BOX[0]) / (SIDE - 1), "R": (BOX[3] - BOX[2]) / (SIDE - 1)}
 
 
 def region(run: Run, name: str) -> Found:

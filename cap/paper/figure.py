@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from functools import cache, partial
 from importlib import import_module
 from multiprocessing import parent_process
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,6 +24,7 @@ from cap.words import meant
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
+T = TypeVar("T")
 Found = Mapping[str, Any]  # what is found, by the names that the rows of a table ask for
 
 
@@ -42,6 +43,13 @@ class Run:
     def size(self, full: int, quick: int) -> int:
         """Return how many of something there are to be."""
         return quick if self.quick else full
+
+
+class Refined(NamedTuple, Generic[T]):
+    """What the paper computed, and the same with more states and periods."""
+
+    paper: T
+    better: T
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,6 +14,7 @@ from cap.floats.diagnostics.continuation import continuation
 from cap.floats.search.cycles import Cycle, StroboscopicMap
 from cap.floats.search.orbits import search
 from cap.paper.figure import Found, Run
+from cap.paper.mirror import of_pairs
 from cap.paper.nine_points import at_the_paper
 from cap.parameters import Parameters, at
 
@@ -171,7 +172,7 @@ def orbits_at_1() -> str:
 
 def flips(run: Run) -> Found:
     """Look for period doublings: flip saddles, and where the sinks found become such."""
-    every = [(F, c) for F, found in _everywhere(run).items() for c in found]
+    every = [(F, c) for F, found in _everywhere(run).items() for c, _ in of_pairs(at(F=F), found)]
     saddles = dict.fromkeys(F for F, c in every if c.kind(conserves=True) == "flip saddle")
     sinks = [(F, c) for F, c in every if "sink" in c.kind(conserves=True)]
     where = ", ".join(f"{value:.6f}" for value in doublings(sinks, run))

@@ -73,7 +73,7 @@ def curve(run: Run, letter: str) -> Found:
     """Measure how far the iterates of a panel stray from a curve."""
     seen, k = _regular(run), list(SHIFTS).index(letter)
     off = thickness(seen.states[k] - np.array(elliptic()))
-    never = not (seen.turned | seen.stuck | seen.captured)[k]
+    never = not seen.stopped[k]
     turns = "never turns" if never else "turns"
     return {"turns": turns, "off": off, "closed": never and off < 1e-3}
 
@@ -94,7 +94,7 @@ def chaotic(run: Run) -> Found:
     found, periods = _escape(run), run.size(5000, 500)
     near = found.states[0] + NOISE * np.random.default_rng(0).standard_normal((RUNS, 2))
     seen = swarm.follow(PAPER, near, periods)
-    lost = int((seen.turned | seen.stuck | seen.captured).sum())
+    lost = int(seen.stopped.sum())
     return {
         "periods": found.periods,
         "then": f", {found.word} at t = {found.after:.4f} T" if found.word else "",

@@ -109,7 +109,7 @@ def everybody(run: Run) -> Found:
     p = at(F=LOW)
     cells = grid(p, whole(p), run.size(200, 40))
     seen = swarm.follow(p, cells.states(slice(0, cells.count)), 20)
-    return {"lost": (seen.turned | seen.stuck | seen.captured).sum(), "count": cells.count}
+    return {"lost": seen.stopped.sum(), "count": cells.count}
 
 
 def resonances(_run: Run) -> Found:

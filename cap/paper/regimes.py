@@ -13,8 +13,7 @@ from cap.floats.findings import State
 from cap.floats.search import cycles
 from cap.floats.search.cycles import Cycle
 from cap.floats.search.orbits import search
-from cap.paper import events
-from cap.paper.coexistence import mirrored
+from cap.paper import events, mirror
 from cap.paper.figure import Found, Run, percent
 from cap.paper.rows import Row, Rows
 from cap.parameters import at
@@ -83,20 +82,20 @@ def low(_run: Run) -> Rows:
 
 def together(run: Run) -> Found:
     """Compare the three orbits at moderate F."""
-    hits = [(each["right"], each["left"]) for each in (periodic(run, F) for F in LOW)]
-    rates = [_near(F).determinant ** 0.5 for F in LOW]
+    found = {F: periodic(run, F) for F in LOW}
+    hits = [(own["right"], own["left"]) for own in found.values()]
+    symmetric = [
+        F for F, own in found.items() if mirror.defect(at(F=F), (own["x"], own["v"])) < 1e-6
+    ]
+    determinants = [own["determinant"] for own in found.values()]
+    rates = np.sqrt(determinants)
     return {
         "ratios": ", ".join(f"{a // gcd(a, b)}:{b // gcd(a, b)}" for a, b in hits),
-        "rate": float(np.mean(rates)),
+        "rate": float(rates.mean()),
         "rates": ", ".join(f"{rate:.3f}" for rate in rates),
-        "determinant": float(np.mean([rate * rate for rate in rates])),
-        "symmetric": ", ".join(F for F in LOW if _is_symmetric(F)),
+        "determinant": float(np.mean(determinants)),
+        "symmetric": ", ".join(symmetric),
     }
-
-
-def _is_symmetric(F: str) -> bool:
-    state = _near(F).x, _near(F).v
-    return bool(np.abs(np.subtract(mirrored(at(F=F), state), state)).max() < 1e-6)
 
 
 def fastest(_run: Run) -> Found:

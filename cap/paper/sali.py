@@ -1,6 +1,5 @@
 """fig:sali: the smaller alignment index around the elliptic orbit."""
 
-from dataclasses import dataclass
 from functools import cache
 from typing import NamedTuple
 
@@ -11,10 +10,9 @@ from cap.floats.diagnostics import alignment
 from cap.floats.diagnostics.alignment import CHAOTIC, REGULAR, THRESHOLD, TURNED, Alignment
 from cap.floats.diagnostics.grid import Box, around, grid
 from cap.floats.engine import swarm
-from cap.floats.engine.swarm import Swarm
 from cap.floats.findings import Floats
 from cap.floats.search import periodic
-from cap.paper.figure import Found, Run, differences, elliptic, percent
+from cap.paper.figure import Found, Refined, Run, differences, elliptic, percent
 from cap.parameters import PAPER
 
 REACH = 0.07, 0.05
@@ -25,23 +23,6 @@ ALIGNED = 1e-8  # SALI of chaotic orbits after many periods
 SADDLE = 0.3435, 0.7753  # a state nearby
 SEEDS = 20  # of the random deviations
 LEAST = 1e-17  # SALI that is told from 0
-
-
-class Counts(NamedTuple):
-    """How many cells are of which kind, and the least and largest log10 of SALI."""
-
-    regular: int
-    chaotic: int
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
-class Maps:
-    """The paper's map, by its own procedure, and one with more states and periods."""
-
-    paper: Alignment
-    better: Alignment
 
 
 class Derivatives(NamedTuple):
@@ -65,28 +46,21 @@ def coarse(periods: int) -> Alignment:
 
 @cache
 def _better(run: Run) -> Alignment:
-    """Compute one with more states and periods."""
     side, periods = run.size(300, 40), run.size(200, 30)
     return alignment.sali(
         PAPER, orbit=elliptic(), box=box(), points=side, periods=periods, runner=run.runner
     )
 
 
-def data(run: Run) -> Maps:
+def data(run: Run) -> Refined[Alignment]:
     """Compute both maps."""
-    return Maps(coarse(PERIODS), _better(run))
+    return Refined(coarse(PERIODS), _better(run))
 
 
 def frames(angle: Floats) -> Floats:
     """Return orthonormal deviations (N, 2, 2), one in each row."""
     cos, sin = np.cos(angle), np.sin(angle)
     return np.stack([np.stack([cos, sin], -1), np.stack([-sin, cos], -1)], axis=1)
-
-
-def _derivatives(found: Swarm) -> Floats:
-    if found.monodromy is None:  # it was asked for
-        raise TypeError
-    return found.monodromy
 
 
 @cache
@@ -96,24 +70,26 @@ def _on_the_grid() -> Derivatives:
     states = cells.states(slice(0, cells.count))
     found = swarm.follow(PAPER, states, PERIODS, every=True, derivative=True)
     rough = np.stack([differences(found.states[:, k]) for k in range(PERIODS)], axis=1)
-    return Derivatives(rough, _derivatives(found), found.turned | found.stuck | found.captured)
-
-
-def _counts(seed: int) -> Counts:
-    """Repeat the paper's procedure with other random deviations."""
-    rough, _, turned = _on_the_grid()
-    angle = np.random.default_rng(seed).uniform(0, 2 * np.pi, len(rough))
-    units, _ = swarm.stretch(rough, frames(angle))
-    index = alignment.smaller(units[:, :, 0], units[:, :, 1])[:, -1]
-    log = np.log10(np.maximum(index[~turned], LEAST))
-    regular = int((log > THRESHOLD).sum())
-    return Counts(regular, len(log) - regular, float(log.min()), float(log.max()))
+    return Derivatives(rough, found.derivatives, found.stopped)
 
 
 def as_the_paper(_run: Run) -> Found:
-    """Count regular and chaotic cells, and find the ends of SALI, in several runs."""
-    runs = [_counts(seed) for seed in range(SEEDS)]
-    return {name: [getattr(run, name) for run in runs] for name in Counts._fields}
+    """Count regular and chaotic cells, and find the ends of log10 SALI, in several runs.
+
+    In each the paper's procedure is repeated with other random deviations.
+    """
+    rough, _, turned = _on_the_grid()
+    found: dict[str, list[float]] = {"regular": [], "chaotic": [], "low": [], "high": []}
+    for seed in range(SEEDS):
+        angle = np.random.default_rng(seed).uniform(0, 2 * np.pi, len(rough))
+        units, _ = swarm.stretch(rough, frames(angle))
+        index = alignment.smaller(units[:, :, 0], units[:, :, 1])[:, -1]
+        log = np.log10(np.maximum(index[~turned], LEAST))
+        regular = int((log > THRESHOLD).sum())
+        numbers = regular, len(log) - regular, float(log.min()), float(log.max())
+        for values, number in zip(found.values(), numbers, strict=True):
+            values.append(number)
+    return found
 
 
 def turned(_run: Run) -> Found:
@@ -148,7 +124,7 @@ def differences_taken(_run: Run) -> Found:
 
 def revolutions(_run: Run) -> Found:
     """Return how often a regular orbit goes around P_*."""
-    matrix = _derivatives(swarm.follow(PAPER, [elliptic()], 1, derivative=True))[0]
+    matrix = swarm.follow(PAPER, [elliptic()], 1, derivative=True).derivatives[0]
     return {"number": float(PERIODS * np.arccos(np.trace(matrix) / 2) / (2 * np.pi))}
 
 
@@ -168,9 +144,9 @@ def power(run: Run) -> Found:
     distance = np.linspace(0.02, 0.04, 24)
     starts = np.stack([x + distance, np.full_like(distance, v)], axis=-1)
     found = swarm.follow(PAPER, starts, periods, every=True, derivative=True)
-    units, _ = swarm.stretch(_derivatives(found), frames(np.zeros(len(starts))))
+    units, _ = swarm.stretch(found.derivatives, frames(np.zeros(len(starts))))
     curves = alignment.smaller(units[:, :, 0], units[:, :, 1])
-    regular = ~(found.turned | found.stuck | found.captured) & (curves[:, -1] > 1e-11)
+    regular = ~found.stopped & (curves[:, -1] > 1e-11)
     late = slice(periods // 10, None)
     n = np.log(np.arange(1, periods + 1)[late])
     slopes = [np.polyfit(n, np.log(curve[late]), 1)[0] for curve in curves[regular]]

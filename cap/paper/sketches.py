@@ -16,22 +16,6 @@ from cap.floats.search import periodic
 from cap.paper.figure import Found, Run, elliptic, percent
 from cap.parameters import PAPER
 
-MASSES = 1.0, 0.9
-
-
-# the model
-
-
-def model(_run: Run) -> Found:
-    """Find the few numbers of the model."""
-    return {
-        "gap": float(PAPER.R),
-        "period": 2 * math.pi / float(PAPER.omega),
-        "F": PAPER.F,
-        "f": float(PAPER.f),
-    }
-
-
 # the cover
 
 
@@ -149,30 +133,3 @@ def ends(run: Run) -> Found:
     """Tell the attractors apart."""
     kinds = [f"{each.kind} ({each.share:.1%} of the seeds)" for each in _attractors(run)]
     return {"kinds": "; ".join(kinds), "number": len(kinds)}
-
-
-# many particles
-
-
-def collision(first: float, second: float) -> Floats:
-    """Return the matrix of eq:Ncollision."""
-    total = first + second
-    return np.array([[first - second, 2 * second], [2 * first, second - first]]) / total
-
-
-def particles(_run: Run) -> Found:
-    """Check the algebra of collisions: no orbit of several masses is followed for this figure."""
-    C, equal, one, m = collision(*MASSES), collision(1.0, 1.0), np.eye(2), np.diag(MASSES)
-    energy = np.abs(C.T @ m @ C - m).max()
-    exchange = np.array_equal(equal, [[0, 1], [1, 0]])
-    return {
-        "twice": np.abs(C @ C - one).max(),
-        "kept": max(np.abs(MASSES @ C - MASSES).max(), energy),
-        "equal": "exchange velocities" if exchange else str(equal.tolist()),
-        "entries": ", ".join(f"{entry:.4f}" for entry in C.ravel()),
-        "least": np.abs(C).min(),
-        "standard": np.abs(C.T @ C - one).max(),
-        "energy": energy,
-        "volume": np.linalg.det(C) ** 2,
-        "error": abs(np.linalg.det(C) ** 2 - 1),
-    }

@@ -28,43 +28,23 @@ class Panels:
 
     slow: Trajectory
     two: tuple[Trajectory, Trajectory]
-    distance: tuple[float, ...]
     captured: Chatter
 
 
 @cache
-def _slow() -> Trajectory:
-    return trajectory(at(F=WEAK), orbit=START, exactly=True, periods=END / (2 * math.pi))
-
-
-@cache
-def _two() -> tuple[Trajectory, Trajectory]:
-    first, second = (trajectory(at(F=STRONG), orbit=z, exactly=True, periods=4) for z in TWO)
-    return first, second
-
-
-@cache
-def _distance() -> tuple[float, ...]:
-    first, second = (orbit.strobe for orbit in _two())
-    return tuple(np.hypot(*(first - second).T).tolist())
-
-
-@cache
-def _captured() -> Chatter:
-    return chatter(PAPER, orbit=NEAR_WALL)
-
-
 def data(_run: Run) -> Panels:
-    """Follow the orbits of both panels."""
-    return Panels(_slow(), _two(), _distance(), _captured())
+    """Follow the orbits of all panels."""
+    slow = trajectory(at(F=WEAK), orbit=START, exactly=True, periods=END / (2 * math.pi))
+    first, second = (trajectory(at(F=STRONG), orbit=z, exactly=True, periods=4) for z in TWO)
+    return Panels(slow, (first, second), chatter(PAPER, orbit=NEAR_WALL))
 
 
-def happened(_run: Run) -> Found:
+def happened(run: Run) -> Found:
     """List the events of panel (a): the times of each kind, in order, and their numbers."""
-    times: dict[str, list[float]] = {}
-    for word, time in zip(map(str, _slow().words), _slow().times.tolist(), strict=True):
+    slow, times = data(run).slow, dict[str, list[float]]()
+    for word, time in zip(map(str, slow.words), slow.times.tolist(), strict=True):
         times.setdefault(word if word.startswith("hit") else word.split()[0], []).append(time)
-    return {"times": times, **events.counted(_slow().words)}
+    return {"times": times, **events.counted(slow.words)}
 
 
 def rests(_run: Run) -> Found:
@@ -74,37 +54,35 @@ def rests(_run: Run) -> Found:
     return {"last": last, "other": here, "drift": abs(last - before)}
 
 
-def neighbour(_run: Run, number: str) -> Found:
+def neighbour(run: Run, number: str) -> Found:
     """Count the events of an orbit of panel (b)."""
-    return events.counted(_two()[int(number) - 1].words)
+    return events.counted(data(run).two[int(number) - 1].words)
 
 
-def grazing(_run: Run) -> Found:
+def grazing(run: Run) -> Found:
     """Find the speeds at which the orbits of panel (b) hit the right wall."""
-    hits = [abs(v) for orbit in _two() for word, v in zip(orbit.words, orbit.before, strict=True)
-            if word == "hit r"]  # fmt: skip
-    return {"least": min(hits), "most": max(hits)}
+    speeds = np.abs([orbit.before[orbit.words == "hit r"] for orbit in data(run).two])
+    return {"least": speeds.min(), "most": speeds.max()}
 
 
-def separation(_run: Run) -> Found:
+def separation(run: Run) -> Found:
     """Follow the distance of the orbits of panel (b)."""
-    distance = _distance()
-    return {
-        "distances": ", ".join(f"{each:.4f}" for each in distance),
-        "first": distance[0],
-        "last": distance[-1],
-    }
+    first, second = (orbit.strobe for orbit in data(run).two)
+    distance = np.hypot(*(first - second).T).tolist()
+    shown = ", ".join(f"{each:.4f}" for each in distance)
+    return {"distances": shown, "first": distance[0], "last": distance[-1]}
 
 
-def gaps(_run: Run) -> Found:
+def gaps(run: Run) -> Found:
     """Find the shortest time between hits of the orbit that is captured."""
     F, f = float(PAPER.F), float(PAPER.f)
-    return {"shortest": np.diff(_captured().times).min(), "stated": 2 * (F - f) / (F + f)}
+    shortest = np.diff(data(run).captured.times).min()
+    return {"shortest": shortest, "stated": 2 * (F - f) / (F + f)}
 
 
-def capture(_run: Run) -> Found:
+def capture(run: Run) -> Found:
     """Prove that hits accumulate, and follow some."""
-    caught = _captured()
+    caught = data(run).captured
     return {
         "near": NEAR_WALL,
         "end": float(theorem("capture", NEAR_WALL)["accumulation_time"][1]),

@@ -14,7 +14,7 @@ from cap.areas.resting.pull import Pull, extremes, pull, sums, table
 from cap.areas.resting.sweep import DEEPEST, sweep
 from cap.floats.models.engine import Engine
 from cap.sets import doubles, interval
-from cap.sets.doubles import Interval, between
+from cap.sets.doubles import Interval, between, upper
 from cap.system.files import read
 
 BOX = (0.0, 2.0), (-2.0, 2.0)
@@ -106,6 +106,40 @@ def test_a_cell_rests_or_flies():
         here = between(y, y + 0.01), between(v - 0.3, v - 0.29)
         assert fate(p, grid, *here) == known
     assert fate(p, grid, between(0.5, 1.5), between(-1.0, 1.0)) <= 0
+
+
+def test_a_hit_where_the_table_falls_away():
+    """The pull is below zero there; the flight in floats comes to zero in the window."""
+    p = pulled(sin=-1.2)
+    hit = flights.first_hit(
+        p, table(p), fates._begun(between(1.926, 1.927), between(-1.56, -1.559))
+    )
+    assert hit.found == flights.HITS
+    assert upper(hit.pull) < 0
+
+    def h(s, y, v):
+        return y + v * s - s * s / 2 - 1.2 * (math.sin(s) - s)
+
+    for y in (1.926, 1.927):
+        assert h(hit.a, y, -1.56) > 0 > h(hit.b, y, -1.559)
+
+
+def test_points_beside_orbits_in_floats():
+    """Of a fast table: nearly all states that rest in floats are seen to rest, and no others."""
+    end = 16.0
+    p = pulled(sin=-1.2, end=end)
+    grid, random = table(p), seeded(33)
+    states = [(random.uniform(0.01, 4), random.uniform(-4, 4)) for _ in range(rounds(60))]
+    log = Engine(read("examples/ball.py", {"A": Fraction(6, 5)})).follow(
+        np.array(states), ["fly"] * len(states), periods=3, log=400 * len(states)
+    )
+    rested = {int(k) for k, t, which, *_ in log.log if which == 2 and t < end}
+    seen = set()
+    for k, (y, v) in enumerate(states):
+        known = fate(p, grid, between(y, y), between(v - 1.2, v - 1.2))
+        assert known != (FLIES if k in rested else RESTS)
+        seen |= {k} if known == RESTS else set()
+    assert len(seen) > 0.9 * len(rested) > 10
 
 
 def leaves(tree):

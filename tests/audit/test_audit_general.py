@@ -17,11 +17,14 @@ AUDIT = Path(papers.__file__).parents[1]
 GENERAL = sorted(
     path for path in AUDIT.rglob("*.py") if "papers" not in path.relative_to(AUDIT).parts
 )
+TEMPLATES = sorted((AUDIT / "report" / "templates").iterdir())
 SPECIAL = ("cap.paper.", "cap.parameters.", "cap.proofs.", "cap.audit.papers.")
 
 
 def modules(path):
     """Return the names of the modules that a file imports, anywhere in it."""
+    if path.suffix != ".py":
+        return
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
@@ -30,7 +33,7 @@ def modules(path):
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
 
 
-@pytest.mark.parametrize("path", GENERAL, ids=lambda path: str(path.relative_to(AUDIT)))
+@pytest.mark.parametrize("path", GENERAL + TEMPLATES, ids=lambda path: str(path.relative_to(AUDIT)))
 def test_no_paper(path):
     """No file imports or names a paper, its figures, its theorems, or a place in it."""
     allowed = {"cap.audit.papers.FIRST", "cap.audit.papers."}
@@ -93,4 +96,4 @@ def test_the_parameters_are_those_of_the_paper():
 def test_what_is_general():
     """Files that everything goes through are among those that are looked at."""
     found = {path.name for path in GENERAL}
-    assert {"command.py", "tables.py", "subject.py", "ledger.py", "markdown.py"} <= found
+    assert {"command.py", "tables.py", "subject.py", "ledger.py", "formats.py"} <= found

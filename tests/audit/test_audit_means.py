@@ -9,6 +9,7 @@ from cap.audit.means import stored
 from cap.audit.means.balls import above, below, between, compared, inner, pair, roots
 from cap.audit.means.need import noted
 from cap.audit.papers.mixed_dynamics.means import equation
+from cap.audit.papers.mixed_dynamics.means.melnikov import over_the_line
 from cap.audit.papers.mixed_dynamics.means.orbits import (
     before_a_hit,
     before_a_stop,
@@ -16,7 +17,6 @@ from cap.audit.papers.mixed_dynamics.means.orbits import (
     overlap,
     until,
 )
-from cap.audit.papers.mixed_dynamics.means.quadrature import over_the_line
 from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved

@@ -6,11 +6,8 @@ from cap.audit import command, coverage, findings, given, ledger, recorded, subj
 from cap.audit.decide import decided
 from cap.audit.papers import FIRST
 from cap.audit.papers.church_fortin.claims import tables as deciding
-from cap.audit.report.latex import latex
-from cap.audit.report.markdown import markdown
-from cap.audit.report.page import page
-from cap.audit.report.summary import bibtex, summary
-from cap.audit.report.view import report
+from cap.audit.report.formats import FORMATS, written
+from cap.audit.report.view import Report
 from cap.audit.verdict import Outcome
 from cap.errors import BadInput, NotProved
 
@@ -66,10 +63,11 @@ def test_recording_lists_no_figures(tables, elsewhere, capsys):
 
 def test_reports_of_the_tables(tables):
     """In every format, with their title."""
-    whole = report(recorded.recorded())
-    texts = [summary(whole), markdown(whole), page(whole), latex(whole), bibtex()]
+    whole = Report(recorded.recorded())
+    summary = written("summary.txt", whole)
+    texts = [summary, written("citation.bib"), *(written(each, whole) for each in FORMATS.values())]
     assert all("vibrating gravitational billiards" in each for each in texts)
-    assert "Five rows are no orbits" in summary(whole)
+    assert "Five rows are no orbits" in summary
 
 
 def test_a_claim_of_a_kind_that_is_not_there(tmp_path):

@@ -10,14 +10,10 @@ from audit_verdicts import said
 
 from cap.audit import ledger, recorded
 from cap.audit.claim import Claim, Kind
-from cap.audit.means import written
-from cap.audit.report.erratum import erratum
-from cap.audit.report.latex import latex
-from cap.audit.report.latex import written as in_latex
-from cap.audit.report.markdown import escaped, markdown
-from cap.audit.report.page import page
-from cap.audit.report.text import WIDTH, plain
-from cap.audit.report.view import report
+from cap.audit.means.written import anchor, sections
+from cap.audit.report import latex
+from cap.audit.report.formats import FORMATS, WIDTH, escaped, written
+from cap.audit.report.view import Report
 from cap.audit.statements import Statement
 from cap.audit.verdict import Outcome
 
@@ -28,7 +24,7 @@ NASTY = '<b> & "quotes" | `code` *stars* _under_ \\command{x} $5 #1 100% ~ ^ -- 
 @pytest.fixture(scope="module")
 def whole():
     """Return the report of the recorded verdicts."""
-    return report({name: recorded.recorded()[name] for name in ledger.claims()})
+    return Report({name: recorded.recorded()[name] for name in ledger.claims()})
 
 
 @pytest.fixture
@@ -38,7 +34,7 @@ def nasty():
     known = ledger.claims()
     known[one.id] = one
     try:
-        yield report({one.id: said("confirmed", NASTY, NASTY)})
+        yield Report({one.id: said("confirmed", NASTY, NASTY)})
     finally:
         del known[one.id]
 
@@ -46,9 +42,9 @@ def nasty():
 def test_the_stored_report_is_true_to_the_code(whole):
     """And so is the stored erratum: both are written of the recorded verdicts."""
     stored = (ROOT / "docs/audit.md").read_text(encoding="utf-8")
-    assert stored == markdown(whole)
+    assert stored == written(FORMATS["markdown"], whole)
     changes = (ROOT / "docs/erratum.md").read_text(encoding="utf-8")
-    assert changes == erratum(whole)
+    assert changes == written("erratum.md", whole)
 
 
 def test_summary(whole):
@@ -62,15 +58,21 @@ def test_summary(whole):
 @pytest.mark.slow
 def test_every_claim_is_in_every_format(whole):
     """With its id, and in text with what was found."""
-    unbroken = latex(whole).replace(r"\allowbreak{}", "")
-    texts = [plain(whole), markdown(whole), page(whole), unbroken]
+    unbroken = written(FORMATS["latex"], whole).replace(r"\allowbreak{}", "")
+    texts = [
+        written(FORMATS["text"], whole),
+        written(FORMATS["markdown"], whole),
+        written(FORMATS["html"], whole),
+        unbroken,
+    ]
     for name in ledger.claims():
         assert all(name in text for text in texts), name
 
 
 def test_text_is_not_wider_than_a_terminal(whole):
     """Words are wrapped, but for one that is longer than a line."""
-    assert all(len(line) <= WIDTH for line in plain(whole).splitlines() if " " in line.strip())
+    lines = written(FORMATS["text"], whole).splitlines()
+    assert all(len(line) <= WIDTH for line in lines if " " in line.strip())
 
 
 class Tags(HTMLParser):
@@ -96,7 +98,7 @@ class Tags(HTMLParser):
 def test_the_page_is_one_file(whole):
     """Tags are balanced, ids unique, links stay on the page, nothing is fetched."""
     tags = Tags()
-    text = page(whole)
+    text = written(FORMATS["html"], whole)
     tags.feed(text)
     assert tags.open == []
     assert len(set(tags.ids)) == len(tags.ids)
@@ -108,12 +110,14 @@ def test_the_page_is_one_file(whole):
 def test_words_stay_words(nasty):
     """Special signs of no format do anything."""
     tags = Tags()
-    tags.feed(page(nasty))
+    tags.feed(written(FORMATS["html"], nasty))
     assert "b" not in tags.open
-    assert "&lt;b&gt; &amp;" in page(nasty)
-    assert r"\<b\>" in markdown(nasty)
-    assert latex(nasty).count("{") == latex(nasty).count("}")
-    assert "<b>" in plain(nasty)
+    assert "&lt;b&gt; &amp;" in written(FORMATS["html"], nasty)
+    assert r"\<b\>" in written(FORMATS["markdown"], nasty)
+    assert written(FORMATS["latex"], nasty).count("{") == written(FORMATS["latex"], nasty).count(
+        "}"
+    )
+    assert "<b>" in written(FORMATS["text"], nasty)
 
 
 def test_markdown_is_escaped():
@@ -123,15 +127,15 @@ def test_markdown_is_escaped():
 
 def test_latex_needs_no_unicode(whole):
     """Only ASCII is left, no ligature is made of two hyphens; an unknown sign is an error."""
-    text = latex(whole)
+    text = written(FORMATS["latex"], whole)
     assert text.isascii()
     assert "--" not in text
-    assert in_latex("θ̃ ö ⁻¹ ₀ a_b") == (
+    assert latex.escaped("θ̃ ö ⁻¹ ₀ a_b") == (
         r"\ensuremath{\tilde{\ensuremath{\theta}}} \"{o} "
         r"\textsuperscript{$-$}\textsuperscript{1} \textsubscript{0} a\_b"
     )
     with pytest.raises(ValueError, match="no way to write"):
-        in_latex("∃")
+        latex.escaped("∃")
 
 
 def test_links_of_the_stored_report():
@@ -142,13 +146,13 @@ def test_links_of_the_stored_report():
     for link in links:
         path, _, section = link.partition("#")
         assert (ROOT / path).is_file(), link
-        assert not section or section in written.sections(Path(path).name), link
+        assert not section or section in sections(Path(path).name), link
 
 
 def test_links_within_the_stored_report():
     """The findings lead to their claims."""
     stored = (ROOT / "docs/audit.md").read_text(encoding="utf-8")
-    headings = {written.anchor(each) for each in re.findall(r"^### (.+)$", stored, re.MULTILINE)}
+    headings = {anchor(each) for each in re.findall(r"^### (.+)$", stored, re.MULTILINE)}
     targets = re.findall(r"\]\(#([^)]+)\)", stored)
     assert len(targets) > 300
     assert set(targets) <= headings
@@ -174,10 +178,10 @@ def test_what_becomes_of_a_statement(verdicts, status):
 
 def test_a_consequence_belongs_to_its_verdict(whole):
     """If the verdict is another, the report says so, and not what would follow from the old one."""
-    found = whole.findings()[0]
+    found = whole.findings[0]
     finding, entry = found.finding, found.core
     verdicts = {name: recorded.recorded()[name] for name in ledger.claims()}
     verdicts[entry.claim.id] = replace(entry.verdict, outcome=Outcome.OPEN)
-    text = markdown(report(verdicts))
+    text = written(FORMATS["markdown"], Report(verdicts))
     assert "its consequence has to be written anew" in text
     assert escaped(finding.says) not in text

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cap.audit import given, steps
+from cap.audit import given, steps, subject
 from cap.audit.decide import decided
 from cap.audit.filled import filled
 from cap.audit.means import stored
@@ -237,6 +237,49 @@ def test_other_data_decide_nothing(group, name, old, new):
     assert old in claims[name]["steps"]
     with pytest.raises(NotProved):
         steps.made(common, claims[name], {"steps": claims[name]["steps"].replace(old, new)})
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new"),
+    [
+        ("ansatz.bijection", "roots(1/2, 2)", "roots(3/10, 2)"),
+        ("ansatz.zeros-on-the-first-piece", "[1]", "[0]"),
+        ("birkhoff.roles-of-the-resonances", "kept(3, 1/4)", "kept(3, 1/5)"),
+        ("decomposition.example-of-non-invariance", '"0.001", 2', '"0.001", 4'),
+        ("enclosure.tightening-of-the-bounds", "0.1002798893", "0.1002798901"),
+        ("enclosure.angle-from-the-trace", "trace[0]", "trace[1]"),
+        ("gallery.orbit-at-three", "periodic-1", "periodic-4"),
+        ("gallery.turns-of-the-gallery", "around_turns(periodic-4", "around_turns(periodic-5"),
+        ("impulse.path-length", '"-900"', '"990"'),
+        ("introduction.lift-is-called-a-theorem", "thm:lift", "thm:wellposed"),
+        ("kam.pattern-of-the-gallery", '"0.11228", "0.54194"', '"-0.73", "2.08"'),
+        ("linearization.smooth-rotation-number", "928/1000", "926/1000"),
+        ("melnikov.sine-transform", '"sech^2 cos"', '"sech tanh sin"'),
+        (
+            "mirror.square-of-sigma",
+            "until([-half[0], -half[1]], pi)",
+            "until([half[0], half[1]], pi)",
+        ),
+        ("particles.invariant-form", "k.after[0]: k.before[0], ", ""),
+        ("persistence.speed-bound", "[0, 100]", "[0, 10]"),
+        ("roots.branch-exists", "roots(2/5, 2)", "roots(1/2, 2)"),
+        ("saltation.contraction-almost-everywhere", '"0.53"', '"0.9"'),
+        ("saltation.determinant-of-a-period", "focus.determinant", "focus.trace"),
+        ("smoothness.forcing-at-hits", "1, 3/5", "1, 2/5"),
+        ("wellposed.continuous-dependence", "before_a_hit(1/100)", "before_a_hit(-1/100)"),
+        ("wellposed.rests-last", "-2/5 + 1/100", "-2/5 - 1/100"),
+        ("wording.bibliography", "labels.references", "labels.cited"),
+    ],
+)
+def test_what_is_found_elsewhere_decides_nothing(name, old, new):
+    """Other states, parameters, certificates, numbers: the functions that are used find others."""
+    group, _, end = name.partition(".")
+    common, claims = data_of(group)
+    claim = claims[end]
+    used = [subject.means(each) for each in claim.get("uses", "").split()]
+    assert old in claim["steps"]
+    with pytest.raises(NotProved):
+        steps.made(common, claim | {"steps": claim["steps"].replace(old, new)}, used=used)
 
 
 def test_another_orbit_does_not_persist(monkeypatch):

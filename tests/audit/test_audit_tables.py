@@ -9,7 +9,7 @@ import pytest
 from cap.audit import coverage, ledger, subject, tables
 from cap.audit.decide import all_decided, decided
 from cap.audit.papers.mixed_dynamics.means.printed import printed
-from cap.audit.report.view import report
+from cap.audit.report.view import Report
 from cap.audit.verdict import Outcome, Strength
 from cap.errors import NotProved
 
@@ -215,6 +215,7 @@ ENTRIES = {
     "paper",
     "by",
     "module",
+    "steps",
     "with",
     "value",
     "ours",
@@ -232,11 +233,43 @@ def test_rows_have_known_entries(label):
     module = tables.tables()[label]["module"]
     for row in tables.tables()[label]["row"]:
         assert row.keys() <= ENTRIES | FLAGS, row["what"]
-        assert {"what", "paper", "by"} <= row.keys()
-        assert callable(getattr(import_module(row.get("module", module)), row["by"]))
+        assert {"what", "paper"} <= row.keys()
+        assert ("steps" in row) is not ("by" in row), row["what"]
+        if "by" in row:
+            assert callable(getattr(import_module(row.get("module", module)), row["by"]))
         assert ("value" in row) is not ("ours" in row), row["what"]
         assert "ours" in row or "holds" not in row
         assert all(row[flag] is True for flag in FLAGS & row.keys())
+
+
+@pytest.mark.parametrize(
+    ("row", "ours", "outcome"),
+    [
+        ({"steps": "x = 2/pi", "value": "x"}, "0.636620", Outcome.CONFIRMED),
+        ({"steps": "x = 3/pi", "value": "x"}, "0.954930", Outcome.CORRECTED),
+        (
+            {"steps": "x = 2/pi\nx > 0", "ours": "{x:2} (proved)", "holds": True},
+            "[0.63, 0.64]",
+            Outcome.CONFIRMED,
+        ),
+        (
+            {"steps": "x = 2/pi\nx != 0", "ours": "{x:1} (proved)", "why": "{paper.f:1}"},
+            "[0.6, 0.7]",
+            Outcome.REFUTED,
+        ),
+    ],
+)
+def test_rows_that_steps_decide(row, ours, outcome):
+    """A number is enclosed, words are filled; what they find is proved."""
+    found = tables.verdict(tables._by_steps({"what": "x", "paper": "0.637", **row}))
+    assert (found.found, found.outcome, found.strength) == (ours, outcome, Strength.PROVED)
+    assert found.evidence == ("0.4." if "why" in row else "")
+
+
+def test_a_row_with_a_step_that_fails():
+    """It is not decided."""
+    with pytest.raises(NotProved):
+        tables._by_steps({"what": "x", "paper": "1", "steps": "x = 1\nx > 2", "value": "x"})
 
 
 def test_a_small_table_is_decided_as_recorded(own_cache):
@@ -245,5 +278,5 @@ def test_a_small_table_is_decided_as_recorded(own_cache):
     tables._found.cache_clear()
     found = all_decided(rows, lambda _words: None, fresh=True)
     assert [each.outcome for each in found.values()] == [Outcome.CONFIRMED] * 3
-    (entry, *_) = report(found).entries
+    (entry, *_) = Report(found).by_id.values()
     assert "python -m cap.explore --paper fig:model-schematic" in entry.commands

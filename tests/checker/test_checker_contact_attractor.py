@@ -69,7 +69,8 @@ def test_entropy():
     assert "v becomes 43/20 cos(omega t) + pi" in line
     assert "the topological entropy of G on it lies in [0.8785" in line
     assert "one period 2 pi/omega lies in [0.8785" in line
-    assert "at the time 10.8137963675; G has at least 1, 3, 4, 10, 14, 30, " in line
+    assert "released in [4.8941673962, 10.8137963675] have at the time 10.8137963675; G has" in line
+    assert "at least 1, 3, 4, 10, 14, 30, " in line
     assert "orbits of all least periods, as it has one of the least period 3" in line
 
 

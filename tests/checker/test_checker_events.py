@@ -229,7 +229,7 @@ def test_a_stick_and_its_release():
     assert events[1].forcing.lower <= Fraction(-9, 10) <= events[1].forcing.upper
     assert flight.at_rest
     assert len(flight.minima) == 0  # the release is not among them
-    x = M.place(flight, M.full_turns(M.horizon))
+    x = M.place(flight, M.at(M.horizon))
     assert x.slope(0).lower <= 1 <= x.slope(0).upper
     assert x.slope(1).lower > 0
 

@@ -71,7 +71,7 @@ def test_the_slope_at_an_event(mu, s):
     """Over an interval of times, v and v' contain their values, and are not far off."""
     parameters = UNIT | {"mu": mu, "omega": "3/2", "F": "2"}
     M = mechanics(parameters, "1/3", F(s, 2))
-    arc = [q.centre for q in M.arc(M.launch())]
+    arc = [q.centre for q in M.launch().arc]
     low, high = F(1, 4), F(1, 2)
     with mp.workdps(40):
         flow, start = Flow(parameters), (mpf(0), mpf(1) / 3, mpf(s) / 2)

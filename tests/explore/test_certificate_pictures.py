@@ -14,6 +14,8 @@ from matplotlib.text import Text
 from cap.checker.theorems import NAMES
 from cap.explore import explorer
 from cap.explore.certificate import opened
+from cap.floats.diagnostics.manifold import manifolds
+from cap.parameters import PAPER
 from cap.pictures import theorems
 from cap.pictures.theorems import homoclinic, mixed
 
@@ -162,6 +164,20 @@ def test_homoclinic_orbits_are_those_of_the_checker():
         assert np.allclose(points[[0, -1]], saddle, atol=1e-6)
         q = [float(claim[z].lower) for z in ("x", "v")]
         assert np.hypot(*(points - q).T).min() < 1e-12
+
+
+@pytest.mark.slow
+def test_curves_near_the_saddle_are_those_of_floats():
+    """Both are proved; where one is left out, the curves of floats lie on what is drawn."""
+    theorem = homoclinic.Proof(opened("homoclinic"), lambda _step: None)
+    saddle = [float(theorem.claims[z].lower) for z in ("x", "v")]
+    floats = manifolds(PAPER, orbit=saddle, length=0.1, spacing=1e-4)
+    proved = homoclinic.near(theorem, PAPER)
+    assert len(proved) == 2
+    for points, curve in zip(proved, (floats.unstable, floats.stable), strict=True):
+        assert np.hypot(*(points[[0, -1]] - saddle).T).min() > 0.04
+        for point in points:
+            assert np.nanmin(np.hypot(*(curve - point).T)) < 1e-4
 
 
 def test_colours_of_basins_are_told_apart():

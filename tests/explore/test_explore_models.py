@@ -172,7 +172,7 @@ def test_states_that_rest_end_together():
     y, v = (z.ravel() for z in np.meshgrid(np.linspace(0, 4, 30), np.linspace(-4, 4, 30)))
     states = np.stack([y, v], axis=1)
     alike, told = resting(subject, states)
-    assert 50 < alike.sum() < 500
+    assert 400 < alike.sum() < 500  # 469 come to rest in floats
     assert f"{alike.sum()} states are seen to come to rest before t = 101" in told[0]
     each, once = (ends_of(subject, states, 60, known) for known in (None, alike))
     assert (each[0] == once[0]).all()

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 from conftest import STARTS
+from curve_crossing import Pair
 
 from cap.errors import NotProved
 from cap.flow.event import BALLS
 from cap.flow.windows import find_windows
 from cap.maps import fixed_point
 from cap.maps.cones import directions
-from cap.maps.curve_crossing import Pair
 from cap.maps.homoclinic import foreseen
 from cap.maps.parameterization import curve
 from cap.maps.stability import real_multipliers

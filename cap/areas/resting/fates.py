@@ -7,7 +7,13 @@ tau, the state at b and its derivative by the state (h, h') at T, u = tau - T, a
 
     dh'(b) = q dh + (q u - e) dh',     dh(b) = -e dh - e u dh' + (b - tau) dh'(b).
 
-If e r > P+ (b - tau)/2 there is no other hit until b, P+ the largest pull.
+I and J are large, what is subtracted is small: with d = s - tau, s the end of some window of tau,
+
+    I(b) - I(tau) = I(b) - I(s) + P d,
+    J(b) - J(tau) - I(tau) (b - tau) = J(b) - J(s) - I(s) (b - s) + P d (b - s + d/2),
+
+P between its bounds in that window.  If e r > P+ (b - tau)/2 there is no other hit until b, P+ the
+largest pull.
 
 *Mean values.*  The states at a time are in the box of all of them, and in c + D (x - x_c), where x
 are the states of the cell, c the image of its middle x_c, D a product of enclosures of derivatives.
@@ -41,10 +47,12 @@ ROOM = 1 + 2.0**-20  # what is asked for is more than what is needed: other arit
 @kernel
 def landed(p: Pull, hit: Hit, b: float) -> tuple[Interval, Interval]:
     """Return (h, h') at a time b after the hits, which comes before any other hit."""
-    at, t = sums(p, b), between(hit.a, hit.b)
-    left, e = b - t, p.e * hit.speed
-    fall = (at[1] - hit.second) - hit.first * left
-    return e * left - fall, e - (at[0] - hit.first)
+    s, away = hit.b, p.e * hit.speed
+    at, last = sums(p, b), sums(p, s)
+    d, left = s - between(hit.a, s), Interval(b, 0.0) - s
+    lost = (at[0] - last[0]) + hit.pull * d
+    fall = ((at[1] - last[1]) - last[0] * left) + hit.pull * (d * (left + 0.5 * d))
+    return away * (left + d) - fall, away - lost
 
 
 class Sides(NamedTuple):

@@ -10,7 +10,9 @@ then each flight hits the wall once in [a, b], and not before.
 *Between two times* x < y, L = y - x, let h'' = -P <= M, M >= 0.  Then h is at least its chord less
 M (t - x)(y - t)/2.  So with h(x) >= 0 and h(y) > 0 it is positive on (x, y] if
 
-    h(y) > M L^2/2,      or      min(h(x), h(y)) > M L^2/8.
+    h(y) > M L^2/2,      or      min(h(x), h(y)) > M L^2/8,
+
+or, whatever the pull, if h' < 0 on [x, y] and h(y) > 0.
 """
 
 import math
@@ -22,7 +24,7 @@ from cap.sets.doubles import GROWTH, Interval, between, lower, magnitude, upper,
 
 AWAY, HITS, LOST = 0, 1, 2
 PIECES, LONGEST = 24, 16  # of a step of the grid, looked at; steps of the grid in one piece
-MARGIN = 2.0**-36  # of the window of a hit, beyond its ends found in floats
+MARGINS = 2.0**-36, 2.0**-30, 2.0**-24  # tried, of windows beyond their ends found in floats
 ROOM = 1 + 2.0**-40  # more than a few roundings lose
 WIDEST = 8.0  # the longest window, in steps of the grid
 
@@ -54,13 +56,12 @@ class Cell(NamedTuple):
 
 
 class Hit(NamedTuple):
-    """The window [a, b] of the hits of a cell: I, J and P over it, and the speeds -h' there."""
+    """The window [a, b] of the hits of a cell: I and P over it, and the speeds -h' there."""
 
     found: int
     a: float
     b: float
     first: Interval
-    second: Interval
     pull: Interval
     speed: Interval
 
@@ -71,7 +72,7 @@ NOTHING = Interval(math.nan, math.nan)
 
 @kernel
 def _nothing(found: int) -> Hit:
-    return Hit(found, 0.0, 0.0, NOTHING, NOTHING, NOTHING, NOTHING)
+    return Hit(found, 0.0, 0.0, NOTHING, NOTHING, NOTHING)
 
 
 @kernel
@@ -179,25 +180,47 @@ def _nearer(p: Pull, cell: Cell, begin: Sums, least: float, seen: _Seen) -> _See
 
 
 @kernel
+def _flown(
+    p: Pull, cell: Cell, begin: Sums, during: Interval
+) -> tuple[Interval, Interval, Interval]:
+    """Return I, P and -h' during some time, without a hit."""
+    pulls = pull(p, during)
+    first = sums(p, during.mid)[0] + pulls * Interval(0.0, during.rad)
+    return first, pulls, (first - begin[0]) - between(cell.down, cell.up)
+
+
+@kernel
 def first_hit(p: Pull, grid: Table, cell: Cell) -> Hit:
     """Return the window of the first hits of a cell, or that it flies until the end (`AWAY`).
 
     `LOST`: nothing is known.
     """
     begin = sums(p, cell.s)
-    x, y, before = _until(p, grid, cell, begin)
-    if x >= p.late:
+    seen = _until(p, grid, cell, begin)
+    if seen.x >= p.late:
         return _nothing(AWAY)
-    a = max(x, _zero(p, cell, -1.0, y) - MARGIN)
+    for margin in MARGINS:
+        hit = _after(p, grid, cell, begin, seen, margin)
+        if hit.found != LOST:
+            return hit
+    return _nothing(LOST)
+
+
+@kernel
+def _after(p: Pull, grid: Table, cell: Cell, begin: Sums, seen: _Seen, margin: float) -> Hit:
+    """Return the same, from how long h > 0, by a window with a margin."""
+    x, y, before = seen
+    a = max(x, _zero(p, cell, -1.0, y) - margin)
     if not x <= a < y:  # NaN, too
         return _nothing(LOST)
     if a > x:
         after = _ends(cell, a, begin, sums(p, a))[0]
-        if not _stays(before, after, extremes(grid, x, a)[0], a - x):
+        falls = after > 0 and lower(_flown(p, cell, begin, between(x, a))[2]) > 0
+        if not (falls or _stays(before, after, extremes(grid, x, a)[0], a - x)):
             return _nothing(LOST)
     if a >= p.late:
         return _nothing(AWAY)
-    b = _zero(p, cell, 1.0, a + MARGIN) + MARGIN
+    b = _zero(p, cell, 1.0, a + margin) + margin
     if not a < b < a + WIDEST * grid.step:
         return _nothing(LOST)
     return _window(p, cell, begin, a, b)
@@ -207,13 +230,14 @@ def first_hit(p: Pull, grid: Table, cell: Cell) -> Hit:
 def among(p: Pull, cell: Cell, hit: Hit) -> Hit:
     """Return the window of the hits of some of the states of a cell, from that of all."""
     begin, t = sums(p, cell.s), _zero(p, cell, 1.0, 0.5 * (hit.a + hit.b))
-    a = max(hit.a, _zero(p, cell, -1.0, t) - MARGIN)
-    b = min(hit.b, t + MARGIN)
-    if not a < b:
-        return _nothing(LOST)
-    if a > hit.a and not _ends(cell, a, begin, sums(p, a))[0] > 0:
-        return _nothing(LOST)
-    return _window(p, cell, begin, a, b)
+    first = _zero(p, cell, -1.0, t)
+    for margin in MARGINS:
+        a, b = max(hit.a, first - margin), min(hit.b, t + margin)
+        if a < b and not (a > hit.a and not _ends(cell, a, begin, sums(p, a))[0] > 0):
+            found = _window(p, cell, begin, a, b)
+            if found.found == HITS:
+                return found
+    return _nothing(LOST)
 
 
 @kernel
@@ -221,12 +245,5 @@ def _window(p: Pull, cell: Cell, begin: Sums, a: float, b: float) -> Hit:
     """Return a window of hits, before which there are none; h < 0 at b is looked at."""
     if not _ends(cell, b, begin, sums(p, b))[1] < 0:
         return _nothing(LOST)
-    window = between(a, b)
-    pulls, middle = pull(p, window), sums(p, window.mid)
-    around = Interval(0.0, window.rad)
-    first = middle[0] + pulls * around
-    second = middle[1] + first * around
-    speed = (first - begin[0]) - between(cell.down, cell.up)
-    if not lower(speed) > 0:
-        return _nothing(LOST)
-    return Hit(HITS, a, b, first, second, pulls, speed)
+    found = _flown(p, cell, begin, between(a, b))
+    return Hit(HITS, a, b, *found) if lower(found[2]) > 0 else _nothing(LOST)

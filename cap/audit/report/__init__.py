@@ -1,1 +1,1 @@
-"""The report: the same findings as text, Markdown, a page, LaTeX, and data."""
+"""The report: what it shows, and templates of text, Markdown, a page, LaTeX; and data."""

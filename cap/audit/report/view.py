@@ -1,12 +1,14 @@
 """What a report shows, before it is written in any format."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from dataclasses import dataclass
 from functools import cached_property
 
-from cap.audit import labels, ledger, recorded, subject
+from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Claim
+from cap.audit.errata import Change
 from cap.audit.findings import Finding, members
+from cap.audit.labels import Place
 from cap.audit.statements import Statement, statements
 from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Verdict
@@ -54,13 +56,17 @@ class Entry:
     verdict: Verdict
 
     @property
+    def at(self) -> Place:
+        """The place from which the claim is taken."""
+        return labels.stored().place(self.claim.where)
+
+    @property
     def place(self) -> str:
         """The place in words, with its label."""
-        place = labels.stored().place(self.claim.where)
-        if place.kind == "abstract":
+        if self.at.kind == "abstract":
             return "Abstract"
-        label = f", {place.label}" if place.number.startswith("(") else f" ({place.label})"
-        return f"{place.name}{label}"
+        label = f", {self.at.label}" if self.at.number.startswith("(") else f" ({self.at.label})"
+        return f"{self.at.name}{label}"
 
     @property
     def where(self) -> str:
@@ -76,11 +82,6 @@ class Entry:
     def quote(self) -> str:
         """The words of the TeX file from which it is taken, on one line."""
         return " ".join(self.claim.quote.split())
-
-    @property
-    def section(self) -> str:
-        """The number of the section."""
-        return ledger.section_of(self.claim)
 
     @property
     def commands(self) -> list[str]:
@@ -114,7 +115,7 @@ class Found:
     """A finding with the entries of its claims, the core first."""
 
     finding: Finding
-    entries: tuple[Entry, ...]
+    entries: list[Entry]
 
     @property
     def core(self) -> Entry:
@@ -153,58 +154,63 @@ class Section:
 
 @dataclass(frozen=True)
 class Report:
-    """Claims with verdicts; ``whole``: all of them, with summaries."""
+    """Claims with verdicts, by their ids; of all claims, with summaries."""
 
-    entries: tuple[Entry, ...]
-    whole: bool
+    verdicts: dict[str, Verdict]
 
     @cached_property
     def by_id(self) -> dict[str, Entry]:
         """The entries by the ids of the claims."""
-        return {entry.claim.id: entry for entry in self.entries}
+        known = ledger.claims()
+        return {name: Entry(known[name], verdict) for name, verdict in self.verdicts.items()}
+
+    @property
+    def whole(self) -> bool:
+        """Whether these are all claims."""
+        return self.verdicts.keys() == ledger.claims().keys()
 
     @cached_property
-    def verdicts(self) -> dict[str, Verdict]:
-        """The verdicts by the ids of the claims."""
-        return {entry.claim.id: entry.verdict for entry in self.entries}
+    def tally(self) -> Counter[Outcome]:
+        """How many claims have each verdict."""
+        return Counter(each.outcome for each in self.verdicts.values())
 
+    @property
+    def outcomes(self) -> list[Outcome]:
+        """The verdicts that occur."""
+        return [each for each in Outcome if each in self.tally]
+
+    @cached_property
     def sections(self) -> list[Section]:
-        """Return the sections that have any entries."""
-        found = [
-            Section(number, title, [each for each in self.entries if each.section == number])
-            for number, title in ledger.sections().items()
-        ]
-        return [each for each in found if each.entries]
+        """The sections that have any entries."""
+        together = defaultdict[str, list[Entry]](list)
+        for each in self.by_id.values():
+            together[each.at.section].append(each)
+        titles = ledger.sections().items()
+        return [Section(k, title, together[k]) for k, title in titles if k in together]
 
     def counts(self) -> list[tuple[str, list[int]]]:
         """Return for each section, and for all, how many claims have each of `outcomes`."""
         rows = []
-        for each in self.sections():
+        for each in self.sections:
             tally = Counter(entry.verdict.outcome for entry in each.entries)
             name = each.heading.replace(". ", " ", 1)
-            rows.append((name, [tally[outcome] for outcome in self.outcomes()]))
-        total = [sum(column) for column in zip(*(row for _, row in rows), strict=True)]
-        return [*rows, ("All", total)]
+            rows.append((name, [tally[outcome] for outcome in self.outcomes]))
+        return [*rows, ("All", [self.tally[outcome] for outcome in self.outcomes])]
 
-    def outcomes(self) -> list[Outcome]:
-        """Return the verdicts that occur."""
-        found = {entry.verdict.outcome for entry in self.entries}
-        return [each for each in Outcome if each in found]
-
+    @cached_property
     def findings(self) -> list[Found]:
-        """Return the findings, with the entries of their claims."""
+        """The findings, with the entries of their claims."""
         return [
-            Found(each, tuple(self.by_id[name] for name in names))
+            Found(each, [self.by_id[name] for name in names])
             for each, names in members(self.verdicts).items()
         ]
 
+    @cached_property
     def statements(self) -> list[tuple[Statement, str]]:
-        """Return the statements of the paper with what became of them."""
+        """The statements of the paper with what became of them."""
         return [(each, each.status(self.verdicts)) for each in statements()]
 
-
-def report(verdicts: dict[str, Verdict]) -> Report:
-    """Return the report of some verdicts; of all, with summaries."""
-    known = ledger.claims()
-    entries = tuple(Entry(known[name], verdict) for name, verdict in verdicts.items())
-    return Report(entries, len(entries) == len(known))
+    def changes(self, section: Section) -> list[tuple[Change, Entry]]:
+        """Return the changes of the erratum in a section, each with the core of its claims."""
+        cores = [(each, self.by_id[each.claims[0]]) for each in errata.changes()]
+        return [(change, core) for change, core in cores if core in section.entries]

@@ -60,7 +60,7 @@ def capture(M: Lossy, before: Event | Hit | None, word: str, window: Ends) -> tu
     begin = M.number(window[0]) if before is None else before.moment.t.value
     last = begin + found.time
     need(last.upper <= window[1], "the hits may not accumulate within their window")
-    moment = M.moment(M.constant(Interval(begin.lo, last.hi, M.bits)))
+    moment = M.at(Interval(begin.lo, last.hi, M.bits))
     rest = Rest(M.constant(M.walls[side]), M.number(window[1]), M.period, (-side,))
     return Event(word, moment, span(M, window)), rest
 
@@ -95,7 +95,7 @@ class Near:
 
     def __init__(self, M: Lossy, side: int, window: Ends) -> None:
         self.M, self.side, self.model = M, side, M.laws.model
-        when = M.moment(M.constant(Interval.enclosing(*window, M.bits)))
+        when = M.at(Interval.enclosing(*window, M.bits))
         self.known = {name: q.value for name, q in M.parameters.items()}
         self.known |= {COS: when.cos.value, SIN: when.sin.value}
         self.standing = States(M.number(Fraction(0)), M.number(Fraction(0)))

@@ -15,7 +15,7 @@ level)/g'(t) narrows it; over the box, the mean value form does.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from cap.checker.flow.mechanics import Ends, Flight, Formula, Mechanics, Moment
@@ -38,7 +38,7 @@ class Hit(NamedTuple):
 
 def windowed(M: Mechanics, flight: Flight, window: Ends) -> tuple[Moment, Moment]:
     """Return the ends of a window, which must lie after the start of the flight and before T."""
-    first, last = (M.moment(M.constant(M.number(t))) for t in window)
+    first, last = (M.at(M.number(t)) for t in window)
     start = flight.start.t.value
     need(start.is_before(first.t.value), "a window begins before the event before it")
     need(last.t.value.is_before(M.horizon), "a window ends after T")
@@ -54,7 +54,7 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Hit, Fli
     before, after = ((M.place(flight, m).value - wall) * s for m in (first, last))
     need((-before).is_positive(), "the wall may be reached before a window begins")
     need(after.is_positive(), "the wall may not be reached when a window ends")
-    moment = M.moment(event_time(M, flight, window, Zero(*M.course(s), wall)))
+    moment = M.moment(event_time(M, flight.arc, window, Zero(*M.course(s), wall)))
     speed = M.speed(flight, moment)
     v = lift(lambda u, e: u * e * -s, speed, M.e)
     found = Hit(word, moment, moment.cos.value * M.F, speed, flight)
@@ -72,20 +72,30 @@ class Zero(NamedTuple):
     level: Interval
 
 
-def event_time(M: Mechanics, flight: Flight, window: Ends, zero: Zero) -> Centred:
+def event_time(M: Mechanics, arc: Sequence[Centred], window: Ends, zero: Zero) -> Centred:
     """Return the time of the zero whose existence in the window is proved."""
-    arc = M.arc(flight)
-    centre, box = [q.centre for q in arc], [q.box for q in arc]
-    coarse_box = [q.truncated(1) for q in box]
-    t0 = Interval.enclosing(*window, M.bits)
-    at_centre = implicit(M, centre, root(M, centre, t0, zero), zero)
-    while True:
-        coarse = implicit(M, coarse_box, t0, zero)
-        narrowed = tightened(coarse, at_centre, M.offsets).constant
-        if 10 * narrowed.width >= 9 * t0.width:
-            whole = implicit(M, box, narrowed, zero)
-            return Centred(at_centre, whole, M.offsets)
-        t0 = narrowed
+    whole = Interval.enclosing(*window, M.bits)
+    point, coarse = [q.centre.truncated(0) for q in arc], [q.box.truncated(1) for q in arc]
+
+    def newton(t: Interval) -> Interval:
+        mid = t.midpoint()
+        value = zero.value(point, instant(M, Jet(0, {point[0].origin: mid}))).constant - zero.level
+        return t.intersection(mid - value / slope(M, point, t, zero))
+
+    at_centre = implicit(M, [q.centre for q in arc], narrowed(newton, whole), zero)
+
+    def mean_value(t: Interval) -> Interval:
+        return tightened(implicit(M, coarse, t, zero), at_centre, M.offsets).constant
+
+    over_box = implicit(M, [q.box for q in arc], narrowed(mean_value, whole), zero)
+    return Centred(at_centre, over_box, M.offsets)
+
+
+def narrowed(step: Callable[[Interval], Interval], t: Interval) -> Interval:
+    """Return what is left of an enclosure after steps, each giving one in it, while they help."""
+    while 10 * (smaller := step(t)).width < 9 * t.width:
+        t = smaller
+    return smaller
 
 
 def instant(M: Mechanics, t: RealJet) -> Sequence[RealJet]:
@@ -97,18 +107,6 @@ def slope(M: Mechanics, arc: Sequence[RealJet], t: Interval, zero: Zero) -> Inte
     """Return an enclosure of the derivative over t."""
     point = [q.truncated(0) for q in arc]
     return zero.slope(point, instant(M, Jet(0, {arc[0].origin: t}))).constant
-
-
-def root(M: Mechanics, arc: Sequence[RealJet], t: Interval, zero: Zero) -> Interval:
-    """Return an enclosure of the event time of the orbit of m, which lies in t."""
-    point = [q.truncated(0) for q in arc]
-    while True:
-        mid = t.midpoint()
-        value = zero.value(point, instant(M, Jet(0, {arc[0].origin: mid}))).constant - zero.level
-        narrowed = t.intersection(mid - value / slope(M, point, t, zero))
-        if 2 * narrowed.width >= t.width:
-            return narrowed
-        t = narrowed
 
 
 def implicit(M: Mechanics, arc: Sequence[RealJet], t0: Interval, zero: Zero) -> RealJet:

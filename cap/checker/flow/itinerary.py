@@ -59,14 +59,14 @@ class Passage(NamedTuple):
         """The least speed, if all events are hits and mu = 0."""
         M = self.mechanics
         slowest = [M.least_speed(h.flight, h.moment) for h in self.hits]
-        return least([*slowest, M.least_speed(self.last, M.full_turns(M.horizon))])
+        return least([*slowest, M.least_speed(self.last, M.at(M.horizon))])
 
 
 def passage(M: Mechanics, events: list[Any], last: Flight) -> Passage:
     """Return the orbits after all their events; on return, the final states are between the walls,
     and of constant sign of v.
     """
-    end = M.full_turns(M.horizon)
+    end = M.at(M.horizon)
     moves = M.least_speed(last, end).is_positive()
     need(moves, "the velocity may vanish between the last event and T")
     x, speed = M.place(last, end), M.speed(last, end)

@@ -118,14 +118,11 @@ class Lossy(Mechanics):
             total = d * total + q
         return total
 
-    def arc(self, flight: Flight) -> tuple[Centred, ...]:
-        """Return what determines the state on a flight."""
-        return *super().arc(flight), *self.parameters.values()
-
     def flight(
         self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
     ) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
         given = {"x": x, "v": v, COS: start.cos, SIN: start.sin}
         rest_x, rest_v = (self.of(q, given) for q in self.laws.rests[s].values())
-        return Flight(s, rest_x, rest_v, start, at_rest, minima)
+        arc = (rest_x, rest_v, start.t, *self.parameters.values())
+        return Flight(s, arc, start, at_rest, minima)

@@ -6,7 +6,9 @@
 is said here of p holds for p = e^(mu t) s v(t), p' = e^(mu t) (s F cos wt - f).  Since f < F, p'
 has simple zeros, and p its local minima at those with s sin wt < 0: at the times (2 pi k - theta)/w
 for s = 1 and (2 pi k + pi - theta)/w for s = -1, where theta = arccos(f/F).  So s v > 0 on [a, b]
-if it is so at a, at b, and at those of these times that lie in (a, b).
+if it is so at a, at b, and at those of these times that lie in (a, b).  If mu = 0, the least speed
+on [a, b] is the least of those at a, at b, and at the times max(a, min(t, b)) for all these times
+t: such a time is one of a local minimum in [a, b], or it is a, or b.
 
 *A flight that begins with v = 0*, after a turn or a release: s F cos wt > f just after its
 beginning, for at a turn this holds, and a release is at one of these times.  So p increases from
@@ -22,6 +24,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from cap.checker.kernel.arctangent import arccos, pi
+from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
@@ -45,14 +48,14 @@ Minima = list[Moment]
 
 
 class Flight(NamedTuple):
-    """A flight of direction s, from the moment start, with x and v less their responses there.
+    """A flight of direction s from the moment start, at rest there or not.
 
-    Starts at rest, or not; ``minima`` are the later times of local minima of p.
+    ``arc`` determines x and v on it: both less their responses at the start, its time, and more
+    with losses; ``minima`` are times of local minima of p, with all those after the start.
     """
 
     s: int
-    x: Centred
-    v: Centred
+    arc: Sequence[Centred]
     start: Moment
     at_rest: bool
     minima: Minima
@@ -94,14 +97,9 @@ class Mechanics:
 
         The ratio is f/F.
         """
-        cos, half_turn = self.number(ratio), pi(self.bits)
-        sin, theta = self.number(1 - ratio**2).sqrt(), arccos(cos)
-
-        def minimum(k: int, s: int) -> Moment:
-            return self.instant((half_turn * k - theta) / self.omega, cos * s, sin * -s)
-
-        rising = [minimum(2 * k, 1) for k in range(1, periods + 1)]
-        return {1: rising, -1: [minimum(2 * k + 1, -1) for k in range(periods)]}
+        half_turn, theta = pi(self.bits), arccos(self.number(ratio))
+        times = [(half_turn * k - theta) / self.omega for k in range(1, 2 * periods + 1)]
+        return {s: [self.at(t) for t in times[n::2]] for s, n in ((-1, 0), (1, 1))}
 
     def number(self, q: Fraction) -> Interval:
         """Return an enclosure of a rational number."""
@@ -116,23 +114,19 @@ class Mechanics:
         jet = Jet(self.order, {(0,) * len(self.offsets): c})
         return self.centred(jet, jet)
 
-    def instant(self, t: Interval, cos: Interval, sin: Interval) -> Moment:
-        """Return a moment that is the same for all orbits."""
-        return Moment(self.constant(t), self.constant(cos), self.constant(sin))
-
     def moment(self, t: Centred) -> Moment:
         """Return the moment at the time t."""
         pairs = [cos_sin_jet(jet * self.omega) for jet in (t.centre, t.box)]
         return Moment(t, *(self.centred(*jets) for jets in zip(*pairs, strict=True)))
 
-    def full_turns(self, t: Interval) -> Moment:
-        """Return the moment of a time that is a multiple of the period."""
-        return self.instant(t, t.integer(1), t.integer(0))
+    def at(self, t: Interval) -> Moment:
+        """Return the moment of a time that is the same for all orbits."""
+        return Moment(*map(self.constant, (t, *cos_sin(t * self.omega))))
 
     def course(self, s: int) -> tuple[Formula, Formula]:
         """Return the formulas of x and v on the flights of a direction.
 
-        They take jets: what determines a flight (``arc``), and t, cos wt, sin wt.
+        They take jets: the ``arc`` of a flight, and t, cos wt, sin wt.
         """
 
         f = self.f * s
@@ -140,10 +134,6 @@ class Mechanics:
             lambda arc, at: place(arc[0], arc[1], at[0] - arc[2], f / 2, at[1] * self.sway),
             lambda arc, at: velocity(arc[1], at[0] - arc[2], f, at[2] * self.swing),
         )
-
-    def arc(self, flight: Flight) -> tuple[Centred, ...]:
-        """Return what determines the state on a flight."""
-        return flight.x, flight.v, flight.start.t
 
     # flights over the box
 
@@ -153,7 +143,7 @@ class Mechanics:
         """Return the flight of direction s that starts at a moment from (x, v)."""
         rest_x = lift(lambda x, cos: x + cos * self.sway, x, start.cos)
         rest_v = lift(lambda v, sin: v - sin * self.swing, v, start.sin)
-        return Flight(s, rest_x, rest_v, start, at_rest, minima)
+        return Flight(s, (rest_x, rest_v, start.t), start, at_rest, minima)
 
     def launch(self) -> Flight:
         """Return the first flight; the box must lie between the walls and away from v = 0."""
@@ -161,7 +151,7 @@ class Mechanics:
         need(self.is_between_walls(x.value), "the box is not certainly between the walls")
         need(not v.value.contains_zero(), "the velocity vanishes in the box")
         s = 1 if v.value.is_positive() else -1
-        return self.flight(s, self.full_turns(self.period.integer(0)), x, v, self.minima[s])
+        return self.flight(s, self.at(self.period.integer(0)), x, v, self.minima[s])
 
     def is_between_walls(self, x: Interval) -> bool:
         """Return whether x certainly lies strictly between the walls."""
@@ -169,7 +159,7 @@ class Mechanics:
 
     def value(self, flight: Flight, formula: Formula, at: Moment) -> Centred:
         """Return the value of a formula on a flight at a moment."""
-        return lift(lambda *q: formula(q[:-3], q[-3:]), *self.arc(flight), *at)
+        return lift(lambda *q: formula(q[:-3], q[-3:]), *flight.arc, *at)
 
     def place(self, flight: Flight, at: Moment) -> Centred:
         """Return the position on a flight at a moment."""
@@ -185,17 +175,13 @@ class Mechanics:
         If it is positive, s v > 0 from the start (if that is at rest: after it) to the end; if mu =
         0 and the start is not at rest, it is the least speed there.
         """
-        ends = [end] if flight.at_rest else [flight.start, end]
-        slowest = least([self.speed(flight, m).value for m in ends])
+        slow = [end] if flight.at_rest else [flight.start, end]
         a, b = flight.start.t.value, end.t.value
-        for minimum in flight.minima:
-            t = minimum.t.value
+        for t in (minimum.t.value for minimum in flight.minima):
             if not (t.is_before(a) or b.is_before(t)):
-                inner = self.speed(flight, minimum).value
-                attained = a.is_before(t) and t.is_before(b)  # or maybe not
-                high = min(slowest.hi, inner.hi) if attained else slowest.hi
-                slowest = Interval(min(slowest.lo, inner.lo), high, self.bits)
-        return slowest
+                lo, hi = (max(p, min(q, r)) for p, q, r in ((a.lo, t.lo, b.lo), (a.hi, t.hi, b.hi)))
+                slow.append(self.at(Interval(lo, hi, self.bits)))
+        return least([self.speed(flight, moment).value for moment in slow])
 
 
 def least(values: Sequence[Interval]) -> Interval:

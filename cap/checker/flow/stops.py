@@ -73,7 +73,7 @@ def stop(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Cent
     need((-M.speed(flight, last).value).is_positive(), "the velocity may not vanish in a window")
     falling = M.f - span(M, window) * s
     need(falling.is_positive(), "the velocity may vanish more than once in a window")
-    moment = M.moment(event_time(M, flight, window, rest_of(M, s)))
+    moment = M.moment(event_time(M, flight.arc, window, rest_of(M, s)))
     x = M.place(flight, moment)
     need(M.is_between_walls(x.value), "the mass may stop at or beyond a wall")
     return Event(word, moment, moment.cos.value * M.F), x
@@ -81,7 +81,7 @@ def stop(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Cent
 
 def span(M: Mechanics, window: Ends) -> Interval:
     """Return an enclosure of F cos wt over a window."""
-    return M.moment(M.constant(Interval.enclosing(*window, M.bits))).cos.value * M.F
+    return M.at(Interval.enclosing(*window, M.bits)).cos.value * M.F
 
 
 def turn(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Flight]:

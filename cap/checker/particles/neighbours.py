@@ -137,9 +137,8 @@ class Neighbours:
         """Prove that the next contact is this one, in its window; return the flight after it."""
         guard = self.guard(word, arc.signs)
         self.crossed(arc, guard, word, window)
-        M: Any = self  # all that is used: arc, bits, omega and offsets
-        flight: Any = arc
-        t = event_time(M, flight, window, guard)
+        M: Any = self  # all that is used: bits, omega and offsets
+        t = event_time(M, self.arc(arc), window, guard)
         need(arc.moment[0].value.is_before(t.value), "the contacts are not in order")
         now = [t, *(lift(lambda q, k=k: cos_sin_jet(q * self.omega)[k], t) for k in (0, 1))]
         x, v = self.at(arc, now)

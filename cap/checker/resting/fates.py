@@ -13,7 +13,14 @@ changes by
     dh' = e dr + P dtau = q (dh + u dh') - e dh',  q = (1 + e) P/r,
     dh = -e r dtau + (b - tau) dh'_b.
 
-There is none if e r > P (b - tau)/2, as then e r s - integral of P stays positive.
+I and J grow with time, and their differences are small.  If tau is in [a, s], d = s - tau, then
+
+    I(b) - I(tau) = I(b) - I(s) + p d,
+    J(b) - J(tau) - I(tau) (b - tau) = J(b) - J(s) - I(s) (b - s) + p' d (b - s + d/2),
+
+p and p' averages of P over [tau, s], that with the weight b - t >= 0: both between its bounds.
+
+There is no other hit if e r > P (b - tau)/2, as then e r s - integral of P stays positive.
 
 *Mean values.*  Let F map a state x of the cell at t_0 to that at b.  For the middle x_c, F(x) -
 F(x_c) = D (x - x_c), D an average of derivatives on the way, so in the product of enclosures of
@@ -38,7 +45,8 @@ from cap.checker.resting.pull import Pull
 RESTS, FLIES, UNKNOWN = "r", "f", "-"
 HITS, BOUNCES = 24, 6  # that are followed; that are bounded one by one
 UP = 1 + 2.0**-40  # more than a few roundings lose
-LONGER = 1.1, 1.15, 1.3, 1.36, 1.8, 1.9  # times tried, by one that would do under other bounds
+# Times tried, by one that would do under other bounds; more of them than where cells are found.
+LONGER = 1.05, 1.1, 1.15, 1.2, 1.25, 1.3, 1.33, 1.36, 1.4, 1.5, 1.8, 1.9
 
 
 class Fates(NamedTuple):
@@ -106,10 +114,12 @@ class Fates(NamedTuple):
 
     def landed(self, hit: Window, b: float) -> tuple[Double, Double]:
         """Return the state at a time b after a hit, if there is no other one until then."""
-        at, left = self.pull.sums(b), -(between(hit.a, hit.b) - b)
+        at, last = self.pull.sums(b), self.pull.sums(hit.b)
+        left, d = Double(b) - hit.b, -(between(hit.a, hit.b) - hit.b)
         away = self.e * hit.speed
-        fall = (at[1] - hit.second) - hit.first * left
-        return away * left - fall, away - (at[0] - hit.first)
+        lost = (at[0] - last[0]) + hit.pull * d
+        fall = ((at[1] - last[1]) - last[0] * left) + hit.pull * d * (left + d * 0.5)
+        return away * (left + d) - fall, away - lost
 
     def rests(self, hit: Window) -> bool:
         """Return whether after these hits infinitely many accumulate before the end."""

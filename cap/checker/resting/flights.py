@@ -12,6 +12,8 @@ less M (s - x)(y - s)/2.  If h(x) >= 0 and h(y) > 0, with chord >= h(y) (s - x)/
 
     h > 0 on (x, y]     where   h(y) > M L^2/2,   or   min(h(x), h(y)) > M L^2/8.
 
+Whatever P is, h > 0 on [x, y] where h' < 0 on [x, y] and h(y) > 0: h decreases.
+
 *A window* [a, b] of hits: for all flights h > 0 on (T, a], h < 0 at b, h' < 0 on [a, b].  So each
 hits once in [a, b], and not before.  Where a window may be is found in doubles that only steer.
 """
@@ -26,7 +28,7 @@ from cap.checker.resting.pull import Pull, Sums
 Matrix = tuple[Double, Double, Double, Double]  # (h, h'), (h, h'): by rows
 DEPTH = 10  # halvings of a step of the grid
 NEWTON = 12  # steps of Newton's method
-ASIDE = 2.0**-36  # of the ends of a window from the zeros found
+ASIDE = 2.0**-36, 2.0**-30, 2.0**-24  # tried, of the ends of a window from the zeros found
 LONG = 8  # steps of the grid, the longest window
 
 
@@ -43,17 +45,16 @@ class Cell(NamedTuple):
 
 
 class Window(NamedTuple):
-    """The window [a, b] of hits; I, J and P during it; the speeds -h' at the hits."""
+    """The window [a, b] of hits; I and P during it; the speeds -h' at the hits."""
 
     a: float
     b: float
     first: Double
-    second: Double
     pull: Double
     speed: Double
 
 
-EMPTY = Window(0.0, 0.0, *(Double(0.0),) * 4)  # no window
+EMPTY = Window(0.0, 0.0, *(Double(0.0),) * 3)  # no window
 
 
 class Flights:
@@ -132,23 +133,36 @@ class Flights:
         x, y = found
         if x >= late:
             return None
-        a = max(x, self.zero(-1, y) - ASIDE)
-        if not a < y:
+        tried = (self.after(x, y, late, aside) for aside in ASIDE)
+        return next((hit for hit in tried if hit is None or hit.a < hit.b), EMPTY)
+
+    def after(self, x: float, y: float, late: float, aside: float) -> Window | None:
+        """Return the same if h > 0 on (T, x], by a window that reaches beyond the zeros found."""
+        a = max(x, self.zero(-1, y) - aside)
+        if not a < y or (a > x and not self.flies(x, a)):
             return EMPTY
-        if a > x:
-            low = self.height(x, self.pull.sums(x))[0] if x > self.cell.T else 0.0
-            if not self._stays(x, low, a, self.height(a, self.pull.sums(a))[0]):
-                return EMPTY
         if a >= late:
             return None
-        b = self.zero(1, a) + ASIDE
+        b = self.zero(1, a) + aside
         return self.hits(a, b) if a < b < a + LONG * self.pull.step else EMPTY
+
+    def flies(self, x: float, y: float) -> bool:
+        """Return whether h > 0 on (x, y], if it is so on (T, x]."""
+        low = self.height(x, self.pull.sums(x))[0] if x > self.cell.T else 0.0
+        after = self.height(y, self.pull.sums(y))[0]
+        return self._stays(x, low, y, after) or (after > 0 and self.during(x, y).speed.lower > 0)
 
     def among(self, all_of: Window) -> Window:
         """Return the window of the hits of these flights, which are some of those of a window."""
         t = self.zero(1, 0.5 * (all_of.a + all_of.b))
-        a, b = max(all_of.a, self.zero(-1, t) - ASIDE), min(all_of.b, t + ASIDE)
-        if not a < b or (a > all_of.a and not self.height(a, self.pull.sums(a))[0] > 0):
+        first = self.zero(-1, t)
+        ends = ((max(all_of.a, first - q), min(all_of.b, t + q)) for q in ASIDE)
+        tried = (self._from(all_of.a, a, b) for a, b in ends)
+        return next((hit for hit in tried if hit.a < hit.b), EMPTY)
+
+    def _from(self, before: float, a: float, b: float) -> Window:
+        """Return the hits of a window in a larger one, which begins ``before``."""
+        if not a < b or (a > before and not self.height(a, self.pull.sums(a))[0] > 0):
             return EMPTY
         return self.hits(a, b)
 
@@ -156,13 +170,15 @@ class Flights:
         """Return a window before which there are no hits, if h < 0 at b and h' < 0."""
         if not self.height(b, self.pull.sums(b))[1] < 0:
             return EMPTY
+        found = self.during(a, b)
+        return found if found.speed.lower > 0 else EMPTY
+
+    def during(self, a: float, b: float) -> Window:
+        """Return I, P and the speeds -h' during some time, without a hit."""
         pull, time = self.pull.during(a, b), between(a, b)
-        first, second = self.pull.sums(time.mid)
-        around = Double(0.0, time.rad)
-        first = first + pull * around
-        second = second + first * around
+        first = self.pull.sums(time.mid)[0] + pull * Double(0.0, time.rad)
         speed = (first - self.begin[0]) - between(self.cell.down, self.cell.up)
-        return Window(a, b, first, second, pull, speed) if speed.lower > 0 else EMPTY
+        return Window(a, b, first, pull, speed)
 
     def zero(self, side: int, near: float) -> float:
         """Return about when the first (side -1) or the last (1) of the flights hits; a guess."""

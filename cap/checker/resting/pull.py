@@ -45,10 +45,16 @@ class Pull:
         self._known: dict[int, Sums] = {}
 
     def during(self, a: float, b: float) -> Double:
-        """Return an enclosure of P in a short time: with P and P' at its middle,
+        """Return an enclosure of P in some time, halved if it is long: with P, P' at its middle,
 
         P(x) - P = P' sin(w x)/w - (P - m)(1 - cos(w x)), and |P(x) - m| <= sqrt(c^2 + d^2).
         """
+        if b - a > self.step:
+            middle = 0.5 * (a + b)
+            halves = self.during(a, middle), self.during(middle, b)
+            ends = [q for half in halves for q in (half.lower, half.upper)]
+            finite = all(map(math.isfinite, ends))  # not a number: nothing is known
+            return between(min(ends), max(ends)) if finite else Double(0.0, math.inf)
         m, c, d, w = self.wave
         time = between(a, b)
         cos, sin = cos_sin(w * time.mid)

@@ -279,11 +279,11 @@ _ENTROPY = (
     "the topological entropy of G on it lies in {entropy}: {cells} cells cover each other with a "
     "matrix of a spectral radius of at least {s}, and their laps meet each other with one of at "
     "most {S}; where the states before and after a contact count as one, the entropy of the map "
-    "over one period 2 pi/omega lies in {entropy_per_period}, on the set of the states of these "
-    "motions at the {at}; "
-    "G has at least {counts} orbits of the least periods 1, .., {longest}, and (Sharkovsky) orbits "
-    "of all least periods{more}, as it has one of the least period {m}; the motions released at "
-    "the times of an orbit of the least period m repeat after m x {periods} x 2 pi/omega"
+    "over one period 2 pi/omega lies in {entropy_per_period}, on the set of the states that "
+    "motions released in {interval} have at the {at}; G has at least {counts} orbits of the least "
+    "periods 1, .., {longest}, and (Sharkovsky) orbits of all least periods{more}, "
+    "as it has one of the least period {m}; the motions released at the times of an "
+    "orbit of the least period m repeat after m x {periods} x 2 pi/omega"
 )
 _ORDER = "3, 5, 7, .., 2 x 3, 2 x 5, .., 4 x 3, .., 8, 4, 2, 1"
 

@@ -164,12 +164,10 @@ def _indices(
     early = stops(p, states, periods // 4)  # most of those that stop do so soon
     found = swarm.follow(p, states[early.never], periods, every=True, derivative=True)
     cos, sin = math.cos(angle), math.sin(angle)
-    if found.monodromy is None:  # it was asked for
-        raise TypeError
-    units, _ = swarm.stretch(found.monodromy, [[cos, sin], [-sin, cos]])
+    units, _ = swarm.stretch(found.derivatives, [[cos, sin], [-sin, cos]])
     measure = smaller if name == "sali" else area
     own = measure(units[:, :, 0], units[:, :, 1])
-    own[found.turned | found.stuck | found.captured | found.lost] = np.nan
+    own[found.stopped | found.lost] = np.nan
     index, lost = np.full((len(states), periods), np.nan), early.lost.copy()
     index[early.never], lost[early.never] = own, found.lost
     return index, lost

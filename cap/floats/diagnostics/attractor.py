@@ -139,16 +139,14 @@ def settle(p: Parameters, seeds: Floats, transient: int, periods: int) -> Ends:
     """Follow seeds (N, 2) through a transient, and then for some periods."""
     late = swarm.follow(p, seeds, transient).states
     found = swarm.follow(p, late, periods, every=True, derivative=True)
-    if found.monodromy is None:  # it was asked for
-        raise TypeError
-    _, growth = swarm.stretch(found.monodromy, [[0.6, 0.8]])
+    _, growth = swarm.stretch(found.derivatives, [[0.6, 0.8]])
     unit = np.array([float(p.R), float(p.R * p.omega)])
     return Ends(
         found.states,
         found.counts / periods,
         _exponents(growth[..., 0]) / (2 * math.pi / float(p.omega)),
         _least_period(found.states / unit),
-        found.turned | found.stuck | found.captured,
+        found.stopped,
     )
 
 

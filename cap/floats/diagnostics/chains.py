@@ -53,10 +53,8 @@ def _elliptic(
     if not len(states):
         return []
     whole = swarm.follow(p, states, q, derivative=True)
-    if whole.monodromy is None:  # it was asked for
-        raise TypeError
-    trace = np.trace(whole.monodromy, axis1=1, axis2=2)
-    keeps = (np.abs(trace) < 2) & ~(whole.turned | whole.stuck | whole.captured)
+    trace = np.trace(whole.derivatives, axis1=1, axis2=2)
+    keeps = (np.abs(trace) < 2) & ~whole.stopped
     orbits = swarm.follow(p, states[keeps], q, every=True).states
     guess, inverse = turned
     plane = (orbits - centre) @ inverse.T

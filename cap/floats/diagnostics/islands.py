@@ -50,7 +50,7 @@ def area(p: Parameters, at: tori.Centre) -> float:
     scale = np.array([float(p.F / p.omega**2), float(p.F / p.omega)])
     states = states * scale + [float(p.l + p.r) / 2, 0]
     found = swarm.follow(p, states.reshape(-1, 2), PERIODS)
-    stops = (found.turned | found.stuck | found.captured | found.lost).reshape(len(RADII), RAYS)
+    stops = (found.stopped | found.lost).reshape(len(RADII), RAYS)
     first = np.where(stops.any(axis=0), stops.argmax(axis=0), len(RADII))
     reach = np.concatenate([[0.0], RADII])[first]
     return float(math.pi * np.mean(reach**2) * scale.prod())

@@ -106,14 +106,12 @@ def exponents(
         shown = np.flatnonzero((after > begin) & (after <= end))
         for part in cuts:
             found = swarm.follow(p, states[part], end - begin, every=True, derivative=True)
-            if found.monodromy is None:  # it was asked for
-                raise TypeError
-            growth, frame[part] = _growth(found.monodromy, frame[part])
+            growth, frame[part] = _growth(found.derivatives, frame[part])
             with np.errstate(invalid="ignore"):  # inf - inf, after a hit with speed 0
                 own = total[part, None] + np.cumsum(growth, axis=1)
             sums[part, shown], total[part] = own[:, after[shown] - begin - 1], own[:, -1]
             states[part] = found.states[:, -1]
-            turned[part] |= found.turned | found.stuck | found.captured
+            turned[part] |= found.stopped
 
     sequence = replace(runner, jobs=1)  # one stretch after the other
     sequence.map(follow, range(0, periods, STRETCH), "lyapunov")

@@ -85,7 +85,7 @@ def portrait(  # noqa: PLR0913 (the options of the command)
 
     def follow(part: slice) -> None:
         found = swarm.follow(p, starts[part], periods, every=True)
-        states[part], turned[part] = found.states, found.turned | found.stuck | found.captured
+        states[part], turned[part] = found.states, found.stopped
 
     in_pieces(runner, len(starts), follow, "portrait", periods)
     complete = not runner.interrupted

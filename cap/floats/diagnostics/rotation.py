@@ -108,7 +108,7 @@ def rotation(  # noqa: PLR0913 (the options of the command)
         seen = swarm.follow(p, starts, periods, every=True)
         plane = (seen.states - np.array(centre)) @ np.linalg.inv(frame).T
         orbits = plane[..., 0] + 1j * plane[..., 1]
-        orbits[seen.turned | seen.stuck | seen.captured] = np.nan
+        orbits[seen.stopped] = np.nan
         found[part] = np.stack(_curves(orbits, turn), axis=-1)
 
     pieces = [slice(k, min(k + 50, len(distance))) for k in range(0, len(distance), 50)]

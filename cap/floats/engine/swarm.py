@@ -75,6 +75,18 @@ class Swarm:
         """Which orbits, (N,), were captured at a wall."""
         return self.count("capture") > 0
 
+    @property
+    def stopped(self) -> NDArray[np.bool_]:
+        """Which orbits, (N,), turned, came to rest or were captured."""
+        return self.turned | self.stuck | self.captured
+
+    @property
+    def derivatives(self) -> Floats:
+        """The ``monodromy``, which was asked for; else `TypeError`."""
+        if self.monodromy is None:
+            raise TypeError
+        return self.monodromy
+
 
 @dataclass(frozen=True, slots=True)
 class Event:

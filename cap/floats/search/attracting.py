@@ -68,6 +68,4 @@ def _newton(p: Parameters, state: Floats, n: int) -> Floats | None:
 
 def _largest(path: swarm.Swarm) -> float:
     """Return the larger modulus of the multipliers of one orbit."""
-    if path.monodromy is None:  # it was asked for
-        raise TypeError
-    return float(np.abs(np.linalg.eigvals(path.monodromy[0])).max())
+    return float(np.abs(np.linalg.eigvals(path.derivatives[0])).max())

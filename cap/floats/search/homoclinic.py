@@ -57,7 +57,7 @@ def excursions(p: Parameters, saddle: Saddle, most: int) -> list[Excursion]:
     away = np.zeros(len(starts), dtype=bool)
     for periods in range(1, PERIODS + 1):
         step = swarm.follow(p, states, 1)
-        alive &= ~(step.turned | step.stuck | step.captured | step.lost)
+        alive &= ~(step.stopped | step.lost)
         states = np.where(alive[:, None], step.states, np.nan)
         along = (states - saddle.state) @ back.T
         near = np.hypot(*along.T) < NEAR

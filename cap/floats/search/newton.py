@@ -97,10 +97,8 @@ def _step(p: Parameters, periods: int, z: Floats, unit: Floats) -> Floats:
     There is none to orbits that are not isolated, such as those between the walls without a hit.
     """
     found = swarm.follow(p, z * unit, periods, derivative=True)
-    if found.monodromy is None:  # it was asked for
-        raise TypeError
     defect = found.states / unit - z
-    a = np.eye(2) - found.monodromy / unit[:, None] * unit
+    a = np.eye(2) - found.derivatives / unit[:, None] * unit
     with np.errstate(all="ignore"):
         det = a[:, 0, 0] * a[:, 1, 1] - a[:, 0, 1] * a[:, 1, 0]
         first = a[:, 1, 1] * defect[:, 0] - a[:, 0, 1] * defect[:, 1]

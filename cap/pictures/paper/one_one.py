@@ -131,9 +131,10 @@ def _positions(axes: Axes, data: "Branches") -> None:
                   label=f"symmetric, {kind}")  # fmt: skip
     axes.plot([s.f for s in data.sweep], [s.x for s in data.sweep], ".", ms=4, color=RED,
               label="Newton's sweep as in the paper")  # fmt: skip
-    k = int(np.argmin(abs(f - data.pitchfork)))
-    axes.plot(data.pitchfork, x[k], "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, ls="none",
-              label=f"pitchfork, $f = {data.pitchfork:.7f}$")  # fmt: skip
+    birth = float(data.landmarks.birth[0])
+    k = int(np.argmin(abs(f - birth)))
+    axes.plot(birth, x[k], "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, ls="none",
+              label=f"pitchfork, $f = {birth:.7f}$")  # fmt: skip
     axes.axvline(data.fold, color=RED, ls=":", lw=1.0, label=f"the paper's fold, {data.fold}")
     axes.set_ylabel("$x_*$ at $t = 0$  [length]")
 
@@ -151,10 +152,11 @@ def _numbers(axes: Axes, data: "Branches") -> None:
                       fontsize=8, color="#555555")  # fmt: skip
         axes.plot(float(data.landmarks.resonances[name][0]), level, "o", ms=4.5, mfc="white",
                   mec=BLUE, mew=1.1)  # fmt: skip
-    axes.plot(data.landmarks.twist, np.interp(data.landmarks.twist, data.pair[::-1, 0],
+    birth, zero = float(data.landmarks.birth[0]), float(data.landmarks.twist[0])
+    axes.plot(zero, np.interp(zero, data.pair[::-1, 0],
               turn(data.pair[::-1, 2])), "s", ms=5.5, mfc="white", mec=GREEN, mew=1.2, ls="none",
-              label=rf"$\tau_1 = 0$, $f = {data.landmarks.twist:.7f}$")  # fmt: skip
-    axes.plot(data.pitchfork, 0, "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, clip_on=False)
+              label=rf"$\tau_1 = 0$, $f = {zero:.7f}$")  # fmt: skip
+    axes.plot(birth, 0, "D", ms=5.5, mfc="white", mec=PURPLE, mew=1.2, clip_on=False)
     axes.axvline(data.fold, color=RED, ls=":", lw=1.0)
     axes.set_ylim(0, 0.5)
     axes.set_ylabel(r"rotation number $\Theta_*/2\pi$")

@@ -9,11 +9,12 @@ from cap.pictures.states import fates, index_map
 from cap.pictures.style import parameters
 
 if TYPE_CHECKING:
-    from cap.paper.basin import Basins
-    from cap.paper.sali import Maps
+    from cap.floats.diagnostics.alignment import Alignment
+    from cap.floats.diagnostics.fate import Fate
+    from cap.paper.figure import Refined
 
 
-def alignment(data: "Maps", figure: FigureBase) -> None:
+def alignment(data: "Refined[Alignment]", figure: FigureBase) -> None:
     """Draw both maps."""
     axes = figure.subplots(1, 2, sharey=True)
     for each, findings in zip(axes, (data.paper, data.better), strict=True):
@@ -28,7 +29,7 @@ def alignment(data: "Maps", figure: FigureBase) -> None:
     figure.suptitle(f"SALI around the elliptic orbit\n{given}", fontsize=10)
 
 
-def basins(data: "Basins", figure: FigureBase) -> None:
+def basins(data: "Refined[Fate]", figure: FigureBase) -> None:
     """Draw both partitions."""
     axes = figure.subplots(1, 2, sharey=True)
     for each, basin in zip(axes, (data.paper, data.better), strict=True):

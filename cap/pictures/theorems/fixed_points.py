@@ -102,7 +102,7 @@ def rings(axes: Axes, p: Parameters, claims: dict[str, Any]) -> None:
     reach = axes.get_xlim()[1] - x
     starts = [(x + reach * (k + 1) / RINGS, v) for k in range(RINGS)]
     found = swarm.follow(p, starts, PERIODS, every=True)
-    stopped = found.turned | found.stuck | found.captured
+    stopped = found.stopped
     for k, path in enumerate(found.states):
         if not stopped[k]:
             dots(axes, path, CYCLE[k % len(CYCLE)])

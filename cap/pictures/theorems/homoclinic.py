@@ -1,8 +1,11 @@
-"""The homoclinic orbits of a certificate, on the curves of the saddle as floats have them.
+"""The homoclinic orbits of a certificate, on the curves of the saddle.
 
-The points drawn are proved, each in a box that is smaller than a pixel; the curves are floats.
+The points drawn are proved, each in a box that is smaller than a pixel.  Near the saddle the curves
+are proved, too: polynomials with an error below `WIDTH` (`cap.maps.parameterization`); farther out
+they are floats.
 """
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -13,7 +16,15 @@ from numpy.typing import NDArray
 from cap.checker.maps.cones import Cones
 from cap.checker.maps.homoclinic import Orbit
 from cap.checker.theorems.homoclinic import Homoclinic
+from cap.errors import NotProved
 from cap.floats.diagnostics.manifold import Manifolds, manifolds
+from cap.flow.strobe import oscillator
+from cap.maps import fixed_point
+from cap.maps.cones import directions
+from cap.maps.fixed_point import Start
+from cap.maps.parameterization import Curve, curve
+from cap.maps.stability import real_multipliers
+from cap.parameters import Parameters
 from cap.pictures.style import (
     BLACK,
     BLUE,
@@ -26,9 +37,15 @@ from cap.pictures.style import (
     stroboscopic,
 )
 from cap.pictures.theorems.parts import heading, middle, system
+from cap.sets import interval, matrix
+from cap.sets.interval import Ball
 
 LENGTH = 2.5  # of each branch of the curves, in natural units
 SPACING = 0.01
+PROVED = Fraction(1, 20)  # the length, in natural units, that is drawn of a curve that is proved
+DEGREE, BITS, PLACES = 10, 200, 40  # of its polynomial; of enclosures; digits of the saddle
+STEPS = 20  # on each side of the saddle
+WIDTH = 1e-5  # in natural units: less than a line is wide
 COLOURS = (YELLOW, GREEN, PURPLE, SKY)  # of the orbits, again and again
 
 Points = NDArray[np.float64]
@@ -58,6 +75,8 @@ def draw(theorem: Proof, figure: Figure) -> None:
         (curves.unstable, RED, "$W^u$ (floats)"),
     ):
         axes.plot(*points.T, color=colour, lw=0.5, alpha=0.7, label=name)
+    for points, colour, name in zip(near(theorem, p), (RED, BLUE), ("u", "s"), strict=False):
+        axes.plot(*points.T, color=colour, lw=2.2, label=f"$W^{name}$ near $P^*$ (proved)")
     for n, orbit in enumerate(theorem.orbits):
         colour, claim = COLOURS[n % len(COLOURS)], theorem.claims["points"][n]
         axes.plot(*states(orbit).T, "o", ms=4.5, mfc=colour, mec=BLACK, mew=0.5, ls="none")
@@ -70,6 +89,45 @@ def draw(theorem: Proof, figure: Figure) -> None:
     stroboscopic(axes)
     figure.legend(loc="outside lower center", ncols=2, handlelength=1.4)
     heading(figure, theorem, "Homoclinic orbits of a saddle")
+
+
+def near(theorem: Proof, p: Parameters) -> list[Points]:
+    """Return the unstable and the stable curve around P*, or neither where it is not proved."""
+    size = p.R, p.R * p.omega
+    with interval.workprec(BITS):
+        try:
+            both = [
+                [W.at(interval.ball(Fraction(k, STEPS))) for k in range(-STEPS, STEPS + 1)]
+                for W in curves(theorem, p, size)
+            ]
+        except NotProved:
+            return []
+        units = tuple(map(interval.ball, size))
+        if not all(
+            z.rad() < WIDTH * u
+            for row in both
+            for box in row
+            for z, u in zip(box, units, strict=True)
+        ):
+            return []
+        return [np.array([(float(x.mid()), float(v.mid())) for x, v in row]) for row in both]
+
+
+def curves(theorem: Proof, p: Parameters, size: tuple[Fraction, Fraction]) -> list[Curve]:
+    """Prove both curves as far as `PROVED`; raises `NotProved` where that fails.
+
+    Φ preserves area, so the product of the multipliers is 1.
+    """
+    x, v = (middle(theorem.claims[z]) for z in ("x", "v"))
+    start = Start.non_sticking(x, v, [middle(window) for window in theorem.hints["hit_times"]])
+    osc = oscillator(p)
+    saddle = fixed_point.prove(osc, start, PLACES, size)
+    jacobian = saddle.orbit.monodromy
+    multipliers = real_multipliers(matrix.trace(jacobian), Ball(1))
+    (a, b), (c, d) = directions(jacobian, multipliers, size)
+    r = interval.ball(PROVED)
+    frame = (a * r, b * r), (c * r, d * r)
+    return [curve(osc, saddle, frame, multipliers, which, DEGREE) for which in (0, 1)]
 
 
 def states(orbit: Orbit) -> Points:

@@ -52,7 +52,7 @@ def island(theorem: Island, figure: Figure) -> None:
     starts = [(centre[0] + FAR * (x.max() - centre[0]) * (k + 1) / RINGS, centre[1])
               for k in range(RINGS)]  # fmt: skip
     found = swarm.follow(p, starts, PERIODS, every=True)
-    stopped = found.turned | found.stuck | found.captured
+    stopped = found.stopped
     for path, stops in zip(found.states, stopped, strict=True):
         axes.plot(*path.T, ".", ms=1, mew=0, color=ORANGE if stops else GREY, zorder=1)
     axes.plot([], [], ".", ms=4, color=GREY, label="orbits once a period (floats)")
@@ -82,7 +82,7 @@ def converse(theorem: Converse, figure: Figure) -> None:
     out = rings[0][:, 0].max() - centre[0]
     starts = [(centre[0] + out * (k + 1) / RINGS, centre[1]) for k in range(RINGS)]
     found = swarm.follow(p, starts, PERIODS, every=True)
-    stopped = found.turned | found.stuck | found.captured
+    stopped = found.stopped
     for path, stops in zip(found.states, stopped, strict=True):
         axes.plot(*path.T, ".", ms=1, mew=0, color=ORANGE if stops else GREY, zorder=1)
     axes.plot([], [], ".", ms=4, color=GREY, label="orbits once a period (floats)")

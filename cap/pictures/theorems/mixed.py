@@ -228,6 +228,6 @@ def in_floats(theorem: Mixed, shape: tuple[int, int]) -> Image:
     found = swarm.follow(p, np.column_stack([x.ravel(), v.ravel()]), PERIODS)
     late = swarm.follow(p, found.states, LATE)
     hits = late.counts[:, HIT : HIT + 2].any(axis=1)
-    stopped = (found.turned | found.stuck | found.captured) & ~(found.lost | late.lost)
+    stopped = found.stopped & ~(found.lost | late.lost)
     fates = np.where(stopped, np.where(hits, ATTRACTED, SEGMENT), OPEN)
     return fates.astype(np.int8).reshape(shape)

@@ -1,6 +1,6 @@
 """Existence of the elliptic orbit from hints: by contacts from the model, and by the special flow.
 
-    python benchmarks/orbits.py [ROUNDS]
+    python benchmarks/existence.py [ROUNDS]
 
 Both prove that one orbit lies within 1e-9 of the hints, that nothing else happens, and enclose the
 trace and the rotation number over that box; the least of many short rounds, by turns, in one run.
