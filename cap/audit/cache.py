@@ -12,7 +12,6 @@ import os
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
 
 from cap.audit.claim import Claim
 from cap.audit.dependencies import digest
@@ -31,36 +30,27 @@ def folder() -> Path:
 
 def known(claim: Claim) -> Verdict | None:
     """Return the verdict that is kept, if what decides the claim is as it was then."""
-    entry = read(f"{claim.id} {claim.content}", claim.module)
-    with suppress(ValueError, KeyError, TypeError, AttributeError):  # none that is a verdict
-        if all(stored.digest(name) == value for name, value in entry["certificates"].items()):
-            return verdict(entry["verdict"])
+    with suppress(OSError, RuntimeError):  # RuntimeError: there is no home
+        text = _path(claim).read_text(encoding="utf-8")
+        with suppress(ValueError, KeyError, TypeError, AttributeError):  # none that is a verdict
+            entry = json.loads(text)
+            if all(stored.digest(name) == value for name, value in entry["certificates"].items()):
+                return verdict(entry["verdict"])
     return None
 
 
 def keep(claim: Claim, decided: Verdict, certificates: dict[str, str]) -> None:
     """Keep a verdict, if the folder can be written; what is undecided is not kept."""
-    if decided.outcome is not Outcome.UNDECIDED:
-        entry = {"verdict": asdict(decided), "certificates": certificates}
-        write(f"{claim.id} {claim.content}", claim.module, entry)
-
-
-def read(name: str, module: str) -> Any:
-    """Return what is kept under a name, if the module and what it imports are as then, or None."""
-    with suppress(OSError, RuntimeError, ValueError):  # RuntimeError: there is no home
-        return json.loads(_path(name, module).read_text(encoding="utf-8"))
-    return None
-
-
-def write(name: str, module: str, entry: Any) -> None:
-    """Keep something that JSON can hold, if the folder can be written."""
+    if decided.outcome is Outcome.UNDECIDED:
+        return
+    entry = {"verdict": asdict(decided), "certificates": certificates}
     with suppress(OSError, RuntimeError):
-        path = _path(name, module)
+        path = _path(claim)
         path.parent.mkdir(parents=True, exist_ok=True)
         with replacing(path) as file:
             file.write(json.dumps(entry).encode())
 
 
-def _path(name: str, module: str) -> Path:
-    digested = hashlib.sha256(f"{name} {digest(module)}".encode()).hexdigest()
-    return folder() / f"{digested[:40]}.json"
+def _path(claim: Claim) -> Path:
+    name = f"{claim.id} {claim.content} {digest(claim.module)}"
+    return folder() / f"{hashlib.sha256(name.encode()).hexdigest()[:40]}.json"

@@ -3,11 +3,10 @@
 import argparse
 import os
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from cap.audit import errata, labels, ledger, recorded, revision, subject
-from cap.audit.coverage import compared, coverage
+from cap.audit import coverage, errata, labels, ledger, recorded, revision, subject
 from cap.audit.decide import all_decided
 from cap.audit.manuscript import Manuscript
 from cap.audit.means import stored
@@ -19,6 +18,8 @@ from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
 from cap.words import printable, say
+
+DOCUMENTS = {"summary": "summary.txt", "erratum": "erratum.md", "bibtex": "citation.bib"}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -42,8 +43,17 @@ def parser() -> argparse.ArgumentParser:
         metavar="ID",
         help="a claim, or a group: what is before the point (--format json lists the ids)",
     )
-    p.add_argument("--section", metavar="S", help="one section: its number, or any label in it")
-    p.add_argument("--verdict", metavar="V", help="claims with this verdict: refuted, open, ...")
+    p.add_argument(
+        "--section",
+        metavar="S",
+        help="one section or subsection: its number or label, or any label in a section",
+    )
+    p.add_argument(
+        "--verdict",
+        metavar="V",
+        choices=list(map(str, Outcome)),
+        help="claims with this verdict: refuted, open, ...",
+    )
     p.add_argument("--format", choices=FORMATS, default="text", help="default: text")
     p.add_argument("--jobs", metavar="N", default="1", help="processes (default 1)")
     p.add_argument("--fresh", action="store_true", help="decide again what the cache knows")
@@ -65,7 +75,8 @@ def parser() -> argparse.ArgumentParser:
         "--patch",
         type=Path,
         metavar="FILE.tex",
-        help="the erratum as a patch of the paper's TeX file, for git apply",
+        help="the erratum as a patch of the paper's TeX file, for git apply; what the file has "
+        "already is said; status 1 if a change does not fit",
     )
     p.add_argument(
         "--paper",
@@ -87,14 +98,7 @@ def main(words: Sequence[str]) -> int:
     options = parser().parse_args(words)
     try:
         subject.choose(options.of)
-        if options.paper is not None:
-            return _paper(options)
-        if options.coverage:
-            return _coverage()
-        if (text := _text(options)) is not None:
-            print(text, end="")
-            return 0
-        return _audit(options)
+        return _done(options)
     except BadInput as error:
         _progress("")
         say(f"error: {printable(str(error))}", sys.stderr)
@@ -105,91 +109,78 @@ def main(words: Sequence[str]) -> int:
         return INTERRUPTED
 
 
-def _text(options: argparse.Namespace) -> str | None:
-    """Return what is written without deciding anything, if it is asked for."""
+def _done(options: argparse.Namespace) -> int:
+    """Do what is asked for."""
+    if options.paper is not None:
+        return _paper(options.paper, options.record)
     if options.patch is not None:
-        return errata.patch(options.patch)
-    if options.bibtex:
-        return written("citation.bib")
-    if options.summary:
-        return written("summary.txt", Report(_known(ledger.claims())))
-    if options.erratum:
-        return written("erratum.md", Report(_known(ledger.claims())))
-    return None
+        return _patch(options.patch)
+    if options.coverage:
+        print("\n".join(coverage.lines()))
+        return 1 if any(coverage.wrong()) else 0
+    for name, template in DOCUMENTS.items():
+        if vars(options)[name]:
+            print(written(template, Report(recorded.known(ledger.claims()))), end="")
+            return 0
+    return _audit(options)
 
 
-def _known(names: Iterable[str]) -> dict[str, Verdict]:
-    """Return recorded verdicts."""
-    found = recorded.recorded()
-    if missing := [name for name in names if name not in found]:
-        raise BadInput(f"not recorded yet: {', '.join(missing[:3])}; see --record")
-    return {name: found[name] for name in names}
-
-
-def _paper(options: argparse.Namespace) -> int:
+def _paper(path: Path, record: bool) -> int:
     """Compare the paper with another version of its TeX file, or store the places of this one."""
-    lines = compared(options.paper)
-    if options.record:
-        new = revision.fitted(options.paper)
-        subject.store("labels.json", labels.dumps(new))
+    lines = revision.compared(path)
+    if record:
+        subject.store("labels.json", labels.dumps(revision.fitted(path)))
         print(f"{subject.file('labels.json')}: written ({len(lines)} differences)")
         return 0
-    seen = revision.told(Manuscript.read(options.paper))
+    seen = revision.told(Manuscript.read(path))
     print("\n".join([*(lines or ["the stored places are those of this file"]), *seen]))
     return 1 if lines else 0
 
 
-def _coverage() -> int:
-    found = coverage()
-    print("\n".join(found.lines()))
-    return 1 if found.wrong else 0
+def _patch(path: Path) -> int:
+    """Print the erratum as a patch; say what the file has already, and what does not fit."""
+    text, done, others = errata.patch(path)
+    print(text, end="")
+    if done:
+        say(f"corrected already: {', '.join(done)}", sys.stderr)
+    for each in others:
+        say(each, sys.stderr)
+    return 1 if others else 0
 
 
 def _audit(options: argparse.Namespace) -> int:
     """Decide, report, and compare with what is recorded."""
-    wanted = _outcome(options.verdict)
     claims = ledger.chosen(options.only, options.section)
-    whole = len(claims) == len(ledger.claims())
     if options.recorded:
-        verdicts = _known([each.id for each in claims])
+        verdicts = recorded.known(each.id for each in claims)
     else:
         verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
     _progress("")
     if options.record:
         return _record(verdicts)
-    shown = {name: each for name, each in verdicts.items() if wanted in (None, each.outcome)}
+    shown = {k: each for k, each in verdicts.items() if options.verdict in (None, each.outcome)}
     if not shown:
-        say(f"no claim that was asked for is {wanted}", sys.stderr)
+        say(f"no claim that was asked for is {options.verdict}", sys.stderr)
     print(written(FORMATS[options.format], Report(shown)), end="")
-    changed = recorded.changes(verdicts, whole=whole)
+    changed = recorded.changes(verdicts, whole=len(claims) == len(ledger.claims()))
     for line in changed:
         say(f"changed: {line}", sys.stderr)
     return 1 if changed else 0
 
 
 def _record(verdicts: dict[str, Verdict]) -> int:
-    undecided = [name for name, each in verdicts.items() if each.outcome is Outcome.UNDECIDED]
-    for name in undecided:
-        say(f"undecided: {name}: {verdicts[name].evidence}", sys.stderr)
+    """Record verdicts, if all are decided."""
+    undecided = {k: each for k, each in verdicts.items() if each.outcome is Outcome.UNDECIDED}
+    for name, each in undecided.items():
+        say(f"undecided: {name}: {each.evidence}", sys.stderr)
     if undecided:
         return 1
     changed = recorded.changes(verdicts, whole=False)
     recorded.write(verdicts)
     stored.accept()
-    print(
-        "\n".join([*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written"])
-    )
+    written_to = f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written"
+    print("\n".join([*changed, written_to]))
     return 0
-
-
-def _outcome(text: str | None) -> Outcome | None:
-    if text is None:
-        return None
-    try:
-        return Outcome(text)
-    except ValueError:
-        names = ", ".join(str(each) for each in Outcome)
-        raise BadInput(f"there is no verdict {text!r}: one of {names}") from None
 
 
 def _jobs(text: str) -> int:

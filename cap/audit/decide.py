@@ -10,7 +10,6 @@ from cap.audit.dependencies import digest
 from cap.audit.means import stored
 from cap.audit.means.need import noted
 from cap.audit.means.written import exists
-from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict
 from cap.runner import Plan, Runner
 
@@ -29,7 +28,7 @@ def decided(claim: Claim, *, fresh: bool = False) -> Verdict:
         verdict = _undecided(f"{type(failure).__name__}: {failure}")
     steps = noted()
     certificates = {name: stored.digest(name) for name in steps if name}
-    if not isinstance(claim, Row):  # which says itself what is proved
+    if not claim.table:
         verdict = _rested(verdict, certificates, made=bool(steps))
     cache.keep(claim, verdict, certificates)
     return verdict
@@ -74,10 +73,10 @@ def all_decided(
 def _parts(asked: list[Claim]) -> list[Part]:
     """Return what is decided together; the tables come first."""
     together: dict[str, Part] = {}
-    for each in asked:
-        key = each.table if isinstance(each, Row) else each.id
+    for each in sorted(asked, key=lambda each: not each.table):
+        key = each.table or each.id
         together[key] = (*together.get(key, ()), each.id)
-    return sorted(together.values(), key=lambda part: not isinstance(ledger.claims()[part[0]], Row))
+    return list(together.values())
 
 
 def _told(parts: list[Part], progress: Progress) -> Iterator[Part]:

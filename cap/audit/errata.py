@@ -32,6 +32,10 @@ class Change:
     times: int = 1
     formula: list[dict[str, str]] = field(default_factory=list)
 
+    def made(self, manuscript: Manuscript) -> bool:
+        """Return whether a text has it already."""
+        return manuscript.count(self.new) > 0 and not manuscript.count(self.old)
+
 
 @cached
 def changes() -> tuple[Change, ...]:
@@ -44,32 +48,46 @@ def of(claim: str) -> list[Change]:
     return [each for each in changes() if claim in each.claims]
 
 
-def corrected(manuscript: Manuscript) -> Manuscript:
-    """Return the text with every change; `BadInput` if one does not fit."""
+def corrected(manuscript: Manuscript) -> tuple[Manuscript, list[Change]]:
+    """Return the text with every change that it does not have already, and those that do not fit.
+
+    A change fits if what it is about is in the text as often as it says, in the old words or in
+    the new ones.
+    """
+    others = []
     for each in changes():
-        count = manuscript.count(each.old)
-        if count != each.times:
-            raise BadInput(
-                f"the change for {each.claims[0]} does not fit this version (--paper FILE.tex says "
-                f"what became of each sentence): this is in the file {count} times, not "
-                f"{each.times}: {' '.join(each.old.split())}"
-            )
-        manuscript = manuscript.replaced(each.old, each.new)
-    return manuscript
+        left, done = manuscript.count(each.old), manuscript.count(each.new)
+        if left == each.times or left < each.times <= left + done:
+            manuscript = manuscript.replaced(each.old, each.new)
+        else:
+            others.append(each)
+    return manuscript, others
 
 
-def patch(path: Path) -> str:
+def patch(path: Path) -> tuple[str, list[str], list[str]]:
     """Return the changes of a TeX file as ``git apply`` and ``patch -p1`` take them.
 
-    Raises `BadInput` if one does not fit, or if the new text has a fault that the old one has not.
+    With the claims whose changes it has already, and in words what changes do not fit.  Raises
+    `BadInput` if the new text has a fault that the old one has not.
     """
     old = Manuscript.read(path)
-    new = corrected(old)
+    new, others = corrected(old)
     known = {_unplaced(each) for each in faults(old.text)}
     if wrong := [each for each in faults(new.text) if _unplaced(each) not in known]:
         raise BadInput(f"the corrected text would be no TeX: {'; '.join(wrong)}")
     before, after = (each.text.splitlines(keepends=True) for each in (old, new))
-    return "".join(difflib.unified_diff(before, after, f"a/{path.name}", f"b/{path.name}"))
+    difference = difflib.unified_diff(before, after, f"a/{path.name}", f"b/{path.name}")
+    done = dict.fromkeys(each.claims[0] for each in changes() if each.made(old))
+    return "".join(difference), list(done), list(map(misfit, others))
+
+
+def misfit(change: Change) -> str:
+    """Return in words that a change does not fit a version of the paper."""
+    return (
+        f"the change for {change.claims[0]} does not fit this version (--paper FILE.tex says what "
+        f"became of each sentence): not {change.times} times in the file: "
+        f"{' '.join(change.old.split())}"
+    )
 
 
 def _unplaced(fault: str) -> str:

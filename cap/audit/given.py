@@ -22,8 +22,6 @@ What has neither is decided by reading.  Symbols, steps and words that several c
 under ``[common]``.
 """
 
-import hashlib
-import json
 import tomllib
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -31,7 +29,7 @@ from importlib import import_module
 from pathlib import Path
 
 from cap.audit import errata, steps, subject
-from cap.audit.claim import Claim, Kind
+from cap.audit.claim import Claim, Kind, content
 from cap.audit.filled import filled
 from cap.audit.steps import Given, Words
 from cap.audit.verdict import UNDECIDABLE, Outcome, Strength, Verdict
@@ -54,7 +52,6 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
         module = subject.group(group)[1] if group else module
         function = partial(getattr(import_module(module), name), **entry.get("with", {}))
     formulas = [each.formula for each in errata.of(entry["id"])]
-    content = json.dumps([entry, common, formulas], sort_keys=True)
     return Claim(
         id=entry["id"],
         where=entry["where"],
@@ -64,7 +61,7 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
         decide=partial(decided, entry, common, function, used),
         quote=entry["quote"],
         module=" ".join([module, *used]),
-        content=hashlib.sha256(content.encode()).hexdigest(),
+        content=content(entry, common, formulas),
     )
 
 

@@ -1,5 +1,7 @@
 """All claims, in the order of the paper."""
 
+from itertools import takewhile
+
 from cap.audit import given, labels, subject, tables
 from cap.audit.claim import Claim
 from cap.audit.subject import cached
@@ -34,11 +36,6 @@ def sections() -> dict[str, str]:
     return front | {place.number: place.title for place in headings}
 
 
-def section_of(claim: Claim) -> str:
-    """Return the number of the section from which the claim is taken."""
-    return labels.stored().place(claim.where).section
-
-
 def chosen(only: str | None, section: str | None) -> list[Claim]:
     """Return the claims that are asked for: one, those of a group, those of a section.
 
@@ -50,21 +47,29 @@ def chosen(only: str | None, section: str | None) -> list[Claim]:
         if not found:
             raise BadInput(f"there is no claim {only!r}{_near(only)}")
     if section is not None:
-        number = _section(section)
-        found = [each for each in found if section_of(each) == number]
+        inside = _inside(section)
+        found = [each for each in found if each.where in inside]
         if not found:
             raise BadInput(f"no claim is taken from section {section}")
     return found
 
 
-def _section(text: str) -> str:
-    """Return the number of a section given by its number or by any of its labels."""
-    if text in sections():
-        return text
-    try:
-        return labels.stored().place(text).section
-    except KeyError:
-        raise BadInput(f"the paper has no section {text!r}{_near(text)}") from None
+def _inside(text: str) -> set[str]:
+    """Return the labels in a section, or in a subsection that has a label.
+
+    Either is given by its number or its label, a section by any other label in it, too.
+    """
+    places = labels.stored().places
+    parts = {place.number: k for k, place in enumerate(places) if place.kind == "subsection"}
+    known = {place.label: k for k, place in enumerate(places)}
+    first = parts.get(text, known.get(text))
+    if first is not None and places[first].kind == "subsection":
+        rest = takewhile(lambda each: "section" not in each.kind, places[first + 1 :])
+        return {places[first].label, *(each.label for each in rest)}
+    section = text if first is None else places[first].section
+    if section not in sections():
+        raise BadInput(f"the paper has no section {text!r}{_near(text)}")
+    return {place.label for place in places if place.section == section}
 
 
 def _near(text: str) -> str:

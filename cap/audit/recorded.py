@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import asdict
 from datetime import UTC, datetime
@@ -10,8 +11,8 @@ from typing import Any
 from cap import __version__
 from cap.audit import ledger, subject
 from cap.audit.subject import cached
-from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Strength, Verdict, verdict
+from cap.errors import BadInput
 
 
 @cached
@@ -28,6 +29,14 @@ def recorded() -> dict[str, Verdict]:
         with suppress(ValueError, KeyError):
             found[name] = verdict({k: each for k, each in fields.items() if k != "sentence"})
     return found
+
+
+def known(names: Iterable[str]) -> dict[str, Verdict]:
+    """Return the recorded verdicts on some claims; `BadInput` if one is not recorded."""
+    wanted, found = list(names), recorded()
+    if missing := [name for name in wanted if name not in found]:
+        raise BadInput(f"not recorded yet: {', '.join(missing[:3])}; see --record")
+    return {name: found[name] for name in wanted}
 
 
 def made() -> tuple[str, str]:
@@ -83,7 +92,7 @@ def _differences(name: str, old: Verdict, new: Verdict) -> list[str]:
     kinds = [k for k in ("outcome", "strength") if before[k] != now[k]]
     if kinds:
         return [f"{name}: recorded {before[k]}, now {now[k]}" for k in kinds]
-    if new.strength is Strength.NUMERICAL or isinstance(ledger.claims().get(name), Row):
+    if new.strength is Strength.NUMERICAL or ledger.claims()[name].table:
         return []
     changed = [k for k in before if before[k] != now[k]]
     return [f"{name}: recorded {k} '{before[k]}', now '{now[k]}'" for k in changed]

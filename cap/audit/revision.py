@@ -7,7 +7,6 @@ is gone from another version says that the claim has to be looked at again.
 import hashlib
 import json
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from enum import StrEnum
@@ -17,7 +16,7 @@ from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Kind
 from cap.audit.comparison import unit
 from cap.audit.manuscript import Manuscript
-from cap.audit.verdict import Outcome, Verdict
+from cap.audit.verdict import Outcome
 from cap.errors import BadInput
 
 _NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?")
@@ -44,20 +43,12 @@ class Sentence:
     seen: str = ""
 
 
-def sentences(manuscript: Manuscript) -> Iterator[Sentence]:
-    """Give the state of every claim's sentence in a text."""
-    known = recorded.recorded()
-    for name in ledger.quotes():
-        yield sentence(name, manuscript, known.get(name))
-
-
-def sentence(name: str, manuscript: Manuscript, verdict: Verdict | None) -> Sentence:
-    """Return the state of the sentence of a claim, whose verdict decides what number is right."""
-    wanted = errata.of(name)
-    done = [_made(each, manuscript) for each in wanted]
+def sentence(name: str, manuscript: Manuscript) -> Sentence:
+    """Return the state of the sentence of a claim; what is recorded says what number is right."""
+    piece, wanted = ledger.quotes()[name], errata.of(name)
+    done = [each.made(manuscript) for each in wanted]
     if wanted and all(done):
         return Sentence(name, State.CORRECTED, "as the erratum has it")
-    piece = ledger.quotes()[name]
     if manuscript.count(piece):
         return Sentence(name, State.STANDS, "" if not any(done) else "corrected elsewhere only")
     if any(done):
@@ -66,9 +57,10 @@ def sentence(name: str, manuscript: Manuscript, verdict: Verdict | None) -> Sent
         return Sentence(name, State.CORRECTED, f"the erratum has it, for {', '.join(others)}")
     if not (numbers := _numbers(piece, manuscript)):
         return Sentence(name, State.GONE, " ".join(piece.split()))
-    right = verdict is not None and all(agrees(each, verdict.found) for each in numbers)
-    words = f"now {', '.join(numbers)}; found: {verdict.found if verdict else 'nothing'}"
-    return Sentence(name, State.CORRECTED if right else State.CHANGED, words)
+    found = recorded.recorded()[name].found
+    right = all(agrees(each, found) for each in numbers)
+    state = State.CORRECTED if right else State.CHANGED
+    return Sentence(name, state, f"now {', '.join(numbers)}; found: {found}")
 
 
 def _others(piece: str, manuscript: Manuscript) -> list[str]:
@@ -82,7 +74,7 @@ def _others(piece: str, manuscript: Manuscript) -> list[str]:
             done = manuscript.count(new) > 0
         else:
             done = own in old or _overlap(old, own) or _overlap(own, old)
-        if done and _made(each, manuscript):
+        if done and each.made(manuscript):
             names |= dict.fromkeys(each.claims)
     return list(names)
 
@@ -90,10 +82,6 @@ def _others(piece: str, manuscript: Manuscript) -> list[str]:
 def _overlap(first: str, second: str) -> bool:
     """Return whether one ends with what the other begins with, more than a word of it."""
     return any(first.endswith(second[:k]) for k in range(LEAST, min(len(first), len(second))))
-
-
-def _made(change: errata.Change, manuscript: Manuscript) -> bool:
-    return manuscript.count(change.new) > 0 and not manuscript.count(change.old)
 
 
 def _numbers(piece: str, manuscript: Manuscript) -> list[str]:
@@ -115,20 +103,31 @@ def agrees(number: str, found: str) -> bool:
     return any(abs(each - printed) <= unit(printed) / 2 for each in numbers)
 
 
+def compared(path: Path) -> list[str]:
+    """Return how the places of a TeX file differ from those that are stored."""
+    own, new = labels.stored(), labels.read(path)
+    before, now = ({p.label: replace(p, line=0) for p in paper.places} for paper in (own, new))
+    lines = [f"gone: {label}" for label in before.keys() - now]
+    lines += [f"new: {label}" for label in now.keys() - before]
+    changed = [label for label in before.keys() & now if before[label] != now[label]]
+    lines += [f"moved or changed: {label}" for label in changed]
+    if own.sha256 != new.sha256:
+        lines.append(f"the file has the digest {new.sha256}, not {own.sha256}")
+    return sorted(lines)
+
+
 def told(manuscript: Manuscript) -> list[str]:
     """Return, in lines, which sentences are others now, and how many wrong ones are left."""
-    all_ = list(sentences(manuscript))
+    all_ = [sentence(name, manuscript) for name in ledger.quotes()]
     others = [each for each in all_ if each.state is not State.STANDS or each.seen]
-    lines = [f"{each.state}: {each.claim}: {each.seen}" for each in others]
-    known = recorded.recorded()
+    known, claims = recorded.recorded(), ledger.claims()
     wrong = [each for each in all_ if known[each.claim].outcome in WRONG]
-    left = [each for each in wrong if each.state is State.STANDS]
-    kinds = [ledger.claims()[each.claim].kind for each in left]
+    left = [claims[each.claim].kind for each in wrong if each.state is State.STANDS]
     stand = sum(each.state is State.STANDS for each in all_)
     return [
-        *sorted(lines),
+        *sorted(f"{each.state}: {each.claim}: {each.seen}" for each in others),
         f"{stand} of {len(all_)} sentences are in this file as they were. Of {len(wrong)} that the "
-        f"audit corrects or refutes {len(left)} are left, {sum(kind in PRINTED for kind in kinds)} "
+        f"audit corrects or refutes {len(left)} are left, {sum(kind in PRINTED for kind in left)} "
         "of them formulas and numbers",
     ]
 
@@ -145,6 +144,7 @@ def fitted(path: Path) -> labels.Paper:
     found = {name: manuscript.lines(piece) for name, piece in ledger.quotes().items()}
     if missing := [name for name, lines in found.items() if len(lines) != 1]:
         raise BadInput(f"not once in {path}: what is quoted by {', '.join(sorted(missing))}")
-    errata.corrected(manuscript)
+    for each in errata.corrected(manuscript)[1]:
+        raise BadInput(errata.misfit(each))
     lines = {name: line for name, (line,) in found.items()}
     return replace(labels.read(path), lines=lines, bound=bound())

@@ -24,17 +24,15 @@ cut = true                         # dots follow the number: it need not be roun
 calls the functions.  Those must not depend on what was called before.
 """
 
-import hashlib
 import json
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
 from cap.audit import errata, given, steps, subject
-from cap.audit.claim import Claim, Kind
+from cap.audit.claim import Claim, Kind, content
 from cap.audit.comparison import PROVED, Comparison, compared
 from cap.audit.filled import filled
 from cap.audit.steps import Given
@@ -50,13 +48,6 @@ PLACES = 30  # of a number that steps define
 WORDS = "ours", "why", "note"
 
 
-@dataclass(frozen=True)
-class Row(Claim):
-    """A claim that a row of a table decides."""
-
-    table: str = ""
-
-
 @cached
 def tables() -> dict[str, Given]:
     """Return the tables by their labels, in the order of the paper."""
@@ -64,7 +55,7 @@ def tables() -> dict[str, Given]:
     return {each["label"]: each for each in found}
 
 
-def claims() -> tuple[Row, ...]:
+def claims() -> tuple[Claim, ...]:
     """Return the claims of all tables; not the rows that another claim decides."""
     elsewhere, quotes = subject.paper().get("elsewhere", {}), subject.data("quotes.toml")
     return tuple(
@@ -75,12 +66,11 @@ def claims() -> tuple[Row, ...]:
     )
 
 
-def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
+def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Claim:
     label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
     module = steps.__name__ if "steps" in row else row.get("module", table["module"])
-    content = json.dumps([row, [each.formula for each in errata.of(name)]], sort_keys=True)
-    return Row(
+    return Claim(
         id=name,
         where=row.get("where", label),
         kind=Kind.WORDS if "ours" in row else Kind.NUMBER,
@@ -89,7 +79,7 @@ def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Row:
         decide=partial(_decided, name, module, row),
         quote=quotes.get(name, ""),
         module=module,
-        content=hashlib.sha256(content.encode()).hexdigest(),
+        content=content(row, [each.formula for each in errata.of(name)]),
         table=label,
     )
 

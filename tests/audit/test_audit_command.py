@@ -91,7 +91,7 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
     [
         (("--only", "roots.value-of-f"), "no claim 'roots.value-of-f': did you mean "),
         (("--section", "0.5"), "no section '0.5'"),
-        (("--verdict", "wrong"), "no verdict 'wrong': one of confirmed, "),
+        (("--verdict", "wrong"), "invalid choice: 'wrong' (choose from "),
         (("--jobs", "0"), "--jobs must be an integer"),
         (("--jobs", "two"), "--jobs must be an integer"),
         (("--patch", "none.tex"), "cannot read none.tex: No such file or directory\n"),
@@ -122,7 +122,7 @@ def test_coverage(run):
 
 def test_coverage_fails(run, monkeypatch):
     """Status 1 if a place is forgotten."""
-    monkeypatch.setattr("cap.audit.coverage._reasons", dict)
+    monkeypatch.setattr("cap.audit.coverage.reasons", dict)
     status, out, _ = run("--coverage")
     assert status == 1
     assert "WRONG: eq:model is forgotten" in out

@@ -3,7 +3,7 @@
 import pytest
 
 from cap.audit import labels
-from cap.audit.coverage import compared
+from cap.audit.revision import compared
 from cap.errors import BadInput
 
 pytest_plugins = ["audit_fixtures"]

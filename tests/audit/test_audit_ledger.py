@@ -26,8 +26,9 @@ def test_claims_are_many_and_well_formed():
 
 def test_claims_are_in_the_order_of_the_sections():
     """The abstract first, then section by section."""
-    order = list(ledger.sections())
-    numbers = [order.index(ledger.section_of(each)) for each in ledger.claims().values()]
+    order, paper = list(ledger.sections()), labels.stored()
+    found = [paper.place(each.where).section for each in ledger.claims().values()]
+    numbers = [order.index(section) for section in found]
     assert numbers == sorted(numbers)
 
 
@@ -39,9 +40,8 @@ def test_recorded_verdicts_are_those_of_the_claims():
 
 def test_no_place_is_forgotten():
     """Each place has claims or a reason, not both."""
-    found = coverage.coverage()
-    assert found.wrong == ()
-    assert len(found.claims) == len(labels.stored().places)
+    assert list(coverage.wrong()) == []
+    assert len(coverage.taken()) == len(labels.stored().places)
 
 
 @pytest.mark.parametrize(
@@ -54,9 +54,9 @@ def test_no_place_is_forgotten():
 )
 def test_coverage_complains(monkeypatch, reasons, complaint):
     """A forgotten place, a needless reason, a reason for nothing."""
-    given = coverage._reasons() | reasons if reasons else {}
-    monkeypatch.setattr(coverage, "_reasons", lambda: given)
-    assert any(complaint in each for each in coverage.coverage().wrong)
+    given = coverage.reasons() | reasons if reasons else {}
+    monkeypatch.setattr(coverage, "reasons", lambda: given)
+    assert any(complaint in each for each in coverage.wrong())
 
 
 def test_coverage_complains_of_claims_without_a_place(monkeypatch, example):
@@ -64,7 +64,7 @@ def test_coverage_complains_of_claims_without_a_place(monkeypatch, example):
     one = example[0]
     lost = replace(one, where="eq:lost")
     monkeypatch.setattr(ledger, "claims", lambda: {lost.id: lost})
-    assert any("'eq:lost', which is no place" in each for each in coverage.coverage().wrong)
+    assert any("'eq:lost', which is no place" in each for each in coverage.wrong())
 
 
 def test_findings_share_out_what_is_not_confirmed():
@@ -124,7 +124,21 @@ def test_claims_are_chosen():
     ]
     third = ledger.chosen(None, "3")
     assert third == ledger.chosen(None, "thm:symplectic")
-    assert {ledger.section_of(each) for each in third} == {"3"}
+    assert {labels.stored().place(each.where).section for each in third} == {"3"}
+
+
+def test_claims_of_a_subsection_are_chosen():
+    """By its number or its label, up to the next one; the next section is none of it."""
+    places = [place.label for place in labels.stored().places]
+    part = ledger.chosen(None, "2.4")
+    assert part == ledger.chosen(None, "ssec:setup-strob")
+    found = [places.index(each.where) for each in part]
+    assert {"def:Phi", "def:trajectory-types"} <= {each.where for each in part}
+    assert places.index("ssec:setup-strob") <= min(found)
+    assert max(found) < places.index("sec:lift")
+    parts = [claim for k in range(1, 5) for claim in ledger.chosen(None, f"2.{k}")]
+    head = [claim for claim in ledger.chosen(None, "2") if claim.where == "sec:setup"]
+    assert head + parts == ledger.chosen(None, "2")
 
 
 @pytest.mark.parametrize(

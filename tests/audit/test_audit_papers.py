@@ -35,7 +35,7 @@ def test_the_ledger_of_the_tables(tables):
     """Each claim has a row as its quotation, a place, a verdict; what is wrong is in a finding."""
     claims = ledger.claims()
     assert ledger.quotes().keys() == claims.keys() == recorded.recorded().keys()
-    assert coverage.coverage().wrong == ()
+    assert list(coverage.wrong()) == []
     shared = findings.members(recorded.recorded())
     wrong = {n for n, each in recorded.recorded().items() if each.outcome is not Outcome.CONFIRMED}
     assert wrong == {name for names in shared.values() for name in names}
@@ -64,10 +64,9 @@ def test_recording_lists_no_figures(tables, elsewhere, capsys):
 def test_reports_of_the_tables(tables):
     """In every format, with their title."""
     whole = Report(recorded.recorded())
-    summary = written("summary.txt", whole)
-    texts = [summary, written("citation.bib"), *(written(each, whole) for each in FORMATS.values())]
+    texts = [written(each, whole) for each in (*FORMATS.values(), "citation.bib", "summary.txt")]
     assert all("vibrating gravitational billiards" in each for each in texts)
-    assert "Five rows are no orbits" in summary
+    assert "Five rows are no orbits" in texts[-1]
 
 
 def test_a_claim_of_a_kind_that_is_not_there(tmp_path):

@@ -207,7 +207,7 @@ def test_rows_are_in_the_ledger():
     assert set(decided_by.values()) <= ledger.claims().keys()
     assert len(tables.claims()) == len(rows) - len(decided_by)
     assert {each.id for each in tables.claims()} <= ledger.claims().keys()
-    assert coverage.coverage().wrong == ()
+    assert list(coverage.wrong()) == []
 
 
 ENTRIES = {

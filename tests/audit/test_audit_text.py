@@ -8,10 +8,9 @@ import subprocess
 
 import pytest
 
-from cap.audit import errata, ledger, recorded, revision
+from cap.audit import errata, ledger, revision
 from cap.audit.manuscript import Manuscript
 from cap.audit.revision import State
-from cap.errors import BadInput
 
 TWIST = "birkhoff.value-of-the-twist"
 CHANGES = pytest.mark.parametrize("change", errata.changes(), ids=lambda each: each.claims[0])
@@ -19,7 +18,7 @@ CHANGES = pytest.mark.parametrize("change", errata.changes(), ids=lambda each: e
 
 def state(name, text):
     """Return what became of a claim's sentence in a text."""
-    return revision.sentence(name, Manuscript(text), recorded.recorded().get(name)).state
+    return revision.sentence(name, Manuscript(text)).state
 
 
 def test_pieces_are_found_however_lines_are_broken():
@@ -53,17 +52,32 @@ def test_a_change_replaces_what_it_is_about(change):
 
 
 def test_a_patch_is_one_for_git(tmp_path, monkeypatch):
-    """It applies to the file, and makes of it what is announced; another file is told."""
+    """It applies to the file, and makes of it what is announced; made twice it is empty."""
     change = errata.of("saltation.wall-entry")[0]
     monkeypatch.setattr(errata, "changes", lambda: (change,))
     path = tmp_path / "paper.tex"
     path.write_text("before\n\\[\n" + change.old + "\n\\]\nafter\n")
-    (tmp_path / "erratum.patch").write_text(errata.patch(path))
+    text, done, others = errata.patch(path)
+    assert (done, others) == ([], [])
+    (tmp_path / "erratum.patch").write_text(text)
     for words in (["apply", "--check", "erratum.patch"], ["apply", "erratum.patch"]):
         subprocess.run(["git", *words], cwd=tmp_path, check=True)  # noqa: S607 (whose git is there)
     assert path.read_text("utf-8") == "before\n\\[\n" + change.new + "\n\\]\nafter\n"
-    with pytest.raises(BadInput, match="in the file 0 times, not 1"):
-        errata.patch(path)
+    assert errata.patch(path) == ("", ["saltation.wall-entry"], [])
+
+
+def test_a_patch_is_one_of_what_is_left(tmp_path, monkeypatch):
+    """What is corrected already is told, in whole or in part; so is what fits nowhere."""
+    made, part, rewritten = (
+        errata.Change((f"a.{old}",), old, old.upper(), times=2) for old in ("one", "two", "three")
+    )
+    monkeypatch.setattr(errata, "changes", lambda: (made, part, rewritten))
+    path = tmp_path / "paper.tex"
+    path.write_text("ONE\nTWO\ntwo\nthree\nONE\n")
+    text, done, (other,) = errata.patch(path)
+    assert done == ["a.one"]
+    assert [line for line in text.splitlines()[2:] if line[0] in "+-"] == ["-two", "+TWO"]
+    assert "change for a.three does not fit" in other
 
 
 @pytest.mark.parametrize(

@@ -297,3 +297,23 @@ def test_the_rate_of_a_window_is_seen():
     wide = [Interval.enclosing(5, 9, BITS), windows(cell)[1]]
     with pytest.raises(Rejected, match=r"fall|too long"):
         F.at(exactly(cell["to"]), wide)
+
+
+def test_the_window_is_one_of_all_releases():
+    """That of the middle one alone is not enough."""
+    F, t = releases(TOSS), Fraction(7)
+    middle = F.at(exactly(t), [Interval.enclosing(15, 17, BITS)]).time
+    narrow = [Interval.enclosing(middle.lower - TINY, middle.upper + TINY, BITS)]
+    near = Interval.enclosing(t - TINY / 100, t + TINY / 100, BITS)
+    assert F.over(near, narrow)[-1].time.lies_inside(narrow[0].lower, narrow[0].upper)
+    wide = Interval.enclosing(t - TINY, t + TINY, BITS)
+    with pytest.raises(Rejected, match="'hand' may have no zero in its window"):
+        F.over(wide, narrow)
+
+
+def test_a_guard_that_rises_is_no_contact():
+    """Below a ceiling that is at 0 the ball would come back through it."""
+    path = ("parameters", "modes", "fly", "guards", "hand", "value")
+    F = releases(changed(TOSS, *path, [["-1", "y"]]))
+    with pytest.raises(Rejected, match="may not fall"):
+        F.at(exactly(7), [Interval.enclosing(15, 17, BITS)])

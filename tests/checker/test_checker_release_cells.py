@@ -16,7 +16,7 @@ from cap.checker.system import release_cells
 from cap.checker.system.given import SYSTEM, model
 from cap.checker.system.passage import Contact
 from cap.checker.system.release_bend import bend
-from cap.checker.system.release_cells import cell, confirm_laps
+from cap.checker.system.release_cells import Cell, cell, confirm_laps, coverings, met
 from cap.checker.system.releases import Releases
 from checker.altered import changed
 
@@ -91,6 +91,18 @@ def test_images():
     image = tossed(low, high).image
     ends = sorted(t + 4.3 * math.cos(t) for t in (low, high))
     assert [float(image.lower), float(image.upper)] == pytest.approx(ends, abs=1e-9)
+
+
+def test_cells_that_an_image_only_touches():
+    """They are met; a cell between the images of the ends is covered in their interior alone."""
+
+    def sent(k, low, high):
+        ends = between(low, low), between(high, high)
+        return Cell(Fraction(k), Fraction(k + 1), (), between(1, 1), ends, between(low, high), 1)
+
+    cells = [sent(0, 1, 2), sent(1, Fraction(1, 2), Fraction(5, 2)), sent(2, 2, 2)]
+    assert met(cells) == [range(3), range(3), range(1, 3)]
+    assert [[*c] for c in coverings(cells)] == [[], [1], []]
 
 
 def test_turns_that_are_not_counted(monkeypatch):

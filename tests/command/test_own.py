@@ -7,8 +7,11 @@ import pytest
 from cap.checker.verdict import check
 from cap.command.prover import main
 from cap.errors import NotProved
+from cap.floats.models.contacts import meets
 from cap.floats.models.engine import Engine
-from cap.floats.models.periodic import search
+from cap.floats.models.periodic import closed, search
+from cap.orbits.itinerary import Contact, Itinerary
+from cap.orbits.leg import Kinds
 from cap.proofs import contacts, symbolic
 from cap.proofs.theorems import THEOREMS
 from cap.system.files import read
@@ -57,6 +60,27 @@ def test_orbits_are_listed_once_and_by_their_least_period():
     met = search(system, 2, lambda *_: None)
     assert one.itinerary.contacts not in [orbit.itinerary.contacts for orbit in met.orbits]
     assert met.periods[1] == met.settled - met.captured
+
+
+def test_a_solution_that_does_not_happen():
+    """The wall is hit from behind: the equations of the contact have it, floats do not."""
+    system = read(MODEL)
+    itinerary = Itinerary(system, [Contact("free", "wall", "free")])
+    good, bad = (
+        closed(itinerary, guess, Kinds(system))
+        for guess in ([0.9151, 0.1, 3.697], [2.1806, 0.1, -3.7454])
+    )
+    assert good.falling < 0 < bad.falling
+    assert bad.attracts
+    assert meets(Engine(system), itinerary, good.guess)
+    assert not meets(Engine(system), itinerary, bad.guess)
+
+
+def test_saddles_beside_what_attracts():
+    """All states settle on one orbit; others that nearly close lead to saddles."""
+    orbits = search(read("examples/harvester.py"), 1, lambda *_: None).orbits
+    assert [orbit.attracts for orbit in orbits] == [True, False, False]
+    assert all(orbit.falling < -0.1 for orbit in orbits)
 
 
 @pytest.mark.slow

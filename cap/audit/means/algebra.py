@@ -123,10 +123,3 @@ def compared(derived: Any, printed: Any) -> Outcome:
     if differs(derived, printed):
         return Outcome.CORRECTED
     raise NotProved("algebra", f"whether {shown(derived)} is {shown(printed)} is undecided")
-
-
-def identity(name: str, left: Any, right: Any = 0) -> None:
-    """Raise `NotProved` unless an identity is confirmed."""
-    made()
-    if not same(sp.sympify(left), sp.sympify(right)):
-        raise NotProved("algebra", f"this identity was not confirmed: {name}")

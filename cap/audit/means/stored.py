@@ -40,15 +40,6 @@ def stored(name: str) -> Stored:
     return _accepted(name)
 
 
-def sentence(name: str) -> str:
-    """Return the theorem of a stored certificate in the checker's words; it is checked first."""
-    from cap.checker.kernel.certificate import read  # noqa: PLC0415
-    from cap.checker.verdict import words  # noqa: PLC0415
-
-    stored(name)
-    return words(read((FOLDER / name).read_bytes()))
-
-
 @cached
 def of_the_paper() -> dict[str, Fraction]:
     """Return the parameters at which the numbers of the paper are, if it has some, by names."""

@@ -39,7 +39,7 @@ _MARKDOWN = re.compile(r"([\\`*_|<>\[\]~])")
 _ID = re.compile(r"\b[a-z]+(?:-[a-z0-9]+)*\.[a-z0-9]+(?:-[a-z0-9]+)*\b")
 
 
-def written(template: str, report: Report | None = None) -> str:
+def written(template: str, report: Report) -> str:
     """Return what a template makes of a report: an ``audit``, an ``erratum``, a ``summary``."""
     kind = template.rpartition(".")[2]
     day, program = recorded.made()

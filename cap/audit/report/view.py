@@ -10,7 +10,6 @@ from cap.audit.errata import Change
 from cap.audit.findings import Finding, members
 from cap.audit.labels import Place
 from cap.audit.statements import Statement, statements
-from cap.audit.tables import Row
 from cap.audit.verdict import Outcome, Verdict
 
 INTRODUCTION = (
@@ -87,7 +86,7 @@ class Entry:
     def commands(self) -> list[str]:
         """What to run to decide the claim again."""
         own = [f"python -m cap.audit --only {self.claim.id} --fresh"]
-        if isinstance(self.claim, Row):
+        if self.claim.table:
             own.append(f"{subject.paper()['compute']} {self.claim.table}")
         name = self.verdict.certificate
         return [*own, f"python -m cap.verify certificates/{name}"] if name else own

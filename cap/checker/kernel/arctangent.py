@@ -2,8 +2,6 @@
 
 For an alternating series of decreasing terms the remainder is at most the first term left out.
 
-*Pi* = 16 arctan(1/5) - 4 arctan(1/239) (Machin).
-
 *Arccosine* decreases; arccos y = 2 arctan sqrt((1 - y)/(1 + y)).  For x >= 0, arctan x = 2 arctan(x
 / (1 + sqrt(1 + x^2))) makes the argument at most tan(pi/4) = 1 after one step and then less than
 half of itself at each step.
@@ -23,10 +21,8 @@ _HALVINGS = 9  # then x <= 2^-8, so each term of the arctangent is 16 bits small
 @cache
 def pi(bits: int) -> Interval:
     """Return an enclosure of pi, at most two units 2^-bits wide."""
-    p = bits + bits.bit_length() + 8  # the p/4 terms are three units wide each, or less
-    one = Interval(1 << p, 1 << p, p)
-    fifth, small = _arctan_series(one / 5), _arctan_series(one / 239)
-    return (fifth * 16 - small * 4).with_bits(bits)
+    p = bits + bits.bit_length() + 16  # the p/16 terms are three units wide each, or less
+    return (_arctan(Interval(1 << p, 1 << p, p)) * 4).with_bits(bits)
 
 
 def arccos(y: Interval) -> Interval:
@@ -40,17 +36,16 @@ def arccos(y: Interval) -> Interval:
 def _arccos_at(a: int, bits: int) -> Interval:
     """Return an enclosure of the arccosine of the point a 2^-bits."""
     y = Interval(a, a, bits).with_bits(2 * bits + 16)  # the square root may halve the precision
-    x = ((y.integer(1) - y) / (y.integer(1) + y)).sqrt()
+    return (_arctan(((y.integer(1) - y) / (y.integer(1) + y)).sqrt()) * 2).with_bits(bits)
+
+
+def _arctan(x: Interval) -> Interval:
+    """Return an enclosure of arctan x for x >= 0, after halvings: x - x^3/3 + x^5/5 - ..."""
     for _ in range(_HALVINGS):
         x = x / ((x.square() + 1).sqrt() + 1)
-    return (_arctan_series(x) * (1 << _HALVINGS + 1)).with_bits(bits)
-
-
-def _arctan_series(x: Interval) -> Interval:
-    """Return an enclosure of arctan x for 0 <= x <= 1: x - x^3/3 + x^5/5 - ..."""
     square, power, total, j = x.square(), x, x.integer(0), 0
     while power.hi > 1:
         total = total + power / ((-1) ** j * (2 * j + 1))
         power = power * square
         j += 1
-    return total + Interval(-power.hi, power.hi, x.bits)
+    return (total + Interval(-power.hi, power.hi, x.bits)) * (1 << _HALVINGS)

@@ -117,9 +117,8 @@ class Interval:
 
     def square(self) -> Interval:
         """Return an enclosure of x^2 for x in the interval; its lower end is not negative."""
-        near = max(self.lo, -self.hi, 0)  # min |x|
-        far = max(-self.lo, self.hi)  # max |x|
-        return Interval(near * near >> self.bits, -(-far * far >> self.bits), self.bits)
+        size = self.magnitude()
+        return size * size
 
     def sqrt(self) -> Interval:
         """Return an enclosure of the square roots; an interval with negative numbers rejects."""

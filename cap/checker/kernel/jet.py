@@ -163,10 +163,17 @@ def tightened(box: RealJet, centre: RealJet, offsets: Sequence[Interval]) -> Rea
     result = dict(box.coefficients)
     for power in sorted(result, key=sum, reverse=True):
         if sum(power) < box.order:
-            value = centre.coefficients.get(power, offsets[0].integer(0))
-            for higher, n, offset in zip(raised(power), power, offsets, strict=True):
-                slope = result.get(higher)
-                if slope is not None:
-                    value = value + slope * (n + 1) * offset
-            result[power] = result[power].intersection(value)
+            result[power] = result[power].intersection(mean_value(power, result, centre, offsets))
     return Jet(box.order, result)
+
+
+def mean_value(
+    power: Power, box: Mapping[Power, Interval], centre: RealJet, offsets: Sequence[Interval]
+) -> Interval:
+    """Return the mean value form of a coefficient, from those over the box, and at the centre."""
+    value = centre.coefficients.get(power, offsets[0].integer(0))
+    for higher, n, offset in zip(raised(power), power, offsets, strict=True):
+        slope = box.get(higher)
+        if slope is not None:
+            value = value + slope * (n + 1) * offset
+    return value

@@ -8,9 +8,9 @@ Here Phi is the map of the theorem: over one period, or over n of them.
 
    If K(Z) lies in the interior of Z, Phi has exactly one fixed point in Z, and it lies in K(Z)
    [Krawczyk].  C need not be close to anything: the inclusion proves that it is regular.  The
-   rows of C Phi are put in mean value form once more: what their terms have in common cancels.
-   If Phi depends on parameters in intervals, this is done for all their values q at once: Phi(m; q)
-   lies in Phi(m; q_0) + (the derivatives in q over the box and the intervals) (q - q_0).
+   rows of G = 1 - C (Phi - 1) are put in mean value form: what their terms have in common cancels,
+   and K is G(m) + G'(Z) (Z - m).  If Phi depends on parameters in intervals, they are variables of
+   G: for all their values q, G(m; q) lies in G(m; q_0) + (the derivatives in q) (q - q_0).
 2. *Localisation.*  The same for a small rectangle S = m +- radius (R, R omega) in the box, where
    R = r - l: the fixed point in S is the one of the box.
 3. *The orbit* of the fixed point P* in K(S): each claim contains the enclosure computed here, and
@@ -22,13 +22,14 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Sequence
+from operator import sub
 from typing import Any, ClassVar
 
 from cap.checker.flow.itinerary import MAX_EVENTS, Passage, PeriodMap
 from cap.checker.flow.mechanics import Ends
 from cap.checker.kernel.citation import NEUMAIER, Citation, cite
 from cap.checker.kernel.interval import Interval
-from cap.checker.kernel.jet import lift
+from cap.checker.kernel.jet import lift, mean_value
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Table, enclosure, region
@@ -62,17 +63,13 @@ def krawczyk(
     box = [Interval.enclosing(*z, bits) for z in region]
     centre = [Interval.enclosing(m, m, bits) for m in hints["centre"]]
     image = phi.over(box, centre, order)
-    K = list[Interval]()
-    for i, row in enumerate(hints["preconditioner"]):
+    start, K = image.mechanics.variables[:2], list[Interval]()
+    moved = [lift(sub, w, z) for w, z in zip((image.x, image.v), start, strict=True)]
+    for row, z, side in zip(hints["preconditioner"], start, region, strict=True):
         p, q = (Interval.enclosing(entry, entry, bits) for entry in row)
-        image_row = lift(lambda x, v, p=p, q=q: x * p + v * q, image.x, image.v)  # of C Phi
-        value, offsets = image_row.centre.constant, image_row.offsets
-        for n in range(2, len(offsets)):  # the variables e and mu
-            value = value + image_row.slope(n) * offsets[n]
-        defect = value - (p * centre[0] + q * centre[1])
-        left, right = p - image_row.slope(0) + int(i == 0), q - image_row.slope(1) + int(i == 1)
-        K.append(centre[i] - defect + left * offsets[0] + right * offsets[1])
-        need(K[i].lies_inside(*region[i]), "K does not lie in the interior of its box")
+        G = lift(lambda x, v, z, p=p, q=q: z - x * p - v * q, *moved, z)  # z - C (Phi - 1)
+        K.append(mean_value(G.box.origin, G.box.coefficients, G.centre, G.offsets))
+        need(K[-1].lies_inside(*side), "K does not lie in the interior of its box")
     return K[0], K[1]
 
 

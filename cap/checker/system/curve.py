@@ -26,7 +26,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
 from operator import mul
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
@@ -55,6 +55,12 @@ class Line(NamedTuple):
     centre: Sequence[Fraction]
     slope: Sequence[Fraction]
     reach: Sequence[Fraction]
+
+    @classmethod
+    def of(cls, given: Mapping[str, Any]) -> Line:
+        """Return that of a certificate."""
+        low, high = given["ends"]
+        return cls(given["along"], (low, high), given["centre"], given["slope"], given["reach"])
 
     @property
     def middle(self) -> Fraction:

@@ -9,10 +9,12 @@ import numpy as np
 
 from cap.errors import BadInput
 from cap.floats.models.engine import Engine
-from cap.floats.models.spectrum import Exponential, Floats, number
+from cap.floats.models.spectrum import Exponential, Floats, evaluated, number
 from cap.orbits.itinerary import Contact, Itinerary
+from cap.system.polynomial import COS, SIN
 
 MOST = 64  # contacts of a round
+ROUGH = 1e-4  # times of contacts that are followed once more
 LONG = 200  # periods of 2 pi/omega after which an orbit has settled
 
 
@@ -44,6 +46,31 @@ def contacts(
     before_each = _arrivals(engine, found, times, starts)
     guess = [x for t, q in zip(times[1:], before_each, strict=True) for x in (float(t), *q)]
     return Itinerary(engine.system, found, periods), guess
+
+
+def meets(engine: Engine, itinerary: Itinerary, guess: Sequence[float]) -> bool:
+    """Return whether floats that begin after the first contact meet the others, and it again.
+
+    Equations of contacts may have solutions on which a guard is negative between them.
+    """
+    system, (first, *others) = itinerary.system, itinerary.contacts
+    table = np.array(guess).reshape(len(others) + 1, -1)
+    period = 2 * np.pi / float(number(system.omega))
+    phase = 2 * np.pi * table[0, 0] / period
+    values = {**dict(zip(system.state, table[0, 1:], strict=True)), COS: np.cos(phase)}
+    values[SIN] = np.sin(phase)
+    reset = system.reset(first.mode, first.guard)
+    state = [
+        evaluated(reset[z].numerator, values) / evaluated(reset[z].denominator, values)
+        for z in system.state
+    ]
+    last = table[0, 0] if system.autonomous else itinerary.periods * period
+    times = np.array([*(table[1:, 0] - (0 if system.autonomous else table[0, 0])), last])
+    rounds = int(last / period) + 1
+    log = engine.follow([state], [first.to], periods=rounds, phase=phase, log=MOST + 1).log
+    told = [(engine.words[int(line[2])], engine.modes[int(line[3])]) for line in log[: len(times)]]
+    same = told == [(each.guard, each.to) for each in (*others, first)]
+    return same and bool(np.abs(log[: len(times), 1] - times).max() < ROUGH)
 
 
 def cycle(

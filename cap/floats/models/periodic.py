@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cap.errors import BadInput, NotProved
-from cap.floats.models.contacts import contacts, cycle
+from cap.floats.models.contacts import contacts, cycle, meets
 from cap.floats.models.engine import Engine, Integers, is_free
 from cap.floats.models.spectrum import Floats
 from cap.orbits.equations import Equations
@@ -39,11 +39,15 @@ Tell = Callable[[str, float | None], None]
 
 
 class Closed(NamedTuple):
-    """An orbit that closes up to rounding: its contacts, times and states there, multipliers."""
+    """An orbit that closes up to rounding: its contacts, times and states there, multipliers.
+
+    ``falling``: the largest rate of a guard at its contact, which is near 0 at a graze.
+    """
 
     itinerary: Itinerary
     guess: list[float]
     multipliers: NDArray[np.complex128]
+    falling: float
 
     @property
     def attracts(self) -> bool:
@@ -109,7 +113,9 @@ def search(system: System, periods: int, tell: Tell) -> Met:
         try:
             z = state.tolist()
             guess = cycle(engine, z, mode) if alone else contacts(engine, z, mode, periods)
-            _add(met, closed(*guess, kinds))
+            found = closed(*guess, kinds)
+            if found.falling < -SAME and meets(engine, found.itinerary, found.guess):
+                _add(met, found)
         except (BadInput, NotProved):  # it is captured, meets nothing, or leads nowhere
             continue
     met.orbits.sort(key=lambda orbit: (not orbit.attracts, len(orbit.guess)))
@@ -153,20 +159,21 @@ def closed(itinerary: Itinerary, guess: list[float], kinds: Kinds) -> Closed:
     if not (np.diff([*begins, last]) > 0).all():
         raise NotProved("Newton", "the contacts are not in order", {"t": list(times)})
     found[:: equations.n + 1] = times.tolist()
-    return Closed(itinerary, found, _multipliers(equations, found))
+    return Closed(itinerary, found, *_multipliers(equations, found))
 
 
-def _multipliers(equations: Equations, z: list[float]) -> NDArray[np.complex128]:
-    """Return the multipliers: the eigenvalues of a round, but for one 0."""
+def _multipliers(equations: Equations, z: list[float]) -> tuple[NDArray[np.complex128], float]:
+    """Return the multipliers, the eigenvalues of a round but for one 0; the largest rate."""
     blocks = equations.blocks(z, Doubles(equations.itinerary.system))
-    total = np.eye(equations.n + 1)
+    total, falling = np.eye(equations.n + 1), -np.inf
     for block, following in zip(blocks, [*blocks[1:], blocks[0]], strict=True):
         rows, guard = np.array(block.rows, float), np.array(following.guard, float)
         by, last = rows[:, :-1], rows[:, -1]
-        time = -(guard[1:] @ by) / (guard[0] + guard[1:] @ last)
+        rate = float(guard[0] + guard[1:] @ last)
+        time, falling = -(guard[1:] @ by) / rate, max(falling, rate)
         total = np.vstack([time, by + np.outer(last, time)]) @ total
     values = np.linalg.eigvals(total[1:, 1:] if equations.autonomous else total)
-    return np.sort_complex(np.delete(values, np.argmin(np.abs(values))))[::-1]
+    return np.sort_complex(np.delete(values, np.argmin(np.abs(values))))[::-1], falling
 
 
 def _seeds(engine: Engine) -> tuple[Floats, Integers]:
@@ -196,9 +203,10 @@ def _starts(
     distance = np.abs(back.states - cloud).max(axis=1) / (1 + np.abs(cloud).max(axis=1))
     captured = back.counts[:, -1] > 0
     distance[(back.flags != 0) | (back.modes != places) | captured] = np.inf
-    for k in np.argsort(distance)[:NEAREST]:
-        if np.isfinite(distance[k]):
-            yield cloud[k], engine.modes[places[k]]
+    near = np.argsort(distance)[: np.isfinite(distance).sum()]
+    far = near[distance[near] >= SAME]  # not what attracts, nor one of a continuum: saddles
+    for k in dict.fromkeys([*near[:NEAREST].tolist(), *far[:NEAREST].tolist()]):
+        yield cloud[k], engine.modes[places[k]]
 
 
 def _attracted(
@@ -215,7 +223,11 @@ def _attracted(
     met.settled, met.captured = len(settled), int(captured.sum())
     met.periods.update(int(n) for n in least[~captured] if n and n != periods)
     wanted = np.flatnonzero((least == periods) & ~captured)
-    for k in wanted[np.unique(settled[wanted].round(5), axis=0, return_index=True)[1]][:NEAREST]:
+    _, first, counts = np.unique(
+        settled[wanted].round(5), axis=0, return_index=True, return_counts=True
+    )
+    often = np.sort(np.argsort(-counts, kind="stable")[:NEAREST])  # not each of a continuum
+    for k in wanted[first[often]]:
         yield settled[k], engine.modes[where[k]]
 
 
