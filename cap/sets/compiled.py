@@ -77,7 +77,7 @@ def files() -> list[Path]:
     here = Path(__file__).parent
     folders = here, here.parent / "areas", here.parent / "checker" / "folded"
     found = sorted(file for folder in folders for file in folder.rglob("*.py"))
-    return [*found, here.parent / "flow" / "flight.py"]
+    return [*found, *(here.parent / "flow" / name for name in ("flight.py", "kernels.py"))]
 
 
 PROBE = np.array([1.0, 2.0**-53, 2.0**-53 + 2.0**-105, 2.0**-1074, 2.0**-1022, 2.0**900])
