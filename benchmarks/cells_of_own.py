@@ -56,7 +56,7 @@ def follower(name: str, parameter: str, low: str, high: str) -> tuple[Follower[A
 def followed(of: Follower[Any], guess: list[float]) -> tuple[float, int]:
     """Return the milliseconds for a curve, and how many cells were tried."""
     with (
-        patch.object(of, "_points", return_value=()),
+        patch.object(of, "points", return_value=()),
         patch.object(of.cells, "line", wraps=of.cells.line) as tried,
         interval.workprec(BITS),
     ):

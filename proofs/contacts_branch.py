@@ -15,7 +15,7 @@ contacts, with a guess.  If the lemmas below succeed, then
  (v)   where a contact is proved to be lost at an end: the curve goes on to where the speed at the
        contact is 0, so that the guard only touches zero, and nothing else happens until there.
 
-Proof.  `cap.orbits.cells` (i), `cap.orbits.quiet` (ii), `cap.orbits.branch` (iii),
+Proof.  `cap.orbits.cells` (i), `cap.orbits.quiet` (ii), `cap.orbits.points` (iii),
 `cap.orbits.graze` (iv), `cap.orbits.lost_contact` (v).
 """
 
@@ -28,13 +28,14 @@ from cap.certificate import writer
 from cap.certificate.writer import Rounding
 from cap.checker.theorems import load
 from cap.errors import BadInput, NotProved
-from cap.orbits.branch import FINE, Branch, Follower, Point, Shown, Tell
+from cap.orbits.branch import Branch, Follower, Shown
 from cap.orbits.cells import SHIFT, Cell, Cells, wider
 from cap.orbits.curve import Curve
 from cap.orbits.graze import Graze, Grazer
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.lost_contact import Lost, LostContacts
 from cap.orbits.periodic import Prover
+from cap.orbits.points import FINE, Point, Tell
 from cap.proofs import contacts
 from cap.proofs.contacts import Cuts as Legs
 from cap.sets import interval

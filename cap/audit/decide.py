@@ -38,14 +38,14 @@ def _rested(verdict: Verdict, certificates: Collection[str], *, made: bool) -> V
     """Return the verdict with the strength of what it rests on.
 
     That is a written proof, which must be there; else the certificates that were asked for; else
-    the steps that were made; else the reading of the text.  What is numerical, or not decided,
-    says so itself.
+    the steps that were made; else the reading of the text.  What is numerical, or read by
+    steps, or not decided, says so itself.
     """
     if verdict.proof and not exists(verdict.proof):
         return _undecided(f"the written proof {verdict.proof} is missing")
     if verdict.certificate and verdict.certificate not in certificates:
         return _undecided(f"the certificate {verdict.certificate} is named, and was not checked")
-    if verdict.strength in (Strength.NUMERICAL, Strength.NONE):
+    if verdict.strength in (Strength.NUMERICAL, Strength.READ, Strength.NONE):
         return verdict
     if verdict.proof:
         return replace(verdict, strength=Strength.BY_ARGUMENT)

@@ -10,8 +10,9 @@ from typing import Any, NamedTuple, TypeVar
 
 from cap.errors import NotProved
 from cap.maps.zero import Box
-from cap.orbits.branch import PLACES, Follower
+from cap.orbits.branch import Follower
 from cap.orbits.cells import Cell
+from cap.orbits.points import PLACES
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -112,7 +113,7 @@ class Ahead:
         """Return a short cell on a piece, around where a number vanishes: its sign is a guess."""
 
         def at(s: Fraction) -> Box:
-            return tuple(map(interval.ball, self.follower.fine(piece.line, (s, s)).centre))
+            return tuple(map(interval.ball, self.follower.points.fine(piece.line, (s, s)).centre))
 
         low, high = piece.line.ends
         near = (9 * low + high) / 10, (low + 9 * high) / 10
@@ -120,7 +121,7 @@ class Ahead:
         ends = middle - 2 * unit, middle + 2 * unit
         if not low < ends[0] < ends[1] < high:
             raise NotProved(self.step, "it is not on its piece")
-        short = self.cells.zeros(self.follower.fine(piece.line, ends))
+        short = self.cells.zeros(self.follower.points.fine(piece.line, ends))
         if not all(piece.holds(short, s) for s in ends):
             raise NotProved(self.step, "it is not certain to be on its piece")
         return short

@@ -1,30 +1,24 @@
 """A curve of periodic orbits over a range of a parameter, followed from one orbit, cell by cell.
 
 It ends where the parameter leaves the range, or where a cell fails however short it is: where the
-orbit grazes a guard, say.  What is seen on the way in doubles, multipliers that cross the unit
-circle and turns of the curve, is then enclosed in cells of the length 4e-24 (`Point`).
+orbit grazes a guard, say.  What happens on the way is then looked for (`cap.orbits.points`).
 """
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
-from itertools import combinations
-from math import prod
 from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
 from cap.errors import NotProved
 from cap.maps.zero import Box
-from cap.orbits.cells import Cell, Cells, Line, decimal, in_units
+from cap.orbits.cells import Cell, Cells
 from cap.orbits.periodic import outside
+from cap.orbits.points import Point, Points, Tell, at_minus_one
 from cap.sets import interval
-from cap.sets.interval import Ball
 
-FINE = 224  # bits for points
-PLACES, STEPS = 24, 40  # decimals of a point; steps of the secant method
 FIRST, LONG, GROWTH = 1 / 100, 1 / 20, 1.4  # half lengths of cells, of the range
 SHORT = 1e-4  # of the longest cell, along the curve: a shorter one is not tried
 CLEAR = 1 / 500  # a longer cell should tell how many multipliers are outside the unit circle
@@ -41,20 +35,6 @@ class Shown(NamedTuple, Generic[Legs]):
     legs: Legs
 
 
-class Point(NamedTuple):
-    """A short cell on the cell of a number, over which ``kind`` happens.
-
-    A multiplier passes -1 ("flip"), two pass the unit circle elsewhere ("pair"), or the curve turns
-    back ("fold"): the sign of the test function changes.  So many multipliers are outside the unit
-    circle at both ends, None if this is not clear: where area is preserved they are on it.
-    """
-
-    kind: str
-    inside: int
-    cell: Cell
-    outside: tuple[int | None, int | None]
-
-
 @dataclass
 class Branch(Generic[Legs]):
     """Cells in order along the curve, points on it, and why it ends where it does (or nothing).
@@ -69,7 +49,6 @@ class Branch(Generic[Legs]):
 
 
 Quiet = Callable[[Box], Legs]
-Tell = Callable[[str, float | None], None]
 
 
 class Follower(Generic[Legs]):
@@ -80,6 +59,7 @@ class Follower(Generic[Legs]):
     ) -> None:
         self.cells, self.quiet, self.tell = cells, quiet, tell
         self.low, self.high = ends
+        self.points = Points(cells, tell)
         self.size = cells.curve.size  # the parameter is the unknown of this number
 
     def branch(self, w: Sequence[float]) -> Branch[Legs]:
@@ -93,7 +73,7 @@ class Follower(Generic[Legs]):
             raise NotProved("branch", f"no cell is proved where it begins: {last or first}")
         shown = [*reversed(before), *after]
         cells = [each.cell for each in shown]
-        return Branch(shown, self.counts(cells), list(self._points(cells)), (first, last))
+        return Branch(shown, self.counts(cells), self.points(cells), (first, last))
 
     def _followed(
         self, z: Sequence[float], v: Any, beside: Shown[Legs] | None
@@ -187,7 +167,7 @@ class Follower(Generic[Legs]):
         e = cell.multipliers
         if len(e) != 2 or cell.line.along != self.size:
             return False
-        total, size = _at_minus_one(e), abs(e[1])
+        total, size = at_minus_one(e), abs(e[1])
         return bool(not total.contains(0) and (size < 1 or size > 1))
 
     def counts(self, cells: Sequence[Cell]) -> list[int | None]:
@@ -202,121 +182,6 @@ class Follower(Generic[Legs]):
                     known[k] = known[k - order.step]
         return known
 
-    # points
-
-    def _points(self, cells: list[Cell]) -> Iterator[Point]:
-        """Give points where test functions change their signs from one end of a cell to the other.
-
-        A point that is not proved is left out.
-        """
-        for k, cell in enumerate(cells):
-            self.tell("looking for bifurcations", k / len(cells))
-            ends = [self._tests(cell, s) for s in cell.line.ends]
-            for kind in ends[0]:
-                if ends[0][kind] * ends[1][kind] < 0:
-                    with suppress(NotProved), interval.workprec(FINE):
-                        yield self._point(kind, k, cell)
-
-    def _tests(self, cell: Cell, s: Fraction) -> dict[str, float]:
-        """Return the test functions in doubles."""
-        w = [float(x) for x in cell.at(s)]
-        with interval.workprec(64):
-            e = self.cells.multipliers(tuple(map(Ball, w)))
-        found = {"flip": float(_at_minus_one(e)), "pair": float(_of_pairs(e))}
-        if cell.line.along != self.size:
-            v = self.cells.tangent(w)
-            found = {"fold": v[self.size] / v[cell.line.along], **found}
-        return found
-
-    def _point(self, kind: str, number: int, cell: Cell) -> Point:
-        """Prove that the test function changes its sign over a short cell."""
-        s = self._zero(kind, cell)
-        unit = Fraction(1, 10**PLACES)
-        middle = round(s, PLACES)
-        low, high = cell.line.ends
-        ends = max(middle - 2 * unit, low), min(middle + 2 * unit, high)
-        short = self.cells.prove(self.fine(cell.line, ends))
-        if not cell.holds(short, ends[0]) or not cell.holds(short, ends[1]):
-            raise NotProved("point", "it is not certain to be on the curve")
-        signs = [self.sign(kind, short, end) for end in ends]
-        if signs[0] * signs[1] != -1:
-            raise NotProved("point", f"no change of sign is certain: {kind}")
-        counts = [outside(self.cells.multipliers(short.at(end))) for end in ends]
-        before, after = counts
-        if kind == "pair":
-            if before is None or after is None:
-                raise NotProved("point", "multipliers may be on the unit circle beside it")
-            if abs(before - after) != 2:
-                raise NotProved("point", "no pair of multipliers crosses the unit circle")
-        return Point(kind, number, short, (before, after))
-
-    def sign(self, kind: str, cell: Cell, s: Fraction) -> int:
-        """Return the sign of a test function; 0 if it is not certain."""
-        value = self._value(kind, cell, s)
-        return 1 if value > 0 else -1 if value < 0 else 0
-
-    def _value(self, kind: str, cell: Cell, s: Fraction) -> Ball:
-        """Return an enclosure of a test function."""
-        box = cell.at(s)
-        if kind == "fold":
-            return self.rates(box, cell.line.along)[self.size]
-        e = self.cells.multipliers(box)
-        return _at_minus_one(e) if kind == "flip" else _of_pairs(e)
-
-    def rates(self, box: Box, along: int) -> list[Ball]:
-        """Return an enclosure of dw/ds."""
-        curve, size = self.cells.curve, self.size
-        rows = curve.rows(curve.blocks(box, self.cells.balls))
-        others = [k for k in range(size + 1) if k != along]
-        A = interval.matrix([[row[k] for k in others] for row in rows])
-        b = interval.column([-row[along] for row in rows])
-        try:
-            rates: list[Ball] = A.solve(b).entries()
-        except ZeroDivisionError:
-            raise NotProved("point", "F' may be singular along the curve") from None
-        return [*rates[:along], interval.ONE, *rates[along:]]
-
-    def fine(self, line: Line, ends: tuple[Fraction, Fraction]) -> Line:
-        """Return a line through a point of the curve that is known to many digits."""
-        middle, along, size = (ends[0] + ends[1]) / 2, line.along, self.size
-        others = [k for k in range(size + 1) if k != along]
-        C, start = line.preconditioner, line.at(interval.ball(middle - line.middle))
-        w, of = [x.mid() for x in start], self.cells.balls
-        w[along] = interval.ball(middle)
-        for _ in range(STEPS):
-            step = (C * interval.column(self.cells.curve.value(w, of))).entries()
-            for k, d in zip(others, step, strict=True):
-                w[k] = (w[k] - d).mid()
-            if max(float(abs(d)) for d in step) < 1e-50:
-                break
-        rows = self.cells.slopes([float(x) for x in w])
-        inverse = np.linalg.inv(rows[:, others])
-        rates = np.ones(size + 1)
-        rates[others] = -inverse @ rows[:, along]
-        centre = [round(interval.midpoint(x), 2 * PLACES) for x in w]
-        centre[along] = middle
-        slope = [decimal(q, 8) for q in rates.tolist()]
-        return Line(along, ends, centre, slope, in_units(inverse))
-
-    def _zero(self, kind: str, cell: Cell) -> Fraction:
-        """Return where the test function changes its sign, by the secant method; a guess."""
-
-        def value(s: Fraction) -> Fraction:
-            line = self.fine(cell.line, (s, s))
-            exact = Cell(line, (), (interval.ZERO,) * (self.size + 1), [])
-            return interval.midpoint(self._value(kind, exact, s))
-
-        low, high = a, b = cell.line.ends
-        f, g = value(a), value(b)
-        for _ in range(STEPS):
-            if f == g:
-                break
-            s = min(max(round(b - g * (b - a) / (g - f), PLACES + 8), low), high)
-            a, f, b, g = b, g, s, value(s)
-            if abs(b - a) < Fraction(1, 10 ** (PLACES + 3)):
-                break
-        return b
-
 
 def _exactly(x: float) -> Fraction:
     return Fraction(Decimal(repr(x)))
@@ -324,20 +189,3 @@ def _exactly(x: float) -> Fraction:
 
 def _rounded(x: float) -> Fraction:
     return Fraction(Decimal(f"{x:.9f}"))
-
-
-def _at_minus_one(e: Sequence[Ball]) -> Ball:
-    """Return the product of 1 + multiplier."""
-    return interval.total([interval.ONE, *e])
-
-
-def _of_pairs(e: Sequence[Ball]) -> Ball:
-    """Return the product of 1 - the product of two multipliers, over all pairs; a guess."""
-    p = [1.0] + [(-1) ** k * float(x) for k, x in enumerate(e, 1)]
-    if len(e) == 2:
-        return 1 - e[1]
-    roots = np.roots(p)
-    return Ball(float(np.real(prod(1 - a * b for a, b in combinations(roots.tolist(), 2)))))
-
-
-__all__ = ["Branch", "Follower", "Point", "Shown"]

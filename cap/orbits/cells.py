@@ -223,6 +223,19 @@ class Cells:
             aside = [interval.symmetric(interval.ball(r)) for r in reach]
         raise NotProved("curve", "K does not lie inside of the box of a cell", {"s": place[along]})
 
+    def rates(self, box: Box, along: int) -> list[Ball]:
+        """Return an enclosure of dw/ds."""
+        curve, size = self.curve, self.curve.size
+        rows = curve.rows(curve.blocks(box, self.balls))
+        others = [k for k in range(size + 1) if k != along]
+        A = interval.matrix([[row[k] for k in others] for row in rows])
+        b = interval.column([-row[along] for row in rows])
+        try:
+            rates: list[Ball] = A.solve(b).entries()
+        except ZeroDivisionError:
+            raise NotProved("curve", "F' may be singular along the curve") from None
+        return [*rates[:along], interval.ONE, *rates[along:]]
+
     def multipliers(self, box: Box) -> list[Ball]:
         """Return the elementary symmetric functions of the multipliers of the orbits in a box."""
         D: Matrix = derivative(self.curve.of_round(self.curve.blocks(box, self.balls)))

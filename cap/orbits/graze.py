@@ -16,9 +16,10 @@ from cap.errors import NotProved
 from cap.maps.zero import Box
 from cap.orbits.ahead import Ahead, Begin
 from cap.orbits.along import Along
-from cap.orbits.branch import FINE, PLACES, Follower
+from cap.orbits.branch import Follower
 from cap.orbits.cells import Cell
 from cap.orbits.periodic import Prover
+from cap.orbits.points import FINE, PLACES
 from cap.orbits.quiet import Reason
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -154,7 +155,7 @@ class Grazer:
     def _drift(self, piece: Cell, place: Place, times: Ball) -> Ball:
         """Return an enclosure of the derivative of h along a cell at fixed times."""
         along = self._along(piece.box, place)
-        rates = self.curve.expanded(self.follower.rates(piece.box, piece.line.along))
+        rates = self.curve.expanded(self.follower.cells.rates(piece.box, piece.line.along))
         equations, of, z = self.curve.equations, self.cells.balls, self.curve.expanded(piece.box)
         at, leg = equations.places[place.leg], equations.legs[place.leg]
         n, start, clock = equations.n, along.leg.start, of.clock(times)

@@ -15,9 +15,10 @@ from typing import Any, NamedTuple
 from cap.errors import NotProved
 from cap.maps.zero import Box
 from cap.orbits.ahead import Ahead, Begin
-from cap.orbits.branch import FINE, Follower
+from cap.orbits.branch import Follower
 from cap.orbits.cells import Cell
 from cap.orbits.periodic import Prover
+from cap.orbits.points import FINE
 from cap.orbits.quiet import Reason
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -61,7 +62,7 @@ class LostContacts:
         box = tuple(speed.curve.expanded(piece.wider))
         speed.turns(piece.wider)
         reasons = self.prover.reasons(box, lost=speed.contact)
-        rates = self.follower.rates(piece.box, piece.line.along)
+        rates = self.follower.cells.rates(piece.box, piece.line.along)
         if speed.change(piece.box, rates).contains(0):
             raise NotProved("lost contact", "its speed may not be monotone")
         with interval.workprec(FINE):
