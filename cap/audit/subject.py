@@ -65,14 +65,9 @@ def file(name: str) -> Path:
     return FOLDER / _chosen[0] / name
 
 
-def group(name: str) -> tuple[Path, str]:
-    """Return the data of a group of claims, and the module with the functions they name."""
-    return file(f"claims/{name}.toml"), f"{__package__}.papers.{_chosen[0]}.claims.{name}"
-
-
-def means(name: str) -> str:
-    """Return a module of the folder ``means/``, whose functions the steps of claims may call."""
-    return f"{__package__}.papers.{_chosen[0]}.means.{name}"
+def module(name: str) -> str:
+    """Return a module of its own: ``claims.GROUP``, or one of ``means``."""
+    return f"{__package__}.papers.{_chosen[0]}.{name}"
 
 
 def data(name: str) -> dict[str, Any]:

@@ -100,9 +100,10 @@ def test_cells_that_an_image_only_touches():
         ends = between(low, low), between(high, high)
         return Cell(Fraction(k), Fraction(k + 1), (), between(1, 1), ends, between(low, high), 1)
 
-    cells = [sent(0, 1, 2), sent(1, Fraction(1, 2), Fraction(5, 2)), sent(2, 2, 2)]
-    assert met(cells) == [range(3), range(3), range(1, 3)]
-    assert [[*c] for c in coverings(cells)] == [[], [1], []]
+    half = Fraction(1, 2)
+    cells = [sent(0, 1, 2), sent(1, half, 2 + half), sent(2, 1, 2 + half), sent(3, half, 2)]
+    assert met(cells) == [range(3), range(3), range(3), range(3)]
+    assert [[*c] for c in coverings(cells)] == [[], [1], [], []]
 
 
 def test_turns_that_are_not_counted(monkeypatch):
