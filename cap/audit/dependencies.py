@@ -43,15 +43,10 @@ def closure(module: str) -> set[str]:
     found, todo = set[str](), [module]
     while todo:
         name = todo.pop()
-        if name not in found and _exists(name):
+        if name not in found and _file(name).is_file():
             found.add(name)
             todo += [*_imported(name), *_beside(name)]
     return found
-
-
-@cache
-def _exists(module: str) -> bool:
-    return _file(module).is_file()
 
 
 @cache

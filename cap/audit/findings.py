@@ -57,9 +57,8 @@ def members(verdicts: Mapping[str, Verdict]) -> dict[Finding, list[str]]:
     named = {name for each in findings() for name in each.claims}
     wrong = [name for name, each in verdicts.items() if each.outcome is not Outcome.CONFIRMED]
     keys = {name: name if name in named else f"{name.partition('.')[0]}.*" for name in wrong}
-    found = {each: [name for name in wrong if keys[name] in each.claims] for each in findings()}
-    cores = {each: each.claims[0] for each in found}
     return {
-        each: [cores[each], *(name for name in names if name != cores[each])]
-        for each, names in found.items()
+        each: [core, *(name for name in wrong if keys[name] in each.claims and name != core)]
+        for each in findings()
+        for core in each.claims[:1]
     }

@@ -46,10 +46,11 @@ def claims(path: Path, module: str) -> tuple[Claim, ...]:
 
 
 def _claim(entry: Given, common: Given, module: str) -> Claim:
-    function, used = None, [subject.means(each) for each in entry.get("uses", "").split()]
+    function = None
+    used = [subject.module(f"means.{each}") for each in entry.get("uses", "").split()]
     if "decide" in entry:
         group, _, name = entry["decide"].rpartition(".")
-        module = subject.group(group)[1] if group else module
+        module = subject.module(f"claims.{group}") if group else module
         function = partial(getattr(import_module(module), name), **entry.get("with", {}))
     formulas = [each.formula for each in errata.of(entry["id"])]
     return Claim(

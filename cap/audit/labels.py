@@ -6,6 +6,7 @@ abstract.  Numbers are those that LaTeX prints.  The list is stored in ``labels.
 """
 
 import hashlib
+import json
 import re
 from collections import Counter
 from collections.abc import Iterator
@@ -170,8 +171,10 @@ def _plain(title: str) -> str:
 
 
 def dumps(paper: Paper) -> str:
-    """Return the text of the stored list."""
-    return subject.dumps(asdict(paper))
+    """Return the text of the stored list: JSON with a line for each place."""
+    text = json.dumps(asdict(paper), ensure_ascii=False, indent=1)
+    text = re.sub(r"(?<=[\[{])\n {3,}|\n  (?=[\]}])", "", text)
+    return re.sub(r"\n {3,}", " ", text) + "\n"
 
 
 @cached

@@ -15,8 +15,10 @@ def claims() -> dict[str, Claim]:
 
     The rows of tables come after the other claims of their places.
     """
-    groups = subject.paper()["groups"]
-    found = [each for group in groups for each in given.claims(*subject.group(group))]
+    found: list[Claim] = []
+    for group in subject.paper()["groups"]:
+        path, module = subject.file(f"claims/{group}.toml"), subject.module(f"claims.{group}")
+        found += given.claims(path, module)
     found += tables.claims()
     order = {place.label: k for k, place in enumerate(labels.stored().places)}
     found.sort(key=lambda each: order.get(each.where, len(order)))

@@ -47,15 +47,15 @@ def made() -> tuple[str, str]:
 def write(verdicts: dict[str, Verdict]) -> None:
     """Record verdicts; those on other claims stay, those on what is no claim any more go."""
     old, claims = _file()["verdicts"], ledger.claims()
-    new = {name: _short(each) | {"sentence": sentence(name)} for name, each in verdicts.items()}
+    new = {
+        name: {key: str(value) for key, value in asdict(each).items() if value}
+        | {"sentence": sentence(name)}
+        for name, each in verdicts.items()
+    }
     entries = {name: (old | new)[name] for name in claims if name in old | new}
     day, program = datetime.now(UTC).date().isoformat(), f"cap {__version__}"
     everything = {"date": day, "program": program, "verdicts": entries}
     subject.store("recorded.json", f"{json.dumps(everything, ensure_ascii=False, indent=1)}\n")
-
-
-def _short(decided: Verdict) -> dict[str, str]:
-    return {key: str(value) for key, value in asdict(decided).items() if value}
 
 
 def sentence(name: str) -> str:

@@ -12,17 +12,12 @@ from cap.audit.labels import Place
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Verdict
 
-STANDS, CHANGED, FALLS = "stands", "stands when changed", "falls"
-NOTHING, UNKNOWN, UNCLEAR = "vacuous", "open", "not checkable as stated"
-_STATUS = {
-    Outcome.CONFIRMED: STANDS,
+CHANGED = "stands when changed"
+_STATUS = {  # others have the name of the verdict
+    Outcome.CONFIRMED: "stands",
     Outcome.IMPRECISE: CHANGED,
     Outcome.CORRECTED: CHANGED,
-    Outcome.OPEN: UNKNOWN,
-    Outcome.UNCHECKABLE: UNCLEAR,
-    Outcome.VACUOUS: NOTHING,
-    Outcome.REFUTED: FALLS,
-    Outcome.UNDECIDED: "undecided",
+    Outcome.REFUTED: "falls",
 }
 
 
@@ -53,7 +48,7 @@ class Statement:
         first, *others = (verdicts[name].outcome for name in self.decided_by)
         if first is Outcome.CONFIRMED and any(each is not Outcome.CONFIRMED for each in others):
             return CHANGED
-        return _STATUS[first]
+        return _STATUS.get(first, str(first))
 
 
 @cached

@@ -13,13 +13,12 @@
     elliptic.box.x.lower < paper.r       an end of an enclosure; a parameter of the paper
     elliptic.at == paper                 it is about the paper's parameters
     labels.cited > 0                     of the places of the text: `cap.audit.labels.Paper`
-    hit(1).det() == 1                    of a derivative of `cap.audit.means.linear`: hit, turn
     late = follow("0.1", "0.5", 2)       what a function finds of a module that the claim ``uses``
     late.state[0] < 1                    balls, by what is claimed or found, are numbers in them
     '''
 
-A function is called with exact numbers, balls and words.  What follows ``#`` says, for people, what
-is shown, or what would be the case if it were not.
+A function is called with exact numbers, balls, expressions and words.  What follows ``#`` says, for
+people, what is shown, or what would be the case if it were not.
 """
 
 import re
@@ -32,7 +31,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from cap.audit import labels, tex
-from cap.audit.means import algebra, balls, linear
+from cap.audit.means import algebra, balls
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
 from cap.audit.means.stored import THE_PAPER, claimed
@@ -63,12 +62,7 @@ class Steps:
     """
 
     def __init__(self, used: Iterable[str] = ()) -> None:
-        self.names: dict[str, Any] = {
-            "paper": THE_PAPER,
-            "labels": labels.stored(),
-            "hit": linear.hit,
-            "turn": linear.turn,
-        }
+        self.names: dict[str, Any] = {"paper": THE_PAPER, "labels": labels.stored()}
         self.balls: dict[Any, Ball] = {}
         for module in used:
             for name, each in vars(import_module(module)).items():
@@ -115,12 +109,16 @@ class Steps:
         return call
 
     def _given(self, value: Any) -> Any:
-        """Return what a function is given: exact numbers as fractions, others as balls."""
+        """Return what a function is given: exact numbers as fractions, others as balls.
+
+        Expressions that are no numbers, and words, are given as they are.
+        """
         if isinstance(value, list | tuple):
             return tuple(map(self._given, value))
         if getattr(value, "is_Rational", False):
             return Fraction(int(value.p), int(value.q))
-        return self.enclosed(value) if isinstance(value, sp.Expr) else value
+        number = isinstance(value, sp.Expr) and value.free_symbols <= self.balls.keys()
+        return self.enclosed(value) if number else value
 
     def _exact(self, value: Any) -> Any:
         """Return what is claimed or found for an expression: for a ball a symbol, which has it."""

@@ -10,7 +10,6 @@ Nothing outside of the folder knows what the paper says.
 """
 
 import json
-import re
 import tomllib
 from collections.abc import Callable
 from functools import cache
@@ -65,14 +64,9 @@ def file(name: str) -> Path:
     return FOLDER / _chosen[0] / name
 
 
-def group(name: str) -> tuple[Path, str]:
-    """Return the data of a group of claims, and the module with the functions they name."""
-    return file(f"claims/{name}.toml"), f"{__package__}.papers.{_chosen[0]}.claims.{name}"
-
-
-def means(name: str) -> str:
-    """Return a module of the folder ``means/``, whose functions the steps of claims may call."""
-    return f"{__package__}.papers.{_chosen[0]}.means.{name}"
+def module(name: str) -> str:
+    """Return a module of its own: ``claims.GROUP``, or one of ``means``."""
+    return f"{__package__}.papers.{_chosen[0]}.{name}"
 
 
 def data(name: str) -> dict[str, Any]:
@@ -87,13 +81,6 @@ def store(name: str, text: str) -> None:
     with replacing(file(name)) as stored:
         stored.write(text.encode())
     forget()
-
-
-def dumps(everything: Any) -> str:
-    """Return JSON with a line for each entry of its lists and tables, and for no part of these."""
-    text = json.dumps(everything, ensure_ascii=False, indent=1)
-    text = re.sub(r"(?<=[\[{])\n {3,}|\n  (?=[\]}])", "", text)
-    return re.sub(r"\n {3,}", " ", text) + "\n"
 
 
 @cached

@@ -6,16 +6,19 @@ The wall is a guard that names a mode of rest (`cap.proofs.contact_basin`).
 import argparse
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import pi
 from pathlib import Path
 from typing import Any
 
 from cap.areas.resting.asked import Rectangle, driven
+from cap.checker.theorems.contact_basin import LONGEST
 from cap.command import own_map
 from cap.command.console import Parser, program, protected
 from cap.command.own_capture import add_guard, box_of, wall_of
 from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.option import integer
+from cap.orbits.numbers import Floats
 from cap.orbits.wall import Wall
 from cap.parameters import exact
 from cap.proofs import contact_basin
@@ -91,6 +94,8 @@ class Asked:
         start, until = exact(options.start), exact(options.until)
         if not start < until:
             raise BadInput("--until is not after --start")
+        if 2 * pi / Floats(system).period * float(until - start) > LONGEST:
+            raise BadInput(f"--until is too late: at most {LONGEST}/omega after --start")
         if any(a == b for a, b in box.values()):
             raise BadInput("--box has no area")
         cells = integer(options.cells, "cells", (1, MOST))

@@ -22,6 +22,7 @@ from cap.orbits.halves import half
 from cap.orbits.itinerary import Itinerary
 from cap.parameters import exact
 from cap.proofs import contacts_branch
+from cap.proofs.contacts import as_parameters
 from cap.system.files import assigned, load, stem
 from cap.system.model import System
 from cap.system.moving import moving
@@ -112,6 +113,7 @@ def _run(options: argparse.Namespace, progress: Progress) -> int:
         return load(options.model, {**values, name: value}).system
 
     system = moving(at, name, (low, high), begun)
+    _free(path, options, system)
     itinerary = Itinerary(system, orbit.itinerary.contacts, orbit.itinerary.periods)
     guess = [*orbit.guess, float(start)]
     if options.symmetric:
@@ -161,12 +163,16 @@ def _path(options: argparse.Namespace, values: Mapping[str, str]) -> Path:
         return out
     writable_into(out, ".json")
     told = [f"{key}={value}" for key, value in sorted(values.items())]
-    words = ["contacts_branch", stem(options.model), options.parameter, *options.range, *told]
+    ends = [word.strip() for word in options.range]  # a number below zero has a space before it
+    words = ["contacts_branch", stem(options.model), options.parameter, *ends, *told]
     words += ["symmetric"] if options.symmetric else []
-    path = out / f"{'-'.join(words).replace('/', '_')}.json"
-    if path.exists():
-        raise BadInput(f"there is a file at {quoted(path)}: name one with --out FILE.json")
-    return path
+    return out / f"{'-'.join(words).replace('/', '_')}.json"
+
+
+def _free(path: Path, options: argparse.Namespace, system: System) -> None:
+    """Raise `BadInput` if another file is where the certificate goes, unless it is to go there."""
+    if path != options.out:
+        own_map.free(path, as_parameters(system))
 
 
 def _orbit(options: argparse.Namespace, system: System, periods: int, progress: Progress) -> Closed:

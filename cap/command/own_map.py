@@ -74,7 +74,7 @@ def place(
     values = [f"{key}={value}" for key, value in sorted(told.items())]
     words = "-".join([*names, *values]).replace("/", "_")
     path /= f"{words[:120]}.json"
-    _free(path, about)
+    free(path, about)
     return path
 
 
@@ -100,7 +100,7 @@ def answered(
     return 0
 
 
-def _free(path: Path, parameters: dict[str, Any]) -> None:
+def free(path: Path, parameters: dict[str, Any]) -> None:
     """Raise `BadInput` if there is a file at a path, but about the same system."""
     if not path.exists():
         return

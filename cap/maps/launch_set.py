@@ -36,6 +36,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Self
 
+from cap.flow.flight import place, velocity
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.matrix import Matrix
@@ -95,7 +96,7 @@ def flown(alpha: Any, launch: tuple[Any, Any], at: Any) -> tuple[Any, Any]:
     """
     ((t, sin, cos), u), (x, sin_x, cos_x) = launch, at
     d = x - t
-    return (u - sin) * d - cos_x + cos - alpha * d * d / 2, u + sin_x - sin - alpha * d
+    return place(cos, u - sin, d, alpha / 2, cos_x), velocity(u - sin, d, alpha, sin_x)
 
 
 class Values(NamedTuple):

@@ -41,6 +41,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from cap.errors import NotProved
+from cap.flow.flight import place, velocity
 from cap.sets import interval
 from cap.sets.elementary import asin, sinc, sqrt
 from cap.sets.interval import Ball, pi
@@ -95,7 +96,8 @@ class Orbit:
         (u1, u2), ((sin1, _), (sin2, _)) = self.speeds, self.phases
         delay1, delay2 = self.delays()
         lost = sqrt(1 - self.alpha * self.alpha)
-        return u1 + sin1 - lost - self.alpha * delay1, u2 - sin2 - lost - self.alpha * delay2
+        first = velocity(u1 + sin1, delay1, self.alpha, -lost)
+        return first, velocity(u2 - sin2, delay2, self.alpha, -lost)
 
     def least_speed(self) -> Ball:
         """Return the least of u, over balls: at a hit, or at a local minimum on a flight."""
@@ -119,12 +121,9 @@ class Orbit:
         Assumes t1 > 0 unless t1 < 0: the mass is on its way to the wall, or back from there.
         """
         t1, (sin, cos), u1 = self.right_hit(), self.phases[0], self.speeds[0]
-        if t1 < 0:
-            velocity, way = -(u1 + sin + self.alpha * t1), -(u1 + sin) * t1
-        else:
-            velocity = u1 - sin + self.alpha * t1
-            way = velocity * t1
-        return way + 1 - cos - self.alpha * t1 * t1 / 2, velocity
+        s = -1 if t1 < 0 else 1
+        V, friction = s * u1 - sin, s * self.alpha
+        return -place(cos, V, -t1, friction / 2, 1), velocity(V, -t1, friction, 0)
 
     def mirrored(self) -> "Orbit":
         """Return the mirror image."""

@@ -11,6 +11,7 @@ and ends with the speed u + s (sin(t + d) - sin t) - αd.
 from math import factorial
 from typing import Any, NamedTuple
 
+from cap.flow.flight import place, velocity
 from cap.one_one.closed_form import Orbit
 from cap.sets.elementary import sqrt
 from cap.sets.jet import Jet, Space
@@ -49,12 +50,12 @@ def _flight(orbit: Orbit, s: int, hit: Hit, phases: Any, duration: Any) -> Hit:
         d = d.extended(known)
         later = hit.delay.truncated(known) + d
         sin_end, cos_end = _sin_cos(phases[1], later)
-        at, slope = rise.truncated(known), sin_end * s - d * orbit.alpha
-        gap = at * d - (cos_end - cos.truncated(known)) * s - d * d * orbit.alpha / 2
-        d = d - gap.above(0) / (at + slope)
+        at, begin = rise.truncated(known), cos.truncated(known) * s
+        gap = place(begin, at, d, orbit.alpha / 2, cos_end * s)
+        d = d - gap.above(0) / velocity(at, d, orbit.alpha, sin_end * s)
     later = (hit.delay + d).above(0)
     sin_end, _ = _sin_cos(phases[1], later)
-    speed = rise + sin_end * s - d * orbit.alpha
+    speed = velocity(rise, d, orbit.alpha, sin_end * s)
     return Hit(later, speed * speed / 2)
 
 

@@ -73,10 +73,11 @@ def sources() -> str:
 
 
 def files() -> list[Path]:
-    """Return the sources of all that may be compiled: the arithmetic, and areas."""
+    """Return the sources of all that may be compiled: the arithmetic, areas, and the flight."""
     here = Path(__file__).parent
     folders = here, here.parent / "areas", here.parent / "checker" / "folded"
-    return sorted(file for folder in folders for file in folder.rglob("*.py"))
+    found = sorted(file for folder in folders for file in folder.rglob("*.py"))
+    return [*found, *(here.parent / "flow" / name for name in ("flight.py", "kernels.py"))]
 
 
 PROBE = np.array([1.0, 2.0**-53, 2.0**-53 + 2.0**-105, 2.0**-1074, 2.0**-1022, 2.0**900])

@@ -93,7 +93,7 @@ class HalfPeriods:
         u, d = speed(t.error), interval.pi() - t
         confirm_hit(t, u)
         place = flights.landing(self.alpha, self.a, u, (sin, cos), d)
-        velocity = v + 2 * sin - self.alpha * interval.pi()
+        velocity = flights.speed(self.alpha, v, interval.pi(), 2 * sin)
         return Passage(place, velocity, t, d, -2 * cos * u.reciprocal_near(inverse))
 
 

@@ -118,7 +118,7 @@ class Motion:
         sin, d = t.sin(), pi() - t
         u = flights.speed(self.alpha, v, t, sin)
         place = flights.landing(self.alpha, self.a, u, (sin, t.cos()), d)
-        return place, v + 2 * sin - self.alpha * pi()
+        return place, flights.speed(self.alpha, v, pi(), 2 * sin)
 
 
 def covering(

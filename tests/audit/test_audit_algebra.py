@@ -7,12 +7,12 @@ import pytest
 import sympy as sp
 from support import holds
 
-from cap.audit.means.algebra import compared, differs, enclosure, same, shown, symbols
+from cap.audit.means.algebra import compared, differs, enclosure, same, shown
 from cap.audit.verdict import Outcome
 from cap.errors import NotProved
 from cap.sets import interval
 
-x, y = symbols("x y")
+x, y = sp.symbols("x y", positive=True)
 EQUAL = [
     ((x + y) ** 2, x**2 + 2 * x * y + y**2),
     (sp.sin(x) ** 2 + sp.cos(x) ** 2, sp.Integer(1)),

@@ -5,9 +5,9 @@ import math
 import pytest
 import sympy as sp
 
-from cap.audit.means.linear import hit, turn
 from cap.audit.papers.mixed_dynamics.means import block
 from cap.audit.papers.mixed_dynamics.means.block import Block
+from cap.audit.papers.mixed_dynamics.means.linear import hit, turn
 from cap.errors import NotProved
 from cap.maps.fixed_point import Start
 from cap.sets import interval

@@ -6,7 +6,7 @@ import pytest
 from support import holds
 
 from cap.audit.means import stored
-from cap.audit.means.balls import above, below, between, compared, inner, pair, roots
+from cap.audit.means.balls import above, below, between, compared, inner, pair
 from cap.audit.means.need import noted
 from cap.audit.papers.mixed_dynamics.means import equation
 from cap.audit.papers.mixed_dynamics.means.melnikov import over_the_line
@@ -17,6 +17,7 @@ from cap.audit.papers.mixed_dynamics.means.orbits import (
     overlap,
     until,
 )
+from cap.audit.papers.mixed_dynamics.means.roots import roots
 from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved

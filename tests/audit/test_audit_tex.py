@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cap.audit import errata, ledger, steps, tables, tex
+from cap.audit import errata, ledger, steps, subject, tables, tex
 from cap.audit.decide import decided
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.verdict import Outcome
@@ -109,7 +109,8 @@ def others(text):
 def test_each_formula_of_the_erratum_is_compared(change, formula):
     """It agrees with the steps of its claim; another factor, or number, does not."""
     common, entry = data_of(change.claims[0])
-    made = steps.made(common, entry)
+    used = [subject.module(f"means.{each}") for each in entry.get("uses", "").split()]
+    made = steps.made(common, entry, used=used)
     made.agrees(formula, change.new)
     refused = 0
     for other in others(formula["tex"]):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -26,46 +27,71 @@ def mapped(model, middle=0, times=LONG, budget=10**6):
     return ContactMap(Section(model, "fly", "table"), Fraction(middle), times, budget)
 
 
-def next_contact(A, e, t, v, force=(0.0, 0.0), g=1.0):
+class Table(NamedTuple):
+    """Its height A sin(w t) + B cos(w t)."""
+
+    A: float
+    B: float = 0.0
+    w: float = 1.0
+
+    def height(self, t):
+        """Return the height."""
+        return self.A * math.sin(self.w * t) + self.B * math.cos(self.w * t)
+
+    def speed(self, t):
+        """Return its derivative."""
+        return self.w * (self.A * math.cos(self.w * t) - self.B * math.sin(self.w * t))
+
+
+def next_contact(table, e, t, v, force=(0.0, 0.0), g=1.0):
     """Return time and velocity at the next contact, from an integration in small steps."""
     C, S = force
-    up = (1 + e) * A * math.cos(t) - e * v
+    up = (1 + e) * table.speed(t) - e * v
 
     def field(s, z):
-        return [z[1], -g + C * math.cos(s) + S * math.sin(s)]
+        return [z[1], -g + C * math.cos(table.w * s) + S * math.sin(table.w * s)]
 
     def gap(s, z):
-        return z[0] - A * math.sin(s)
+        return z[0] - table.height(s)
 
     gap.terminal, gap.direction = True, -1
-    flown = solve_ivp(
-        field, (t, t + 30), [A * math.sin(t), up], events=gap, rtol=1e-12, atol=1e-12, max_step=0.05
-    )
+    start, span = [table.height(t), up], (t, t + 30)
+    flown = solve_ivp(field, span, start, events=gap, rtol=1e-12, atol=1e-12, max_step=0.05)
     return flown.t_events[0][0], flown.y_events[0][0][1]
 
 
 def forced(A, e, C, S):
-    """Return the ball with a force of the clock."""
+    """Return the system of the ball with a force of the clock."""
     given = system(A, e)
     given["modes"]["fly"]["field"]["v"] += [[C, "cos"], [S, "sin"]]
-    return read(given)
+    return given
+
+
+def shifted():
+    """Return a ball on a table whose height has a sine and a cosine, of the frequency 3/2."""
+    given = forced("1/2", "4/5", "1/4", "-1/8")
+    table = given["modes"]["fly"]["guards"]["table"]
+    table["value"].append(["-1/3", "cos"])
+    table["reset"] = {"v": [["27/20", "cos"], ["-9/10", "sin"], ["-4/5", "v"]]}
+    return read(given | {"omega": "3/2"})
 
 
 CASES = {
-    "low table": (ball("1/2"), 0.5, 1.0, (0.0, 0.0)),
-    "high table": (ball("3/2", "9/10"), 1.5, 0.9, (0.0, 0.0)),
-    "forced": (forced("1/2", "4/5", "1/4", "-1/8"), 0.5, 0.8, (0.25, -0.125)),
+    "low table": (ball("1/2"), Table(0.5), 1.0, (0.0, 0.0)),
+    "high table": (ball("3/2", "9/10"), Table(1.5), 0.9, (0.0, 0.0)),
+    "forced": (read(forced("1/2", "4/5", "1/4", "-1/8")), Table(0.5), 0.8, (0.25, -0.125)),
+    "shifted": (shifted(), Table(0.5, 1 / 3, 1.5), 0.8, (0.25, -0.125)),
 }
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_enclosures_contain_the_next_contact(name):
     """At random places, in points and in boxes; derivatives against differences."""
-    model, A, e, force = CASES[name]
+    model, table, e, force = CASES[name]
     g, source, tried = mapped(model), np.random.default_rng(5), 0
     while tried < 12:
         t, v = float(source.uniform(-3, 3)), float(source.uniform(-6, -1))
-        if (1 + e) * A * math.cos(t) - e * v < A * math.cos(t) + 0.3:
+        if e * (table.speed(t) - v) < 0.3:
             continue
         try:
             point = g.image(Double(t), Double(v))
@@ -73,8 +99,8 @@ def test_enclosures_contain_the_next_contact(name):
             assert "cut" in str(reason) or "soon" in str(reason)  # noqa: PT017
             continue
         tried += 1
-        here = next_contact(A, e, t, v, force)
-        turns = (here[0] - point.x.mid) / (2 * math.pi)
+        here = next_contact(table, e, t, v, force)
+        turns = (here[0] - point.x.mid) * table.w / (2 * math.pi)
         assert abs(turns - round(turns)) < 1e-8
         assert abs(here[1] - point.y.mid) < 1e-7
         assert max(point.x.rad, point.y.rad) < 1e-11

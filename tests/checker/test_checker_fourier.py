@@ -89,7 +89,7 @@ def test_operations_contain(error):
             assert contains(u + w - 2, theta, a + b - 2)
             assert contains(cos, theta, cmath.cos(3 * a + 1))
             assert contains(sin, theta, cmath.sin(3 * a + 1))
-            assert contains(u.times(c), theta, a * 0.4)
+            assert contains(u * c, theta, a * 0.4)
             assert contains(u.divided(7), theta, a / 7)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -225,6 +226,14 @@ def test_what_does_not_grow(vector, growth, why):
     """A vector of zeros proves nothing, nor does a negative one."""
     with pytest.raises(Rejected, match=why):
         confirm_growth([[0, 1], [0]], vector, Fraction(growth))
+
+
+def test_the_tail_of_the_exponential_counts():
+    """The sum of the first terms is below exp(1/2)."""
+    terms = sum(Fraction(1, 2**n * math.factorial(n)) for n in range(41))
+    confirm_entropy(Fraction(1, 2), terms + Fraction(1, 10**60), 1)
+    with pytest.raises(Rejected, match="more than the growth"):
+        confirm_entropy(Fraction(1, 2), terms, 1)
 
 
 def test_entropy_and_growth():

@@ -143,13 +143,22 @@ def test_a_gap_at_which_a_value_of_f_appears(name, side):
 
 
 def test_a_root_at_the_end_of_its_claim():
-    """Newton's operator must map the claim into itself: with the root at its edge it does not."""
+    """Psi must change its sign in the claim: with the root 1e-14 beyond an end it does not."""
     certificate = forge_symmetric(digits=6)
     with mp.workdps(30):
         root = mpf(forge_symmetric(digits=30)["claims"]["paper_roots"][0]["theta"][0])
-        ends = [decimals(root - mpf("1e-14"), 30), decimals(root + mpf("9e-7"), 30)]
-    bad = changed(certificate, "claims", "paper_roots", 0, "theta", ends)
-    rejected(bad, r"paper_roots\[0\].theta does not contain the enclosure computed")
+        for lower, upper, fine in (
+            ("-1e-14", "6e-7", True),
+            ("-6e-7", "1e-14", True),
+            ("1e-14", "6e-7", False),
+            ("-6e-7", "-1e-14", False),
+        ):
+            ends = [decimals(root + mpf(q), 30) for q in (lower, upper)]
+            claimed = changed(certificate, "claims", "paper_roots", 0, "theta", ends)
+            if fine:
+                verify(claimed)
+            else:
+                rejected(claimed, r"paper_roots\[0\].theta may not contain the root")
 
 
 def test_a_velocity_near_zero():

@@ -14,6 +14,7 @@ from cap.checker.flow.free import Free
 from cap.checker.flow.one_mass import MODES
 from cap.checker.strips import arc, ceiling
 from cap.checker.system.course import course, response
+from cap.checker.system.flight import place, velocity
 from cap.checker.system.friction import RIGHT
 from cap.checker.system.model import COS, SIN
 from cap.checker.system.polynomial import variable
@@ -104,6 +105,20 @@ def same(found, truth):
 
 
 @pytest.mark.parametrize("s", MODES)
+def test_flights(s):
+    """Of ``flight``: from any state, to both sides; f and s f are the halves and wholes there."""
+    F, w, state = Fraction(3, 2), Fraction(2, 3), dict(zip("xv", sympy.symbols("x v"), strict=True))
+    (cos, sin), (last_cos, last_sin) = (both(sympy.Rational(w) * q) for q in (t, T))
+    swing, sway = sympy.Rational(F / w), sympy.Rational(F / w**2)
+    X, V = Scalar(state["x"]) + cos * sway, Scalar(state["v"]) - sin * swing
+    model = oscillator(omega=w, F=F, f=variable("f"), mu=Fraction(0))
+    x, v = (from_the_model(model, z, state, (t, T), SYMBOLS, MODES[s]) for z in "xv")
+    d, f_s = Scalar(T - t), Scalar(s * f)
+    assert same(place(X, V, d, f_s / 2, last_cos * sway), x)
+    assert same(velocity(V, d, f_s, last_sin * swing), v)
+
+
+@pytest.mark.parametrize("s", MODES)
 def test_flights_without_losses(monkeypatch, s):
     """Of ``mechanics``: place and speed on a flight from any state, to both sides."""
     monkeypatch.setattr(mechanics, "lift", lambda formula, *q: formula(*q))
@@ -133,7 +148,7 @@ def test_ways_and_speeds(monkeypatch):
     """Of ``launches``: y and w, and their derivatives in the launch."""
     monkeypatch.setattr(launches, "within", lambda _, row: row[0] - row[0])
     gap = launches.Gap.__new__(launches.Gap)
-    gap.alpha, at = Scalar(f), launches.Phase(Scalar(T), *both(T))
+    gap.alpha, gap.half, at = Scalar(f), Scalar(f / 2), launches.Phase(Scalar(T), *both(T))
     for q in launches.way(gap, launch(), at):
         assert same(q, X)
     for q in launches.speed(gap, launch(), at):

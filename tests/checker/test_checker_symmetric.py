@@ -9,6 +9,7 @@ import pytest
 from cap.certificate.latex import macros
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.theorem import Theorem
+from cap.checker.maps.non_sticking import KRAWCZYK
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 from checker.forge_impact import PAPER, WALLS, forge_pitchfork, forge_symmetric
@@ -107,8 +108,9 @@ def test_parameters_are_strict(symmetric, pitchfork):
         rejected(changed(pitchfork, "parameters", name, "1/5"), "missing or unknown")
     rejected(changed(symmetric, "parameters", "e", "1"), "missing or unknown")
     rejected(changed(pitchfork, "parameters", "l", "1"), "l < r")
-    rejected(changed(pitchfork, "cites", ["x"]), "cites")
-    rejected(changed(symmetric, "cites", []), "cites")
+    for certificate in (symmetric, pitchfork):
+        for cites in (["x"], "", {}, [KRAWCZYK]):
+            rejected(changed(certificate, "cites", cites), "cites is not the checker's own list")
     rejected(changed(symmetric, "hints", "bits", "63"), "bits")
 
 

@@ -83,6 +83,21 @@ def test_saddles_beside_what_attracts():
     assert all(orbit.falling < -0.1 for orbit in orbits)
 
 
+def test_a_branch_goes_where_the_same_is(tmp_path, capsys):
+    """A file about the same system may be written over, any other is not; ends may be negative."""
+    words = ("--parameter", "gap", "--range", "-1/20", "1/8", "--out", str(tmp_path))
+    words = ("branch", "--model", MODEL, *words)
+    (tmp_path / "contacts_branch-impact_oscillator-gap--1_20-1_8.json").write_text("{}", "utf-8")
+    with pytest.raises(SystemExit) as end:
+        raise SystemExit(main(words))
+    assert end.value.code == 2
+    assert "there is another file at" in capsys.readouterr().err
+    (tmp_path / "contacts_branch-impact_oscillator-gap--1_20-1_8.json").unlink()
+    for word in ("written", "unchanged"):
+        assert main(words) == 0
+        assert f'gap--1_20-1_8.json" ({word};' in capsys.readouterr().out
+
+
 @pytest.mark.slow
 def test_a_continuum_is_recognised(tmp_path, capsys):
     """Den Hartog's oscillator at the frequency 1/2: orbits that are not isolated are refused."""

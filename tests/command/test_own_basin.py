@@ -84,6 +84,7 @@ def test_too_few_cells():
     ("words", "why"),
     [
         (["--box", "0", "2", "-2", "2", "--until", "0"], "--until is not after --start"),
+        (["--box", "0", "2", "-2", "2", "--until", "501"], "at most 500/omega after --start"),
         (["--box", "0", "0", "-2", "2", "--until", "6"], "--box has no area"),
         (["--box", "0", "2", "--until", "6"], "--box is the least and the greatest"),
         ([*BOX, "--cells", "0"], "integer from 1"),

@@ -10,10 +10,12 @@ import numpy as np
 import pytest
 import sympy
 
-from cap.areas.folded import backward, next_event, paths
+from cap.areas.folded import backward, lines, next_event, paths, polynomials
+from cap.areas.folded.laws import laws
 from cap.areas.strips import arcs, hits
 from cap.floats.engine import flight as floats
 from cap.floats.engine import lifted
+from cap.flow import flight, kernels
 from cap.maps import launch_set
 from cap.one_one import closed_form
 from cap.system.flight import Scalars, flights
@@ -60,6 +62,20 @@ def same(found, truth):
 def phase(time):
     """Return a time with its sine and cosine."""
     return time, sin(time), cos(time)
+
+
+@pytest.mark.parametrize("mode", [RIGHT, LEFT])
+def test_flights(mode):
+    """Of ``flow.flight``: from any state; it is also what compiled code calls."""
+    state = x, v = sympy.symbols("x v")
+    rest, friction_ = (x + cos(t), v - sin(t)), {RIGHT: f, LEFT: -f}[mode]
+    found = (
+        flight.place(*rest, T - t, friction_ / 2, cos(T)),
+        flight.velocity(rest[1], T - t, friction_, sin(T)),
+    )
+    truth = from_the_model(mode, state, (t, T))
+    assert all(same(a, b) for a, b in zip(found, truth, strict=True))
+    assert (kernels.place, kernels.velocity) == (flight.place, flight.velocity)
 
 
 # launches
@@ -155,27 +171,31 @@ def folded(push):
 
 @pytest.mark.parametrize(("module", "push"), [(paths, -f), (backward, f)])
 def test_folded_flights(monkeypatch, module, push):
-    """Place and speed at an event and at a given time, and B of the flight from p = 0 at T.
-
-    In ``paths`` the event before it is half a period earlier.
-    """
+    """Place and speed at an event and at a given time, and B of the flight from p = 0 at T."""
     for name, plain in PLAIN.items():
         if hasattr(module, name):
             monkeypatch.setattr(module, name, plain)
     p, s = folded(push)
-    flight, span = SimpleNamespace(A=A, B=B, ref=ref, errors=(0, 0)), T - ref
-    if module is paths:
-        event = SimpleNamespace(cos=cos(T), sin=sin(T), D=span, k=0, e=0)
-        ours = paths.place(Y, flight, event), paths.speed(Y, flight, event)
-        begun = paths.start(Y, A, span, SimpleNamespace(cos=-cos(T), k=0, e=0))
-        at = paths.seen(Y, flight, (T, 0), cos(T), sin(T))
-    else:
-        ours = backward.place(Y, flight, span, cos(T)), backward.speed(Y, A, span, sin(T))
-        begun = backward.start(Y, A, span, cos(T))
-        at = backward.at(Y, flight, (T, 0), cos(T), sin(T))
+    path, span = SimpleNamespace(A=A, B=B, ref=ref, errors=(0, 0)), T - ref
+    speed, place, start, from_rest = laws(
+        *(PLAIN[n] for n in ("total", "product", "scaled")), push / f
+    )
+    ours = place(Y, path, span, cos(T)), speed(Y, A, span, sin(T))
+    now = module.seen if module is paths else module.at
+    at = now(Y, path, (T, 0), cos(T), sin(T))
     for found, truth in (*zip(ours, (p, s), strict=True), *zip(at, (p, s), strict=True)):
         assert same(found, truth)
-    assert same(p.subs(B, begun), 0)
+    assert same(p.subs(B, start(Y, A, span, cos(T))), 0)
+    assert same(s.subs(A, from_rest(Y, span, -sin(T))), 0)
+
+
+def test_senses_of_folded_flights():
+    """Friction brakes in ``paths``: its speed falls by a d where the one of ``backward`` grows."""
+    none, one = lines.constant(0.0, 0.0), lines.constant(1.0, 0.0)
+    y = SimpleNamespace(a=0.25, a_error=0.0)
+    assert paths.speed(y, none, one, none)[0] == -0.25
+    none, one = polynomials.constant(0.0, 0.0), polynomials.constant(1.0, 0.0)
+    assert backward.speed(y, none, one, none)[0] == 0.25
 
 
 @pytest.mark.parametrize("push", [f, -f])

@@ -26,6 +26,7 @@ R_1, |n_2| <= R_2, as in `cap.checker.folded.flights`; J is the derivative of (A
 import math
 from typing import NamedTuple
 
+from cap.areas.folded.laws import laws
 from cap.areas.folded.polynomials import (
     TINY,
     UP,
@@ -43,6 +44,7 @@ from cap.areas.folded.polynomials import (
     trigonometric,
     widened,
 )
+from cap.flow import kernels
 from cap.sets.circular import sin_cos_of_double
 from cap.sets.compiled import kernel
 
@@ -107,24 +109,7 @@ class Event(NamedTuple):
     most: float
 
 
-@kernel
-def speed(y: Constants, A: Model, d: Model, sin: Model) -> Model:
-    """Return s at the time ref + d with this sine."""
-    return total(total(sin, scaled(d, y.a, y.a_error)), A)
-
-
-@kernel
-def place(y: Constants, f: Flight, d: Model, cos: Model) -> Model:
-    """Return p for A_0, B_0 at the time ref + d with this cosine."""
-    drive = scaled(d, 0.5 * y.a, y.a_error)
-    return total(scaled(cos, -1.0, 0.0), total(product(d, total(drive, f.A)), f.B))
-
-
-@kernel
-def start(y: Constants, A: Model, d: Model, cos: Model) -> Model:
-    """Return cos t - a d²/2 - A d: B, but for p."""
-    half = scaled(d, -0.5 * y.a, y.a_error)
-    return total(cos, product(d, total(half, scaled(A, -1.0, 0.0))))
+speed, place, start, from_rest = laws(total, product, scaled, 1.0)
 
 
 @kernel
@@ -138,9 +123,9 @@ def at(y: Constants, f: Flight, time: Pair, cos: float, sin: float) -> tuple[Mod
     d = t - f.ref
     e = time[1] + (abs(t) + abs(f.ref)) * ROUND
     error = (bound(f.A) + abs(d) + 2) * (e + ROUND) + y.a_error * abs(d)
-    s = moved(f.A, sin + y.a * d, error)
+    s = moved(f.A, kernels.velocity(0.0, d, -y.a, sin), error)
     p = total(scaled(f.A, d, e), f.B)
-    return moved(p, y.a * d * d * 0.5 - cos, error * (1 + abs(d))), s
+    return moved(p, kernels.place(0.0, 0.0, d, -0.5 * y.a, cos), error * (1 + abs(d))), s
 
 
 @kernel

@@ -25,6 +25,7 @@ from cap.areas.folded.backward import (
     Flight,
     Four,
     Pair,
+    from_rest,
     start,
 )
 from cap.areas.folded.polynomials import (
@@ -162,7 +163,7 @@ def after_turn(y: Constants, f: Flight, event: Event) -> Flight:
     J = j11, NONE, minus(minus(NONE, D), times(tau, j11)), (-1.0, 0.0)
     ref, later = _folded(event.near, widened(event.d, event.time + event.lag))
     sin = widened(event.sin, event.time)
-    A = total(sin, scaled(later, -y.a, y.a_error))
+    A = from_rest(y, later, sin)
     cos = scaled(widened(event.cos, event.time), -1.0, 0.0)
     ahead = moved(scaled(event.place, -1.0, 0.0), -y.width, y.width_error)
     return _followed(f, event, ref, (A, total(ahead, start(y, A, later, cos))), J)

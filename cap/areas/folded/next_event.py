@@ -6,6 +6,7 @@ forwards in time a is negative, -f/F.  The speed falls from theta to -theta, mod
 
 import math
 
+from cap.flow.kernels import place, velocity
 from cap.sets.compiled import kernel
 
 NOTHING, HIT, TURNS = 0, 1, 2
@@ -17,14 +18,15 @@ CLOSE = 1e-10  # Newton's method squares it
 @kernel
 def speed_at(t: float, a: float, A: float, ref: float) -> float:
     """Return s."""
-    return math.sin(t) + a * (t - ref) + A
+    s: float = velocity(A, t - ref, -a, math.sin(t))
+    return s
 
 
 @kernel
 def place_at(t: float, a: float, A: float, B: float, ref: float) -> float:
     """Return p."""
-    d = t - ref
-    return (A + 0.5 * a * d) * d + B - math.cos(t)
+    p: float = place(B, A, t - ref, -0.5 * a, math.cos(t))
+    return p
 
 
 @kernel

@@ -16,6 +16,7 @@ from cap.areas.folded.next_event import HIT, NOTHING, next_event, place_at, spee
 from cap.areas.folded.paths import LOST, RELEASED, Path, Step, hit, lost, released, seen, stop
 from cap.checker.folded import basins
 from cap.checker.folded.table import NONE
+from cap.flow.kernels import velocity
 from cap.sets.circular import sin_cos_of_double
 from cap.sets.compiled import PROBE, compiled, kernel, require_ieee, rounds_to_nearest
 
@@ -53,7 +54,7 @@ def _solved(y: Constants, f: Path, near: float, m: float, room: Floats, full: bo
             sin += room[_SLOPE, j] * room[_COS, k - j]
         cos, sin, time = cos / (k + 1), sin / (k + 1), room[_SLOPE, k] / (k + 1)
         room[_COS, k + 1], room[_SIN, k + 1], room[_TIME, k + 1] = cos, sin, time
-        room[_RATE, k + 1] = sin - y.a * time + f.A[k + 1] if full else cos
+        room[_RATE, k + 1] = velocity(f.A[k + 1], time, y.a, sin) if full else cos
     t = room[_TIME]
     return (t[0], t[1], t[2], t[3], t[4], t[5], t[6], 0.0)
 

@@ -24,6 +24,7 @@ import math
 from typing import NamedTuple
 
 from cap.areas.folded.backward import PI_ERROR, ROUND, TURN, TURN_ERROR, Constants, Four, Pair
+from cap.areas.folded.laws import laws
 from cap.areas.folded.lines import (
     BEND,
     Line,
@@ -45,6 +46,7 @@ from cap.areas.folded.lines import (
 from cap.areas.folded.mirrored import NONE, ONE, carried, minus, quotient, times
 from cap.areas.folded.polynomials import UP
 from cap.areas.folded.rests import height
+from cap.flow import kernels
 from cap.sets.compiled import kernel
 
 ARCS = 12  # of a flight
@@ -139,10 +141,10 @@ def seen(y: Constants, f: Path, time: Pair, cos: float, sin: float) -> tuple[Lin
     d = t - f.ref
     e = time[1] + (abs(t) + abs(f.ref)) * ROUND
     error = (size(f.A) + abs(d) + 2) * (e + ROUND) + y.a_error * abs(d)
-    s = moved(f.A, sin - y.a * d, error + f.errors[0])
+    s = moved(f.A, kernels.velocity(0.0, d, y.a, sin), error + f.errors[0])
     p = total(scaled(f.A, d, e), f.B)
     more = error * (1 + abs(d)) + influence(f, constant(d, e), 0.0)
-    return moved(p, -cos - y.a * d * d * 0.5, more), s
+    return moved(p, kernels.place(0.0, 0.0, d, 0.5 * y.a, cos), more), s
 
 
 @kernel
@@ -194,25 +196,13 @@ def certain(h: Happening, m: float, change: float, left: Pair, K: float) -> Happ
     return Happening(h.T, h.cos, h.sin, h.D, h.k, found, e, e_all, bounds)
 
 
-@kernel
-def speed(y: Constants, f: Path, h: Happening) -> Line:
-    """Return s at T_0, without errors."""
-    return total(total(h.sin, scaled(h.D, -y.a, y.a_error)), f.A)
+speed, place, start, from_rest = laws(total, product, scaled, -1.0)
 
 
 @kernel
-def place(y: Constants, f: Path, h: Happening) -> Line:
-    """Return p at T_0, without errors."""
-    ahead = product(h.D, total(scaled(h.D, -0.5 * y.a, y.a_error), f.A))
-    return total(scaled(h.cos, -1.0, 0.0), total(ahead, f.B))
-
-
-@kernel
-def start(y: Constants, A: Line, d: Line, h: Happening) -> Line:
-    """Return -cos T + a d²/2 - A d: B after the event, but for p."""
-    half = scaled(d, 0.5 * y.a, y.a_error)
-    back = product(d, total(half, scaled(A, -1.0, 0.0)))
-    return total(scaled(widened(h.cos, h.k * h.e), -1.0, 0.0), back)
+def minus_cosine(h: Happening) -> Line:
+    """Return the cosine half a period later."""
+    return scaled(widened(h.cos, h.k * h.e), -1.0, 0.0)
 
 
 @kernel
@@ -256,11 +246,11 @@ def followed(
 def hit(y: Constants, f: Path, T: Line) -> Step:
     """Return what follows a hit, if it is certain to be next."""
     h = near_event(f, T)
-    s = speed(y, f, h)
+    s = speed(y, f.A, h.D, h.sin)
     m, K = s[0], y.a + y.a_error + h.k
     if not m > 0:
         return lost(f)
-    left = bound(place(y, f, h))
+    left = bound(place(y, f, h.D, h.cos))
     change = rest(s) + f.errors[0]
     h = certain(h, m, change, (left, left + influence(f, h.D, 0.0)), K)
     if not (h.certain and since_start(y, f, h.ends[0]) and moving(y, f, h.ends[1])):
@@ -289,7 +279,7 @@ def _bounced(y: Constants, f: Path, h: Happening, m: float, change: float) -> Pa
     error = (abs(h.T[0]) + abs(f.ref) + 16) * (y.a_error + 4 * ROUND)
     twice = scaled(widened(h.sin, h.k * h.e), 2.0, 0.0)
     A = moved(total(twice, f.A), -y.a * (h.T[0] - f.ref), error)
-    B = moved(start(y, A, later, h), -y.width, y.width_error)
+    B = moved(start(y, A, later, minus_cosine(h)), -y.width, y.width_error)
     return followed(y, f, h, ref, (A, B), J)
 
 
@@ -300,14 +290,14 @@ def stop(y: Constants, f: Path, T: Line) -> Step:
     m = h.cos[0] - y.a
     if not m < 0:
         return lost(f)
-    s = speed(y, f, h)
+    s = speed(y, f.A, h.D, h.sin)
     left = bound(s)
     h = certain(h, m, rest(h.cos) + y.a_error, (left, left + f.errors[0]), h.k)
     k = math.floor((T[0] + y.theta) / TURN)
     more = y.theta_error + abs(k + 1) * TURN_ERROR + (abs(k) + 1) * TURN * ROUND + CLEAR
     after, before = TURN * k + y.theta + more, TURN * (k + 1) - y.theta - more
     alone = after < h.ends[0] and h.ends[1] < before and f.begun[1] < before
-    p = widened(place(y, f, h), (left + (y.a + y.a_error + h.k) * h.e) * h.e)
+    p = widened(place(y, f, h.D, h.cos), (left + (y.a + y.a_error + h.k) * h.e) * h.e)
     p_all = widened(p, influence(f, h.D, h.e_all))
     if not (h.certain and alone and moving(y, f, after) and ends(p_all)[1] < 0):
         return lost(f)
@@ -341,7 +331,7 @@ def _turned(y: Constants, f: Path, h: Happening, ahead: Line) -> Path:
     j11 = quotient(minus(minus(NONE, c), a), minus(c, a))
     J = j11, NONE, minus(minus(NONE, D), times(tau, j11)), (-1.0, 0.0)
     ref, later = folded(h)
-    A = widened(total(h.sin, scaled(later, y.a, y.a_error)), h.k * h.e)
-    found = followed(y, f, h, ref, (A, total(ahead, start(y, A, later, h))), J)
+    A = widened(from_rest(y, later, h.sin), h.k * h.e)
+    found = followed(y, f, h, ref, (A, total(ahead, start(y, A, later, minus_cosine(h)))), J)
     begun, ref, A, B, C, R, errors, _ = found
     return Path(begun, ref, A, B, C, R, errors, 1)

@@ -17,6 +17,7 @@ from cap.areas.folded.backward import (
     Event,
     Flight,
     at,
+    from_rest,
     hit,
     influence,
     moving,
@@ -103,7 +104,7 @@ def launched(y: Constants, r: Region) -> tuple[Flight, Model, float]:
     d = between((z, r.half, z), NONE, e)
     cos, sin = trigonometric(moved(d, r.middle, z))
     q, wide = sides(r)
-    A = total(scaled(sin, -1.0, z), scaled(d, -y.a, y.a_error))
+    A = from_rest(y, d, scaled(sin, -1.0, z))
     B = total(q, start(y, A, d, cos))
     density = scaled(product(moved(cos, y.a, y.a_error), wide), r.half, e)
     errors, far = (A[LAST], B[LAST]), r.half + 2 * e

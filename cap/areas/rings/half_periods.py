@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cap.flow.kernels import place, velocity
 from cap.sets import doubles
 from cap.sets.circular import PI, acos, sin_cos
 from cap.sets.compiled import kernel
@@ -92,9 +93,9 @@ def hit(y: float, v: float, alpha: float, a: float, e: float) -> float:
     t = min(max((a - y) / v, 0.0), 3.0)
     step = 0.0
     for _ in range(NEWTON):
-        speed = v + e * (math.sin(t) - alpha * t)
+        speed = velocity(v, t, e * alpha, e * math.sin(t))
         if speed > LEAST:
-            beyond = y + v * t + e * (1 - math.cos(t) - 0.5 * alpha * t * t) - a
+            beyond = place(y + e, v, t, 0.5 * e * alpha, e * math.cos(t)) - a
             step = beyond / speed
             low, high = (low, t) if beyond > 0 else (t, high)
             t -= step
@@ -112,11 +113,11 @@ def flown(y: float, v: float, alpha: float, a: float, e: float) -> Flown:
     """Return a state half a period later; NaN if there is no hit."""
     t = hit(y, v, alpha, a, e)
     sin, cos, d = math.sin(t), math.cos(t), math.pi - t
-    u = v + e * (sin - alpha * t)
+    u = velocity(v, t, e * alpha, e * sin)
     if not u > LEAST:
         u = math.nan
-    place = u * d + e * (sin * d - 1 - cos - 0.5 * alpha * d * d) - a
-    return Flown(place, v + e * (2 * sin - alpha * math.pi), t, d, -2 * e * cos / u)
+    Y = place(-a - e * cos, u + e * sin, d, 0.5 * e * alpha, e)
+    return Flown(Y, velocity(v, math.pi, e * alpha, 2 * e * sin), t, d, -2 * e * cos / u)
 
 
 @kernel
@@ -178,8 +179,7 @@ def begins(z: Strand, given: Laws, e: float) -> bool:
 @kernel
 def gap(x: Any, v: Any, t: Interval, given: Laws, e: float) -> Any:
     """Return how far beyond the wall states are at a time, if there were none."""
-    fallen = 0.5 * (given.alpha * t * t)
-    return t * v + x + (1.0 - sin_cos(t)[1] - fallen) * e - given.a
+    return place(e, v, t, given.alpha * (0.5 * e), sin_cos(t)[1] * e) + x - given.a
 
 
 @kernel
@@ -189,15 +189,15 @@ def first_hit(guess: float, beyond: Interval, V: Interval, given: Laws, e: float
     The speed is NaN if it is not certain that all hit, in half a period.
     """
     t = Interval(guess, 0.0)
-    speed = V.mid + e * (sin_cos(t)[0].mid - given.alpha.mid * guess)
+    speed = velocity(V.mid, guess, e * given.alpha.mid, e * sin_cos(t)[0].mid)
     far = magnitude(beyond)
     near = Interval(guess, 1.2 * far / speed + 12 * far * far + 1e-12)
-    moved = beyond / (V + (sin_cos(near)[0] - given.alpha * near) * e)
+    moved = beyond / velocity(V, near, given.alpha * e, sin_cos(near)[0] * e)
     if not (is_finite(moved) and magnitude(moved) < near.rad):
         return Hit(moved, Interval(math.nan, math.nan), moved, moved)
     times = widened(t, magnitude(moved))
     s, c = sin_cos(times)
-    u = V + (s - given.alpha * times) * e
+    u = velocity(V, times, given.alpha * e, s * e)
     if not (is_positive(u) and is_positive(times) and is_positive(PI - times)):
         return Hit(times, Interval(math.nan, math.nan), moved, moved)
     return Hit(times, u, c * (-2 * e) / u, PI - times)
@@ -239,10 +239,9 @@ def image(v: Any, t: Interval, given: Laws, e: float) -> tuple[Any, Any]:
     """Return the state at the end of the half period of the middle, which hits at t."""
     sin, cos = sin_cos(t)
     d = PI - t
-    u = (sin - given.alpha * t) * e + v
-    fallen = 0.5 * (given.alpha * d * d)
-    place = u * d + (sin * d - 1.0 - cos - fallen) * e - given.a
-    return place, (2.0 * sin - given.alpha * PI) * e + v
+    drag, twice = given.alpha * e, sin * (2.0 * e)
+    Y = place(-given.a - cos * e, velocity(v, t, drag, twice), d, drag * 0.5, e)
+    return Y, velocity(v, PI, drag, twice)
 
 
 @kernel

@@ -6,6 +6,7 @@ It steers; nothing rests on it.  Units F = omega = 1; a launch (t, E) has the sp
 import math
 from typing import Any, NamedTuple
 
+from cap.flow import kernels
 from cap.sets.compiled import kernel
 
 TURN = 2 * math.pi
@@ -25,20 +26,21 @@ class _Launch(NamedTuple):
 @kernel
 def velocity(u: Any, sin_t: Any, d: Any, sin: Any, f: float) -> Any:
     """Return v a time d after a launch with the speed u, at a moment with this sine."""
-    return u + sin - sin_t - d * f
+    return kernels.velocity(u - sin_t, d, f, sin)
 
 
 @kernel
 def _velocity(n: _Launch, d: float, sin: float) -> float:
     """Return v likewise; sin t is in the rate."""
-    v: float = velocity(n.rate, 0.0, d, sin, n.f)
+    v: float = kernels.velocity(n.rate, d, n.f, sin)
     return v
 
 
 @kernel
 def _place(n: _Launch, d: float, cos: float) -> float:
     """Return x after a time d, at a moment with this cosine."""
-    return (n.rate - 0.5 * n.f * d) * d + n.cos - cos
+    x: float = kernels.place(n.cos, n.rate, d, 0.5 * n.f, cos)
+    return x
 
 
 @kernel

@@ -27,16 +27,6 @@ _UNARY: dict[str, Callable[[Ball], Ball]] = {
 }
 
 
-def symbols(names: str) -> Any:
-    """Return positive symbols: the parameters F, f, ω, R and what is positive beside them."""
-    return sp.symbols(names, positive=True)
-
-
-def reals(names: str) -> Any:
-    """Return real symbols."""
-    return sp.symbols(names, real=True)
-
-
 def same(left: Any, right: Any) -> bool:
     """Return whether the difference of two expressions, or matrices, simplifies to 0."""
     difference = left - right
@@ -106,13 +96,8 @@ def shown(expression: Any) -> str:
     return str(text.replace("*", " "))
 
 
-_GREEK = dict(
-    zip(
-        ("omega", "theta", "lambda", "epsilon", "mu", "tau", "alpha", "beta", "pi", "xi"),
-        "ωθλεμταβπξ",
-        strict=True,
-    )
-)
+_NAMES = "omega theta lambda epsilon mu tau alpha beta pi xi"
+_GREEK = dict(zip(_NAMES.split(), "ωθλεμταβπξ", strict=True))
 
 
 def compared(derived: Any, printed: Any) -> Outcome:

@@ -41,6 +41,7 @@ from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.doubles import GROWTH, PI, Double, cos_sin, enclosing
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
+from cap.checker.system.flight import place, velocity
 
 _BITS, _STEPS = 80, 30
 _SLACK, _LEAST = 1.25, 2.0**-44  # of the interval T, around a guess
@@ -51,7 +52,7 @@ class HalfPeriod(Planar):
 
     def __init__(self, phi: Fraction, a: Fraction) -> None:
         need(0 <= phi < 1 and a > 0, "0 <= f < F, l < r does not hold")
-        self.phi, self.a = enclosing(phi), enclosing(a)
+        self.phi, self.half, self.a = enclosing(phi), enclosing(phi / 2), enclosing(a)
         slow = arccos(Interval.enclosing(phi, phi, _BITS))
         self.slow = PI - (enclosing(slow.lower).widened(float(slow.upper - slow.lower) * GROWTH))
         self.sine = (Double(1.0) - self.phi * self.phi).sqrt()
@@ -61,34 +62,33 @@ class HalfPeriod(Planar):
         need(abs(x.mid) + x.rad < self.a.lower * (1 - 2.0**-50), "a state beyond a wall")
         need(v.is_positive(), "a velocity that is not positive")
         t, cos, sin, w = self.first_hit(x, v)
-        top = self.sine + self.phi * self.slow - v - sin * 2.0
-        need((-top).is_positive(), "the velocity may vanish after the hit")
+        least = velocity(v, self.slow, self.phi, sin * 2.0 - self.sine)  # of minus the velocity
+        need(least.is_positive(), "the velocity may vanish after the hit")
         d = PI - t
-        X = (v + sin * 2.0 - self.phi * t) * d - self.a - cos - 1.0 - self.phi * d * d * 0.5
+        X = place(-self.a - cos, w + sin, d, self.half, 1.0)
         need((self.a - X).is_positive(), "a second hit within half a period")
         k = cos * -2.0 / w
         D = d * k + 1.0
-        V = v + sin * 2.0 - self.phi * PI
-        return Image(X, V, ((D, D * t + d), (k, k * t + 1.0)))
+        return Image(X, velocity(v, PI, self.phi, sin * 2.0), ((D, D * t + d), (k, k * t + 1.0)))
 
     def first_hit(self, x: Double, v: Double) -> tuple[Double, Double, Double, Double]:
         """Return t1 in (0, pi), its cosine and sine, and w(t1), all w > 0 before."""
         t = _guess(x.mid, v.mid, self.phi.mid, self.a.mid)
-        speed = v.mid + math.sin(t) - self.phi.mid * t
+        speed = velocity(v.mid, t, self.phi.mid, math.sin(t))
         need(speed > 0, "a mass that may not reach the wall")
         reach = (x.rad + t * v.rad) / speed * _SLACK + _LEAST
         need(t - 2 * reach > 0 and t + 2 * reach < 3.14159, "a hit that may be too early or late")
         at, T, all_d = Double(t), Double(t, reach), Double(0.0, reach)
         cos, sin = cos_sin(at)
-        w = v + (sin + cos * all_d).widened(_half_square(reach)) - self.phi * T
+        w = velocity(v, T, self.phi, (sin + cos * all_d).widened(_half_square(reach)))
         need(w.is_positive(), "the velocity may vanish before the hit")
-        g = x + v * t + 1.0 - cos - self.phi * at * at * 0.5 - self.a
+        g = place(x + 1.0, v, at, self.half, cos) - self.a
         step = -g / w
         need(abs(step.mid) + step.rad < reach * (1 - 2.0**-40), "no certain hit")
         rest = _half_square(step.magnitude)
         t1 = at + step
         c1, s1 = (cos - sin * step).widened(rest), (sin + cos * step).widened(rest)
-        return t1, c1, s1, v + s1 - self.phi * t1
+        return t1, c1, s1, velocity(v, t1, self.phi, s1)
 
 
 def _half_square(d: float) -> float:
@@ -100,9 +100,9 @@ def _guess(x: float, v: float, phi: float, a: float) -> float:
     """Return a time near the first hit, by Newton's method from above: it needs no trust."""
     t = min(3.0, max(0.1, (a - x) / (v + 0.5)))
     for _ in range(_STEPS):
-        w = v + math.sin(t) - phi * t
+        w = velocity(v, t, phi, math.sin(t))
         need(w > 0, "a mass that may not reach the wall")
-        step = (x + v * t + 1 - math.cos(t) - phi * t * t / 2 - a) / w
+        step = (place(x + 1, v, t, phi / 2, math.cos(t)) - a) / w
         t = min(3.14, max(1e-3, t - step))
         if abs(step) < 1e-14:
             break

@@ -58,6 +58,7 @@ from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.system.flight import place, velocity
 
 Row = tuple[Interval, Interval]
 
@@ -66,7 +67,7 @@ class Gap:
     """The constants, and the numbers that follow from them."""
 
     def __init__(self, alpha: Interval, rho: Interval) -> None:
-        self.alpha, self.rho, self.pi = alpha, rho, pi(rho.bits)
+        self.alpha, self.half, self.rho, self.pi = alpha, alpha / 2, rho, pi(rho.bits)
         self.arc, self.sine = arccos(alpha), (-alpha.square() + 1).sqrt()
         self.turn, self.fall = self.pi * 2, (self.pi - self.arc) * 2
 
@@ -130,7 +131,7 @@ def within(launches: Launches, row: Row) -> Interval:
 def way(gap: Gap, n: Launches, at: Phase) -> tuple[Interval, Interval]:
     """Return y at a phase: at e = 0, and at all e."""
     d = at.x - n.centre.x
-    y = (n.speed - n.centre.sin) * d - at.cos + n.centre.cos - gap.alpha * d.square() / 2
+    y = place(n.centre.cos, n.speed - n.centre.sin, d, gap.half, at.cos)
     return y, y + within(n, way_slopes(gap, n, at.x))
 
 
@@ -144,7 +145,7 @@ def way_slopes(gap: Gap, n: Launches, x: Interval) -> Row:
 
 def speed(gap: Gap, n: Launches, at: Phase) -> tuple[Interval, Interval]:
     """Return w at a phase: at e = 0, and at all e."""
-    w = n.speed + at.sin - n.centre.sin - gap.alpha * (at.x - n.centre.x)
+    w = velocity(n.speed - n.centre.sin, at.x - n.centre.x, gap.alpha, at.sin)
     return w, w + within(n, speed_slopes(gap, n))
 
 

@@ -1,9 +1,6 @@
 """The flights of a mass between two walls: x'' = F cos wt - s f, in the direction s = +-1.
 
-*Flights.*  Let X, V be x and v less their responses -(F/w^2) cos wt and (F/w) sin wt to the force,
-at a time t_0 of the flight; with d = t - t_0
-
-    x(t) = X + V d - s f d^2/2 - (F/w^2) cos wt,      v(t) = V - s f d + (F/w) sin wt.
+*Flights.*  x and v are those of ``flight``, with s f.
 
 *The sign of the velocity.*  p(t) = s v(t) has p' = s F cos wt - f; with viscosity (``losses``) what
 is said here of p holds for p = e^(mu t) s v(t), p' = e^(mu t) (s F cos wt - f).  Since f < F, p'
@@ -31,6 +28,7 @@ from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, Jet, RealJet, cos_sin_jet, lift, raised
 from cap.checker.kernel.rejection import need
+from cap.checker.system.flight import place, velocity
 from cap.checker.system.walls import Parameters
 
 Ends = tuple[Fraction, Fraction]
@@ -119,8 +117,7 @@ class Mechanics:
     def moment(self, t: Centred) -> Moment:
         """Return the moment at the time t."""
         pairs = [cos_sin_jet(jet * self.omega) for jet in (t.centre, t.box)]
-        cos, sin = (self.centred(*jets) for jets in zip(*pairs, strict=True))
-        return Moment(t, cos, sin)
+        return Moment(t, *(self.centred(*jets) for jets in zip(*pairs, strict=True)))
 
     def at(self, t: Interval) -> Moment:
         """Return the moment of a time that is the same for all orbits."""
@@ -132,14 +129,11 @@ class Mechanics:
         They take jets: the ``arc`` of a flight, and t, cos wt, sin wt.
         """
 
-        def x(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
-            d = when[0] - arc[2]
-            return arc[0] + (arc[1] - d * (self.f * s / 2)) * d - when[1] * self.sway
-
-        def v(arc: Sequence[RealJet], when: Sequence[RealJet]) -> RealJet:
-            return arc[1] - (when[0] - arc[2]) * (self.f * s) + when[2] * self.swing
-
-        return x, v
+        f = self.f * s
+        return (
+            lambda arc, at: place(arc[0], arc[1], at[0] - arc[2], f / 2, at[1] * self.sway),
+            lambda arc, at: velocity(arc[1], at[0] - arc[2], f, at[2] * self.swing),
+        )
 
     # flights over the box
 

@@ -135,7 +135,7 @@ def after_turn(y: Direction, f: Flight, t: Event, p: Model) -> Flight:
     j11 = quotient(minus(a, c), minus(c, (-a[0], a[1])))
     J = j11, _NONE, minus(minus(_NONE, D), times(tau, j11)), (-1.0, 0.0)
     ref, later = y.folded(t.near, q.widened(t.d, t.e))
-    A = q.total(q.widened(t.sin, t.k * t.e), q.scaled(later, -y.a, y.a_error))
+    A = y.from_rest(later, q.widened(t.sin, t.k * t.e))
     ahead = q.moved(q.scaled(p, -1.0), -y.width[0], y.width[1])
     B = q.total(ahead, y.start(A, later, q.scaled(q.widened(t.cos, t.k * t.e), -1.0)))
     return followed(y, f, t.ends, (t.near, ref), (A, B), J)

@@ -14,8 +14,9 @@ import math
 from collections.abc import Sequence
 
 from cap.checker.folded.flights import Flight, Model
-from cap.checker.folded.motion import Direction
+from cap.checker.folded.motion import Direction, middle_of
 from cap.checker.kernel.rejection import need
+from cap.checker.system.flight import velocity
 
 Coefficients = list[float]
 _STEPS, _CLOSE = 8, 1e-8  # of Newton's method, which squares the last one
@@ -23,36 +24,34 @@ _STEPS, _CLOSE = 8, 1e-8  # of Newton's method, which squares the last one
 
 def hitting(y: Direction, f: Flight, near: float) -> tuple[float, Model]:
     """Return t and a polynomial d without a constant: p vanishes at t + d, nearly."""
-    t, A, B = near, y.q.coefficients(f.A), y.q.coefficients(f.B)
+    A, B, middle = y.q.coefficients(f.A), y.q.coefficients(f.B), middle_of(y, f)
+    t, s = near, middle.speed(near)
     for _ in range(_STEPS):
-        d = t - f.ref
-        s = math.sin(t) + y.a * d + A[0]
         need(s > 0, "the mass may stop, or hit")
-        step = (d * (y.a * d / 2 + A[0]) + B[0] - math.cos(t)) / s
-        t -= step
+        step = middle.ahead(t) / s
+        t += step
+        s = middle.speed(t)
         if abs(step) < _CLOSE:
             break
-    d = t - f.ref
-    s = math.sin(t) + y.a * d + A[0]
     need(s > 0, "the mass may stop, or hit")
-    D, ET, cos, sin, speeds = (_room(z, A) for z in (d, 0.0, math.cos(t), math.sin(t), s))
+    D, ET, cos, sin, speeds = (_room(z, A) for z in (t - f.ref, 0.0, math.cos(t), math.sin(t), s))
     EA, EB, part = _derived(y, A), _derived(y, B), y.q.part
     for w, low, high in y.q.PARTS:
         pulls = zip(part(w, ET, speeds), part(w, EA, D), EB[low:high], strict=True)
         rise = [-(u + v + z) / s for u, v, z in pulls]
         _extend(y, (w, low, high), (D, ET, cos, sin), rise)
         for k in range(low, high):
-            speeds[k] = sin[k] + y.a * D[k] + A[k]
+            speeds[k] = velocity(A[k], D[k], -y.a, sin[k])
     return t, y.q.of_coefficients((0.0, *D[1:]))
 
 
 def stopping(y: Direction, f: Flight, near: float) -> tuple[float, Model]:
     """Return t and a polynomial d without a constant: s vanishes at t + d, nearly."""
-    t, A = near, y.q.coefficients(f.A)
+    t, A, middle = near, y.q.coefficients(f.A), middle_of(y, f)
     for _ in range(_STEPS):
         slope = math.cos(t) + y.a
         need(slope < 0, "a stop is not transversal")
-        step = (math.sin(t) + y.a * (t - f.ref) + A[0]) / slope
+        step = middle.speed(t) / slope
         t -= step
         if abs(step) < _CLOSE:
             break

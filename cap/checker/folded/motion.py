@@ -16,6 +16,7 @@ from cap.checker.folded.scout import Middle, scout
 from cap.checker.kernel import line, polynomials
 from cap.checker.kernel.angles import cos_sin, of
 from cap.checker.kernel.rejection import Rejected, need
+from cap.checker.system.flight import place, velocity
 from cap.checker.system.walls import Parameters
 
 _ARCS = 12  # of a flight
@@ -62,15 +63,19 @@ class Direction:
         half = q.scaled(d, -self.a / 2, self.a_error)
         return q.total(cos, q.product(d, q.total(half, q.scaled(A, -1.0))))
 
+    def from_rest(self, d: Model, minus_sin: Model) -> Model:
+        """Return A, if s = 0 at the time ref + d; given minus its sine."""
+        return self.q.total(minus_sin, self.q.scaled(d, -self.a, self.a_error))
+
     def at(self, f: Flight, t: float, e: float = 0.0) -> tuple[Model, Model]:
         """Return (p, s), without errors, at a time within e of t."""
         q, d = self.q, t - f.ref
         cos, sin = cos_sin(t)
         e += (abs(t) + abs(f.ref) + 1) * TURN
         error = (q.size(f.A) + abs(d) + 2) * e + self.a_error * abs(d)
-        s = q.moved(f.A, sin + self.a * d, error)
+        s = q.moved(f.A, velocity(0.0, d, -self.a, sin), error)
         p = q.total(q.scaled(f.A, d, e), f.B)
-        return q.moved(p, -cos + self.a * d * d / 2, error * (1 + abs(d))), s
+        return q.moved(p, place(0.0, 0.0, d, -self.a / 2, cos), error * (1 + abs(d))), s
 
     def states(self, f: Flight, t: float, e: float) -> tuple[Model, Model]:
         """Return (p, s) at a time within e of t."""
@@ -123,11 +128,15 @@ class Releases(Direction):
         super().__init__(p, forwards=True)
 
 
+def middle_of(y: Direction, f: Flight) -> Middle:
+    """Return the flight in the middle of the region, nearly: it steers."""
+    return Middle(-y.a, y.q.first(f.A), y.q.first(f.B), f.ref)
+
+
 def upcoming(y: Direction, f: Flight) -> tuple[str, float, int]:
     """Return what comes next in the middle of the region, when, and in which arc: it steers."""
     slows = ((k, y.slow(k)[0]) for k in range(f.slow, _ARCS))
-    middle = Middle(-y.a, y.q.first(f.A), y.q.first(f.B), f.ref)
-    return scout(middle, (f.begun[0] + f.begun[1]) / 2, slows, 2 * y.theta[0])
+    return scout(middle_of(y, f), (f.begun[0] + f.begun[1]) / 2, slows, 2 * y.theta[0])
 
 
 def since(y: Direction, f: Flight, near: float, d: Model) -> Model:

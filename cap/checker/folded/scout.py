@@ -8,10 +8,11 @@ from typing import NamedTuple
 
 from cap.checker.folded.numbers import zero
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.system.flight import place, velocity
 
 
 class Middle(NamedTuple):
-    """The flight s = sin t - a d + A, p = -cos t - a d^2/2 + A d + B, d = t - ref, a the drag."""
+    """A flight (`cap.checker.system.flight`): s = v with V = A, p = x with X = B, d = t - ref."""
 
     drag: float
     A: float
@@ -20,12 +21,11 @@ class Middle(NamedTuple):
 
     def speed(self, t: float) -> float:
         """Return s."""
-        return math.sin(t) - self.drag * (t - self.ref) + self.A
+        return velocity(self.A, t - self.ref, self.drag, math.sin(t))
 
     def ahead(self, t: float) -> float:
         """Return -p, the distance to the wall ahead."""
-        d = t - self.ref
-        return math.cos(t) - d * (self.A - self.drag * d / 2) - self.B
+        return -place(self.B, self.A, t - self.ref, self.drag / 2, math.cos(t))
 
 
 def scout(

@@ -123,7 +123,7 @@ def at_rest(y: Direction, region: Region, middle: float, half: float) -> Start:
     ref, r = middle + half * z, half * r
     d = q.model(_ROUND, Y=r)
     cos, sin = q.trigonometric(q.with_constant(d, ref))
-    A = q.total(q.scaled(sin, -1.0), q.scaled(d, -y.a, y.a_error))
+    A = y.from_rest(d, q.scaled(sin, -1.0))
     B = q.total(place, y.start(A, d, cos))
     force = q.scaled(q.moved(cos, abs(y.a), y.a_error), abs(r), _ROUND)
     far = abs(r) + 2 * _ROUND

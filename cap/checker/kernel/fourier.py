@@ -132,11 +132,16 @@ class Function:
     def __sub__(self, other: Function | int) -> Function:
         return self + -other
 
-    def __mul__(self, other: Function | int) -> Function:
+    def __mul__(self, other: Function | Interval | int) -> Function:
         if isinstance(other, int):
             products = [(a * other, b * other) for a, b in self.coefficients]
             return Function(self.circle, products, self.error * abs(other))
         circle, unit = self.circle, self.circle.unit
+        if isinstance(other, Interval):
+            middle, radius = circle.near(other)
+            products = [(a * middle // unit, b * middle // unit) for a, b in self.coefficients]
+            error = self.error * abs(middle) + self.norm * radius
+            return Function(circle, products, ceiling(error, unit) + 2 * circle.grain)
         whole = product(self.coefficients, other.coefficients)
         kept = [
             ((re + unit // 2) // unit, (im + unit // 2) // unit)
@@ -148,14 +153,6 @@ class Function:
         mixed = (e * other.norm if e else 0) + (f * self.size if f else 0)
         error = ceiling(2 * dropped, unit * FINE) + ceiling(mixed, unit) + circle.grain
         return Function(circle, kept, error)
-
-    def times(self, c: Interval) -> Function:
-        """Return the multiples by the numbers of an interval."""
-        unit = self.circle.unit
-        middle, radius = self.circle.near(c)
-        products = [(a * middle // unit, b * middle // unit) for a, b in self.coefficients]
-        error = self.error * abs(middle) + self.norm * radius
-        return Function(self.circle, products, ceiling(error, unit) + 2 * self.circle.grain)
 
     def divided(self, n: int) -> Function:
         """Return u/n for an integer n > 0."""
@@ -191,8 +188,7 @@ class Function:
             cos, sin = sin * sin * -2 + 1, sin * cos * 2
         mean = Fraction(self.mean, unit)
         c, s = cos_sin(Interval.enclosing(mean, mean, circle.bits))
-        both = cos.times(c) - sin.times(s), sin.times(c) + cos.times(s)
-        return moved(both, self.error)
+        return moved((cos * c - sin * s, sin * c + cos * s), self.error)
 
 
 def taylor(h: Function) -> tuple[Function, Function]:

@@ -51,9 +51,10 @@ from typing import Generic, NamedTuple
 
 from cap.checker.kernel.jet import Jet
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.series import K, divided, nilpotent, plus, square_root
+from cap.checker.kernel.series import K, divided, nilpotent, square_root
 from cap.checker.kernel.substitution import substituted
 from cap.checker.one_one.pairs import Pair, Pairs
+from cap.checker.system.flight import place, velocity
 
 _ORDER = 3
 
@@ -75,24 +76,23 @@ def period_map(pairs: Pairs[K], pair: Pair[K]) -> tuple[Jet[K], Jet[K]]:
     one, delta, alpha = right.u.integer(1), pair.delta.constant, pair.alpha.constant
     u = square_root(Jet(_ORDER, {(0, 0): right.u * right.u, (1, 0): one * 2}))
     t = Jet(_ORDER, {(0, 1): one})
-    t, u = flight((t, u), (right, left), -1, pairs.pi + delta * 2, alpha, pairs.rho)
-    t, u = flight((t, u), (left, right), 1, pairs.pi - delta * 2, alpha, pairs.rho)
+    t, u = flight((t, u), (right, left), -1, pairs.pi + delta * 2, alpha)
+    t, u = flight((t, u), (left, right), 1, pairs.pi - delta * 2, alpha)
     return divided(u * u, 2), t
 
 
 def flight(
-    start: tuple[Jet[K], Jet[K]], hits: tuple[Hit[K], Hit[K]], s: int, d: K, alpha: K, rho: K
+    start: tuple[Jet[K], Jet[K]], hits: tuple[Hit[K], Hit[K]], s: int, d: K, alpha: K
 ) -> tuple[Jet[K], Jet[K]]:
     """Return the deviation of the time and the speed at the end from those at the start."""
     (t, u), (first, last) = start, hits
     cos, sin = turned(first, t)
-    base, eta = u - sin * s, Jet[K](_ORDER, {})
+    base, long = u - sin * s, Jet[K](_ORDER, {(0, 0): d})
     for _ in range(_ORDER):
-        long = eta + Jet(_ORDER, {(0, 0): d})
-        H = base * long - (turned(last, t + eta)[0] - cos) * s - divided(long * long * alpha, 2)
-        eta = eta - nilpotent(plus(H, -rho)) * (rho.integer(1) / last.u)
-    speed = base + turned(last, t + eta)[1] * s - (eta + Jet(_ORDER, {(0, 0): d})) * alpha
-    return t + eta, speed
+        way = place(cos * s, base, long, alpha / 2, turned(last, t + nilpotent(long))[0] * s)
+        long = long - nilpotent(way) * (d.integer(1) / last.u)
+    t = t + nilpotent(long)
+    return t, velocity(base, long, alpha, turned(last, t)[1] * s)
 
 
 def turned(hit: Hit[K], t: Jet[K]) -> tuple[Jet[K], Jet[K]]:

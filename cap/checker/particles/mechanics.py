@@ -27,6 +27,7 @@ from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
+from cap.checker.system.flight import place, velocity
 from cap.checker.system.masses import MassParameters
 
 NORMALS = {"hit l": (1, 0), "hit r": (0, 1), "meet 1 2": (1, -1)}
@@ -94,17 +95,14 @@ class Mechanics:
 
     def velocity(self, i: int, flight: Flight, at: Instant) -> Interval:
         """Return v_i on a flight."""
-        start, s = flight.start, flight.signs[i]
-        return (
-            flight.v[i] + self.swing[i] * (at.sin - start.sin) - self.drag[i] * s * (at.t - start.t)
-        )
+        p, d, f = self.swing[i], at.t - flight.start.t, self.drag[i] * flight.signs[i]
+        return velocity(flight.v[i] - flight.start.sin * p, d, f, at.sin * p)
 
     def place(self, i: int, flight: Flight, at: Instant) -> Interval:
         """Return x_i on a flight."""
-        start, s, p = flight.start, flight.signs[i], self.swing[i]
-        d = at.t - start.t
-        way = (flight.v[i] - p * start.sin) * d - p / self.omega * (at.cos - start.cos)
-        return flight.x[i] + way - self.drag[i] * s * d.square() / 2
+        (t, cos, sin), p, f = flight.start, self.swing[i], self.drag[i] * flight.signs[i]
+        c = p / self.omega
+        return place(flight.x[i] + cos * c, flight.v[i] - sin * p, at.t - t, f / 2, at.cos * c)
 
     def may_be_critical(self, s: int, start: Interval, end: Interval) -> Iterator[Instant]:
         """Give the critical times that may be between two times of [0, 2T], in their order."""

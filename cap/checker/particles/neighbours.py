@@ -104,15 +104,11 @@ class Neighbours:
 
     def place(self, i: int, s: int, arc: Sequence[RealJet], now: Sequence[RealJet]) -> RealJet:
         """Return x_i on a flight."""
-        (t, cos, sin), x, v, p = arc[:3], arc[3 + i], arc[5 + i], self.M.swing[i]
-        d = now[0] - t
-        way = (v - sin * p) * d - (now[1] - cos) * (p / self.omega)
-        return x + way - d * d * (self.M.drag[i] * s / 2)
+        return along(self.M.place, i, s, arc, now)
 
     def velocity(self, i: int, s: int, arc: Sequence[RealJet], now: Sequence[RealJet]) -> RealJet:
         """Return v_i on a flight."""
-        t, _, sin = arc[:3]
-        return arc[5 + i] + (now[2] - sin) * self.M.swing[i] - (now[0] - t) * (self.M.drag[i] * s)
+        return along(self.M.velocity, i, s, arc, now)
 
     def at(self, arc: Arc, now: Sequence[Centred]) -> tuple[list[Centred], list[Centred]]:
         """Return places and velocities at a moment of a flight."""
@@ -201,3 +197,10 @@ class Neighbours:
         if signs[0] == signs[1]:
             inside = M.critical(signs[0], start.t, end.t)
             together(M, flight, [start, *inside, end], (arc.met, met))
+
+
+def along(law: Any, i: int, s: int, arc: Sequence[Any], now: Sequence[Any]) -> RealJet:
+    """Return x_i or v_i on a flight: the laws hold for jets, too."""
+    flight = Flight((s, s), Instant(*arc[:3]), (arc[3], arc[4]), (arc[5], arc[6]))
+    found: RealJet = law(i, flight, Instant(*now))
+    return found

@@ -3,10 +3,8 @@
 Units: F = omega = 1.  A *launch* (t, E) leaves a wall at the time t with the speed u > 0, E =
 u^2/2.  With s in [-1, 1] an *arc* is the curve t = t_0 + t_1 s, E = e_0 + e_1 s + e_2 s^2.
 
-*A flight* over the distance R against the friction f (f < 0: backward in time) has
-
-    v(T) = u + sin T - sin t - f (T - t),
-    x(T) = u (T - t) + cos t - cos T - (T - t) sin t - f (T - t)^2/2.
+*A flight* over the distance R against the friction f (f < 0: backward in time) is that of
+`cap.checker.system.flight` with X = cos t and V = u - sin t.
 
 v has its local minima at T = 2 pi k - arccos f.  So v > 0 from t to T if it is at both ends and at
 these times between them.  If then x(T) = R, T is when the other wall is hit, with the speed V =
@@ -30,23 +28,13 @@ from __future__ import annotations
 
 import math
 from functools import cached_property, lru_cache
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from cap.checker.kernel.doubles import PI, Double, cos_sin
 from cap.checker.kernel.rejection import need
+from cap.checker.system.flight import place, velocity
 
 SPAN = 40.0  # the longest flight that is followed
-S = TypeVar("S", float, Double)
-
-
-def speed(u: S, sines: tuple[S, S], d: S, f: S) -> S:
-    """Return v a time d after a launch, from the sines of both times."""
-    return u + sines[1] - sines[0] - f * d
-
-
-def way(u: S, sin: S, cosines: tuple[S, S], d: S, f: S) -> S:
-    """Return x a time d after a launch, from the sine then, and the cosines of both times."""
-    return u * d + cosines[0] - cosines[1] - d * sin - f * d * d * 0.5
 
 
 Taylor = tuple[Double, Double, Double]
@@ -159,7 +147,7 @@ class Launches:
 
     def speed(self, at: Point, T: Double, sin: Double) -> Double:
         """Return v(T) at one s, or an interval for all; sin is that of T."""
-        return speed(at.u, (at.sin, sin), T - at.t, self.f)
+        return velocity(at.u - at.sin, T - at.t, self.f, sin)
 
     def _slope(self, at: Point) -> Double:
         return at.du - (at.cos - self.f) * self.dt
@@ -180,7 +168,7 @@ class Launches:
     def way(self, T: Double, cos: Double) -> Double:
         """Return x(T) at s = 0; cos is that of T."""
         at = self.near
-        return way(at.u, at.sin, (at.cos, cos), T - at.t, self.f)
+        return place(at.cos, at.u - at.sin, T - at.t, self.f * 0.5, cos)
 
     def minima(self, low: float, high: float) -> list[Double]:
         """Return the times of the local minima of v that may be in [low, high]."""
@@ -229,13 +217,13 @@ def _hit(launches: Launches) -> Double:
 
 def _guess(t: float, u: float, f: float, R: float, near: float | None) -> float:
     """Return a float near the first time at which x = R, or near another one: it needs no trust."""
-    s, c = math.sin(t), math.cos(t)
+    X, V = math.cos(t), u - math.sin(t)
 
     def x(T: float) -> float:
-        return way(u, s, (c, math.cos(T)), T - t, f)
+        return place(X, V, T - t, f / 2, math.cos(T))
 
     def v(T: float) -> float:
-        return speed(u, (s, math.sin(T)), T - t, f)
+        return velocity(V, T - t, f, math.sin(T))
 
     low, T = (t, t) if near is None else (near - 0.125, near)
     while near is None and x(T) < R:

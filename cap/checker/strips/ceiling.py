@@ -49,8 +49,8 @@ from typing import NamedTuple
 
 from cap.checker.kernel.doubles import PI, Double, between, cos_sin
 from cap.checker.kernel.rejection import need
-from cap.checker.strips.arc import speed
 from cap.checker.strips.strips import Ceiling
+from cap.checker.system.flight import velocity
 
 MOST = 60_000  # boxes: some seconds
 TALL = 1.0  # boxes are no larger when they are examined
@@ -100,7 +100,7 @@ class Flights:
         for k in range(8):
             low = Double(2 * math.pi * k - rest)  # any time will do
             if t.upper < low.mid < flight.T.lower:
-                v = speed(u, (sin_t, cos_sin(low)[1]), low - t, f)
+                v = velocity(u - sin_t, low - t, f, cos_sin(low)[1])
                 if v.upper < 0:
                     return True
         return False

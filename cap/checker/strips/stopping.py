@@ -13,7 +13,8 @@ from __future__ import annotations
 import math
 
 from cap.checker.kernel.doubles import Double
-from cap.checker.strips.arc import SPAN, Launches, least, negative, speed
+from cap.checker.strips.arc import SPAN, Launches, least, negative
+from cap.checker.system.flight import velocity
 
 LATE = (1e-5, 1e-4, 1e-3, 1e-2)  # before and after a stop, v > 0 and v < 0 are tried
 
@@ -28,7 +29,7 @@ def _late(launches: Launches) -> list[tuple[Double, Double]]:
     t, u, f = launches.near.t.mid, launches.near.u.mid, launches.f.mid
 
     def v(T: float) -> float:
-        return speed(u, (math.sin(t), math.sin(T)), T - t, f)
+        return velocity(u - math.sin(t), T - t, f, math.sin(T))
 
     for T in launches.minima(t, t + SPAN):
         if T.mid > t and v(T.mid) < 0:

@@ -31,12 +31,9 @@ pair, delta and -delta.  alpha(delta) decreases strictly, so delta is between tw
 is between its values there.  At the hit of the right wall t_1 = arccos S - delta, u_1 = W + alpha
 delta.  With |delta| < pi/2 and 0 < arccos S < pi, the hits of the left wall before and after that,
 at t_1 - pi + 2 delta and t_1 + pi + 2 delta, are before and after t = 0; for S > 0 because t_1 + 2
-delta = arccos S + delta < pi, and > -pi/2, and for S < 0 because delta = 0.  So on the way
-
-    there, t_1 > 0:   v = u,   u = u_1 - sin t_1 + alpha t_1,   r - x = u t_1 + c,
-    back,  t_1 < 0:   v = -u,  u = u_1 + sin t_1 + alpha t_1,   r - x = -(u_1 + sin t_1) t_1 + c,
-
-c = 1 - cos t_1 - alpha t_1^2/2.
+delta = arccos S + delta < pi, and > -pi/2, and for S < 0 because delta = 0.  So the state at t = 0
+is one of the flight (``flight``) that comes to r with v = u_1 at t_1 > 0, or leaves r with v = -u_1
+at t_1 < 0.
 
 *m > 1*: cap.checker.flow.launches.  The slowest launch of the orbit lies in [0, L] x [0, U], L > 2
 pi; a tree of halves of this box is given.  Each leaf is proved empty, or left open and counted; the
@@ -66,6 +63,7 @@ from cap.checker.kernel.theorem import BITS
 from cap.checker.one_one.closed_form import Symmetric, birth, friction
 from cap.checker.one_one.pairs import over_intervals, slowest
 from cap.checker.one_one.scaled import Scaled
+from cap.checker.system.flight import place, velocity
 
 LONGEST = Fraction(62832, 10000)  # L, more than 2 pi
 UNIT = 2**13  # the ends of windows are multiples of 1/UNIT
@@ -222,14 +220,11 @@ class Inventory(Scaled):
         """Return x and v at t = 0."""
         t, u, alpha = orbit.t, orbit.u, self.alpha
         cos, sin = cos_sin(t)
-        bend = -cos + 1 - alpha * t.square() / 2
         need(not t.contains_zero(), "a mass may be at the right wall at t = 0")
-        if t.is_positive():
-            v = u - sin + alpha * t
-            gap = v * t + bend
-        else:
-            v = -(u + sin + alpha * t)
-            gap = -(u + sin) * t + bend
+        s = 1 if t.is_positive() else -1
+        V = u * s - sin
+        v = velocity(V, -t, alpha * s, 0)
+        gap = -place(cos, V, -t, alpha * s / 2, 1)
         length, scale = (self.number(self.p.F / self.omega**k) for k in (2, 1))
         return self.number(self.p.r) - gap * length, v * scale
 

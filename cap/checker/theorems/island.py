@@ -272,7 +272,7 @@ class Island(BetweenWalls):
         x, v = (u - self.circle.constant(c) for u, c in zip(K, at, strict=True))
         D = determinant(self.hints["axes"])
         rows = ((d / D, -b / D), (-c / D, a / D))
-        p, q = (x.times(self.number_at(row[0])) + v.times(self.number_at(row[1])) for row in rows)
+        p, q = (x * self.number_at(row[0]) + v * self.number_at(row[1]) for row in rows)
         return p, q
 
     def stretch(self) -> Fraction:

@@ -12,8 +12,9 @@ Psi is symmetric about pi/2, and for theta < pi/2, as cos theta >= 1 - 2 theta/p
     Psi' = pi cos theta - alpha (pi - 2 theta) >= (1 - alpha)(pi - 2 theta) > 0.
 
 So in (0, pi) there are two roots, theta and pi - theta, if Psi(0) < 0 < Psi(pi/2), and none if
-Psi(0) >= 0 or Psi(pi/2) < 0.  A root is enclosed by Newton's operator m - Psi(m)/Psi'(X): if it
-lies in X, it contains the only root in X [Moore].  At a root the paper's formula gives
+Psi(0) >= 0 or Psi(pi/2) < 0.  An interval X in (0, pi/2) contains the first one if Psi < 0 at its
+lower and Psi > 0 at its upper end; then it lies in m - Psi(m)/Psi'(X) for m in X, by the mean value
+theorem.  At a root the paper's formula gives
 
     v(T/2-) = -(F/omega) sin theta - (f/omega)(pi - theta) < 0    for every theta in (0, pi),
 
@@ -26,7 +27,6 @@ from collections.abc import Iterable
 from typing import Any
 
 from cap.checker.kernel.choices import Cases, OrNone
-from cap.checker.kernel.citation import NEUMAIER, cite
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
@@ -68,18 +68,6 @@ class SymmetricOrbits(Scaled):
               "sin theta - (f/omega)(pi - theta), negative"),
     )
     # fmt: on
-    CITES = (
-        cite(
-            "Moore",
-            NEUMAIER,
-            (
-                "inclusion",
-                "Newton's operator of Psi, m - Psi(m)/Psi'(X), maps X into X: "
-                "X contains exactly one zero of Psi",
-                "paper_roots",
-            ),
-        ),
-    )
 
     def prove(self) -> None:
         """Prove the theorem."""
@@ -145,38 +133,35 @@ class SymmetricOrbits(Scaled):
 
     def paper(self) -> None:
         """Prove that the roots claimed of the paper's equation are all, and that none is valid."""
-        roots, none = self.claims["paper_roots"], self.number(0)
-        low, high = self.psi(none), self.psi(self.pi() / 2)
+        roots, whole = self.claims["paper_roots"], self.pi()
+        low, high = self.psi(self.number(0)), self.psi(whole / 2)
         decided = not high.contains_zero() and not low.contains_zero()
         need(decided, "the number of roots of the paper's equation is not decided")
         expected = 2 if high.is_positive() and not low.is_positive() else 0
         need(len(roots) == expected, f"the paper's equation has {expected} roots")
-        for n, claim in enumerate(roots):
-            theta = self.root(n, claim["theta"])
-            sin = cos_sin(theta)[1]
-            late = sin + self.alpha * (self.pi() - theta)
+        first = [self.root(claim["theta"]) for claim in roots[:1]]
+        found = [*first, *(whole - theta for theta in first)]
+        for n, (claim, theta) in enumerate(zip(roots, found, strict=True)):
+            late = cos_sin(theta)[1] + self.alpha * (whole - theta)
             velocity = -late * self.number(self.p.F / self.omega)
             where = f"paper_roots[{n}]"
+            inside = self.number(claim["theta"].upper).is_before(whole)
+            need(inside, f"{where}.theta is not in its half of (0, pi)")
             self.compare(where, claim, {"theta": theta, "velocity": velocity})
             need(claim["velocity"].upper < 0, f"{where}.velocity is not negative")
         self.step(f"the paper's equation has {expected} roots, and none gives a solution")
 
-    def root(self, n: int, claim: Enclosure) -> Interval:
-        """Return an enclosure of the n-th root, n = 0 or 1."""
-        X, half = Interval.enclosing(claim.lower, claim.upper, self.hints["bits"]), self.pi() / 2
-        whole = self.pi()
-        inside = X.is_positive() and X.is_before(half) if n == 0 else half.is_before(X)
-        need(inside and X.is_before(whole), f"paper_roots[{n}].theta is not in its half of (0, pi)")
-        image = self.newton(X)
-        lies = image.lies_in(claim.lower, claim.upper)
-        need(lies, f"paper_roots[{n}].theta does not contain the enclosure computed")
-        return self.newton(image).intersection(image)
-
-    def newton(self, X: Interval) -> Interval:
-        """Return Newton's operator of Psi."""
-        m, whole = X.midpoint(), self.pi()
-        slope = whole * cos_sin(X)[0] - self.alpha * (whole - X * 2)
-        return m - self.psi(m) / slope
+    def root(self, claim: Enclosure) -> Interval:
+        """Return an enclosure of the root in (0, pi/2), which must lie in the claim."""
+        where, whole = "paper_roots[0].theta", self.pi()
+        X = Interval.enclosing(claim.lower, claim.upper, self.hints["bits"])
+        need(X.is_positive() and X.is_before(whole / 2), f"{where} is not in its half of (0, pi)")
+        low, high = (self.psi(self.number(q)) for q in (claim.lower, claim.upper))
+        need((-low).is_positive() and high.is_positive(), f"{where} may not contain the root")
+        for _ in range(2):
+            m, slope = X.midpoint(), whole * cos_sin(X)[0] - self.alpha * (whole - X * 2)
+            X = X.intersection(m - self.psi(m) / slope)
+        return X
 
     def psi(self, theta: Interval) -> Interval:
         """Return Psi(theta)."""

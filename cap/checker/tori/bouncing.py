@@ -64,10 +64,7 @@ def over(a: Interval, flight: Flight, x: Function, w: Function) -> Image:
     k, s = x.cos_sin()
     cosine = Function(circle, [(0, 0), (half, 0)], 0)
     sine = Function(circle, [(0, 0), (0, -half)], 0)
-    cos, sin = (
-        (cosine * k - sine * s).times(a),
-        (sine * k + cosine * s).times(a),
-    )  # a cos t, a sin t
+    cos, sin = (cosine * k - sine * s) * a, (sine * k + cosine * s) * a  # a cos t, a sin t
     p, ahead = flight.time.with_error(0), flight.time.with_error(0).cos_sin()
     up = v + cos
     value = sin + up * p - (p * p).divided(2) - sin * ahead[0] - cos * ahead[1]

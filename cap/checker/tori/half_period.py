@@ -40,6 +40,7 @@ from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.fourier import Function, moved, root
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
+from cap.checker.system.flight import place, velocity
 from cap.checker.tori.invariant_curve import Vector
 
 REFINED = 6  # steps of Newton's method for the hit of one state
@@ -110,12 +111,11 @@ class Motion:
         """
         p, cos, sin, inverse = hit
         circle = p.circle
-        one, a = circle.constant(1), circle.constant(self.a)
-        half = self.alpha / 2
-        value = x + v * p + one - cos - (p * p).times(half) - a
+        a = circle.constant(self.a)
+        value = place(x + 1, v, p, self.alpha / 2, cos) - a
 
         def speed(e: int) -> Function:
-            return v + moved((cos, sin), e)[1] - p.with_error(e).times(self.alpha)
+            return velocity(v, p.with_error(e), self.alpha, moved((cos, sin), e)[1])
 
         t = root(p, value, speed, inverse)
         cos, sin = moved((cos, sin), t.error)
@@ -124,8 +124,8 @@ class Motion:
         reach, end = t.swing + t.error, self.pi.lo * circle.unit >> self.bits
         need(t.mean - reach > 0 and t.mean + reach < end, "a hit may not be in (0, pi)")
         need(u.mean > u.error, "a speed at a hit may not be positive")
-        X = (u + sin) * d - one - cos - (d * d).times(half) - a
-        V = v + sin * 2 - circle.constant(self.alpha * self.pi)
+        X = place(-a - cos, u + sin, d, self.alpha / 2, 1)
+        V = velocity(v, circle.constant(self.pi), self.alpha, sin * 2)
         return Passage(X, V, t, d, k)
 
     # boxes
@@ -139,7 +139,7 @@ class Motion:
         need(v.is_positive() and self.inside(z.range(0)), "a state may be outside")
         t = self.hit(z)
         cos, sin = cos_sin(t)
-        u = v + sin - self.alpha * t
+        u = velocity(v, t, self.alpha, sin)
         need(u.is_positive(), "a speed at a hit may not be positive")
         k, d = -cos * 2 / u, self.pi - t
         B = self.derivative(t, k, d, z.B)
@@ -174,9 +174,9 @@ class Motion:
         reach = [[float(b.magnitude().upper) for b in row] for row in z.B]
         t = (a - x) / v
         for _ in range(30):
-            speed = v + math.sin(t) - alpha * t
+            speed = velocity(v, t, alpha, math.sin(t))
             need(abs(speed) > 1e-9 and abs(t) < 10, "no hit is found")
-            t -= (x + v * t + 1 - math.cos(t) - alpha * t * t / 2 - a) / speed
+            t -= (place(x + 1, v, t, alpha / 2, math.cos(t)) - a) / speed
         far = sum(b + c * abs(t) for b, c in zip(*reach, strict=True)) / abs(speed)
         return t, 1.1 * far + 2 * far**2 + 1e-12
 
@@ -187,19 +187,18 @@ class Motion:
 
     def beyond(self, z: States, t: Interval) -> Interval:
         """Return x(t) - a of the middle."""
-        rise = z.v * t - cos_sin(t)[0] - self.alpha * t.square() / 2
-        return z.x + rise + 1 - self.a
+        return place(z.x + 1, z.v, t, self.alpha / 2, cos_sin(t)[0]) - self.a
 
     def of_middle(self, z: States, t: Interval) -> tuple[Interval, Interval]:
         """Return sigma of the middle, whose hit is in t; Newton's method sharpens this first."""
         for _ in range(REFINED):
             middle, (_, sin) = t.midpoint(), cos_sin(t)
-            slope = z.v + sin - self.alpha * t
+            slope = velocity(z.v, t, self.alpha, sin)
             t = t.intersection(middle - self.beyond(z, middle) / slope)
         cos, sin = cos_sin(t)
-        d, speed = self.pi - t, z.v + sin * 2 - self.alpha * t
-        X = speed * d - 1 - cos - self.alpha * d.square() / 2 - self.a
-        return X, z.v + sin * 2 - self.alpha * self.pi
+        V = velocity(z.v, t, self.alpha, sin * 2)
+        X = place(-self.a - cos, V, self.pi - t, self.alpha / 2, 1)
+        return X, velocity(z.v, self.pi, self.alpha, sin * 2)
 
     def derivative(
         self, t: Interval, k: Interval, d: Interval, B: tuple[tuple[Interval, Interval], ...]

@@ -63,9 +63,9 @@ class Kicked(NamedTuple):
 
         def tangent(w: Vector) -> Vector:
             pushed = w[1] + steep * w[0]
-            return w[0] + pushed.times(b), pushed
+            return w[0] + pushed * b, pushed
 
-        return Image(x + after.times(b) + circle.constant(c), after, tangent)
+        return Image(x + after * b + circle.constant(c), after, tangent)
 
 
 def mean(q: Polynomial) -> Fraction:

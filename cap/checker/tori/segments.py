@@ -54,6 +54,7 @@ from typing import NamedTuple
 
 from cap.checker.kernel.doubles import GROWTH, PI, TINY, Double, cos_sin, enclosing
 from cap.checker.kernel.rejection import need
+from cap.checker.system.flight import place, velocity
 
 Vector = tuple[Double, Double]
 NEWTON = 30
@@ -104,6 +105,7 @@ class Sense:
 
     def __init__(self, alpha: Fraction, a: Fraction, sign: float) -> None:
         self.sign, self.alpha, self.a = sign, enclosing(alpha), enclosing(a)
+        self.drag, self.half = self.alpha * sign, self.alpha * (sign / 2)
         self.floats = float(alpha), float(a)
         self.b = _arccos(self.alpha)
         self.c = cos_sin(self.b)[1] - self.alpha * self.b
@@ -159,9 +161,9 @@ class Sense:
         (alpha, a), e = self.floats, self.sign
         t = math.acos(alpha) if e > 0 else (a - z.y) / z.v  # the greatest speed, or the first
         for _ in range(NEWTON):
-            speed = z.v + e * (math.sin(t) - alpha * t)
+            speed = velocity(z.v, t, e * alpha, e * math.sin(t))
             need(abs(speed) > 1e-9 and abs(t) < 10, "no hit is found")
-            step = (z.y + z.v * t + e * (1 - math.cos(t) - alpha * t * t / 2) - a) / speed
+            step = (place(z.y + e, z.v, t, e * alpha / 2, e * math.cos(t)) - a) / speed
             t -= step
             if abs(step) < 1e-14:
                 break
@@ -174,11 +176,10 @@ class Sense:
         """
         t, e = Double(guess), self.sign
         cos, sin = cos_sin(t)
-        fallen = self.alpha * t * t * 0.5
-        defect = t * z.v + z.y + (-cos - fallen + 1.0) * e - self.a
+        defect = place(Double(z.y) + e, Double(z.v), t, self.half, cos * e) - self.a
         all_states = defect.widened(z.reach(1.0, guess))
         far = all_states.magnitude
-        speed = abs(z.v + e * (sin.mid - self.alpha.mid * guess))
+        speed = abs(velocity(z.v, guess, self.drag.mid, e * sin.mid))
         need(speed > 0, "no hit is found")
         near = Double(guess, 1.2 * far / speed + 16 * far * far + PART)
         u = self._speed(v, near)
@@ -191,16 +192,16 @@ class Sense:
 
     def _speed(self, v: Double, t: Double) -> Double:
         """Return y'(t)."""
-        return (cos_sin(t)[1] - self.alpha * t) * self.sign + v
+        return velocity(v, t, self.drag, cos_sin(t)[1] * self.sign)
 
     def _middle(self, z: Segment, t: Double) -> Vector:
         """Return the image of m, which hits the wall at t."""
         e, d = self.sign, PI - t
         cos, sin = cos_sin(t)
-        u = (sin - self.alpha * t) * e + z.v
-        fallen = self.alpha * d * d * 0.5
-        Y = u * d + (sin * d - 1.0 - cos - fallen) * e - self.a
-        return Y, (sin * 2.0 - self.alpha * PI) * e + z.v
+        v, twice = Double(z.v), sin * (2.0 * e)
+        V = velocity(v, t, self.drag, twice)
+        Y = place(-self.a - cos * e, V, d, self.half, e)
+        return Y, velocity(v, PI, self.drag, twice)
 
 
 def _column(p: float, q: float, t: Double, k: Double, d: Double) -> Vector:

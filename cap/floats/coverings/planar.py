@@ -18,6 +18,8 @@ from cap.floats.coverings import contact
 from cap.floats.coverings.contact import contact_map
 from cap.floats.coverings.polynomials import evaluated, terms
 from cap.floats.engine.compiled import announced
+from cap.flow import flight
+from cap.flow.kernels import place, velocity
 from cap.system.planar import Map
 from cap.system.polynomial import COS, SIN
 from cap.system.section import Section
@@ -133,19 +135,20 @@ def _half_period(phi: float, a: float, x: float, v: float) -> tuple[bool, Six]:
     if not (v > 0 and abs(x) < a):
         return _nowhere()
     end = _until(phi, v)
-    if x + v * end + 1 - math.cos(end) - phi * end * end / 2 <= a:
+    if place(x + 1, v, end, phi / 2, math.cos(end)) <= a:
         return _nowhere()
     t = _hit(phi, a, x, v, end)
-    w = v + math.sin(t) - phi * t
+    w = velocity(v, t, phi, math.sin(t))
     slow = math.pi - math.acos(phi)
-    top = math.sqrt(1 - phi * phi) + phi * slow - v - 2 * math.sin(t)
+    least = velocity(v, slow, phi, 2 * math.sin(t) - math.sqrt(1 - phi * phi))
     d = math.pi - t
-    X = (v + 2 * math.sin(t) - phi * t) * d - a - 1 - math.cos(t) - phi * d * d / 2
-    if not (w > 0 and top < 0 and a > X):
+    X = place(-a - math.cos(t), w + math.sin(t), d, phi / 2, 1)
+    if not (w > 0 and least > 0 and a > X):
         return _nowhere()
     k = -2 * math.cos(t) / w
     D = 1 + d * k
-    return True, (X, v + 2 * math.sin(t) - phi * math.pi, D, D * t + d, k, k * t + 1)
+    V = velocity(v, math.pi, phi, 2 * math.sin(t))
+    return True, (X, V, D, D * t + d, k, k * t + 1)
 
 
 @register_jitable
@@ -156,7 +159,7 @@ def _until(phi: float, v: float) -> float:
         return high
     for _ in range(50):
         middle = (low + high) / 2
-        if v + math.sin(middle) - phi * middle > 0:
+        if velocity(v, middle, phi, math.sin(middle)) > 0:
             low = middle
         else:
             high = middle
@@ -170,12 +173,12 @@ def _hit(phi: float, a: float, x: float, v: float, end: float) -> float:
     t = min(end, (a - x) / (v + 0.5))
     for _ in range(STEPS):
         s, c = math.sin(t), math.cos(t)
-        gap = x + v * t + 1 - c - phi * t * t / 2 - a
+        gap = place(x + 1, v, t, phi / 2, c) - a
         if gap > 0:
             high = t
         else:
             low = t
-        then = t - gap / (v + s - phi * t)
+        then: float = t - gap / velocity(v, t, phi, s)
         if not low <= then <= high:
             then = (low + high) / 2
         if abs(then - t) < CLOSE:
@@ -185,11 +188,11 @@ def _hit(phi: float, a: float, x: float, v: float, end: float) -> float:
 
 
 def kept(function: Any) -> Any:
-    """Compile a function, and keep it as long as no file of this folder changes."""
+    """Compile a function, and keep it until a file of this folder, or the flight, changes."""
     return announced(function, _DIGEST)
 
 
-_FILES = sorted(Path(__file__).parent.glob("*.py"))
+_FILES = [*sorted(Path(__file__).parent.glob("*.py")), Path(flight.__file__)]
 _DIGEST = sha256(b"".join(file.read_bytes() for file in _FILES)).hexdigest()
 
 

@@ -23,6 +23,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from cap.flow.flight import place, velocity
+
 Array = NDArray[np.float64]
 
 PERIOD = 2 * math.pi
@@ -52,9 +54,10 @@ def flights(times: Array, ratios: Ratios) -> Flights:
     after = np.roll(times, -1, axis=1)
     after[:, -1] += PERIOD
     d = after - times
-    mean = (ratios.rho + s * (np.cos(after) - np.cos(times))) / d
-    lost = ratios.alpha * d / 2
-    return Flights(s, d, mean + s * np.sin(times) + lost, mean + s * np.sin(after) - lost)
+    ends = s * np.cos(times), s * np.cos(after)
+    V = (ratios.rho - place(ends[0], 0.0, d, ratios.alpha / 2, ends[1])) / d
+    start, end = V + s * np.sin(times), velocity(V, d, ratios.alpha, s * np.sin(after))
+    return Flights(s, d, start, end)
 
 
 def equations(times: Array, ratios: Ratios) -> tuple[Array, Array]:
@@ -70,7 +73,8 @@ def equations(times: Array, ratios: Ratios) -> tuple[Array, Array]:
     jacobian[:, k, k] = -np.roll(end / d, 1, axis=1) - start / d - 2 * s * np.cos(times)
     jacobian[:, k, k - 1] += np.roll(start / d, 1, axis=1)
     jacobian[:, k, (k + 1) % len(k)] += end / d
-    value[:, 0] = -2 * (s * np.sin(times)).sum(axis=1) - PERIOD * ratios.alpha
+    gains = velocity(-s * np.sin(times), d, ratios.alpha, s * np.sin(times + d))
+    value[:, 0] = gains.sum(axis=1)
     jacobian[:, 0, :] = -2 * s * np.cos(times)
     return value, jacobian
 
@@ -151,7 +155,7 @@ def slowest(times: Array, ratios: Ratios) -> tuple[Array, Array]:
     bottom = np.where(s > 0, 0.0, math.pi) - math.acos(ratios.alpha)
     wait = (bottom - times) % PERIOD
     after = np.stack([np.zeros_like(d), d, np.where(wait < d, wait, d)])
-    speed = start + s * (np.sin(times + after) - np.sin(times)) - ratios.alpha * after
+    speed = velocity(start - s * np.sin(times), after, ratios.alpha, s * np.sin(times + after))
     least = speed.argmin(axis=0)[None]
     time = times + np.take_along_axis(after, least, axis=0)[0]
     return time, np.take_along_axis(speed, least, axis=0)[0]
@@ -167,7 +171,7 @@ def states(times: Array, ratios: Ratios) -> Array:
     row, last = np.arange(len(times)), phases.argmax(axis=1)
     sign, speed, hit = s[last], start[row, last], phases[row, last]
     rest = PERIOD - hit
-    covered = rest * (speed - sign * np.sin(hit) - ratios.alpha * rest / 2)
-    covered -= sign * (1 - np.cos(hit))
-    velocity = sign * speed - np.sin(hit) - sign * ratios.alpha * rest
-    return np.stack([np.where(sign > 0, covered, ratios.rho - covered), velocity], axis=1)
+    V = speed - sign * np.sin(hit)
+    covered = place(sign * np.cos(hit), V, rest, ratios.alpha / 2, sign)
+    v = sign * velocity(V, rest, ratios.alpha, 0.0)
+    return np.stack([np.where(sign > 0, covered, ratios.rho - covered), v], axis=1)

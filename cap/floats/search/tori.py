@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cap.errors import NotProved
+from cap.flow.flight import place, velocity
 from cap.parameters import Parameters
 
 LONG = 8_000
@@ -44,9 +45,8 @@ class HalfPeriod(NamedTuple):
         t = math.acos(self.alpha)
         for _ in range(60):
             sin, cos = math.sin(t), math.cos(t)
-            step = (x + v * t + 1 - cos - self.alpha * t * t / 2 - self.a) / (
-                v + sin - self.alpha * t
-            )
+            beyond = place(x + 1, v, t, self.alpha / 2, cos) - self.a
+            step = beyond / velocity(v, t, self.alpha, sin)
             t -= step
             if abs(step) < 1e-15 * (1 + abs(t)) or not abs(t) < 10:
                 break
@@ -56,13 +56,14 @@ class HalfPeriod(NamedTuple):
         """Return σ(x, v)."""
         t = self.hit(x, v)
         sin, d = math.sin(t), math.pi - t
-        place = (v + 2 * sin - self.alpha * t) * d - 1 - math.cos(t) - self.alpha * d * d / 2
-        return place - self.a, v + 2 * sin - self.alpha * math.pi
+        V = velocity(v, t, self.alpha, 2 * sin)
+        X = place(-self.a - math.cos(t), V, d, self.alpha / 2, 1)
+        return X, velocity(v, math.pi, self.alpha, 2 * sin)
 
     def derivative(self, x: float, v: float) -> Array:
         """Return Dσ."""
         t = self.hit(x, v)
-        kick, d = -2 * math.cos(t) / (v + math.sin(t) - self.alpha * t), math.pi - t
+        kick, d = -2 * math.cos(t) / velocity(v, t, self.alpha, math.sin(t)), math.pi - t
         drift = [np.array([[1, s], [0, 1]]) for s in (t, d)]
         result: Array = drift[1] @ np.array([[1, 0], [kick, 1]]) @ drift[0]
         return result
@@ -280,7 +281,7 @@ def torus(at: Centre, curve: Array, degree: int) -> Torus:
     x, v = values
     for _ in range(at.halves):
         t = np.array([at.map.hit(*z) for z in zip(x, v, strict=True)])
-        speed = v + np.sin(t) - at.map.alpha * t
+        speed = velocity(v, t, at.map.alpha, np.sin(t))
         hits.append(np.array([off_grid(t, degree), off_grid(1 / speed, degree)]))
         x, v = np.array([at.map(*z) for z in zip(x, v, strict=True)]).T
     return Torus(curve, np.array(frame), hits)

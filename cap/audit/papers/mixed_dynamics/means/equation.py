@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means import balls
+from cap.audit.papers.mixed_dynamics.means.roots import roots as all_roots
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -24,4 +24,4 @@ def roots(alpha: Fraction, rho: Fraction) -> list[Ball]:
         value: Ball = pi * theta.cos() - a * (pi - 2 * theta)
         return value
 
-    return balls.roots(psi, slope, Ball(0), pi, WIDTH)
+    return all_roots(psi, slope, Ball(0), pi, WIDTH)

@@ -6,7 +6,6 @@ just after the later one, at first order in δ; no saltation formula is used.
 
 from typing import Any, NamedTuple
 
-from cap.audit.means.algebra import reals, symbols
 from cap.audit.means.lazy import sympy as sp
 
 
@@ -24,7 +23,7 @@ def derivative(event: Event, hit: bool, restitution: Any = 1) -> Any:
 
     The event is x = wall if it is a ``hit``, v -> -e v there, and v = 0 if not.
     """
-    dx, dv, small = reals("dx dv small")
+    dx, dv, small = sp.symbols("dx dv small", real=True)
     x, v = small * dx, event.v + small * dv  # at the time of the unperturbed event, wall at x = 0
     delay = -x / event.v if hit else -(v - event.v) / event.a
     x, v = x + v * delay, v + event.a * delay  # at its own event
@@ -39,7 +38,7 @@ def derivative(event: Event, hit: bool, restitution: Any = 1) -> Any:
 
 def hit(side: int, restitution: Any = 1) -> Any:
     """Return the derivative of a hit of r (1) or l (-1), by u = |v| > 0, f > 0, c = F cos ωt."""
-    (u, f), (c,) = symbols("u f"), reals("c,")
+    (u, f), c = sp.symbols("u f", positive=True), sp.Symbol("c", real=True)
     v = side * u
     event = Event(v, c - f * side, -restitution * v, c + f * side)
     return derivative(event, True, restitution)
