@@ -6,6 +6,7 @@ import json
 import math
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -199,20 +200,25 @@ def test_entropy_over_two_periods(monkeypatch, end):
 
     The cells are those of one period.
     """
-    for known in ("confirm_growth", "confirm_laps", "confirm_bound"):
-        monkeypatch.setattr(contact_attractor, known, lambda *_: None)
+    counted = []
+    monkeypatch.setattr(contact_attractor, "confirm_growth", lambda *_: None)
+    monkeypatch.setattr(
+        contact_attractor, "confirm_bound", lambda _, laps, *__: counted.append(laps)
+    )
     given = changed(TOSS, "claims", "periods", "2")
     ends = [Fraction(q) / 2 for q in TOSS["claims"]["entropy"]]
     for step, right in ((0, True), ((1, -1)[end] * TINY, False)):
         ends[end] += step
         given["claims"]["entropy_per_period"] = [f"{float(q):.9f}" for q in ends]
         theorem = contact_attractor.THEOREM(read(encode(given)), lambda _: None)
-        theorem.cells = theorem.met = theorem.covered_cells = []
+        theorem.cells = [SimpleNamespace(laps=2), SimpleNamespace(laps=1)]
+        theorem.met = theorem.covered_cells = []
         if right:
             theorem.entropy()
         else:
             with pytest.raises(Rejected, match="another one"):
                 theorem.entropy()
+    assert counted == [[2, 1]] * 2
 
 
 @pytest.mark.parametrize(
