@@ -109,6 +109,7 @@ def test_no_circle_of_imports():
         pytest.fail(" -> ".join(circle.args[1]))
 
 
+@pytest.mark.slow
 def test_a_circle_is_seen():
     """The test above can fail."""
     with pytest.raises(CycleError):

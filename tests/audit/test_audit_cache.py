@@ -108,6 +108,7 @@ def test_modules_that_are_loaded_by_name_count():
     assert {"cap.checker.theorems.capture", "cap.proofs.elliptic", "cap.proofs.theorems"} <= found
 
 
+@pytest.mark.slow
 def test_what_some_modules_import_counts():
     """Those of a claim whose steps call functions of several."""
     means = "cap.audit.papers.mixed_dynamics.means"

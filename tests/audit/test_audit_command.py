@@ -28,6 +28,7 @@ def run(capsys):
     return command_line
 
 
+@pytest.mark.slow
 def test_one_claim(run):
     """Decided as recorded: status 0; text says how to decide it again."""
     status, out, err = run("--only", ONE)

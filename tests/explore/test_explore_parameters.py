@@ -52,6 +52,7 @@ def test_the_branch_passes_known_orbits(over_friction):
     assert upper == pytest.approx(0.559163, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_the_symmetric_branch_in_closed_form(over_friction):
     """tr Φ' = (2 - k)² - 2, k = 2π²c/(2 + 2c), c = sqrt(1 - (πf/2)²), and det = 1."""
     branch = over_friction.branches[1]

@@ -54,6 +54,7 @@ def test_they_turn_p_times_in_q_periods(found):
         assert turns.sum() / (2 * np.pi) == pytest.approx(chain.number.numerator)
 
 
+@pytest.mark.slow
 def test_no_seeds_lead_to_no_chain(found):
     """Where nothing is to be found, nothing is said to be."""
     assert chains(PAPER, found[0], np.array([found[0]]), 8) == []

@@ -90,6 +90,7 @@ def test_they_are_what_they_are_said_to_be(force, periods):
             assert distance(p, itinerary(p, c.x, c.v, 2 * math.pi * n).end, c) > 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("force", "periods"), [*((f, 1) for f in ("1", *TABLE)), ("1", 2)])
 def test_closed_under_the_symmetry(force, periods):
     """With each orbit its mirror image half a period later is found, with its numbers."""

@@ -85,6 +85,7 @@ def test_no_command_lists_what_another_omits(change, monkeypatch):
     assert by_hit_times <= never
 
 
+@pytest.mark.slow
 def test_what_only_the_hit_times_find():
     """The strong saddle at f = 1/4, and that at f = 1/100 with a multiplier of 6e9."""
     quarter, small = (found(at("f", f)).isolated for f in ("1/4", "1/100"))
