@@ -35,7 +35,7 @@ ROOMS |= dict.fromkeys(("contact_horseshoe", "map_horseshoe"), BARE | {"covering
 TWO_MASSES = ("particles", "particles_limits", "particles_saddle", "particles_sink")
 ROOMS |= dict.fromkeys(TWO_MASSES, BARE | {"particles"})
 ROOMS |= dict.fromkeys(("island", "islands", "converse"), BARE | {"tori"})
-ROOMS |= {"ball_curve": BARE - {"system"} | {"tori"}}
+ROOMS |= {"ball_curve": BARE | {"tori"}}
 ROOMS |= {"map_curve": BARE | {"coverings", "tori"}}
 ROOMS |= {"particles_stability": FLOW | {"particles"}}
 MORE = {
@@ -87,7 +87,7 @@ def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem, tmp_path):
     """
     known = sorted((*STORED.glob("*.json"), *OWN.glob("*.json")))
     path = next(p for p in known if p.stem.split("-")[0] == theorem)
-    lie = changed(json.loads(path.read_text("utf-8")), "cites", ["nothing"])
+    lie = changed(json.loads(path.read_text("utf-8")), "provenance", "nothing")
     path = tmp_path / path.name
     path.write_text(json.dumps(lie))
     modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")
