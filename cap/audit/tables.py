@@ -69,16 +69,14 @@ def claims() -> tuple[Claim, ...]:
 def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Claim:
     label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
-    module = steps.__name__ if "steps" in row else row.get("module", table["module"])
     return Claim(
         id=name,
         where=row.get("where", label),
         kind=Kind.WORDS if "ours" in row else Kind.NUMBER,
         says=f"{what[0].upper()}{what[1:]}.",
         stated=row["paper"],
-        decide=partial(_decided, name, module, row),
+        decide=partial(_decided, name, row.get("module", table["module"]), row),
         quote=quotes.get(name, ""),
-        module=module,
         content=content(row, [each.formula for each in errata.of(name)]),
         table=label,
     )

@@ -126,7 +126,6 @@ def test_rows_become_claims(table):
     assert (words.found, words.evidence) == ("no", "for no.")
     assert [each.where for each in tables.claims()] == [LABEL, "eq:sali-def", *[LABEL] * 4]
     assert tables.claims()[0].id == "fig-sali.a-value"
-    assert tables.claims()[0].module == "own_finders"
 
 
 def test_a_row_is_decided_singly(table):

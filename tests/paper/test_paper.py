@@ -9,7 +9,6 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from cap.audit import dependencies
 from cap.audit.comparison import NOT_ROUNDED, Comparison, compared, markdown, number, proved
 from cap.errors import BadInput, NotProved
 from cap.explore import paper as command
@@ -328,15 +327,6 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
 
 
 @pytest.mark.slow
-def test_tables_load_no_pictures():
-    """What a figure looks like does not count for its numbers: the audit's cache knows."""
-    for label in LABELS:
-        module = figure(label).module
-        found = dependencies.closure(module)
-        assert module in found
-        assert not [name for name in found if name.startswith("cap.pictures.paper")]
-
-
 def test_parameters_but_for_some():
     """Parameters are exact."""
     assert at(F="3").F == 3
