@@ -260,7 +260,7 @@ def test_rows_have_known_entries(label):
 )
 def test_rows_that_steps_decide(row, ours, outcome):
     """A number is enclosed, words are filled; what they find is proved."""
-    found = tables.verdict(tables._by_steps({"what": "x", "paper": "0.637", **row}))
+    found = tables._by_steps({"what": "x", "paper": "0.637", **row}).verdict
     assert (found.found, found.outcome, found.strength) == (ours, outcome, Strength.PROVED)
     assert found.evidence == ("0.4." if "why" in row else "")
 
