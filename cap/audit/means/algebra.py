@@ -54,10 +54,8 @@ def differs(left: Any, right: Any) -> bool:
 
 def enclosure(expression: Any, point: Mapping[Any, Fraction | Ball] | None = None) -> Ball:
     """Return a ball that contains the expression at a point, at the current precision."""
-    values = {
-        symbol: value if isinstance(value, Ball) else interval.ball(value)
-        for symbol, value in (point or {}).items()
-    }
+    known = {sp.pi: interval.pi(), **(point or {})}
+    values = {k: v if isinstance(v, Ball) else interval.ball(v) for k, v in known.items()}
     return _value(sp.sympify(expression), values)
 
 
@@ -66,15 +64,13 @@ def _value(expression: Any, values: Mapping[Any, Ball]) -> Ball:
         return values[expression]
     if expression.is_Rational:
         return interval.ball(Fraction(expression))
-    if expression is sp.pi:
-        return interval.pi()
     arguments = [_value(each, values) for each in expression.args]
     if expression.is_Add or expression.is_Mul:
         return reduce(add if expression.is_Add else mul, arguments)
     if expression.is_Pow:
-        base, power, exact = *arguments, expression.exp
-        if exact.is_Rational and exact.q <= 2:
-            base, power = base if exact.q == 1 else base.sqrt(), int(exact.p)
+        base, power = arguments
+        if expression.exp.is_Rational and expression.exp.q <= 2:
+            return (base if expression.exp.q == 1 else base.sqrt()) ** int(expression.exp.p)
         return base**power
     name = type(expression).__name__
     if name not in _UNARY:
