@@ -136,6 +136,20 @@ def test_a_ring():
     assert not ring.surrounds(Fraction(11, 100))
 
 
+def test_a_ring_that_is_no_square():
+    """The largest square about O that lies inside of a triangle, beside its corners."""
+    w = [(8, 1), (-3, 7), (-2, -5)]
+    ring = Ring(ORIGIN, [(a * 10**7, b * 10**7) for a, b in w])
+    for n in range(1, 400):
+        corners = [(x * n / 100, y * n / 100) for x in (-1, 1) for y in (-1, 1)]
+        inside = all(
+            (c - a) * (y - b) > (d - b) * (x - a)
+            for (a, b), (c, d) in pairwise([*w, w[0]])
+            for x, y in corners
+        )
+        assert ring.surrounds(Fraction(n, 100) * Fraction(10**7, 10**9)) == inside
+
+
 def test_what_is_outside():
     """Segments of random size against a star: never said to be outside if a point is not."""
     rng = random.Random(3)  # noqa: S311
