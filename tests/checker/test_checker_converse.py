@@ -150,6 +150,26 @@ def test_a_ring_that_is_no_square():
         assert ring.surrounds(Fraction(n, 100) * Fraction(10**7, 10**9)) == inside
 
 
+def test_points_on_a_triangle():
+    """On its edges, rounded or not, they are not certainly beyond it."""
+    rng = random.Random(13)  # noqa: S311
+    w = [(813_111_117, 100_300_007), (-300_000_019, 700_009_001), (-200_000_003, -500_000_077)]
+    ring = Ring(ORIGIN, w)
+    for _ in range(200):
+        i, part = rng.randrange(3), Fraction(rng.randrange(1, 10**6), 10**6)
+        (a, b), (c, d) = w[i], w[(i + 1) % 3]
+        for q in (
+            (a + part * (c - a), b + part * (d - b)),
+            (part * a, part * b),
+            (part * c, part * d),
+        ):
+            x, y = (Fraction(n) / 10**9 for n in q)
+            assert not ring._beyond(i, (enclosing(x), enclosing(y)))
+        beyond = Fraction(10**9 + 1, 10**18)
+        x, y = beyond * (a + part * (c - a)), beyond * (b + part * (d - b))
+        assert ring._beyond(i, (enclosing(x), enclosing(y)))
+
+
 def test_what_is_outside():
     """Segments of random size against a star: never said to be outside if a point is not."""
     rng = random.Random(3)  # noqa: S311
