@@ -153,21 +153,21 @@ def test_a_ring_that_is_no_square():
 def test_points_on_a_triangle():
     """On its edges, rounded or not, they are not certainly beyond it."""
     rng = random.Random(13)  # noqa: S311
-    w = [(813_111_117, 100_300_007), (-300_000_019, 700_009_001), (-200_000_003, -500_000_077)]
-    ring = Ring(ORIGIN, w)
-    for _ in range(200):
-        i, part = rng.randrange(3), Fraction(rng.randrange(1, 10**6), 10**6)
+    for _ in range(100):
+        places = [cmath.rect(rng.uniform(0.1, 1), x) * 10**9 for x in (0.2, 2.3, 4.4)]
+        w = [(round(z.real), round(z.imag)) for z in places]
+        ring, i = Ring(ORIGIN, w), rng.randrange(3)
+        part, beyond = Fraction(rng.randrange(1, 10**6), 10**6), 1 + Fraction(1, 10**9)
         (a, b), (c, d) = w[i], w[(i + 1) % 3]
-        for q in (
-            (a + part * (c - a), b + part * (d - b)),
-            (part * a, part * b),
-            (part * c, part * d),
+        across = a + part * (c - a), b + part * (d - b)
+        for q, far in (
+            (across, False),
+            ((part * a, part * b), False),
+            ((part * c, part * d), False),
+            ((beyond * across[0], beyond * across[1]), True),
         ):
-            x, y = (Fraction(n) / 10**9 for n in q)
-            assert not ring._beyond(i, (enclosing(x), enclosing(y)))
-        beyond = Fraction(10**9 + 1, 10**18)
-        x, y = beyond * (a + part * (c - a)), beyond * (b + part * (d - b))
-        assert ring._beyond(i, (enclosing(x), enclosing(y)))
+            x, y = (enclosing(Fraction(n) / 10**9) for n in q)
+            assert ring._beyond(i, (x, y)) == far
 
 
 def test_what_is_outside():
