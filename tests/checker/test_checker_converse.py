@@ -254,6 +254,19 @@ def test_segments_between_two_regions():
     assert max(z.r1, z.r2) < 1.001e-3
 
 
+def test_the_reach_of_a_segment():
+    """Not less than in fractions, also where the parts cancel and nothing is added across."""
+    rng = random.Random(17)  # noqa: S311
+    for n in range(300):
+        a, b, dy, p, q = (rng.uniform(-1, 1) for _ in range(5))
+        dv = -a * dy / b if n % 2 else rng.uniform(-1, 1)
+        r1, r2 = rng.choice([(0.0, 0.0), (rng.random(), rng.random())])
+        found = Segment(0.0, 0.0, dy, dv, p, q, r1, r2).reach(a, b)
+        a, b, dy, dv, p, q, r1, r2 = map(Fraction, (a, b, dy, dv, p, q, r1, r2))
+        exact = abs(a * dy + b * dv) + abs(a * p + b * q) * r1 + abs(b * p - a * q) * r2
+        assert 0 <= found - exact < Fraction(1, 10**12)
+
+
 def test_where_masses_stop():
     """The bounds that are added to Y - V pi and to Y, by sums over the time in which they stop."""
     alpha = float(AT[0])
