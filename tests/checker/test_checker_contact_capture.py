@@ -201,6 +201,7 @@ def test_other_systems(path, value, why):
         ((*STOP, "to"), ["rest"], "stop of left does not lead to right"),
         ((*STOP, "to"), ["right", "held right"], "the mode held right may be open where h' is 0"),
         ((*STOP, "reset"), {"x": [["1"]]}, "stop of left changes the state"),
+        ((*STOP, "reset"), {"v": [["1/9"]]}, "stop of left changes the state"),
         ((*STOP, "reset"), {"v": [["-1/2", "v"]]}, None),
         ((*BACK, "value"), [["-1", "v"]], "no guard of right is h' times a negative number"),
         (("claims", "rising"), "right", "h' after a hit|to 0"),

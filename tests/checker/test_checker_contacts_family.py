@@ -16,6 +16,7 @@ from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.family import exact
 from cap.checker.system.model import Mode, Model
 from cap.checker.system.polynomial import ONE, Polynomial, variable
+from cap.checker.theorems.contacts_family import ContactsFamily
 from cap.checker.verdict import check, words
 
 STORED = json.loads(Path("certificates/contacts_family-1.json").read_text("utf-8"))
@@ -184,6 +185,15 @@ def test_more_frequencies_do_no_harm():
     more = given()
     more["hints"]["frequencies"] = ["1/2", "1", "3"]
     check(dumps(more).encode(), lambda _: None)
+
+
+def test_one_contact():
+    """It is a round, too."""
+    hints = {"bits": 64, "parts": [], "cuts": [[{}]]}
+    claims = {"contacts": [{}], "quarters": [0], "states": [[(0, 1), (1, 0)]]}
+    ContactsFamily.limit(hints, claims)
+    with pytest.raises(Rejected, match=r"claims.states is not a list of 1"):
+        ContactsFamily.limit(hints, claims | {"states": []})
 
 
 def test_the_sentence():
