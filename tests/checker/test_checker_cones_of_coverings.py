@@ -106,12 +106,13 @@ def test_no_strip(monkeypatch):
 
 def test_parts_cover_a_strip():
     """They follow each other along both sides, from end to end."""
-    S = Box(-0.5, 0.3, 0.1, 0.7)
+    S = Box(-0.5, 0.3, 0.5, 0.6)
     parts = list(cones._cut(S))
     for first, last, a, b in (("p0", "p1", S.p0, S.p1), ("q0", "q1", S.q0, S.q1)):
         sides = sorted({(getattr(part, first), getattr(part, last)) for part in parts})
         assert sides[0][0] == a
         assert sides[-1][1] == b
+        assert all(low < high for low, high in sides)
         assert all(one[1] == two[0] for one, two in pairwise(sides))
         assert len(sides) == cones.PARTS
     assert len({*parts}) == cones.PARTS**2
