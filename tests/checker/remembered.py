@@ -210,6 +210,8 @@ def _(system: Model):
 
 @content.register
 def _(masses: Mechanics):
+    if type(masses) is Mechanics:  # all else is computed from these
+        return content(("Mechanics", masses.p, masses.bits))
     return content((type(masses).__qualname__, vars(masses)))
 
 
