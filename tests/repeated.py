@@ -29,8 +29,12 @@ LIST, LENGTHY = TESTS / "repeated.txt", TESTS / "long.txt"
 ROOMS = "tests/checker/", "tests/certificate/"
 QUICK = 0.12  # seconds of processor time
 TAMPERING = "every_number", "every_end"  # who changes numbers one by one repeats nothing
-LONG = 0.5  # seconds of processor time, with that of the processes begun
-GUARDS = "reproduced", "same_bytes", "rejects", "imports", "stand"  # certificates, sources
+LONG = 0.3  # seconds of processor time, with that of the processes begun
+GUARDING = *ROOMS, "tests/formal/"
+GUARDS = (  # of other rooms: who looks at certificates that are written, or at the sources
+    *("reproduced", "same_bytes", "rejects", "satisfy_the_schema", "elliptic_proves"),
+    *("imports", "flights_stand"),
+)
 NOTES = "CAP_REPEATED"  # where they go: a directory
 
 
@@ -58,7 +62,7 @@ def lengthy(notes):
     return sorted(
         name
         for name, seconds, *_ in notes
-        if seconds > LONG and not name.startswith(ROOMS) and not any(w in name for w in GUARDS)
+        if seconds > LONG and not name.startswith(GUARDING) and not any(w in name for w in GUARDS)
     )
 
 
