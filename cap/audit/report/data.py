@@ -17,7 +17,7 @@ def data(report: Report) -> dict[str, object]:
 
 
 def _claim(entry: Entry) -> dict[str, object]:
-    claim, verdict = entry.claim, entry.verdict
+    claim, verdict, parts = entry.claim, entry.verdict, entry.parts()
     return {
         "id": claim.id,
         "where": claim.where,
@@ -29,12 +29,12 @@ def _claim(entry: Entry) -> dict[str, object]:
         "evidence": verdict.evidence,
         "command": " && ".join(entry.commands),
         "certificate": verdict.certificate,
-        "proof": entry.proof,
+        "proof": parts.get("proof", ""),
         "kind": claim.kind,
         "section": entry.at.section,
         "place": entry.place,
         "line": entry.line,
-        "quote": entry.quote,
+        "quote": parts.get("text", ""),
     }
 
 
