@@ -18,7 +18,6 @@ from cap.audit.verdict import Outcome, Verdict
 from cap.command.console import Parser, program
 from cap.command.entry import INTERRUPTED
 from cap.errors import BadInput
-from cap.option import integer
 from cap.words import printable, say
 
 DOCUMENTS = {"summary": "summary.txt", "erratum": "erratum.md", "bibtex": "citation.bib"}
@@ -129,8 +128,7 @@ def _audit(options: argparse.Namespace) -> int:
     if options.recorded:
         verdicts = recorded.known(each.id for each in claims)
     else:
-        jobs = integer(options.jobs, "jobs", (1, 4 * (os.cpu_count() or 1)))
-        verdicts = all_decided(claims, _progress, jobs=jobs, fresh=options.fresh)
+        verdicts = all_decided(claims, _progress, jobs=_jobs(options.jobs), fresh=options.fresh)
     _progress("")
     if options.record:
         return _record(verdicts)
@@ -156,6 +154,13 @@ def _record(verdicts: dict[str, Verdict]) -> int:
     stored.accept()
     print(*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written", sep="\n")
     return 0
+
+
+def _jobs(text: str) -> int:
+    most = 4 * (os.cpu_count() or 1)
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= most):
+        raise BadInput(f"--jobs must be an integer from 1 to {most}: {text!r}")
+    return int(text)
 
 
 def _progress(words: str) -> None:

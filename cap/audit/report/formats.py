@@ -17,7 +17,6 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from cap.audit import errata, labels, recorded
 from cap.audit.report import latex
-from cap.audit.report.data import data
 from cap.audit.report.view import Report
 
 FORMATS = {
@@ -55,7 +54,7 @@ def written(template: str, report: Report) -> str:
         autoescape=False,  # noqa: S701 (each format escapes in its own way)
     )
     plain.filters |= {
-        "json": lambda each: json.dumps(data(each), ensure_ascii=False, indent=1),
+        "json": lambda each: json.dumps(each.data(), ensure_ascii=False, indent=1),
         "e": _ESCAPED.get(kind, str),
         "wrapped": wrapped,
         "code": code,

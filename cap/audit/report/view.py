@@ -4,7 +4,7 @@ from collections import Counter, defaultdict
 from dataclasses import dataclass
 from functools import cached_property
 
-from cap.audit import errata, labels, ledger, subject
+from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Claim
 from cap.audit.errata import Change
 from cap.audit.findings import Finding, members
@@ -64,6 +64,28 @@ class Entry:
         }
         return {name: words for name, words in parts.items() if words}
 
+    def data(self) -> dict[str, object]:
+        """Return what JSON has of it."""
+        claim, verdict, parts = self.claim, self.verdict, self.parts()
+        return {
+            "id": claim.id,
+            "where": claim.where,
+            "claim": claim.says,
+            "stated": claim.stated,
+            "found": verdict.found,
+            "verdict": verdict.outcome,
+            "strength": verdict.strength,
+            "evidence": verdict.evidence,
+            "command": " && ".join(self.commands),
+            "certificate": verdict.certificate,
+            "proof": parts.get("proof", ""),
+            "kind": claim.kind,
+            "section": self.at.section,
+            "place": self.place,
+            "line": self.line,
+            "quote": parts.get("text", ""),
+        }
+
 
 @dataclass(frozen=True)
 class Found:
@@ -93,6 +115,16 @@ class Found:
     def where(self) -> str:
         """The place of its core, and its lines."""
         return f"{self.core.place}; lines {', '.join(map(str, self.lines))}"
+
+    def data(self) -> dict[str, object]:
+        """Return what JSON has of it."""
+        return {
+            **{name: getattr(self.finding, name) for name in ("title", "severity")},
+            "says": self.words,
+            "change": self.finding.change,
+            "claims": [entry.claim.id for entry in self.entries],
+            "lines": self.lines,
+        }
 
 
 @dataclass(frozen=True)
@@ -169,3 +201,14 @@ class Report:
         """Return the changes of the erratum in a section, each with the core of its claims."""
         cores = [(each, self.by_id[each.claims[0]]) for each in errata.changes()]
         return [(change, core) for change, core in cores if core in section.entries]
+
+    def data(self) -> dict[str, object]:
+        """Return the claims, the findings, and what they are about, for JSON."""
+        paper, (day, program) = labels.stored(), recorded.made()
+        return {
+            "paper": {name: getattr(paper, name) for name in ("title", "author", "sha256")},
+            "program": program,
+            "recorded": day,
+            "claims": [each.data() for each in self.by_id.values()],
+            "findings": [each.data() for each in self.findings] if self.whole else [],
+        }
