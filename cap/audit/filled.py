@@ -10,23 +10,23 @@
 import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
-from fractions import Fraction
+from functools import reduce
+from numbers import Rational
 from types import MappingProxyType
 from typing import Any
 
 from cap.audit.means import algebra, balls
-from cap.audit.means.stored import claimed
+from cap.audit.means.stored import claimed, part
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
-from cap.sets import interval
 from cap.sets.interval import Ball
 
 Balls = Mapping[Any, Ball]
 _HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|,|)(\d+))?\}")
-_ROUNDED: dict[str, Callable[[Enclosure, int], str]] = {
+_ROUNDED: dict[str, Callable[[Any, int], str]] = {
     "": balls.pair,
-    "<": lambda each, places: balls.below(each.lower, places),
-    ">": lambda each, places: balls.above(each.upper, places),
+    "<": lambda each, places: balls.below(balls.ends(each)[0], places),
+    ">": lambda each, places: balls.above(balls.ends(each)[1], places),
     "in": balls.inner,
     ",": lambda each, places: f"{Decimal(balls.pair(each, places)):,}",
 }
@@ -45,14 +45,12 @@ def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyTy
 
 
 def _value(name: str, words: Mapping[str, object]) -> object:
-    if (value := words[name] if name in words else claimed(name)) is not None:
-        return value
-    first, *path = name.split(".")
-    if first not in words:
+    value = words[name] if name in words else claimed(name)
+    if value is None:
+        first, *path = name.split(".")
+        value = reduce(part, path, words.get(first))
+    if value is None:
         raise NotProved("audit", f"there are no words for {name!r}")
-    value = words[first]
-    for each in path:
-        value = value[int(each)] if isinstance(value, list) else getattr(value, each)
     return value
 
 
@@ -60,14 +58,7 @@ def _shown(value: Any, way: str, places: str | None, known: Balls) -> str:
     if places is None:
         words = value if isinstance(value, list) else [value]
         return ", ".join(algebra.shown(w) if hasattr(w, "free_symbols") else str(w) for w in words)
-    if isinstance(value, Enclosure):
-        return _ROUNDED[way](value, int(places))
-    if getattr(value, "is_Rational", False):
-        ends = (Fraction(int(value.p), int(value.q)),) * 2
-    elif isinstance(value, Fraction):
-        ends = (value, value)
-    else:
+    if not isinstance(value, Enclosure | Ball | Rational):
         with balls.precisely():
-            ball = value if isinstance(value, Ball) else algebra.enclosure(value, known)
-            ends = interval.ends(ball)
-    return _ROUNDED[way](Enclosure(*ends, ("", "")), int(places))
+            value = algebra.enclosure(value, known)
+    return _ROUNDED[way](value, int(places))
