@@ -48,6 +48,12 @@ def of(claim: str) -> list[Change]:
     return [each for each in changes() if claim in each.claims]
 
 
+def formulas(claim: str) -> list[tuple[dict[str, str], str]]:
+    """Return the formulas of changes of which a claim is the first, each with the new text."""
+    own = [each for each in changes() if each.claims[0] == claim]
+    return [(formula, each.new) for each in own for formula in each.formula]
+
+
 def corrected(manuscript: Manuscript) -> tuple[Manuscript, list[Change]]:
     """Return the text with every change that it does not have already, and those that do not fit.
 

@@ -10,12 +10,13 @@
 import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
+from functools import reduce
 from numbers import Rational
 from types import MappingProxyType
 from typing import Any
 
 from cap.audit.means import algebra, balls
-from cap.audit.means.stored import claimed
+from cap.audit.means.stored import claimed, part
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.sets.interval import Ball
@@ -44,14 +45,12 @@ def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyTy
 
 
 def _value(name: str, words: Mapping[str, object]) -> object:
-    if (value := words[name] if name in words else claimed(name)) is not None:
-        return value
-    first, *path = name.split(".")
-    if first not in words:
+    value = words[name] if name in words else claimed(name)
+    if value is None:
+        first, *path = name.split(".")
+        value = reduce(part, path, words.get(first))
+    if value is None:
         raise NotProved("audit", f"there are no words for {name!r}")
-    value = words[first]
-    for each in path:
-        value = value[int(each)] if isinstance(value, list) else getattr(value, each)
     return value
 
 

@@ -31,7 +31,7 @@ from numbers import Rational
 from types import SimpleNamespace
 from typing import Any
 
-from cap.audit import labels, tex
+from cap.audit import errata, labels, tex
 from cap.audit.means import algebra, balls
 from cap.audit.means.lazy import sympy as sp
 from cap.audit.means.need import need
@@ -59,16 +59,18 @@ _CLAIMED = re.compile(r"(?<![\w.])[a-z_]+(?:-\d+)?(?:\.\w+)+")
 class Steps:
     """The names that steps have defined, and the balls of the numbers that are enclosed.
 
-    Steps may call the functions of some modules, too.
+    Steps are those of some data, one after the other; they may call the functions of modules.
     """
 
-    def __init__(self, used: Iterable[str] = ()) -> None:
+    def __init__(self, *given: Given, used: Iterable[str] = ()) -> None:
         self.names: dict[str, Any] = {"paper": THE_PAPER, "labels": labels.stored()}
         self.balls: dict[Any, Ball] = {}
         for module in used:
             for name, each in vars(import_module(module)).items():
                 if getattr(each, "__module__", "") == module and isroutine(each):
                     self.names[name] = self._called(each)
+        for data in given:
+            self.make(data)
 
     def make(self, given: Given) -> None:
         """Declare the symbols, and make the steps; `NotProved` if one of them fails."""
@@ -165,6 +167,11 @@ class Steps:
             return bool(self.enclosed(value) > 0)
         return bool(sp.factor(sp.simplify(value)).is_positive)
 
+    def as_in_the_erratum(self, claim: str) -> None:
+        """Compare the formulas of the changes that a claim asks for with what was derived."""
+        for formula, text in errata.formulas(claim):
+            self.agrees(formula, text)
+
     def agrees(self, formula: Given, text: str) -> None:
         """Raise `NotProved` unless a formula of a text is what it should be.
 
@@ -191,22 +198,7 @@ class Steps:
             return algebra.enclosure(value, self.balls)
 
 
-def made(*given: Given, used: Iterable[str] = ()) -> Steps:
-    """Make the steps of some data, one after the other; they may call functions of modules."""
-    steps = Steps(used)
-    for each in given:
-        steps.make(each)
-    return steps
-
-
-def _formula(steps: Steps, _stated: str) -> Outcome:
-    """Compare the formula that is ``derived`` with the one that is ``printed``."""
-    return algebra.compared(steps.names["derived"], steps.names["printed"])
-
-
-def _number(steps: Steps, stated: str) -> Outcome:
-    """Compare the decimal that is stated with the ``value``."""
-    return balls.compared(stated, steps.enclosed(steps.names["value"]))
-
-
-RULES: dict[str, Callable[[Steps, str], Outcome]] = {"formula": _formula, "number": _number}
+RULES: dict[str, Callable[[Steps, str], Outcome]] = {  # of what is defined, and what is stated
+    "formula": lambda done, _: algebra.compared(done.names["derived"], done.names["printed"]),
+    "number": lambda done, stated: balls.compared(stated, done.enclosed(done.names["value"])),
+}

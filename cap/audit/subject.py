@@ -71,9 +71,13 @@ def module(name: str) -> str:
 
 def data(name: str) -> dict[str, Any]:
     """Return what one of its files says, in TOML or JSON; nothing if it is not there."""
-    path = file(name)
-    read = tomllib.loads if path.suffix == ".toml" else json.loads
-    return read(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    return read(file(name)) if file(name).is_file() else {}
+
+
+def read(path: Path) -> dict[str, Any]:
+    """Return what a file says, in TOML or JSON."""
+    loads = tomllib.loads if path.suffix == ".toml" else json.loads
+    return loads(path.read_text(encoding="utf-8"))
 
 
 def store(name: str, text: str) -> None:

@@ -31,11 +31,11 @@ from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
-from cap.audit import errata, given, steps, subject
+from cap.audit import errata, subject
 from cap.audit.claim import Claim, Kind, content
 from cap.audit.comparison import Comparison, compared
 from cap.audit.filled import filled
-from cap.audit.steps import Given
+from cap.audit.steps import Given, Steps
 from cap.audit.subject import cached
 from cap.audit.verdict import Verdict
 from cap.errors import NotProved
@@ -77,7 +77,7 @@ def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Claim:
         stated=row["paper"],
         decide=partial(_decided, name, row.get("module", table["module"]), row),
         quote=quotes.get(name, ""),
-        content=content(row, [each.formula for each in errata.of(name)]),
+        content=content(row, errata.formulas(name)),
         table=label,
     )
 
@@ -101,7 +101,7 @@ def comparisons(label: str, find: Find) -> tuple[Comparison, ...]:
 
 def _by_steps(row: Given) -> Comparison:
     """Compare what the steps of a row define: words, or a number, which is enclosed."""
-    done, found = steps.made(row), {}
+    done, found = Steps(row), {}
     if name := row.get("value"):
         found = {name: interval.outward(done.enclosed(done.names[name]), PLACES)}
     words = {key: filled(row[key], done.names, done.balls) for key in WORDS if key in row}
@@ -117,7 +117,7 @@ def stated(what: str, label: str) -> str:
 
 
 def _decided(name: str, module: str, row: Given) -> Verdict:
-    given.as_in_the_erratum(name, steps.Steps())
+    Steps().as_in_the_erratum(name)
     if "steps" in row:
         return _by_steps(row).verdict
     found = _found(module, row["by"], json.dumps(row.get("with", {})))

@@ -114,6 +114,7 @@ def test_findings_were_written_for_the_recorded_verdicts():
     known = recorded.recorded()
     all_ = findings.findings()
     assert [known[each.claims[0]].outcome for each in all_] == [each.verdict for each in all_]
+    assert {each.severity for each in all_} == {"theorem", "proof", "number", "wording"}
 
 
 def test_claims_are_chosen():
