@@ -149,6 +149,10 @@ LIES = {
         lambda given: given["hints"]["preconditioners"].__setitem__(3, [["1"] * 2] * 2),
         "a preconditioner of another size",
     ),
+    "a preconditioner with a short row": (
+        lambda given: given["hints"]["preconditioners"][3][1].pop(),
+        "a preconditioner of another size",
+    ),
     "a preconditioner left out": (
         lambda given: given["hints"]["preconditioners"].pop(),
         "hints.preconditioners is not a list of",

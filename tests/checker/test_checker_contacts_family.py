@@ -13,7 +13,7 @@ from own_systems import rejected
 
 from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.system.family import exact
+from cap.checker.system.family import Linear, _named, exact
 from cap.checker.system.model import Mode, Model
 from cap.checker.system.polynomial import ONE, Polynomial, variable
 from cap.checker.theorems.contacts_family import ContactsFamily
@@ -230,6 +230,17 @@ def test_more_variables():
 
 
 # flights
+
+
+@pytest.mark.parametrize("quarter", range(-3, 9))
+def test_the_clock_at_quarters(quarter):
+    """It turns by a right angle with each."""
+    found = _named(springs(), [Linear(Fraction(k), Fraction(1)) for k in range(4)], quarter)
+    turn = 1j**quarter
+    assert (found["cos"], found["sin"]) == tuple(
+        Polynomial.of(Fraction(round(part))) for part in (turn.real, turn.imag)
+    )
+    assert found["y"] == variable("c") + 2
 
 
 def springs():

@@ -13,6 +13,7 @@ import pytest
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems import converse
 from cap.checker.theorems.converse import Converse, flights, pieces
 from cap.checker.tori import segments
 from cap.checker.tori.rings import Ring, offsets
@@ -317,6 +318,24 @@ def test_guards_of_axes_and_of_the_arccosine():
     assert segments._arccos(Double(0.98, 0.006)).rad > 0
     with pytest.raises(Rejected, match="arccosine"):
         segments._arccos(Double(0.98, 0.008))
+
+
+def test_all_edges_are_tasks(monkeypatch):
+    """However many there are in each, with their flights, and the ring before."""
+    theorem = Converse(read(encode(GOOD)), lambda _: None)
+    rings = [Ring(ORIGIN, SQUARE), Ring(ORIGIN, [(3 * a, 3 * b) for a, b in SQUARE])]
+    words = [",".join(f"{n} {k}" for k in range(1, 5)) for n in (1, 2)]
+    theorem.hints["flights"] = words
+    for size in (1, 2, 3, 4, 5):
+        monkeypatch.setattr(converse, "EDGES", size)
+        found = theorem.tasks(rings)
+        assert list(found) == [1, 2]
+        for ring, before, word, parts in zip(
+            rings, (None, rings[0]), words, found.values(), strict=True
+        ):
+            assert [edge for part in parts for edge in part[0]] == ring.edges()
+            assert [each for part in parts for each in part[1]] == list(flights(word))
+            assert all(part[2] is before for part in parts)
 
 
 def test_a_centre_that_may_be_outside():

@@ -116,6 +116,7 @@ LIES = {
     "one hit": ("hints", "hits", HINTS["hits"][:1], "one hit"),
     "degree": ("hints", "degree", "8", "too many"),
     "work": ("hints", "places", "200000", "between"),
+    "coarser than a frame": ("hints", "places", "19", "between"),
 }
 
 
