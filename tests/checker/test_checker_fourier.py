@@ -95,6 +95,18 @@ def test_operations_contain(error):
             assert contains(u.divided(7), theta, a / 7)
 
 
+def test_products_of_what_is_known_and_what_is_not():
+    """Each error counts, also where the other function has none."""
+    rng = seeded("one error")
+    u, w, far = drawn(rng), drawn(rng), 10**29
+    for a, b in ((u.with_error(far), w), (u, w.with_error(far))):
+        found, p, q = a * b, a.error / UNIT, b.error / UNIT
+        for theta in points(rng):
+            for sign in (1, -1):
+                exact = (value(u, theta) + sign * p) * (value(w, theta) + sign * q)
+                assert contains(found, theta, exact)
+
+
 @pytest.mark.parametrize("error", [0, 10**26])
 def test_shifts_contain(error):
     """u(theta + 2 pi alpha), alpha known up to a little; the error of u is one of the shift."""
