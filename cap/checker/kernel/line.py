@@ -29,6 +29,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate
+from math import comb
 from operator import add, mul
 
 from cap.checker.kernel.angles import cos_sin
@@ -44,10 +45,6 @@ _ORDERS = tuple(range(DEGREE + 1))
 _ZEROS = (0.0,) * DEGREE
 DEGREES = _ORDERS
 PARTS = [(k, k, k + 1) for k in _ORDERS[1:]]
-_BINOMIALS = [[1.0]]
-for _k in range(DEGREE):
-    _row = _BINOMIALS[-1]
-    _BINOMIALS.append([a + b for a, b in zip([0.0, *_row], [*_row, 0.0], strict=True)])
 BEND = 1.2  # of a cosine and a sine, at most, for each unit of the norms of both
 
 
@@ -224,7 +221,7 @@ def half(p: Line, side: float) -> Line:
     for k in _ORDERS:
         signs, more = 1.0, 0.0
         for j in range(k, DEGREE + 1):
-            more += c[j] * _BINOMIALS[j][k] * signs * 0.5 ** (j - k)
+            more += c[j] * comb(j, k) * signs * 0.5 ** (j - k)
             signs *= side
         found.append(more * scale)
         scale /= 2
