@@ -63,10 +63,10 @@ def divided(width: float, known: Iterable[tuple[Pair, T]]) -> tuple[list[float],
     for (low, high), what in sorted(known, key=itemgetter(0)):
         steps += [(low, NONE), (high, what)]
     ends, found = [0.0], list[T | int]()
-    for end, what in (step for step in [*steps, (width, NONE)] if step[0] > ends[-1]):
-        if found and found[-1] == what:
+    for end, part in [*steps, (width, NONE)]:
+        if ends[-1] < end and found and found[-1] == part:
             ends[-1] = end
-        else:
+        elif ends[-1] < end:
             ends.append(end)
-            found.append(what)
+            found.append(part)
     return ends, found
