@@ -44,6 +44,7 @@ _WEIGHTS = tuple(1 + k / 4 for k in range(DEGREE + 1))
 _ORDERS = tuple(range(DEGREE + 1))
 _ZEROS = (0.0,) * DEGREE
 DEGREES = _ORDERS
+_BINOMIALS = [[comb(n, k) for k in _ORDERS] for n in _ORDERS]
 PARTS = [(k, k, k + 1) for k in _ORDERS[1:]]
 BEND = 1.2  # of a cosine and a sine, at most, for each unit of the norms of both
 
@@ -221,7 +222,7 @@ def half(p: Line, side: float) -> Line:
     for k in _ORDERS:
         signs, more = 1.0, 0.0
         for j in range(k, DEGREE + 1):
-            more += c[j] * comb(j, k) * signs * 0.5 ** (j - k)
+            more += c[j] * _BINOMIALS[j][k] * signs * 0.5 ** (j - k)
             signs *= side
         found.append(more * scale)
         scale /= 2

@@ -181,10 +181,10 @@ class Mixed(BetweenWalls):
         y, V = Direction(self.p), below(self.region()[1])
         for side, name in SIDES.items():
             areas = partial(of_sticks, y, places, V, side)
-            yield from work(areas, self.sticks(y, side), BACK.format(name), Leaf.work)
+            yield from work(areas, self.leaves(y, name), BACK.format(name), Leaf.work)
         self.step("the states are counted that stick at their first stop")
         areas = partial(of_turns, y, self.outlook(places), V)
-        yield from work(areas, self.turns(y), TURNS, Leaf.work)
+        yield from work(areas, self.leaves(y, "turns"), TURNS, Leaf.work)
         self.step("the states are counted that turn at their first stop")
 
     def parts(self, counted: Iterable[Areas]) -> tuple[Fraction, ...]:
@@ -227,13 +227,9 @@ class Mixed(BetweenWalls):
         """Return W and V of the box, in the units of the flow."""
         return self.scale.length(self.R), self.scale.speed(self.claims["box"]["v"].upper)
 
-    def sticks(self, y: Direction, side: int) -> Iterator[Leaf]:
-        """Give the regions of late or early sticks."""
-        return leaves(self.hints["stops"][SIDES[side]], all_stops(y))
-
-    def turns(self, y: Direction) -> Iterator[Leaf]:
-        """Give the regions of turns, with their parts."""
-        return leaves(self.hints["stops"]["turns"], all_stops(y), parted=True)
+    def leaves(self, y: Direction, name: str) -> Iterator[Leaf]:
+        """Give the regions of stops of a kind; of turns with their parts."""
+        return leaves(self.hints["stops"][name], all_stops(y), parted=name == "turns")
 
     def outlook(self, places: Places) -> Outlook:
         """Return what tells what becomes of turns."""
