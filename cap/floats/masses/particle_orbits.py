@@ -4,7 +4,6 @@ Hints for a proof, not rigorous.  Two equal masses move as two masses alone that
 names when they meet; so a pair of orbits of one mass is an orbit to start from.
 """
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -27,17 +26,12 @@ class NotFound(Exception):
     """Newton's method does not converge to a T-periodic orbit on which no mass stops."""
 
 
-def period(system: Particles) -> float:
-    """Return T = 2π/ω."""
-    return 2 * math.pi / float(system.parameters.omega)
-
-
 def fixed_point(system: Particles, state: Sequence[float]) -> tuple[Floats, Path]:
     """Return the state (x, v) at t = 0 of a T-periodic orbit near ``state``, and the orbit.
 
     Raises `NotFound`.
     """
-    z, n, T = np.array(state, dtype=np.float64), len(system.masses), period(system)
+    z, n, T = np.array(state, dtype=np.float64), len(system.masses), system.period
     for _ in range(STEPS):
         try:
             path = follow(system, z[:n].tolist(), z[n:].tolist(), T)
