@@ -199,7 +199,7 @@ def _compiled(text: str) -> Callable[..., Any]:
 
 @lru_cache(maxsize=32)
 def _interpreted(text: str) -> Callable[..., Any]:
-    """Return the function of a source as plain Python: on floats of Python, those of numpy are slow."""
+    """Return the function of a source as plain Python, on its floats: those of numpy are slow."""
     library = Path(roots.__file__).read_text(encoding="utf-8")
     names: dict[str, Any] = {"__name__": "interpreted"}
     parts = library.replace("from numba import njit\n", PLAIN), text.replace(IMPORTS, PLAIN)
