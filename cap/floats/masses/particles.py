@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -107,7 +107,7 @@ class Path:
     legs: Legs
     least_speed: float
 
-    @property
+    @cached_property
     def monodromy(self) -> Floats:
         """The derivative of the end in the start, in the order (x_1, .., x_N, v_1, .., v_N)."""
         return product(self.legs.derivatives())
