@@ -42,7 +42,8 @@ from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Content, Proof, Setting, assembled, bits
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Proof, Setting, assembled, bits
 from cap.proofs.options import RANGE_OF_F
 from cap.proofs.release_hints import cell_bits, checker_of, followable, lemma_5_basin
 from cap.release import kneading

@@ -28,7 +28,8 @@ from typing import Any, NamedTuple
 
 from cap.errors import BadInput, NotProved
 from cap.floats.candidates import passage, spanning
-from cap.proofs.cylinder import Sought, bounds, checked, proved
+from cap.proofs.certified import certified
+from cap.proofs.cylinder import DIGITS, Sought, bounds, proved
 from cap.runner import Runner
 from cap.sets import interval
 from cap.sets.fourier import Circle
@@ -83,8 +84,8 @@ def prove(table: Table, q: Quadratic, whole: int, runner: Runner) -> dict[str, A
     claims["rise"] = lemma_2_passage(table, passage.rising(float(a), float(low / scale)), 1)
     claims["fall"] = lemma_2_passage(table, passage.falling(float(a), float(high / scale)), -1)
     content = claims, {**found.hints, "bits": str(BITS)}
-    certificate: dict[str, Any] = checked("ball_curve", as_parameters(table), content, runner)
-    return certificate
+    about = as_parameters(table)
+    return certified("ball_curve", about, content, runner, digits=DIGITS, bits=at.bits)
 
 
 def lemma_2_passage(table: Table, starts: list[passage.Start], sign: int) -> dict[str, str]:

@@ -235,15 +235,6 @@ def _inside(centre: Fraction, half: Fraction) -> Range:
     )
 
 
-def _shown(end: Fraction) -> str:
-    """Return a number as a decimal if it is one, else as a fraction."""
-    rest = end.denominator
-    for prime in (2, 5):
-        while rest % prime == 0:
-            rest //= prime
-    return interval.exact_decimal(end) if rest == 1 else str(end)
-
-
 def _certificate(setting: Setting, side: int, captured: Captured, release: Ball) -> dict[str, Any]:
     """Return the certificate."""
     wall, leave = ("r", "release left") if side > 0 else ("l", "release right")
@@ -253,11 +244,11 @@ def _certificate(setting: Setting, side: int, captured: Captured, release: Ball)
     since, until = captured.window
     latest = (interval.ends(captured.found.time)[1] + until) / 2  # for the checker, looser
     places = 4 - interval.decade(_finest(until, setting))
-    accumulated = [_shown(since), interval.outward(interval.ball(latest), places)[1]]
-    hints = [*before, [_shown(end) for end in captured.window], window(release)]
+    accumulated = [certificate.exact(since), interval.outward(interval.ball(latest), places)[1]]
+    hints = [*before, [certificate.exact(end) for end in captured.window], window(release)]
     claims = {
         "box": {
-            name: [_shown(end) for end in sides]
+            name: [certificate.exact(end) for end in sides]
             for name, sides in zip("xv", (captured.x, captured.v), strict=True)
         },
         "wall": wall,

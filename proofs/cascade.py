@@ -26,7 +26,8 @@ from cap.certificate.writer import window
 from cap.errors import NotProved
 from cap.floats import candidates
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Content, Proof, Setting, assembled
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.options import RANGE_OF_F, whole_range_of_f
 from cap.release import doubling
 from cap.release.cycle import foreseen_cycle

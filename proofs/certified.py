@@ -9,11 +9,38 @@ from cap.checker.verdict import check
 from cap.errors import NotProved
 from cap.runner import Runner
 
+Content = tuple[dict[str, Any], dict[str, Any]]
+"""Claims and hints."""
+
+
+def assembled(
+    theorem: str,
+    parameters: dict[str, Any],
+    digits: int,
+    content: Content,
+    bits: int | None = None,
+) -> dict[str, Any]:
+    """Return a certificate from its claims and hints; what it cites is the checker's list.
+
+    ``bits`` is the precision in which it was found, if that is known by now.
+    """
+    claims, hints = content
+    return {
+        "format": writer.FORMAT,
+        "theorem": theorem,
+        "parameters": parameters,
+        "digits": str(digits),
+        "claims": claims,
+        "hints": hints,
+        "cites": load(theorem).cited(claims),
+        **({} if bits is None else {"provenance": writer.provenance(bits)}),
+    }
+
 
 def certified(
     theorem: str,
     parameters: dict[str, Any],
-    content: tuple[dict[str, Any], dict[str, Any]],
+    content: Content,
     runner: Runner,
     *,
     digits: int = 6,
@@ -23,17 +50,7 @@ def certified(
 
     ``bits`` is the precision in which it was found.  Raises `NotProved` with the checker's reason.
     """
-    claims, hints = content
-    certificate = {
-        "format": writer.FORMAT,
-        "theorem": theorem,
-        "parameters": parameters,
-        "digits": str(digits),
-        "claims": claims,
-        "hints": hints,
-        "cites": load(theorem).cited(claims),
-        "provenance": writer.provenance(bits),
-    }
+    certificate = assembled(theorem, parameters, digits, content, bits)
     runner.tell("the checker checks it", None)
     try:
         check(writer.dumps(certificate).encode(), lambda _step: None, runner.jobs, runner.tell)

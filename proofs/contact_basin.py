@@ -19,10 +19,10 @@ from cap.areas.resting.asked import Rectangle, driven, numbers
 from cap.areas.resting.fates import Sides
 from cap.areas.resting.pull import Pull
 from cap.areas.resting.sweep import DEEPEST, Swept, sweep
+from cap.certificate import writer
 from cap.errors import NotProved
 from cap.orbits.wall import Wall
 from cap.proofs.certified import certified
-from cap.proofs.contact_capture import shown
 from cap.proofs.contacts import as_parameters
 from cap.runner import Runner, Tell
 from cap.sets import interval
@@ -61,12 +61,12 @@ def lemma_1_fates(p: Pull, sides: Sides, cells: int, tell: Tell) -> Swept:
 def _checked(place: Wall, asked: Rectangle, swept: Swept, runner: Runner) -> dict[str, Any]:
     """Return the certificate, if the checker accepts it."""
     claims = {
-        "start": shown(asked.start),
-        "until": shown(asked.until),
+        "start": writer.exact(asked.start),
+        "until": writer.exact(asked.until),
         "mode": place.falling,
         "guard": place.guard,
-        "restitution": shown(place.e),
-        "box": {z: [*map(shown, ends)] for z, ends in asked.box.items()},
+        "restitution": writer.exact(place.e),
+        "box": {z: [*map(writer.exact, ends)] for z, ends in asked.box.items()},
         "resting": _share(swept.rests),
         "flying": _share(swept.flies),
     }
@@ -77,4 +77,4 @@ def _checked(place: Wall, asked: Rectangle, swept: Swept, runner: Runner) -> dic
 
 def _share(units: int) -> str:
     """Return a share, rounded down."""
-    return shown(Fraction(units * 10**PLACES >> DEEPEST, 10**PLACES))
+    return writer.exact(Fraction(units * 10**PLACES >> DEEPEST, 10**PLACES))

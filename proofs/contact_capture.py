@@ -191,22 +191,22 @@ def _checked(start: Start, mode: str, cut: Cut, rest: Rest) -> dict[str, Any]:
     """Return the certificate, if the checker accepts it."""
     place, pieces = start.wall, cut.pieces
     claims = {
-        "start": shown(start.time),
+        "start": writer.exact(start.time),
         "mode": mode,
-        "box": {z: [*map(shown, ends)] for z, ends in start.box.items()},
+        "box": {z: [*map(writer.exact, ends)] for z, ends in start.box.items()},
         "falling": place.falling,
         "guard": place.guard,
         "rising": place.rising,
-        "restitution": shown(place.e),
+        "restitution": writer.exact(place.e),
         **_ratios(pieces),
-        "accumulation_time": [*map(shown, whole(pieces))],
+        "accumulation_time": [*map(writer.exact, whole(pieces))],
         **_of(rest),
     }
     hints = {
         "bits": str(CHECKED),
         "tree": cut.tree,
         "pieces": [_of_piece(piece) for piece in pieces],
-        "state": {z: shown(c) for z, c in _meant(start, mode).items()},
+        "state": {z: writer.exact(c) for z, c in _meant(start, mode).items()},
         "cuts": [*map(str, rest.cuts)],
     }
     parameters = as_parameters(place.system, rests=True)
@@ -232,11 +232,11 @@ def _of_piece(piece: Piece) -> dict[str, Any]:
     """Return the hints about a piece."""
     found = piece.found
     return {
-        "hits": [[*map(shown, window)] for window in piece.hits],
-        "until": [shown(t) for t in (*(hit.until for hit in found.hits), found.time[1])],
-        "height": shown(found.height),
-        "speed": shown(found.speed),
-        "others": {z: [*map(shown, ends)] for z, ends in found.others.items()},
+        "hits": [[*map(writer.exact, window)] for window in piece.hits],
+        "until": [writer.exact(t) for t in (*(hit.until for hit in found.hits), found.time[1])],
+        "height": writer.exact(found.height),
+        "speed": writer.exact(found.speed),
+        "others": {z: [*map(writer.exact, ends)] for z, ends in found.others.items()},
     }
 
 
@@ -258,14 +258,5 @@ def _of(rest: Rest) -> dict[str, str]:
     """Return the claims about the rest."""
     if rest.until is None:
         return {"for_ever": "yes"}
-    released = {} if rest.released is None else {"released_by": shown(rest.released)}
-    return {"rests_until": shown(rest.until), **released}
-
-
-def shown(q: Fraction) -> str:
-    """Return a number, as a decimal if it is one."""
-    rest = q.denominator
-    for prime in (2, 5):
-        while rest % prime == 0:
-            rest //= prime
-    return interval.exact_decimal(q) if rest == 1 else str(q)
+    released = {} if rest.released is None else {"released_by": writer.exact(rest.released)}
+    return {"rests_until": writer.exact(rest.until), **released}

@@ -19,9 +19,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from cap.certificate import writer
 from cap.certificate.writer import Rounding
-from cap.checker.theorems import load
 from cap.errors import BadInput, NotProved
 from cap.maps import normal_form
 from cap.orbits.choice import without_choice
@@ -31,6 +29,7 @@ from cap.orbits.itinerary import Itinerary
 from cap.orbits.periodic import PeriodicOrbit, Prover
 from cap.orbits.strobe import Strobe
 from cap.proofs import contacts
+from cap.proofs.certified import assembled
 from cap.proofs.contacts import Prepared
 from cap.proofs.elliptic import RESONANCES
 from cap.sets import interval
@@ -73,16 +72,8 @@ def prove(
         orbit = prover.prove(guess, digits + contacts.EXTRA, Fraction(1, 10 ** (digits + 2)))
         without_choice(prover, orbit.box)
         found = contacts.orbit_claims(orbit, digits) | twist(orbit, prover, digits)
-        certificate = {
-            "format": writer.FORMAT,
-            "theorem": "contact_elliptic",
-            "parameters": parameters,
-            "digits": str(digits),
-            "claims": found,
-            "hints": contacts.hints(orbit, bits),
-            "cites": list(load("contact_elliptic").CITES),
-            "provenance": writer.provenance(bits),
-        }
+        content = found, contacts.hints(orbit, bits)
+        certificate = assembled("contact_elliptic", parameters, digits, content, bits)
         return contacts.checked(certificate, contacts.legs(prover, orbit.box, orbit.reasons))
 
 

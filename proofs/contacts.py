@@ -30,7 +30,6 @@ from cap.certificate.writer import Pair, Rounding
 from cap.checker.kernel.rejection import Rejected, TooCoarse
 from cap.checker.system.contacts import SHIFT
 from cap.checker.system.given import DEGREE, OF_GUARDS, TERMS
-from cap.checker.theorems import load
 from cap.checker.verdict import check
 from cap.errors import BadInput, NotProved
 from cap.maps.zero import Box
@@ -43,6 +42,7 @@ from cap.orbits.leg import Kinds
 from cap.orbits.periodic import PeriodicOrbit, Prover
 from cap.orbits.pieces import PLACES
 from cap.orbits.quiet import Reason
+from cap.proofs.certified import assembled
 from cap.sets import interval
 from cap.sets.interval import Ball
 from cap.sets.interval import exact_decimal as _decimal
@@ -87,16 +87,8 @@ def prove(
         prover = Prover(Equations(itinerary, kinds), pieces=True)
         orbit = prover.prove(guess, digits + EXTRA, Fraction(1, 10 ** (digits + 2)))
         found = claims(orbit, digits)
-        certificate = {
-            "format": writer.FORMAT,
-            "theorem": "contacts",
-            "parameters": parameters,
-            "digits": str(digits),
-            "claims": found,
-            "hints": hints(orbit, bits),
-            "cites": list(load("contacts").CITES),
-            "provenance": writer.provenance(bits),
-        }
+        content = found, hints(orbit, bits)
+        certificate = assembled("contacts", parameters, digits, content, bits)
         if found.get("unstable") == "0" and "radius" not in found:
             without_choice(prover, orbit.box)
             attracting = _attracting(certificate, prover, orbit)
@@ -146,6 +138,11 @@ def checked(
         else:
             return certificate
     raise NotProved("checker", f"the independent checker rejects the certificate: {rejection}")
+
+
+def grouped(count: int) -> Callable[[list[Any]], list[list[Any]]]:
+    """Return how cuts are written where those of so many legs belong together."""
+    return lambda cuts: [cuts[k : k + count] for k in range(0, len(cuts), count)]
 
 
 def shown(cuts: Cuts) -> list[dict[str, list[str]]]:
@@ -267,10 +264,9 @@ def pair(x: Ball, digits: int) -> Pair:
     return Rounding(digits).pair(x + interval.symmetric(interval.upper(room)))
 
 
-def _places(orbit: PeriodicOrbit, unknowns: Sequence[Fraction]) -> list[Sequence[Fraction]]:
+def _places(orbit: PeriodicOrbit, unknowns: Sequence[Fraction]) -> list[list[Fraction]]:
     """Return the unknowns of each contact."""
-    step = len(orbit.itinerary.system.state) + 1
-    return [unknowns[k : k + step] for k in range(0, len(unknowns), step)]
+    return grouped(len(orbit.itinerary.system.state) + 1)(list(unknowns))
 
 
 def hints(orbit: PeriodicOrbit, bits: int) -> dict[str, Any]:

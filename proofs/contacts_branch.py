@@ -24,9 +24,7 @@ from contextlib import suppress
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.certificate import writer
 from cap.certificate.writer import Rounding
-from cap.checker.theorems import load
 from cap.errors import BadInput, NotProved
 from cap.orbits.branch import Branch, Follower, Shown
 from cap.orbits.cells import SHIFT, Cell, Cells, wider
@@ -37,6 +35,7 @@ from cap.orbits.lost_contact import Lost, LostContacts
 from cap.orbits.periodic import Prover
 from cap.orbits.points import FINE, Point, Tell
 from cap.proofs import contacts
+from cap.proofs.certified import assembled
 from cap.proofs.contacts import Cuts as Legs
 from cap.sets import interval
 from cap.sets.interval import exact_decimal as _decimal
@@ -69,24 +68,15 @@ def prove(
         follower = Follower(Cells(curve), ends, quiet, tell)
         found = follower.branch(guess)
         beyond, why = _beyond(Grazer(follower, prover), LostContacts(follower, prover), found)
-        certificate: dict[str, Any] = {
-            "format": writer.FORMAT,
-            "theorem": "contacts_branch",
-            "parameters": parameters,
-            "digits": str(DIGITS),
-            "claims": claims(itinerary, found, beyond),
-            "hints": hints(found, beyond),
-            "cites": list(load("contacts_branch").CITES),
-            "provenance": writer.provenance(BITS),
-        }
+        content = claims(itinerary, found, beyond), hints(found, beyond)
+        certificate = assembled("contacts_branch", parameters, DIGITS, content, BITS)
         tell("checking", None)
         cuts = [leg for shown in found.cells for leg in shown.legs]
-        found_hints = certificate["hints"]
-        told = [*found_hints["grazes"], *found_hints.get("lost", ())]
+        told = [*content[1]["grazes"], *content[1].get("lost", ())]
         for end, hint in zip(beyond.every, told, strict=True):
             box = tuple(curve.expanded(end.piece.wider))
             hint["cuts"] = contacts.shown(contacts.legs(prover, box, end.reasons))
-        return contacts.checked(certificate, cuts, _by_cell(len(itinerary.contacts))), why
+        return contacts.checked(certificate, cuts, contacts.grouped(len(itinerary.contacts))), why
 
 
 class Beyond(NamedTuple):
@@ -117,11 +107,6 @@ def _beyond(
                 beyond.lost.append(contacts.lost(cells, last=side == 1))
                 why[side] = ""
     return beyond, (why[0], why[1])
-
-
-def _by_cell(count: int) -> Any:
-    """Return how cuts are written: those of so many legs belong to a cell."""
-    return lambda cuts: [cuts[k : k + count] for k in range(0, len(cuts), count)]
 
 
 def claims(itinerary: Itinerary, found: Branch[Legs], beyond: Beyond) -> dict[str, Any]:

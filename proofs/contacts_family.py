@@ -17,8 +17,6 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from cap.certificate import writer
-from cap.checker.theorems import load
 from cap.errors import NotProved
 from cap.maps.zero import Box
 from cap.orbits.cells import wider
@@ -28,6 +26,7 @@ from cap.orbits.family import Family, family, quarters
 from cap.orbits.itinerary import Itinerary
 from cap.orbits.periodic import Prover, symmetric
 from cap.proofs import contacts
+from cap.proofs.certified import assembled
 from cap.proofs.contacts import Cuts
 from cap.sets import interval
 from cap.sets.interval import Ball
@@ -60,29 +59,17 @@ def prove(
     free = next(i for i, z in enumerate(found.states[0]) if z[1])
     with interval.workprec(BITS):
         parts = Parts(found, tell).around(Fraction(f"{guess[1 + free]:.6g}"))
-        certificate = {
-            "format": writer.FORMAT,
-            "theorem": "contacts_family",
-            "parameters": parameters,
-            "digits": str(PLACES),
-            "claims": claims(found, parts),
-            "hints": {
-                "bits": str(BITS),
-                "frequencies": [_number(nu) for nu in found.frequencies],
-                "parts": [_decimal(part.ends[0]) for part in parts[1:]],
-                "cuts": [],
-            },
-            "cites": list(load("contacts_family").CITES),
-            "provenance": writer.provenance(BITS),
+        hints = {
+            "bits": str(BITS),
+            "frequencies": [str(nu) for nu in found.frequencies],
+            "parts": [_decimal(part.ends[0]) for part in parts[1:]],
+            "cuts": [],
         }
+        content = claims(found, parts), hints
+        certificate = assembled("contacts_family", parameters, PLACES, content, BITS)
         tell("checking", None)
         cuts, count = [leg for part in parts for leg in part.legs], len(itinerary.contacts)
-        return contacts.checked(certificate, cuts, lambda each: _by_part(each, count))
-
-
-def _by_part(cuts: Sequence[Any], count: int) -> list[Any]:
-    """Return cuts, those of so many legs in a part."""
-    return [cuts[k : k + count] for k in range(0, len(cuts), count)]
+        return contacts.checked(certificate, cuts, contacts.grouped(count))
 
 
 def claims(found: Family, parts: Sequence[Part]) -> dict[str, Any]:
@@ -93,14 +80,10 @@ def claims(found: Family, parts: Sequence[Part]) -> dict[str, Any]:
         "contacts": [contact._asdict() for contact in found.itinerary.contacts],
         "periods": str(found.itinerary.periods),
         "quarters": [str(j) for j in found.quarters],
-        "states": [[[_number(a), _number(b)] for a, b in q] for q in found.states],
+        "states": [[[str(a), str(b)] for a, b in q] for q in found.states],
         "range": [_decimal(parts[0].ends[0]), _decimal(parts[-1].ends[1])],
         "product": [_decimal(low), _decimal(high)],
     }
-
-
-def _number(q: Fraction) -> str:
-    return str(q)
 
 
 class Parts:

@@ -7,10 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple, Protocol, Self
 
-from cap.certificate.writer import FORMAT, bound, dumps, provenance
-from cap.checker.kernel.rejection import Rejected
-from cap.checker.theorems import load
-from cap.checker.verdict import check
+from cap.certificate.writer import bound
 from cap.errors import NotProved
 from cap.floats.candidates import spanning
 from cap.runner import Runner
@@ -41,7 +38,6 @@ TRIES = 3  # with more and more modes
 DIGITS = 12
 PLACES = 8  # decimals of bounds
 LOOSE, LOOSE_BOUND = Ball("1e-20"), Ball("1e-9")
-Content = tuple[dict[str, Any], dict[str, Any]]
 
 
 class Following(Protocol):
@@ -195,23 +191,3 @@ def normal(curve: Curve) -> Vector:
     rows = [[complex(c.mid()) for c in u.coefficients[n:]] for u in curve.tangent]
     a, b = (shortened(model(circle, row)) for row in spanning.normal(rows))
     return a, b
-
-
-def checked(theorem: str, parameters: dict[str, Any], content: Content, runner: Runner) -> Any:
-    """Return the certificate that the checker accepts, or raise `NotProved`."""
-    claims, hints = content
-    certificate = {
-        "format": FORMAT,
-        "theorem": theorem,
-        "parameters": parameters,
-        "digits": str(DIGITS),
-        "claims": claims,
-        "hints": hints,
-        "cites": load(theorem).cited(claims),
-        "provenance": provenance(int(hints["places"]) * 10 // 3 + 32),
-    }
-    try:
-        check(dumps(certificate).encode(), lambda _step: None, runner.jobs, runner.tell)
-    except Rejected as reason:
-        raise NotProved("checker", f"the independent checker rejects it: {reason}") from None
-    return certificate

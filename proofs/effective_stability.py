@@ -42,7 +42,8 @@ from cap.maps import approximate_integral, normal_form
 from cap.maps.approximate_integral import Ellipse, Plan
 from cap.maps.normal_form import Ellipticity
 from cap.option import Option, count
-from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Around, Located, Proof, Setting, proof_of
 from cap.proofs.options import PERIODS
 from cap.proofs.orbit import HITS, need_hits
 from cap.sets import interval

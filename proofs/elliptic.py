@@ -36,7 +36,8 @@ from cap.flow.strobe import strobe
 from cap.maps import normal_form
 from cap.maps.fixed_point import FixedPoint, Neighbourhood
 from cap.option import Option, choice
-from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Around, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import HITS, need_hits
 from cap.sets import interval
 from cap.sets.interval import Ball

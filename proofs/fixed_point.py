@@ -17,8 +17,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from cap.certificate.writer import FORMAT, Pair, Rounding, Units, window
-from cap.checker.theorems import load
+from cap.certificate.writer import Pair, Rounding, Units, window
 from cap.errors import BadInput, NotProved
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
@@ -27,6 +26,8 @@ from cap.maps.fixed_point import FixedPoint, Neighbourhood, Reach, Start
 from cap.option import Option
 from cap.parameters import Parameters
 from cap.particles.guess import Guess
+from cap.proofs import certified
+from cap.proofs.certified import Content
 from cap.runner import Runner
 from cap.sets import interval
 
@@ -149,9 +150,6 @@ class Around(NamedTuple):
     box: dict[str, Pair]
 
 
-Content = tuple[dict[str, Any], dict[str, Any]]
-"""Claims and hints."""
-
 Conclusion = Callable[[Located], Callable[[Around], Content]]
 """What a theorem says more of P*.
 
@@ -178,7 +176,7 @@ def proof_of(theorem: str, setting: Setting, form: Form, conclusion: Conclusion)
         conclude = conclusion(orbit)
         reach = orbit.reach
 
-    def certified(part: Fraction) -> dict[str, Any]:
+    def whole(part: Fraction) -> dict[str, Any]:
         with interval.workprec(setting.bits):
             proved, box = lemma_2_uniqueness(orbit.osc, orbit.point, _times(part, reach))
             around = Around(part, proved, box)
@@ -186,7 +184,7 @@ def proof_of(theorem: str, setting: Setting, form: Form, conclusion: Conclusion)
             content = form.claims(orbit, around) | claims, _hints(orbit, around, form) | hints
             return assembled(theorem, setting, parameters, content)
 
-    return certified
+    return whole
 
 
 def _times(part: Fraction, reach: Reach) -> Reach:
@@ -211,17 +209,8 @@ def assembled(
     parameters: dict[str, str],
     content: Content,
 ) -> dict[str, Any]:
-    """Return a certificate from its claims and hints; what it cites is the checker's list."""
-    claims, hints = content
-    return {
-        "format": FORMAT,
-        "theorem": theorem,
-        "parameters": parameters,
-        "digits": str(setting.digits),
-        "claims": claims,
-        "hints": hints,
-        "cites": load(theorem).cited(claims),
-    }
+    """Return a certificate from its claims and hints."""
+    return certified.assembled(theorem, parameters, setting.digits, content)
 
 
 def bits(digits: int) -> int:

@@ -28,7 +28,8 @@ from cap.maps.cones import Cones, cones, directions
 from cap.maps.homoclinic import Crossing, Shooter
 from cap.maps.stability import real_multipliers
 from cap.option import Option, count
-from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Around, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import HITS, need_hits
 from cap.proofs.saddle import lemma_3_hyperbolicity
 from cap.sets import interval, matrix

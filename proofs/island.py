@@ -31,7 +31,8 @@ from cap.certificate.writer import Pair, bound
 from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.floats.candidates import tori
-from cap.proofs.fixed_point import Content, Proof, Setting, assembled
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.rotation_choice import LARGEST, ROTATION, Sought, chosen, together
 from cap.sets import interval, matrix
 from cap.sets.fourier import Circle

@@ -14,7 +14,8 @@ from math import pi
 from typing import Any
 
 from cap.floats.candidates import spanning
-from cap.proofs.cylinder import Sought, bounds, checked, proved
+from cap.proofs.certified import certified
+from cap.proofs.cylinder import DIGITS, Sought, bounds, proved
 from cap.proofs.map_horseshoe import as_parameters
 from cap.runner import Runner
 from cap.sets import interval
@@ -32,8 +33,6 @@ def prove(given: Map, q: Quadratic, runner: Runner) -> dict[str, Any]:
     sought = Sought(q, 0, *spanning.found(kicked, 2 * pi * float(q.value())))
     found, scale = proved(sought, at.over, runner)
     with interval.workprec(scale.bits):
-        claims = {**found.claims, "bounds": bounds(found.low, found.high)}
-    certificate: dict[str, Any] = checked(
-        "map_curve", as_parameters(given), (claims, found.hints), runner
-    )
-    return certificate
+        content = {**found.claims, "bounds": bounds(found.low, found.high)}, found.hints
+    about = as_parameters(given)
+    return certified("map_curve", about, content, runner, digits=DIGITS, bits=scale.bits)

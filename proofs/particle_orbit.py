@@ -105,7 +105,7 @@ def proof_of(theorem: str, setting: Setting, conclusion: Conclusion) -> Proof:
 
     def certified(part: Fraction) -> dict[str, Any]:
         box = {"box": _box(orbit, part * size)}
-        return assembled(theorem, setting, strings, (box | claims, _hints(orbit)))
+        return assembled(theorem, setting, strings, (box | claims, hints(orbit)))
 
     return certified
 
@@ -203,26 +203,28 @@ def _box(orbit: Orbit, size: Fraction) -> list[dict[str, Pair]]:
     centre = orbit.hint.centre
     halves = [size * unit for unit in orbit.units]
     pairs = [inside(c, half) for c, half in zip(centre, halves, strict=True)]
-    return [
-        dict(zip(("t", "x", "v1", "v2"), pairs[k : k + 4], strict=True))
-        for k in range(0, len(pairs), 4)
-    ]
+    return [dict(zip(("t", "x", "v1", "v2"), each, strict=True)) for each in by_event(pairs)]
 
 
-def _hints(orbit: Orbit) -> dict[str, Any]:
+def hints(orbit: Orbit) -> dict[str, Any]:
+    """Return what the checker needs and does not trust."""
     exact, hint = interval.exact_decimal, orbit.hint
     return {
         "bits": str(orbit.setting.checker_bits),
-        "centre": by_event(hint),
+        "centre": centre_of(hint),
         "radius": exact(radius_of(orbit.setting)),
         "preconditioner": [[exact(q) for q in row] for row in hint.matrix],
     }
 
 
-def by_event(hint: Hint) -> list[list[str]]:
+def centre_of(hint: Hint) -> list[list[str]]:
     """Return the centre of a hint, a list for each event."""
-    centre = [interval.exact_decimal(q) for q in hint.centre]
-    return [centre[k : k + 4] for k in range(0, len(centre), 4)]
+    return by_event([interval.exact_decimal(q) for q in hint.centre])
+
+
+def by_event(values: Sequence[Any]) -> list[list[Any]]:
+    """Return values of the unknowns, a list for each event."""
+    return [list(values[k : k + 4]) for k in range(0, len(values), 4)]
 
 
 def _claims(orbit: Orbit) -> dict[str, Any]:

@@ -44,7 +44,7 @@ from cap.particles.itinerary import unknowns
 from cap.proofs.fixed_point import Proof, Setting, assembled
 from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_cells import NODE, REACH_OF_CELLS, Line, Masses, Solved, family
-from cap.proofs.particle_orbit import by_event, lemma_1_existence, radius_of
+from cap.proofs.particle_orbit import centre_of, lemma_1_existence, radius_of
 from cap.sets import interval
 from cap.sets.interval import Ball
 
@@ -94,7 +94,7 @@ def prove(setting: Setting) -> Proof:
             "stop": _hints(stop),
             "middle": [[interval.exact_decimal(q) for q in row] for row in line.middle],
             "nodes": [
-                {"mass": interval.exact_decimal(node.mass), "centre": by_event(node.hint)}
+                {"mass": interval.exact_decimal(node.mass), "centre": centre_of(node.hint)}
                 for node in between
             ],
             "node_radius": interval.exact_decimal(NODE),
@@ -230,7 +230,7 @@ def _claim(setting: Setting, mass: Fraction, crossing: Crossing) -> Pair:
 def _hints(crossing: Crossing) -> dict[str, Any]:
     exact = interval.exact_decimal
     return {
-        "lower": by_event(crossing.lower.hint),
-        "upper": by_event(crossing.upper.hint),
+        "lower": centre_of(crossing.lower.hint),
+        "upper": centre_of(crossing.upper.hint),
         "preconditioner": [[exact(q) for q in row] for row in crossing.upper.hint.matrix],
     }

@@ -15,21 +15,20 @@ near the orbit go on as it does (`cap.orbits.choice`), so the map over nT is con
 differentiable there; Lemma 4: a power of its derivative (`cap.orbits.strobe`) contracts.
 """
 
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 from cap.certificate import writer
 from cap.errors import NotProved
 from cap.floats import candidates
-from cap.maps.zero import Hint
 from cap.proofs.fixed_point import Proof, Setting, assembled, inside
 from cap.proofs.options import OF_MASSES
 from cap.proofs.particle_orbit import (
     Orbit,
+    by_event,
+    hints,
     lemma_3_uniqueness,
     nothing_else,
-    radius_of,
     solved,
     system,
 )
@@ -58,8 +57,8 @@ def prove(setting: Setting) -> Proof:
     def certified(part: Fraction) -> dict[str, Any]:
         halves, hint = [part * size * unit for unit in orbit.units], orbit.hint
         box = [inside(c, half) for c, half in zip(hint.centre, halves, strict=True)]
-        content = claims | {"box": _by_event(box)}
-        return assembled("particles_sink", setting, strings, (content, _hints(setting, hint)))
+        content = claims | {"box": by_event(box)}, hints(orbit)
+        return assembled("particles_sink", setting, strings, content)
 
     return certified
 
@@ -94,17 +93,3 @@ def _claims(orbit: Orbit) -> dict[str, Any]:
         "v": [pair(q, units.speed) for q in orbit.strobe.point[2:]],
         "event_times": [pair(t, units.time) for t, _ in orbit.contacts],
     }
-
-
-def _hints(setting: Setting, hint: Hint) -> dict[str, Any]:
-    exact = interval.exact_decimal
-    return {
-        "bits": str(setting.checker_bits),
-        "centre": _by_event([exact(q) for q in hint.centre]),
-        "radius": exact(radius_of(setting)),
-        "preconditioner": [[exact(q) for q in row] for row in hint.matrix],
-    }
-
-
-def _by_event(values: Sequence[Any]) -> list[list[Any]]:
-    return [list(values[k : k + 4]) for k in range(0, len(values), 4)]

@@ -31,7 +31,8 @@ from cap.maps.basin import Basin
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import SINKS, Multiplier, multipliers, stability
 from cap.option import Option, count
-from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Around, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import EVENTS, turning_factors
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball

@@ -38,7 +38,8 @@ from cap.maps.family import Cell, Pair
 from cap.maps.fixed_point import FixedPoint, Start, refined
 from cap.parameters import Parameters
 from cap.proofs import periodic
-from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Around, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import EVENTS, need_hits
 from cap.sets import interval, matrix
 from cap.sets.interval import Ball

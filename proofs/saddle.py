@@ -21,7 +21,8 @@ from cap.errors import NotProved
 from cap.floats import candidates
 from cap.maps.fixed_point import FixedPoint
 from cap.maps.stability import real_multipliers
-from cap.proofs.fixed_point import Around, Content, Located, Proof, Setting, proof_of
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Around, Located, Proof, Setting, proof_of
 from cap.proofs.orbit import HITS, need_hits
 from cap.sets import matrix
 from cap.sets.interval import Ball

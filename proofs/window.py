@@ -21,7 +21,8 @@ from cap.floats import candidates
 from cap.flow.model import Oscillator
 from cap.flow.strobe import oscillator
 from cap.proofs.attractor import Kneading, Unimodal, claims_of, lemma_2_into_itself
-from cap.proofs.fixed_point import Content, Proof, Setting, assembled, bits, inside
+from cap.proofs.certified import Content
+from cap.proofs.fixed_point import Proof, Setting, assembled, bits, inside
 from cap.release import kneading
 from cap.release.cycle import Round, contracted, foreseen_cycle, refined
 from cap.release.passage import image

@@ -10,7 +10,7 @@
 import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
-from fractions import Fraction
+from numbers import Rational
 from types import MappingProxyType
 from typing import Any
 
@@ -18,15 +18,14 @@ from cap.audit.means import algebra, balls
 from cap.audit.means.stored import claimed
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
-from cap.sets import interval
 from cap.sets.interval import Ball
 
 Balls = Mapping[Any, Ball]
 _HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|,|)(\d+))?\}")
-_ROUNDED: dict[str, Callable[[Enclosure, int], str]] = {
+_ROUNDED: dict[str, Callable[[Any, int], str]] = {
     "": balls.pair,
-    "<": lambda each, places: balls.below(each.lower, places),
-    ">": lambda each, places: balls.above(each.upper, places),
+    "<": lambda each, places: balls.below(balls.ends(each)[0], places),
+    ">": lambda each, places: balls.above(balls.ends(each)[1], places),
     "in": balls.inner,
     ",": lambda each, places: f"{Decimal(balls.pair(each, places)):,}",
 }
@@ -60,14 +59,7 @@ def _shown(value: Any, way: str, places: str | None, known: Balls) -> str:
     if places is None:
         words = value if isinstance(value, list) else [value]
         return ", ".join(algebra.shown(w) if hasattr(w, "free_symbols") else str(w) for w in words)
-    if isinstance(value, Enclosure):
-        return _ROUNDED[way](value, int(places))
-    if getattr(value, "is_Rational", False):
-        ends = (Fraction(int(value.p), int(value.q)),) * 2
-    elif isinstance(value, Fraction):
-        ends = (value, value)
-    else:
+    if not isinstance(value, Enclosure | Ball | Rational):
         with balls.precisely():
-            ball = value if isinstance(value, Ball) else algebra.enclosure(value, known)
-            ends = interval.ends(ball)
-    return _ROUNDED[way](Enclosure(*ends, ("", "")), int(places))
+            value = algebra.enclosure(value, known)
+    return _ROUNDED[way](value, int(places))

@@ -38,11 +38,10 @@ WORDS = "verdict", "found", "evidence", "proof", "certificate"
 
 
 def claims(path: Path, module: str) -> tuple[Claim, ...]:
-    """Return the claims of a file; functions of a module decide them, if it exists."""
+    """Return the claims of a file; functions of a module decide those that need some."""
     data = tomllib.loads(path.read_text(encoding="utf-8"))
     common = data.get("common", {})
-    own = path.with_suffix(".py").is_file()
-    return tuple(_claim(each, common, module if own else steps.__name__) for each in data["claim"])
+    return tuple(_claim(each, common, module) for each in data["claim"])
 
 
 def _claim(entry: Given, common: Given, module: str) -> Claim:
@@ -50,8 +49,8 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
     used = [subject.module(f"means.{each}") for each in entry.get("uses", "").split()]
     if "decide" in entry:
         group, _, name = entry["decide"].rpartition(".")
-        module = subject.module(f"claims.{group}") if group else module
-        function = partial(getattr(import_module(module), name), **entry.get("with", {}))
+        own = import_module(subject.module(f"claims.{group}") if group else module)
+        function = partial(getattr(own, name), **entry.get("with", {}))
     formulas = [each.formula for each in errata.of(entry["id"])]
     return Claim(
         id=entry["id"],
@@ -61,7 +60,6 @@ def _claim(entry: Given, common: Given, module: str) -> Claim:
         stated=entry["stated"],
         decide=partial(decided, entry, common, function, used),
         quote=entry["quote"],
-        module=" ".join([module, *used]),
         content=content(entry, common, formulas),
     )
 

@@ -8,13 +8,13 @@ import hashlib
 import json
 import re
 from dataclasses import dataclass, replace
-from decimal import Decimal
 from enum import StrEnum
+from fractions import Fraction
 from pathlib import Path
 
 from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Kind
-from cap.audit.comparison import unit
+from cap.audit.comparison import rounded
 from cap.audit.manuscript import Manuscript
 from cap.audit.verdict import Outcome
 from cap.errors import BadInput
@@ -92,15 +92,14 @@ def _numbers(piece: str, manuscript: Manuscript) -> list[str]:
     found = list(re.finditer(pattern, manuscript.text))
     if len(found) != 1:
         return []
-    old = [Decimal(each) for each in _NUMBER.findall(piece)]
-    return [new for was, new in zip(old, found[0].groups(), strict=True) if Decimal(new) != was]
+    both = zip(_NUMBER.findall(piece), found[0].groups(), strict=True)
+    return [new for old, new in both if Fraction(new) != Fraction(old)]
 
 
 def agrees(number: str, found: str) -> bool:
     """Return whether a printed number is one of those found, rounded to its last digit."""
-    printed = Decimal(number)
-    numbers = map(Decimal, _NUMBER.findall(found))
-    return any(abs(each - printed) <= unit(printed) / 2 for each in numbers)
+    numbers = map(Fraction, _NUMBER.findall(found))
+    return any(rounded(number, each, each) is Outcome.CONFIRMED for each in numbers)
 
 
 def compared(path: Path) -> list[str]:

@@ -27,6 +27,7 @@ from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from importlib import import_module
 from inspect import isroutine
+from numbers import Rational
 from types import SimpleNamespace
 from typing import Any
 
@@ -115,8 +116,8 @@ class Steps:
         """
         if isinstance(value, list | tuple):
             return tuple(map(self._given, value))
-        if getattr(value, "is_Rational", False):
-            return Fraction(int(value.p), int(value.q))
+        if isinstance(value, Rational):
+            return Fraction(value)
         number = isinstance(value, sp.Expr) and value.free_symbols <= self.balls.keys()
         return self.enclosed(value) if number else value
 

@@ -33,11 +33,11 @@ from typing import Any
 
 from cap.audit import errata, given, steps, subject
 from cap.audit.claim import Claim, Kind, content
-from cap.audit.comparison import PROVED, Comparison, compared
+from cap.audit.comparison import Comparison, compared
 from cap.audit.filled import filled
 from cap.audit.steps import Given
 from cap.audit.subject import cached
-from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.audit.verdict import Verdict
 from cap.errors import NotProved
 from cap.sets import interval
 
@@ -69,16 +69,14 @@ def claims() -> tuple[Claim, ...]:
 def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Claim:
     label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
-    module = steps.__name__ if "steps" in row else row.get("module", table["module"])
     return Claim(
         id=name,
         where=row.get("where", label),
         kind=Kind.WORDS if "ours" in row else Kind.NUMBER,
         says=f"{what[0].upper()}{what[1:]}.",
         stated=row["paper"],
-        decide=partial(_decided, name, module, row),
+        decide=partial(_decided, name, row.get("module", table["module"]), row),
         quote=quotes.get(name, ""),
-        module=module,
         content=content(row, [each.formula for each in errata.of(name)]),
         table=label,
     )
@@ -121,11 +119,11 @@ def stated(what: str, label: str) -> str:
 def _decided(name: str, module: str, row: Given) -> Verdict:
     given.as_in_the_erratum(name, steps.Steps())
     if "steps" in row:
-        return verdict(_by_steps(row))
+        return _by_steps(row).verdict
     found = _found(module, row["by"], json.dumps(row.get("with", {})))
     if isinstance(found, str):
         raise NotProved("audit", found)
-    return verdict(compared(row, found))
+    return compared(row, found).verdict
 
 
 @cache
@@ -137,23 +135,3 @@ def _found(module: str, function: str, options: str) -> Found | str:
     except Exception as failure:  # noqa: BLE001 (what cannot be computed is no crash)
         return f"{module}.{function}: {type(failure).__name__}: {failure}"
     return found
-
-
-def verdict(row: Comparison) -> Verdict:
-    """Return what a comparison says of the paper.
-
-    A number that is another one is corrected, words that are not so are refuted; what the paper
-    says too roughly, or of a procedure that it does not give, is imprecise; where it does not say
-    what is to be computed, nothing is decided.
-    """
-    outcome = Outcome.REFUTED if row.words else Outcome.CORRECTED
-    strength = Strength.PROVED if row.rigorous else Strength.NUMERICAL
-    found = row.ours.replace(PROVED, "")
-    if row.unstated:
-        outcome, strength, found = Outcome.UNCHECKABLE, Strength.NONE, f"here: {found}"
-    elif row.agrees:
-        outcome = Outcome.CONFIRMED
-    elif row.imprecise:
-        outcome = Outcome.IMPRECISE
-    evidence = f"{row.reason}." if row.reason else ""
-    return Verdict(outcome=outcome, strength=strength, found=found, evidence=evidence)

@@ -9,7 +9,7 @@ So a name does not depend on what lies in the folder.  Certificates that differ 
 the order of their twists, have the same name.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -30,12 +30,16 @@ def name(theorem: str, parameters: Parameters, about: Mapping[str, str]) -> str:
     """Return the name of a file; ``about`` is what the theorem is about besides its parameters."""
     paper = PAPER.strings()
     changed = {key: q for key, q in _told(theorem, parameters).items() if q != paper[key]}
-    words = [theorem, *(f"{key}={value}" for key, value in {**changed, **about}.items())]
+    return short([theorem, *(f"{key}={value}" for key, value in {**changed, **about}.items())])
+
+
+def short(words: Sequence[str]) -> str:
+    """Return the name of a file that tells these words; a long one tells the first, the theorem."""
     told = "-".join(words).replace("/", "_")
     if len(told) > LONGEST:
         from hashlib import sha256  # noqa: PLC0415 (slow to load, and few names are so long)
 
-        told = f"{theorem}-{sha256(told.encode()).hexdigest()[:16]}"
+        told = f"{words[0]}-{sha256(told.encode()).hexdigest()[:16]}"
     return f"{told}.json"
 
 

@@ -91,6 +91,15 @@ def bound(x: Ball) -> str:
     return interval.outward(x, 2 - interval.decade(size))[1]
 
 
+def exact(q: Fraction) -> str:
+    """Return a number, as a decimal if it is one."""
+    rest = q.denominator
+    for prime in (2, 5):
+        while rest % prime == 0:
+            rest //= prime
+    return interval.exact_decimal(q) if rest == 1 else str(q)
+
+
 def provenance(bits: int) -> dict[str, str]:
     """Return what produced a certificate; the checker ignores it.
 

@@ -6,53 +6,43 @@ contacts (`cap.proofs.contacts`), and its twist if asked for (`cap.proofs.contac
 """
 
 import argparse
-import json
-import sys
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
-from cap.certificate import report, writer
-from cap.command import own_branch, own_refusals, own_table
-from cap.command.console import Parser, columns, program, protected
+from cap.certificate import naming
+from cap.command import own_command, own_orbit, own_refusals, own_table
+from cap.command.console import Parser, protected
 from cap.command.output import writable, writable_into
 from cap.command.progress import Progress, answered
-from cap.errors import BadInput, NotProved
-from cap.floats.models.periodic import Closed, Met, near, search
+from cap.command.proving import proved
+from cap.errors import BadInput
+from cap.floats.models.periodic import Closed, Met, search
 from cap.option import integer
-from cap.parameters import exact
 from cap.proofs import contact_elliptic, contacts
 from cap.system.files import assigned, read, stem
 from cap.system.model import System
-from cap.words import printable, quoted, say
+from cap.words import printable
 
-ATTRACTOR = ("attractor", "contact_attractor")
-BASIN = ("basin", "contact_basin")
-BRANCH = ("branch", "contacts_branch")
-CAPTURE = ("capture", "contact_capture")
-FAMILY = ("family", "contacts_family")
-HORSESHOE = ("horseshoe", "contact_horseshoe")
 PERIODIC = ("periodic", "contacts")
 ELLIPTIC = ("elliptic", "contact_elliptic")
 OTHERS = {
-    ATTRACTOR: "own_attractor",
-    BASIN: "own_basin",
-    BRANCH: "own_branch",
-    CAPTURE: "own_capture",
-    FAMILY: "own_family",
-    HORSESHOE: "own_horseshoe",
+    "own_attractor": ("attractor", "contact_attractor"),
+    "own_basin": ("basin", "contact_basin"),
+    "own_branch": ("branch", "contacts_branch"),
+    "own_capture": ("capture", "contact_capture"),
+    "own_family": ("family", "contacts_family"),
+    "own_horseshoe": ("horseshoe", "contact_horseshoe"),
 }
-"""The modules of other commands, by their names: they are loaded when they are asked for."""
-
-LONGEST = 120  # characters of a name
+"""The modules of other commands and their names: they are loaded when they are asked for."""
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
     named = words[0] if words and not words[0].startswith("-") else ""
-    for names, module in OTHERS.items():
+    for module, names in OTHERS.items():
         if named in names:
             found: Callable[[Sequence[str]], int] = import_module(f"cap.command.{module}").main
             return found(words)
@@ -65,7 +55,7 @@ def main(words: Sequence[str]) -> int:
         asked = Asked.of(options)
         if options.table is None:
             return _run(asked, progress)
-        jobs = integer(options.jobs, "jobs", (1, 1024))
+        jobs = own_command.jobs(options)
         if options.journal is not None:
             writable(options.journal)
         return own_table.proved(
@@ -79,15 +69,11 @@ PROVERS = {"contacts": contacts.prove, "contact_elliptic": contact_elliptic.prov
 ABOUT = {
     "periodic": "Prove periodic orbits of a system of your own by their contacts: that there "
     "is one near each candidate, which contacts it has and that it has no others, and its "
-    "multipliers.  FILE.py has a function of the parameters that returns a cap.System (see "
-    "docs/own-system.md); it may be FILE.json, which runs nothing.  The certificate holds "
-    "the system: `python -m cap.verify` needs no FILE.py.  Orbits that rest after infinitely "
-    "many contacts are not proved.",
+    "multipliers.  Orbits that rest after infinitely many contacts are not proved.",
     "elliptic": "Prove elliptic periodic orbits of a system of your own, with a state of two "
     "variables and a clock, where flights and contacts preserve area: the orbit with its contacts, "
     "as `periodic` does, its angle, no resonance of order at most four, and its twist, which is "
-    "not zero: by Moser's theorem there are invariant curves around it, and it is stable.  FILE "
-    "and certificate are as for `periodic --model`.",
+    "not zero: by Moser's theorem there are invariant curves around it, and it is stable.",
 }
 EXAMPLES = {
     "periodic": "Examples: python -m cap.prove periodic --model examples/ball.py --set A=6/5,e=1/2 "
@@ -100,12 +86,8 @@ EXAMPLES = {
 def parser(named: str = "periodic") -> Parser:
     """Return the parser of these commands."""
     theorem = "elliptic" if named in ELLIPTIC else "periodic"
-    p = Parser(
-        prog=f"{program('cap.prove')} {theorem} --model FILE",
-        description=ABOUT[theorem],
-        epilog=EXAMPLES[theorem],
-    )
-    own_branch.add_orbit(p, theorem)
+    p = own_command.begun(theorem, "--model", ABOUT[theorem], EXAMPLES[theorem])
+    own_orbit.add(p)
     p.add_argument("--all", action="store_true", help="prove every orbit that is found")
     p.add_argument(
         "--table",
@@ -115,7 +97,6 @@ def parser(named: str = "periodic") -> Parser:
         "x0, .., t1, .. are times and states just before contacts, periods those of the clock; "
         "no certificate is kept",
     )
-    p.add_argument("--jobs", default="1", metavar="N", help="processes for --table (default 1)")
     p.add_argument(
         "--journal",
         type=Path,
@@ -123,15 +104,7 @@ def parser(named: str = "periodic") -> Parser:
         help="a file of the rows that are done, from which an interrupted --table goes on",
     )
     p.add_argument("--digits", default="10", metavar="N", help="digits claimed (default 10)")
-    p.add_argument(
-        "--out",
-        type=Path,
-        default=Path("certificates"),
-        metavar="PATH",
-        help="a file ending in .json, which is replaced; or a directory (default: certificates), "
-        "which is made if it is missing: there no other file is replaced",
-    )
-    return p
+    return own_command.ended(p, "processes for --table")
 
 
 @dataclass(frozen=True)
@@ -140,7 +113,7 @@ class Asked:
 
     theorem: str
     system: System
-    name: str
+    words: list[str]
     periods: int
     every: bool
     state: list[float]
@@ -152,32 +125,24 @@ class Asked:
     def of(cls, options: argparse.Namespace) -> "Asked":
         """Read the options; raise `BadInput` with what is wrong."""
         values = assigned(options.set)
-        system = read(options.model, values)
-        state = [float(exact(word)) for word in options.orbit or ()]
-        if state and len(state) != len(system.state):
-            raise BadInput(f"--orbit is a state: give {', '.join(system.state)}")
-        if options.mode is not None and (not state or options.mode not in system.modes):
-            raise BadInput(f"--mode is that of --orbit: one of {', '.join(system.modes)}")
+        system = read(options.file, values)
+        state = own_orbit.state(options, system)
         alone = options.all or state or options.period != "1"
         if options.table is not None and (alone or options.theorem in ELLIPTIC):
             raise BadInput("--table goes with none of --all, --orbit, --period, elliptic")
         if options.table is None and (options.journal or options.jobs != "1"):
             raise BadInput("--jobs and --journal go with --table")
-        if system.autonomous and options.period != "1":
-            raise BadInput(
-                "nothing depends on the clock: leave out --period, the period is unknown"
-            )
+        periods = own_orbit.periods(options, system)
         if options.all and (state or options.out.suffix == ".json"):
             raise BadInput(
                 "--all goes neither with --orbit nor with one file as --out: name a directory"
             )
-        told = [f"{key}={value}" for key, value in sorted(values.items())]
         theorem = ELLIPTIC[1] if options.theorem in ELLIPTIC else PERIODIC[1]
         return cls(
             theorem,
             system,
-            "-".join([theorem, stem(options.model), *told]),
-            integer(options.period, "period", (1, 64)),
+            [theorem, stem(options.file), *own_command.valued(values)],
+            periods,
             options.all,
             state,
             options.mode,
@@ -190,10 +155,7 @@ class Asked:
         if self.out.suffix == ".json":
             return self.out
         at = [f"{name}={q:.6g}" for name, q in zip(("t", *self.system.state), orbit.guess)]  # noqa: B905
-        told = "-".join([self.name, *at]).replace("/", "_")
-        if len(told) > LONGEST:
-            told = f"{self.theorem}-{sha256(told.encode()).hexdigest()[:16]}"
-        return self.out / f"{told}.json"
+        return self.out / naming.short([*self.words, *at])
 
 
 def _run(asked: Asked, progress: Progress) -> int:
@@ -207,7 +169,8 @@ def _run(asked: Asked, progress: Progress) -> int:
         contact_elliptic.refuse(asked.system)
     orbits, lines = _found(asked, progress)
     for orbit in orbits if asked.out.suffix != ".json" else ():
-        _free(asked.path(orbit), orbit)
+        listed = [contact._asdict() for contact in orbit.itinerary.contacts]
+        own_command.free(asked.path(orbit), contacts.as_parameters(asked.system), listed)
     progress.clear()
     print("\n".join([*map(printable, lines), ""]), flush=True)
     return max(_proved(asked, orbit, progress) for orbit in orbits)
@@ -216,10 +179,7 @@ def _run(asked: Asked, progress: Progress) -> int:
 def _found(asked: Asked, progress: Progress) -> tuple[list[Closed], list[str]]:
     """Return the orbits to be proved, and what was found, in words."""
     if asked.state:
-        try:
-            orbit = near(asked.system, asked.state, asked.mode, asked.periods)
-        except NotProved as failure:
-            raise BadInput(f"no orbit that closes is near that of the state: {failure}") from None
+        orbit = own_orbit.closed(asked.system, asked.state, asked.mode, asked.periods)
         return [orbit], ["Newton's method leads to:", f"  {orbit.shown()}"]
     met = search(asked.system, asked.periods, progress.tell)
     if not met.orbits:
@@ -274,36 +234,8 @@ def _others(met: Met) -> Iterable[str]:
 def _proved(asked: Asked, orbit: Closed, progress: Progress) -> int:
     """Prove an orbit, write its certificate and print it; return the status."""
     progress.tell("proving", None)
-    path = asked.path(orbit)
-    try:
-        proved = PROVERS[asked.theorem](orbit.itinerary, orbit.guess, asked.digits)
-    except NotProved as failure:
-        progress.clear()
-        say(f"NOT PROVED ({asked.theorem}, {printable(orbit.shown())}).  {failure}", sys.stderr)
-        return 1
-    progress.clear()
-    told = report.theorem(proved, columns(sys.stdout) or report.WIDTH)
-    try:
-        written = writer.write(proved, path)
-    except OSError as error:
-        print(told)
-        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
-    print(
-        f"{told}\n\nCertificate: {quoted(path)} ({written}; the independent checker accepts it)\n"
-    )
-    return 0
 
+    def prove() -> dict[str, Any]:
+        return PROVERS[asked.theorem](orbit.itinerary, orbit.guess, asked.digits)
 
-def _free(path: Path, orbit: Closed) -> None:
-    """Raise `BadInput` if there is a file at a path, but about the same contacts of the system."""
-    if not path.exists():
-        return
-    try:
-        old = json.loads(path.read_bytes())
-        system, listed = old["parameters"], old["claims"]["contacts"]
-    except (OSError, ValueError, LookupError, TypeError):
-        system, listed = None, None
-    same = [contact._asdict() for contact in orbit.itinerary.contacts]
-    if (system, listed) != (contacts.as_parameters(orbit.itinerary.system), same):
-        advice = "move it away, or name the file with --out FILE.json"
-        raise BadInput(f"there is another file at {quoted(path)}: {advice}")
+    return proved(asked.theorem, prove, asked.path(orbit), progress, about=orbit.shown())

@@ -2,14 +2,11 @@
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
-from cap.command import own_map
-from cap.command.console import Parser, program, protected
+from cap.command import own_command
+from cap.command.console import Parser, program
+from cap.command.own_command import Asked
 from cap.command.own_curve import GOLDEN
-from cap.command.progress import Progress, answered
 from cap.errors import BadInput
 from cap.option import integer
 from cap.parameters import exact
@@ -18,14 +15,11 @@ from cap.proofs.ball_curve import Table
 from cap.proofs.rotation_choice import rotation
 from cap.runner import Runner
 from cap.system.files import assigned
-from cap.tori.rotation import Quadratic
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
-    options = parser().parse_args([protected(word) for word in words])
-    progress = Progress()
-    return answered(lambda: _proved(Asked.of(options), progress), progress)
+    return own_command.run(words, parser(), asked)
 
 
 def parser() -> Parser:
@@ -53,40 +47,20 @@ def parser() -> Parser:
         "number)",
     )
     p.add_argument("--turns", default="0", metavar="N", help="and N times more (default 0)")
-    own_map.add_ends(p)
-    return p
+    return own_command.ended(p)
 
 
-@dataclass(frozen=True)
-class Asked:
-    """What is asked for; all of it makes sense."""
-
-    table: Table
-    rotation: Quadratic
-    turns: int
-    jobs: int
-    path: Path
-
-    @classmethod
-    def of(cls, options: argparse.Namespace) -> "Asked":
-        """Read the options; raise `BadInput` with what is wrong."""
-        given = assigned(options.ball)
-        if unknown := sorted(given.keys() - set(Table._fields)):
-            raise BadInput(f"a ball has no parameter {unknown[0]}: it has A, omega and g")
-        table = Table(**{name: exact(word) for name, word in given.items()}).checked()
-        q = rotation([options.rotation], "rotation")
-        turns = integer(options.turns, "turns", (0, 999))
-        jobs = integer(options.jobs, "jobs", (1, 1024))
-        told = {**given, **({"turns": turns} if turns else {})}
-        path = own_map.place(options, ["ball_curve"], told, ball_curve.as_parameters(table))
-        return cls(table, q, turns, jobs, path)
-
-
-def _proved(asked: Asked, progress: Progress) -> int:
-    """Prove it, write the certificate and print it; return the status."""
-    runner = Runner(asked.jobs, progress.tell)
-
-    def prove() -> dict[str, Any]:
-        return ball_curve.prove(asked.table, asked.rotation, asked.turns, runner)
-
-    return own_map.answered("ball_curve", prove, asked.path, progress)
+def asked(options: argparse.Namespace) -> Asked:
+    """Read the options; raise `BadInput` with what is wrong."""
+    given = assigned(options.ball)
+    if unknown := sorted(given.keys() - set(Table._fields)):
+        raise BadInput(f"a ball has no parameter {unknown[0]}: it has A, omega and g")
+    table = Table(**{name: exact(word) for name, word in given.items()}).checked()
+    q = rotation([options.rotation], "rotation")
+    turns = integer(options.turns, "turns", (0, 999))
+    jobs = own_command.jobs(options)
+    told = {**given, **({"turns": turns} if turns else {})}
+    path = own_command.place(options, ["ball_curve"], told, ball_curve.as_parameters(table))
+    return Asked(
+        "ball_curve", path, lambda tell: ball_curve.prove(table, q, turns, Runner(jobs, tell))
+    )

@@ -6,44 +6,41 @@ The wall is a guard that names a mode of rest.  A box of states is given, or loo
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
-from cap.command import own_map
-from cap.command.console import Parser, program, protected
-from cap.command.progress import Progress, answered
+from cap.command import own_command
+from cap.command.console import Parser
+from cap.command.own_command import Asked
 from cap.errors import BadInput
 from cap.orbits.capture import Boxes
 from cap.orbits.wall import Wall, wall
 from cap.parameters import exact
 from cap.proofs import contact_capture, wall_boxes
 from cap.proofs.contacts import as_parameters
-from cap.system.files import assigned, read, stem
+from cap.runner import Tell
+from cap.system.files import assigned, read
 from cap.system.model import System
+
+THEOREM = "contact_capture"
 
 
 def main(words: Sequence[str]) -> int:
     """Run the command line; return its exit status."""
-    options = parser().parse_args([protected(word) for word in words])
-    progress = Progress()
-    return answered(lambda: _proved(Asked.of(options), progress), progress)
+    return own_command.run(words, parser(), asked)
 
 
 def parser() -> Parser:
     """Return the parser of this command."""
-    p = Parser(
-        prog=f"{program('cap.prove')} capture --model FILE",
-        description="Prove that a system of your own comes to rest: from a box of states every "
-        "motion hits a guard infinitely often in a finite time, and then stays in the mode of rest "
-        "that the guard names, for ever or at least until a time that is printed.  FILE.py has a "
-        "function of the parameters that returns a cap.System (see docs/own-system.md).  The "
-        "certificate holds the system: `python -m cap.verify` needs no FILE.py.",
-        epilog="Examples: python -m cap.prove capture --model examples/ball.py --set A=1/5 --box 0 "
-        "10 -5 5;  python -m cap.prove capture --model examples/ball.py",
+    p = own_command.begun(
+        "capture",
+        "--model",
+        "Prove that a system of your own comes to rest: from a box of states every motion hits a "
+        "guard infinitely often in a finite time, and then stays in the mode of rest that the "
+        "guard names, for ever or at least until a time that is printed.",
+        "Examples: python -m cap.prove capture --model examples/ball.py --set A=1/5 --box 0 10 -5 "
+        "5;  python -m cap.prove capture --model examples/ball.py",
     )
-    own_map.add_model(p, "capture")
     p.add_argument(
         "--box",
         nargs="+",
@@ -60,8 +57,7 @@ def parser() -> Parser:
         "--mode", metavar="MODE", help="the mode in which they are (default: that of the guard)"
     )
     add_guard(p)
-    own_map.add_out(p)
-    return p
+    return own_command.ended(p, workers="")
 
 
 def add_guard(p: argparse.ArgumentParser) -> None:
@@ -73,33 +69,28 @@ def add_guard(p: argparse.ArgumentParser) -> None:
     )
 
 
-@dataclass(frozen=True)
-class Asked:
-    """What is asked for; all of it makes sense."""
+def asked(options: argparse.Namespace) -> Asked:
+    """Read the options; raise `BadInput` with what is wrong."""
+    values = assigned(options.set)
+    system = read(options.file, values)
+    place = wall_of(system, options.guard)
+    given = None if options.box is None else box_of(system.state, options.box)
+    if given is None and len(system.state) != 2:
+        raise BadInput(f"give --box: the state has {len(system.state)} variables, not two")
+    mode = options.mode or place.falling
+    if mode not in (place.falling, place.rising):
+        raise BadInput(f"--mode is {place.falling} or {place.rising}, before or after a hit")
+    begin = None if options.start is None else exact(options.start)
+    told = {**values, **({"start": options.start} if options.start else {})}
+    path = own_command.place(options, [THEOREM], told, as_parameters(system, rests=True))
 
-    wall: Wall
-    mode: str
-    time: Fraction | None
-    box: Boxes | None
-    path: Path
+    def prove(tell: Tell) -> dict[str, Any]:
+        time, box = begin, given
+        if box is None:
+            time, box = wall_boxes.at_the_wall(place, time, tell)
+        return contact_capture.prove(place, time or Fraction(0), mode, box, tell)
 
-    @classmethod
-    def of(cls, options: argparse.Namespace) -> "Asked":
-        """Read the options; raise `BadInput` with what is wrong."""
-        values = assigned(options.set)
-        system = read(options.model, values)
-        place = wall_of(system, options.guard)
-        box = None if options.box is None else box_of(system.state, options.box)
-        if box is None and len(system.state) != 2:
-            raise BadInput(f"give --box: the state has {len(system.state)} variables, not two")
-        started = options.mode or place.falling
-        if started not in (place.falling, place.rising):
-            raise BadInput(f"--mode is {place.falling} or {place.rising}, before or after a hit")
-        time = None if options.start is None else exact(options.start)
-        told = {**values, **({"start": options.start} if options.start else {})}
-        parameters = as_parameters(system, rests=True)
-        path = own_map.place(options, ["contact_capture", stem(options.model)], told, parameters)
-        return cls(place, started, time, box, path)
+    return Asked(THEOREM, path, prove)
 
 
 def wall_of(system: System, given: str | None) -> Wall:
@@ -118,16 +109,3 @@ def box_of(state: Sequence[str], given: Sequence[str]) -> Boxes:
         told = ", ".join(state)
         raise BadInput(f"--box is the least and the greatest value of each of: {told}")
     return dict(zip(state, pairs, strict=True))
-
-
-def _proved(asked: Asked, progress: Progress) -> int:
-    """Prove it, write the certificate and print it; return the status."""
-
-    def prove() -> dict[str, Any]:
-        time, box = asked.time, asked.box
-        if box is None:
-            time, box = wall_boxes.at_the_wall(asked.wall, time, progress.tell)
-        start = time or Fraction(0)
-        return contact_capture.prove(asked.wall, start, asked.mode, box, progress.tell)
-
-    return own_map.answered("contact_capture", prove, asked.path, progress)

@@ -6,20 +6,19 @@ What can be proved: see `cap.proofs.theorems`.
 import sys
 from collections.abc import Iterator, Sequence
 from importlib import import_module
+from typing import Any
 
-from cap.certificate import report
-from cap.certificate import writer as certificate
-from cap.command.console import columns
 from cap.command.own_refusals import LISTED
 from cap.command.progress import Progress, answered
 from cap.command.prover_options import Asked
 from cap.command.prover_parser import read, without_options
-from cap.errors import BadInput, NotProved
+from cap.command.proving import proved
+from cap.errors import NotProved
 from cap.floats.candidates import Candidate
 from cap.proofs import symbolic, theorems
 from cap.proofs.theorems import GROUPS, THEOREMS
 from cap.runner import Runner
-from cap.words import quoted, say
+from cap.words import say
 
 
 def main(words: Sequence[str]) -> int:
@@ -85,29 +84,15 @@ def _run(asked: Asked, progress: Progress) -> int:
     progress.clear()
     print("\n".join([*found.lines, "\n"]), end="", flush=True)
     runner = asked.runner(progress.tell)
-    return max([_proved(asked, runner, each) for each in found.candidates])
+    return max([_proved(asked, runner, each, progress) for each in found.candidates])
 
 
-def _proved(asked: Asked, runner: Runner, candidate: Candidate) -> int:
+def _proved(asked: Asked, runner: Runner, candidate: Candidate, progress: Progress) -> int:
     """Prove the theorem of one orbit, write its certificate and print it; return the status."""
     path, theorem = asked.path(candidate), asked.request.kind
     setting = asked.setting(candidate, runner)
-    try:
-        proved = theorems.accepted(THEOREMS[theorem], setting)
-    except NotProved as failure:
-        setting.progress("")
-        say(f"NOT PROVED ({theorem}, {candidate.shown}).  {failure}", sys.stderr)
-        return 1
-    setting.progress("")
-    told = report.theorem(proved, columns(sys.stdout) or report.WIDTH)
-    try:
-        written = certificate.write(proved, path)
-    except OSError as error:
-        print(told)
-        raise BadInput(f"cannot write {quoted(path)}: {error.strerror}") from None
-    print(told)
-    print(
-        f"\nCertificate: {quoted(path)} ({written}; the independent checker accepts it)\n",
-        flush=True,
-    )
-    return 0
+
+    def prove() -> dict[str, Any]:
+        return theorems.accepted(THEOREMS[theorem], setting)
+
+    return proved(theorem, prove, path, progress, about=candidate.shown)

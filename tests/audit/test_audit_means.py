@@ -6,7 +6,7 @@ import pytest
 from support import holds
 
 from cap.audit.means import stored
-from cap.audit.means.balls import above, below, between, compared, inner, pair
+from cap.audit.means.balls import above, below, compared, inner, pair
 from cap.audit.means.need import noted
 from cap.audit.papers.mixed_dynamics.means import equation
 from cap.audit.papers.mixed_dynamics.means.melnikov import over_the_line
@@ -45,7 +45,7 @@ def test_roundings():
     assert inner(THIRDS, 2) == "[0.34, 0.66]"
     assert (below(THIRDS.lower, 1), above(THIRDS.upper, 1)) == ("0.3", "0.7")
     with interval.workprec(60):
-        assert between(interval.ball(Fraction(1, 4)), 2) == "0.25"
+        assert pair(interval.ball(Fraction(1, 4)), 2) == "0.25"
 
 
 def test_all_roots_are_found():

@@ -28,7 +28,7 @@ from cap.explore.commands import COMMANDS
 from cap.explore.model_commands import COMMANDS as MODEL_COMMANDS
 from cap.explore.play import command as page
 from cap.proofs.symbolic import NAMES
-from cap.proofs.theorems import THEOREMS
+from cap.proofs.theorems import OWN, THEOREMS
 
 ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -49,19 +49,17 @@ def of_own(given):
     """Read a command about a system, a map, or a ball, of one's own."""
     if "--ball" in given or (given[0] == "island" and "--map" in given):
         command = own_ball if "--ball" in given else own_curve
-        assert command.Asked.of(command.parser().parse_args(given)).rotation
+        asked = command.asked(command.parser().parse_args(given))
     elif given[0] == "horseshoe":
         kind = own_horseshoe.MAP if "--map" in given else own_horseshoe.MODEL
-        asked = own_horseshoe.Asked.of(kind, own_horseshoe.parser(kind).parse_args(given))
-        assert kind.parameters(asked.given)["state"]
-    elif given[0] in own.CAPTURE:
-        assert own_capture.Asked.of(own_capture.parser().parse_args(given)).wall.e > 0
-    elif given[0] in own.BASIN:
-        assert own_basin.Asked.of(own_basin.parser().parse_args(given)).cells > 0
-    elif given[0] in own.BRANCH:
-        assert own_branch.parser().parse_args(given).parameter
+        asked = own_horseshoe.asked(kind, own_horseshoe.parser(kind).parse_args(given))
+    elif given[0] in ("capture", "basin", "branch"):
+        command = {"capture": own_capture, "basin": own_basin, "branch": own_branch}[given[0]]
+        asked = command.asked(command.parser().parse_args(given))
     else:
         assert own.Asked.of(own.parser().parse_args(given)).system.modes
+        return
+    assert asked.theorem in OWN
 
 
 @pytest.mark.parametrize(("module", "words"), sorted(set(ALL)))

@@ -19,6 +19,7 @@ from cap.tori.bouncing import Bouncing
 from cap.tori.invariant_curve import Curve
 
 A = 0.2
+FIFTH = Interval.enclosing(Fraction(1, 5), Fraction(1, 5), 160)
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
@@ -99,8 +100,9 @@ def rows_of(columns):
     return a, b, c, d
 
 
-def test_functions(curve):
-    """Both implementations, at places of a curve; tangents against differences."""
+@pytest.fixture(scope="module")
+def written(curve):
+    """Both implementations: of the prover what is near the curve; hints and curve as written."""
     degree, rho = curve.modes, Fraction(1, 50)
     rows = [row.tolist() for row in spanning.Ball(A).hints(curve)]
     with interval.workprec(160):
@@ -108,23 +110,34 @@ def test_functions(curve):
         x, w = (model(circle, row.tolist()) for row in curve)
         near = Bouncing.of(circle, interval.ball(Fraction(1, 5)), rows).along(Curve(x, w, 1))
         words, near = near.written(30)
-        image = near(x, w)
-        one, nothing = circle.constant(1), circle.constant(0)
-        columns = [image.tangent(z) for z in ((one, nothing), (nothing, one))]
     other = fourier.Circle(degree, rho, 30)
     units = {"speed": 1, "inverse": 10**10, "time": 1, "later": 10**10}
     flight = checker.Flight(**{k: function(other, words["flight"][k], units[k]) for k in units})
-    X, W = (
-        fourier.Function(
-            other,
-            [(round(c.real * 10**15) * 10**15, round(c.imag * 10**15) * 10**15) for c in row],
-            0,
-        )
+    rows = (
+        [(round(c.real * 10**15) * 10**15, round(c.imag * 10**15) * 10**15) for c in row]
         for row in curve
     )
-    there = checker.over(Interval.enclosing(Fraction(1, 5), Fraction(1, 5), 160), flight, X, W)
-    ones = [(other.constant(p), other.constant(q)) for p, q in ((1, 0), (0, 1))]
-    others = [there.tangent(z) for z in ones]
+    return (near, x, w), (flight, *(fourier.Function(other, row, 0) for row in rows))
+
+
+@pytest.fixture(scope="module")
+def flown(written):
+    """The image of the curve by the checker, and the slopes with which roots were enclosed."""
+    slopes, root = [], checker.root
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(checker, "root", lambda *given: slopes.append(given[2]) or root(*given))
+        return checker.over(FIFTH, *written[1]), slopes
+
+
+def test_functions(written, flown):
+    """Both implementations, at places of a curve; tangents against differences."""
+    near, x, w = written[0]
+    with interval.workprec(160):
+        image = near(x, w)
+        one, nothing = x.circle.constant(1), x.circle.constant(0)
+        columns = [image.tangent(z) for z in ((one, nothing), (nothing, one))]
+    there, constant = flown[0], written[1][1].circle.constant
+    others = [there.tangent((constant(p), constant(q))) for p, q in ((1, 0), (0, 1))]
     for theta in (0.0, 1.0, 2.5, 4.0):
         t, v = theta + value(x, theta), math.sqrt(2 * value(w, theta))
         later, u = bounced(t, v)
@@ -141,6 +154,21 @@ def test_functions(curve):
             assert found == pytest.approx(expected, abs=1e-7)
     assert image.x.error < 1e-8
     assert there.x.error < 10**22
+
+
+def test_slopes(written, flown):
+    """Of v^2 and of the height, for all v and s not farther from the hints than e."""
+    flight, x, _ = written[1]
+    for e in (0.0, 0.1):
+        of_speed, of_height = (slope(round(e * x.circle.unit)) for slope in flown[1])
+        for theta in (0.0, 1.0, 2.5, 4.0):
+            t, v, s = theta + value_there(x, theta), *(value_there(f, theta) for f in flight[::2])
+            for moved in (-e, e):
+                rate = v + A * math.cos(t) - (s + moved) - A * math.cos(t + s + moved)
+                for slope, expected in ((of_speed, 2 * (v + moved)), (of_height, rate)):
+                    far = abs(value_there(slope, theta) - expected)
+                    assert far <= slope.error / x.circle.unit + 1e-9
+        assert max(of_speed.error, of_height.error) < 3 * e * x.circle.unit + 10**22
 
 
 def test_no_orbit_passes(curve):

@@ -54,10 +54,8 @@ def differs(left: Any, right: Any) -> bool:
 
 def enclosure(expression: Any, point: Mapping[Any, Fraction | Ball] | None = None) -> Ball:
     """Return a ball that contains the expression at a point, at the current precision."""
-    values = {
-        symbol: interval.ball(value) if isinstance(value, Fraction | int) else value
-        for symbol, value in (point or {}).items()
-    }
+    known = {sp.pi: interval.pi(), **(point or {})}
+    values = {k: v if isinstance(v, Ball) else interval.ball(v) for k, v in known.items()}
     return _value(sp.sympify(expression), values)
 
 
@@ -65,39 +63,30 @@ def _value(expression: Any, values: Mapping[Any, Ball]) -> Ball:
     if expression in values:
         return values[expression]
     if expression.is_Rational:
-        return interval.ball(Fraction(int(expression.p), int(expression.q)))
-    if expression is sp.pi:
-        return interval.pi()
+        return interval.ball(Fraction(expression))
     arguments = [_value(each, values) for each in expression.args]
     if expression.is_Add or expression.is_Mul:
         return reduce(add if expression.is_Add else mul, arguments)
     if expression.is_Pow:
-        return _power(arguments, expression.exp)
+        base, power = arguments
+        if expression.exp.is_Rational and expression.exp.q <= 2:
+            return (base if expression.exp.q == 1 else base.sqrt()) ** int(expression.exp.p)
+        return base**power
     name = type(expression).__name__
     if name not in _UNARY:
         raise NotProved("algebra", f"no enclosure of {name} is known")
     return _UNARY[name](*arguments)
 
 
-def _power(arguments: list[Ball], exponent: Any) -> Ball:
-    base, power = arguments
-    if exponent.is_Integer:
-        return base ** int(exponent)
-    if exponent.is_Rational and exponent.q == 2:
-        return base.sqrt() ** int(exponent.p)
-    return base**power
-
-
 def shown(expression: Any) -> str:
     """Return an expression in one line for people."""
-    text = sp.sstr(expression).replace("**2", "²").replace("**3", "³").replace("**4", "⁴")
-    for name, letter in _GREEK.items():
-        text = text.replace(name, letter)
-    return str(text.replace("*", " "))
+    text: str = sp.sstr(expression)
+    for name, sign in zip(_NAMES.split(), "²³⁴ωθλεμταβπξ ", strict=True):
+        text = text.replace(name, sign)
+    return text
 
 
-_NAMES = "omega theta lambda epsilon mu tau alpha beta pi xi"
-_GREEK = dict(zip(_NAMES.split(), "ωθλεμταβπξ", strict=True))
+_NAMES = "**2 **3 **4 omega theta lambda epsilon mu tau alpha beta pi xi *"
 
 
 def compared(derived: Any, printed: Any) -> Outcome:
