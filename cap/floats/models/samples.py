@@ -64,13 +64,13 @@ def samples(subject: Subject, states: Floats, modes: NDArray[np.int64], count: i
     return Samples(found, ends.states, ends.modes, ends.counts, ends.flags)
 
 
-def least(path: Floats, looked: int) -> int:
+def least(path: Floats, looked: int, close: float = CLOSE) -> int:
     """Return the least period after which the last so many states of a path are there again; 0.
 
     The path (K, n) is scaled; it has twice as many states at least.
     """
     for period in range(1, looked + 1):
-        if np.abs(path[-looked:] - path[-looked - period : -period]).max() < CLOSE:
+        if np.abs(path[-looked:] - path[-looked - period : -period]).max() < close:
             return period
     return 0
 
