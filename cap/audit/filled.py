@@ -58,7 +58,9 @@ def inner(value: Any, places: int) -> str:
 
 
 _ROUNDED: dict[str, Callable[[Any, int], str]] = {
-    **{"": pair, "in": inner, ",": lambda value, places: f"{Decimal(pair(value, places)):,}"},
+    "": pair,
+    "in": inner,
+    ",": lambda value, places: f"{Decimal(pair(value, places)):,}",
     "<": lambda value, places: below(ends(value)[0], places),
     ">": lambda value, places: above(ends(value)[1], places),
 }
