@@ -1,10 +1,6 @@
-"""Words with numbers in them: ``{name}``, or ``{name:places}``, rounded so that they stay true.
+"""Words with numbers in them, ``{name}`` or ``{name:8}``, rounded so that they stay true.
 
-{x}      words, or an expression; {x.name} or {x.0} of what has parts
-{x:8}    a number, enclosed and rounded outwards to 8 places
-{x:<4}   a bound from below, {x:>4} from above
-{x:in6}  a range in which something holds, rounded inwards
-{x:,3}   an exact decimal, with commas between thousands
+``docs/own-paper.md`` says which roundings there are.
 """
 
 import re

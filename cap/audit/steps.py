@@ -1,24 +1,12 @@
 """Steps that are data: lines of algebra, each a definition, or what has to hold.
 
-    positive = "F f omega"               symbols: positive numbers, real ones, integers, or any
-    real = "t"
-    steps = '''
     rate = diff(F*cos(omega*t), t)       a name for an expression of sympy
     rate.subs(t, 0) == 0                 an identity, confirmed by sympy
-    2*f != f                             certain at an exact point, in balls
     pi/2 > 1                             a sign: of a number in balls, else by those of the symbols
     elliptic.twist > 0                   what elliptic.json claims, once the checker has accepted it
-    elliptic.hit_forcing > 0             each entry of a list, or of a table
-    "turn left" in segment.itinerary     an entry of a list
-    elliptic.box.x.lower < paper.r       an end of an enclosure; a parameter of the paper
-    elliptic.at == paper                 it is about the paper's parameters
-    labels.cited > 0                     of the places of the text: `cap.audit.labels.Paper`
     late = follow("0.1", "0.5", 2)       what a function finds of a module that the claim ``uses``
-    late.state[0] < 1                    balls, by what is claimed or found, are numbers in them
-    '''
 
-A function is called with exact numbers, balls, expressions and words.  What follows ``#`` says, for
-people, what is shown, or what would be the case if it were not.
+``docs/own-paper.md`` has all of them.
 """
 
 import re
