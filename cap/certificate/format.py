@@ -87,7 +87,7 @@ def _certificate(name: str, theorem: type[Theorem]) -> Json:
             "claims": schema({field.name: field.shape for field in theorem.CLAIMS}),
             "hints": schema({field.name: field.shape for field in theorem.HINTS}),
             "cites": _ref("cites"),
-            "provenance": {"type": "object"},
+            "provenance": {"type": "object", "additionalProperties": {"type": "string"}},
         }
     )
 

@@ -156,6 +156,8 @@ def test_cells_that_swap_places():
         ((*FLY, "field", "v"), [["-11/10"]], "not -h'' times a positive number"),
         ((*LEAVE, "value"), [["-1"], ["6/5", "sin"]], "not -h'' times a positive number"),
         ((*LEAVE, "value"), [["1"], ["-6/5", "sin"], ["1", "y"]], "not -h'' times"),
+        ((*LEAVE, "value"), [["-1/100"], ["3/250", "sin"]], "not -h'' times a positive number"),
+        ((*LEAVE, "value"), [["1", "sin", "sin"]], "not -h'' times a positive number"),
         (("parameters", "omega"), "101/100", "is not -e times|not stay 0"),
     ],
 )

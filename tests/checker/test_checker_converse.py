@@ -207,6 +207,34 @@ def test_states_are_carried(sign):
                 assert where.lower - 1e-12 <= value <= where.upper + 1e-12
 
 
+def test_segments_between_two_regions():
+    """They contain the corners of both, of which one may be known better."""
+    wide, sharp = (Double(0.1, 1e-3), Double(0.5, 1e-4)), (Double(0.25), Double(0.75))
+    for first, second in ((wide, sharp), (sharp, wide)):
+        z = Segment.between(first, second)
+        for region, end in ((first, -1), (second, 1)):
+            for a, m, T in zip(region, (z.y, z.v), (z.dy, z.dv), strict=True):
+                for corner in (a.lower, a.upper):
+                    away = Fraction(corner) - Fraction(m) - end * Fraction(T)
+                    assert abs(away) <= min(z.r1, z.r2)
+    assert max(z.r1, z.r2) < 1.001e-3
+
+
+def test_where_masses_stop():
+    """The bounds that are added to Y - V pi and to Y, by sums over the time in which they stop."""
+    alpha = float(AT[0])
+    forward, backward = Sense(*AT, 1.0), Sense(*AT, -1.0)
+    b = float(np.arccos(alpha))
+    s = (np.arange(2000) + 0.5) * b / 2000
+    gained = np.sin(s) - alpha * s
+    k, c = b * gained.mean(), gained.max()
+    for sense in (forward, backward):
+        assert sense.b.mid == pytest.approx(b)
+        assert sense.c.mid == pytest.approx(c, abs=1e-6)
+    assert forward.ahead.mid == pytest.approx(k + c * (np.pi - b), abs=1e-6)
+    assert backward.behind.mid == pytest.approx(c * b - k, abs=1e-6)
+
+
 def test_guards_of_a_segment():
     """Beyond a wall, too slow, too wide, a second wall, no positive velocity: refused."""
     forward, backward = Sense(*AT, 1.0), Sense(*AT, -1.0)

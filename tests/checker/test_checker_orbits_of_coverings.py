@@ -181,3 +181,11 @@ def test_those_of_maps_by_newtons_method(name):
         assert (box[:, 0] < z).all()
         assert (z < box[:, 1]).all()
         assert (1 + np.linalg.det(D)) ** 2 < np.trace(D) ** 2
+
+
+def test_intervals_that_touch_meet():
+    """One common point is enough, and a few roundings are allowed for."""
+    for p, q in ((Double(0.0, 1.0), Double(2.0, 1.0)), (Double(-0.3, 0.1), Double(0.1, 0.3))):
+        assert orbits._meet(p, q)
+        assert orbits._meet(q, p)
+        assert not orbits._meet(p, Double(q.mid + 1e-9, q.rad))

@@ -34,7 +34,6 @@ from typing import Any, NamedTuple
 from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.choices import OrNone
 from cap.checker.kernel.citation import cite
-from cap.checker.kernel.classics import MOSER
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.reading import number
@@ -42,6 +41,7 @@ from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Enclosure, Field, Many, Quantity, Word, enclosure, region
 from cap.checker.kernel.taken import Taken
 from cap.checker.kernel.theorem import BITS, Certificate
+from cap.checker.kernel.twist_theorem import MOSER
 from cap.checker.one_one import pairs
 from cap.checker.one_one.closed_form import birth
 from cap.checker.one_one.scaled import SYSTEM_FOR_ALL_F, Scaled
