@@ -11,9 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from cap.audit import subject
-from cap.audit.manuscript import Manuscript
+from cap.audit.manuscript import Manuscript, faults
 from cap.audit.subject import cached
-from cap.audit.syntax import faults
 from cap.errors import BadInput
 
 

@@ -37,13 +37,10 @@ def same(left: Any, right: Any) -> bool:
     """Return whether the difference of two expressions, or matrices, simplifies to 0."""
     difference = left - right
     entries = list(difference) if isinstance(difference, sp.MatrixBase) else [difference]
-    return all(_vanishes(entry) for entry in entries)
-
-
-def _vanishes(expression: Any) -> bool:
-    if sp.expand(expression) == 0:
-        return True
-    return bool(sp.simplify(sp.expand(sp.expand_trig(expression))) == 0)
+    return all(
+        sp.expand(each) == 0 or sp.simplify(sp.expand(sp.expand_trig(each))) == 0
+        for each in entries
+    )
 
 
 def differs(left: Any, right: Any) -> bool:
