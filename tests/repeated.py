@@ -11,8 +11,9 @@ Of the prover, of floats, pictures, commands and the audit: what is proved is ve
 checker, and a stored certificate is made again by its command.  All else that takes longer than
 `LONG`, in a fresh clone, where functions are to be compiled, is listed.
 
-In collection such tests are marked slow (`conftest`).  As a plugin of pytest this module notes for
-each test its time, the places, and whether there was a sentence: `-p repeated`.
+In collection such tests are marked slow, those of the first list also repeated: `.ci/run` leaves
+these out, too (`conftest`).  As a plugin of pytest this module notes for each test its time, the
+places, and whether there was a sentence: `-p repeated`.
 """
 
 import json
@@ -38,10 +39,9 @@ GUARDS = (  # of other rooms: who looks at certificates that are written, or at 
 NOTES = "CAP_REPEATED"  # where they go: a directory
 
 
-def listed():
-    """Return the names of the tests that repeat others, or are long."""
-    lines = [line for file in (LIST, LENGTHY) for line in file.read_text("utf-8").split("\n")]
-    return frozenset(lines) - {""}
+def listed(file):
+    """Return the names of tests in a list."""
+    return frozenset(file.read_text("utf-8").split("\n")) - {""}
 
 
 def repeating(notes):
