@@ -1,25 +1,6 @@
-"""Claims are data: files ``claims/GROUP.toml`` of a paper.
+"""Claims that are data, files ``claims/GROUP.toml`` of a paper: ``docs/own-paper.md`` has the form.
 
-[[claim]]
-id = "energy.of-a-mass"
-where = "eq:energy-of-a-mass"      # a label of the paper
-kind = "formula"                   # see `cap.audit.claim.Kind`
-says = "A mass m of the speed v has this energy."
-stated = "m v²/2"
-quote = '''a piece of the TeX file'''
-verdict = "confirmed"              # if all steps hold; or a rule: "formula", "number"
-found = "what is true, with {words}"
-evidence = "how that was found"
-proof = "FILE.md#section"          # of a written proof, if it rests on one
-certificate = "NAME.json"          # stored, if it rests on one
-
-What is decided by algebra, or by what certificates claim, has ``steps``: see `cap.audit.steps`.
-They may call functions of modules of the folder ``means/``, whose names are in ``uses``.
-What needs more names a function, ``decide``, of the module ``claims/GROUP.py``, or of another's,
-``GROUP.function``, with what it is given, ``with``.  It is called after the steps, if there are
-some, raises `NotProved`, or returns the words that ``verdict``, ``found`` and ``evidence`` ask for.
-What has neither is decided by reading.  Symbols, steps and words that several claims share are
-under ``[common]``.
+A claim is decided by its steps, by a function that is called after them, or by reading.
 """
 
 from collections.abc import Callable

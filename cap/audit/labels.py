@@ -43,14 +43,13 @@ _PICTURES = re.compile(r"\\includegraphics(?:\[[^]]*\])?\{\s*\}")
 
 @dataclass(frozen=True)
 class Place:
-    """A place: its label, its kind, number and section as printed, its title, its line."""
+    """A place: its label, its kind, number and section as printed, its title."""
 
     label: str
     kind: str
     number: str
     section: str
     title: str
-    line: int
 
     @property
     def name(self) -> str:
@@ -62,7 +61,7 @@ class Place:
 class Paper:
     """The places of the paper in its order, and a digest of the file they were read from.
 
-    ``lines``: those of the quotations, by the claims.  Counted in the file are the works that
+    ``lines``: where quotations begin, by the claims.  Counted in the file are the works that
     are cited, the entries or files of a bibliography, and the pictures without a file.  ``bound``
     is a digest of the quotations and the erratum that were found to fit the file.
     """
@@ -108,9 +107,7 @@ class _Reader:
         self.heading = "", ""  # to which a label belongs that follows it, and its title
 
     def places(self, text: str) -> Iterator[Place]:
-        for token in _TOKEN.finditer(text):
-            if found := self.read(token):
-                yield replace(found, line=text.count("\n", 0, token.start()) + 1)
+        return filter(None, map(self.read, _TOKEN.finditer(text)))
 
     def read(self, token: re.Match[str]) -> Place | None:
         """Read what comes next; return the place that it makes, if it does."""
@@ -120,7 +117,7 @@ class _Reader:
         elif token["appendix"]:
             self.appendix, self.count["section"] = True, 0
         elif token["begin"] == "abstract":
-            return Place("abstract", "abstract", "", "0", "Abstract", 0)
+            return Place("abstract", "abstract", "", "0", "Abstract")
         elif token["begin"] and token["begin"] != "document":
             self.begin(token["begin"])
             self.open.append((token["begin"], token["title"] or "", False))
@@ -159,7 +156,7 @@ class _Reader:
         number = self.count["section"]
         section = chr(ord("A") + number - 1) if self.appendix else str(number)
         printed = printed.format(section, self.count[counter])
-        return Place("", kind, printed, section, _plain(title), 0)
+        return Place("", kind, printed, section, _plain(title))
 
 
 def _plain(title: str) -> str:

@@ -99,7 +99,7 @@ def agrees(number: str, found: str) -> bool:
 def compared(path: Path) -> list[str]:
     """Return how the places of a TeX file differ from those that are stored."""
     own, new = labels.stored(), labels.read(path)
-    before, now = ({p.label: replace(p, line=0) for p in paper.places} for paper in (own, new))
+    before, now = ({place.label: place for place in paper.places} for paper in (own, new))
     lines = [f"gone: {label}" for label in before.keys() - now]
     lines += [f"new: {label}" for label in now.keys() - before]
     changed = [label for label in before.keys() & now if before[label] != now[label]]

@@ -1,27 +1,6 @@
 """Tables as claims: files ``tables/NAME.toml`` of a paper, each row a claim that is decided singly.
 
-label = "fig:of-the-table"
-module = "package.module"          # whose functions find what rows ask for
-                                   # (title, data, draw, size: of its picture)
-[[row]]
-what = "cells of 3600"
-paper = "814"                      # what the paper states
-by = "counted"                     # a function of the module; it returns what it finds, by names
-module = "package.other"           # if it is a function of another module
-with = { side = 60 }               # what it is given
-steps = "low = 1/2"                # in the place of a function: see `cap.audit.steps`
-value = "cells"                    # what it finds under this name is compared: `comparison.value`
-ours = "from {low:.2f} on"         # or words, which are those of the paper if this ``holds``:
-holds = "low > 0.5"                # a name, or a relation; parts are called ``x[0]``, ``x[name]``
-why = "if not, that is why: {low}"
-note = "if so, a remark"
-where = "eq:place"                 # if that is not the table's label
-rough = true                       # if they differ, the paper is imprecise rather than wrong
-unstated = true                    # what would have to be computed is not said
-cut = true                         # dots follow the number: it need not be rounded
-
-``paper.toml`` lists the ``tables``, and names the module ``finds`` whose function of this name
-calls the functions.  Those must not depend on what was called before.
+``docs/own-paper.md`` has the form.  What a row asks for is found by a function, or by steps.
 """
 
 import json

@@ -6,7 +6,7 @@ import pytest
 
 from cap.audit import coverage, errata, findings, labels, ledger, recorded, revision
 from cap.audit.claim import Kind
-from cap.audit.statements import statements
+from cap.audit.findings import statements
 from cap.audit.verdict import Outcome
 from cap.errors import BadInput
 

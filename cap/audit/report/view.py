@@ -7,9 +7,8 @@ from functools import cached_property
 from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Claim
 from cap.audit.errata import Change
-from cap.audit.findings import Finding, members
+from cap.audit.findings import Finding, Statement, members, statements
 from cap.audit.labels import Place
-from cap.audit.statements import Statement, statements
 from cap.audit.verdict import Outcome, Verdict
 
 
