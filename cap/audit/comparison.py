@@ -107,7 +107,7 @@ def value(paper: str, ours: Any) -> Seen:
         return f"{ours:.{digits(paper) + MORE}f}", rounded(paper, ours, ours)
     if not isinstance(ours[0], str):
         return _among(paper, sorted(ours))
-    low, high = sorted(map(Fraction, ours))
+    low, *_, high = sorted(map(Fraction, (*ours, ours[-1])))  # of one, it is both
     printed = paper.strip("[]").split(", ")
     shown = f"{Decimal(ours[0]):.{max(map(digits, printed)) + MORE}f}{PROVED}"
     if paper.startswith("["):

@@ -227,12 +227,13 @@ def tabled(table: Table, kind: str) -> Iterator[str]:
 
 def cited(theorem: type[Theorem]) -> Iterator[str]:
     """Give the lines of the citations of a theorem."""
-    for cite in theorem.CITES:
+    cites = theorem.CITES or theorem.cited(theorem.PARTS)
+    for cite in cites:
         yield f"- `{cite['theorem']}` | `{cite['reference']}`"
         for hypothesis in cite["hypotheses"]:
             by = ", ".join(hypothesis["by"])
             yield f"  - `{hypothesis['name']}` | `{hypothesis['statement']}` | {by}"
-    if not theorem.CITES:
+    if not cites:
         yield "Nothing: the list is empty."
 
 

@@ -5,6 +5,7 @@ that they are not is certain, because both are enclosed at a rational point.
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager
 from fractions import Fraction
 from functools import reduce
 from operator import add, mul
@@ -27,17 +28,19 @@ _UNARY: dict[str, Callable[[Ball], Ball]] = {
 }
 
 
+def precisely() -> AbstractContextManager[None]:
+    """Compute with many digits."""
+    return interval.workprec(BITS)
+
+
 def same(left: Any, right: Any) -> bool:
     """Return whether the difference of two expressions, or matrices, simplifies to 0."""
     difference = left - right
     entries = list(difference) if isinstance(difference, sp.MatrixBase) else [difference]
-    return all(_vanishes(entry) for entry in entries)
-
-
-def _vanishes(expression: Any) -> bool:
-    if sp.expand(expression) == 0:
-        return True
-    return bool(sp.simplify(sp.expand(sp.expand_trig(expression))) == 0)
+    return all(
+        sp.expand(each) == 0 or sp.simplify(sp.expand(sp.expand_trig(each))) == 0
+        for each in entries
+    )
 
 
 def differs(left: Any, right: Any) -> bool:
@@ -47,7 +50,7 @@ def differs(left: Any, right: Any) -> bool:
         return any(differs(entry, 0) for entry in difference)
     free = sorted(difference.free_symbols, key=str)
     point = {symbol: Fraction(7 * k + 10, 5 * k + 13) for k, symbol in enumerate(free)}
-    with interval.workprec(BITS):
+    with precisely():
         value = enclosure(difference, point)
         return bool(value.is_finite() and (value > 0 or value < 0))
 

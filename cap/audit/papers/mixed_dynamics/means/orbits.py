@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from fractions import Fraction
 
-from cap.audit.means.balls import pair
+from cap.audit.filled import pair
 from cap.flow.propagation import Image, after_periods, at_time_zero, propagate
 from cap.parameters import PAPER, Parameters, at
 from cap.sets import interval, matrix
