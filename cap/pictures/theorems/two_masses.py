@@ -27,7 +27,6 @@ from cap.pictures.theorems.parts import (
 from cap.pictures.times import mark
 
 PALE_GREEN = "#CDEBE2"
-PARTS = 5  # of the range of masses
 
 
 def elliptic(theorem: Theorem, figure: Figure) -> None:
