@@ -31,7 +31,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.flow.windows import Itinerary
 from cap.parameters import Parameters
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.options import JOBS, JOURNAL, RANGE_OF_F, whole_range_of_f
 from cap.proofs.strip_hints import CHECKED, Referee
 from cap.release import kneading, piece
@@ -84,8 +84,7 @@ def prove(setting: Setting) -> Proof:
     hints = {"bits": str(CHECKED), "strips": [strip["hint"] for strip in strips]}
     strings = setting.parameters.strings()
     del strings["f"]
-    certificate = assembled("entropies", setting, strings, (claims, hints))
-    return lambda _part: certificate
+    return settled("entropies", setting, strings, (claims, hints))
 
 
 def _read(verdict: str) -> Any:

@@ -32,7 +32,7 @@ from cap.maps import inventory
 from cap.maps.inventory import Box, Effort, TooMany, Tree
 from cap.maps.launch_set import Constants, Window
 from cap.one_one.closed_form import Orbit, symmetric
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.one_one import Scale, pair_at
 from cap.sets import interval
 
@@ -65,8 +65,7 @@ def prove(setting: Setting) -> Proof:
         "flights": [_told(windows) for windows in found.flights],
     }
     strings = setting.parameters.elastic_strings()
-    proved = assembled("inventory", setting, strings, (claims, hints))
-    return lambda _part: proved
+    return settled("inventory", setting, strings, (claims, hints))
 
 
 def lemma_1_launches(setting: Setting) -> tuple[inventory.Bounds, Tree]:

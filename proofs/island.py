@@ -32,7 +32,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.floats.candidates import tori
 from cap.proofs.certified import Content
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.rotation_choice import LARGEST, ROTATION, Sought, chosen, together
 from cap.sets import interval, matrix
 from cap.sets.fourier import Circle
@@ -120,8 +120,7 @@ def prove(setting: Setting) -> Proof:
             setting.progress(f"alpha = {sought.rotation} is not proved: {reason.step}")
             failed = reason
         else:
-            proved = assembled("island", setting, strings, content)
-            return lambda _part: proved
+            return settled("island", setting, strings, content)
     raise failed
 
 
