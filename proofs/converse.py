@@ -27,7 +27,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.floats.candidates import tori
 from cap.proofs.fixed_point import Proof, Setting, settled
-from cap.proofs.island import Place, centred, lemma_1_centre, located, state
+from cap.proofs.island_centre import Place, centred, lemma_1_centre, located, state
 from cap.proofs.options import JOBS
 from cap.sets import interval
 from cap.sets.compiled import PROBE, require_ieee, rounds_to_nearest

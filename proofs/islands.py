@@ -23,7 +23,8 @@ from cap.floats.candidates import Request
 from cap.option import Option, count
 from cap.parameters import Parameters
 from cap.proofs.fixed_point import Proof, Setting, settled
-from cap.proofs.island import island, located
+from cap.proofs.island import island
+from cap.proofs.island_centre import located
 from cap.proofs.options import JOBS, JOURNAL, RANGE_OF_F, whole_range_of_f
 from cap.proofs.rotation_choice import INWARDS, within
 from cap.runner import Plan

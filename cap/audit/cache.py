@@ -1,23 +1,28 @@
 """Verdicts kept from one run to the next, by the content of what decided them.
 
-An entry is one file, named by a digest of the claim, its data, and of what decides it, as in
-`cap.audit.dependencies`; it also names the stored certificates that were asked for, with their
-digests, and holds only while these are the same.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in
-the user's cache folder; where it cannot be read or written there is no cache.
+An entry is one file, named by a digest of the claim, its data, and of all sources and libraries; it
+also names the stored certificates that were asked for, with their digests, and holds only while
+these are the same.  The folder is ``$CAP_CACHE`` or ``cap/audit`` in the user's cache folder; where
+it cannot be read or written there is no cache.
 """
 
 import hashlib
 import json
 import os
+import sys
 from contextlib import suppress
 from dataclasses import asdict
+from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 
+from cap import tree
 from cap.audit.claim import Claim
-from cap.audit.dependencies import digest
 from cap.audit.means import stored
 from cap.audit.verdict import Outcome, Verdict, verdict
 from cap.files import replacing
+
+LIBRARIES = ("python-flint", "sympy", "numpy", "numba", "mpmath")
 
 
 def folder() -> Path:
@@ -26,6 +31,21 @@ def folder() -> Path:
         return Path(own)
     user = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     return Path(user) / "cap" / "audit"
+
+
+@cache
+def sources() -> str:
+    """Return a digest of all that may decide a claim: modules, data beside them, the libraries.
+
+    Whatever changes there, everything is decided anew: no list of imports can be wrong.
+    """
+    total = hashlib.sha256(" ".join([sys.version, *map(version, LIBRARIES)]).encode())
+    for root in (tree.ROOT, tree.inside("proofs")):
+        for file in sorted(root.rglob("*.*")):
+            if file.suffix in (".py", ".json") and file.name != "recorded.json":
+                name = file.relative_to(root).as_posix()
+                total.update(name.encode() + hashlib.sha256(file.read_bytes()).digest())
+    return total.hexdigest()
 
 
 def known(claim: Claim) -> Verdict | None:
@@ -52,5 +72,5 @@ def keep(claim: Claim, decided: Verdict, certificates: dict[str, str]) -> None:
 
 
 def _path(claim: Claim) -> Path:
-    name = f"{claim.id} {claim.content} {digest(claim.module)}"
+    name = f"{claim.id} {claim.content} {sources()}"
     return folder() / f"{hashlib.sha256(name.encode()).hexdigest()[:40]}.json"

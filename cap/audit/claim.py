@@ -30,9 +30,9 @@ Decide = Callable[[], Verdict]
 class Claim:
     """A claim: its place, a label of the paper; in our words; the value stated; who decides it.
 
-    ``quote`` is the piece of TeX it is taken from, which is in the paper once; ``module`` has what
-    decides it, and ``content`` is a digest of the data that it is given.  If it is a row of a
-    table, it says itself what is proved; ``table`` is the label of this.
+    ``quote`` is the piece of TeX it is taken from, which is in the paper once; ``content`` is a
+    digest of the data that it is given.  If it is a row of a table, it says itself what is proved;
+    ``table`` is the label of this.
     """
 
     id: str
@@ -42,7 +42,6 @@ class Claim:
     stated: str
     decide: Decide
     quote: str = ""
-    module: str = ""
     content: str = ""
     table: str = ""
 

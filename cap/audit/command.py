@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from cap.audit import coverage, errata, labels, ledger, recorded, revision, subject
@@ -32,64 +33,37 @@ def parser() -> argparse.ArgumentParser:
         "saltation.wall-entry; python -m cap.audit --verdict refuted --section 4; python -m "
         "cap.audit --recorded --format html > audit.html; python -m cap.audit --patch paper.tex",
     )
-    p.add_argument(
-        "--of",
-        metavar="NAME",
-        default=FIRST,
-        help=f"the paper that is audited: {' or '.join(subject.names())} (default: the first)",
-    )
-    p.add_argument(
-        "--only",
-        metavar="ID",
-        help="a claim, or a group: what is before the point (--format json lists the ids)",
-    )
-    p.add_argument(
-        "--section",
-        metavar="S",
-        help="one section or subsection: its number or label, or any label in a section",
-    )
-    p.add_argument(
-        "--verdict",
-        metavar="V",
-        choices=list(map(str, Outcome)),
-        help="claims with this verdict: refuted, open, ...",
-    )
-    p.add_argument("--format", choices=FORMATS, default="text", help="default: text")
-    p.add_argument("--jobs", metavar="N", default="1", help="processes (default 1)")
-    p.add_argument("--fresh", action="store_true", help="decide again what the cache knows")
-    p.add_argument(
-        "--coverage",
-        action="store_true",
-        help="list the places of the paper with the claims taken from each; status 1 if one is "
-        "forgotten",
-    )
-    p.add_argument(
-        "--recorded", action="store_true", help="report the recorded verdicts: decide nothing"
-    )
-    p.add_argument("--summary", action="store_true", help="the recorded verdicts on one page")
-    p.add_argument(
-        "--erratum", action="store_true", help="what the text has and should have, by section"
-    )
-    p.add_argument("--bibtex", action="store_true", help="entries for the paper and the audit")
-    p.add_argument(
+    add, flag = p.add_argument, partial(p.add_argument, action="store_true")
+    file = partial(p.add_argument, type=Path, metavar="FILE.tex")
+    papers = " or ".join(subject.names())
+    words = f"the paper that is audited: {papers} (default: the first)"
+    add("--of", metavar="NAME", default=FIRST, help=words)
+    words = "a claim, or a group: what is before the point (--format json lists the ids)"
+    add("--only", metavar="ID", help=words)
+    words = "one section or subsection: its number or label, or any label in a section"
+    add("--section", metavar="S", help=words)
+    outcomes, words = list(map(str, Outcome)), "claims with this verdict: refuted, open, ..."
+    add("--verdict", metavar="V", choices=outcomes, help=words)
+    add("--format", choices=FORMATS, default="text", help="default: text")
+    add("--jobs", metavar="N", default="1", help="processes (default 1)")
+    flag("--fresh", help="decide again what the cache knows")
+    words = "list the places of the paper with the claims taken from each; status 1 if one is "
+    flag("--coverage", help=f"{words}forgotten")
+    flag("--recorded", help="report the recorded verdicts: decide nothing")
+    flag("--summary", help="the recorded verdicts on one page")
+    flag("--erratum", help="what the text has and should have, by section")
+    flag("--bibtex", help="entries for the paper and the audit")
+    file(
         "--patch",
-        type=Path,
-        metavar="FILE.tex",
         help="the erratum as a patch of the paper's TeX file, for git apply; what the file has "
         "already is said; status 1 if a change does not fit",
     )
-    p.add_argument(
+    file(
         "--paper",
-        type=Path,
-        metavar="FILE.tex",
         help="say which sentences are others in this version of the paper's TeX file, and which "
         "are corrected; with --record, store its places and lines",
     )
-    p.add_argument(
-        "--record",
-        action="store_true",
-        help="record the verdicts: later runs are compared with them",
-    )
+    flag("--record", help="record the verdicts: later runs are compared with them")
     return p
 
 
@@ -170,16 +144,15 @@ def _audit(options: argparse.Namespace) -> int:
 
 def _record(verdicts: dict[str, Verdict]) -> int:
     """Record verdicts, if all are decided."""
-    undecided = {k: each for k, each in verdicts.items() if each.outcome is Outcome.UNDECIDED}
-    for name, each in undecided.items():
-        say(f"undecided: {name}: {each.evidence}", sys.stderr)
+    undecided = [k for k, each in verdicts.items() if each.outcome is Outcome.UNDECIDED]
+    for name in undecided:
+        say(f"undecided: {name}: {verdicts[name].evidence}", sys.stderr)
     if undecided:
         return 1
     changed = recorded.changes(verdicts, whole=False)
     recorded.write(verdicts)
     stored.accept()
-    written_to = f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written"
-    print("\n".join([*changed, written_to]))
+    print(*changed, f"{subject.file('recorded.json')}: {len(verdicts)} verdicts written", sep="\n")
     return 0
 
 

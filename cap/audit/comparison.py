@@ -8,80 +8,75 @@ apart, the range agrees.
 """
 
 import ast
+import math
 import operator
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
+from fractions import Fraction
 from string import Formatter
 from typing import Any, NamedTuple
+
+from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.errors import NotProved
 
 MORE = 3  # digits shown beyond those of the paper
 PROVED = " (proved)"
 _RELATION = re.compile(r"(.+) (==|!=|<=|>=|<|>) (.+)")
-_RELATIONS: dict[str, Callable[[Any, Any], Any]] = {
-    "==": operator.eq,
-    "!=": operator.ne,
-    "<=": operator.le,
-    ">=": operator.ge,
-    "<": operator.lt,
-    ">": operator.gt,
-}
+_RELATIONS = {"==": "eq", "!=": "ne", "<=": "le", ">=": "ge", "<": "lt", ">": "gt"}
+Seen = tuple[str, Outcome]  # what is found, as it is shown, and what that says of the paper
 NOT_ROUNDED = "less than a unit of the last digit away, but not rounded"
 
 
-@dataclass(frozen=True)
-class Comparison:
-    """What the paper says and what is found; why they differ, or a remark if they agree.
-
-    ``words``: it is no number.  ``imprecise``: if they differ, the paper is too rough, or is about
-    a procedure that it does not describe, rather than wrong.  ``unstated``: it does not say what
-    would have to be computed (a start, seeds), so that nothing found here can agree or differ.
-    """
+class Comparison(NamedTuple):
+    """A row of a table: what is found, what that says of the paper, and why, or a remark."""
 
     what: str
     paper: str
     ours: str
-    agrees: bool
+    outcome: Outcome
     reason: str = ""
-    words: bool = False
-    imprecise: bool = False
-    unstated: bool = False
 
     @property
-    def rigorous(self) -> bool:
-        """Whether what is found is proved."""
-        return PROVED in self.ours
+    def agrees(self) -> bool:
+        """Whether the paper is right."""
+        return self.outcome is Outcome.CONFIRMED
 
-
-class Seen(NamedTuple):
-    """What is found, as it is shown; whether the paper has it, and if not, nearly."""
-
-    ours: str
-    agrees: bool
-    nearly: bool = False
+    @property
+    def verdict(self) -> Verdict:
+        """What this says of the claim."""
+        proved, found = PROVED in self.ours, self.ours.replace(PROVED, "")
+        strength = Strength.PROVED if proved else Strength.NUMERICAL
+        if self.outcome is Outcome.UNCHECKABLE:
+            strength, found = Strength.NONE, f"here: {found}"
+        evidence = f"{self.reason}." if self.reason else ""
+        return Verdict(outcome=self.outcome, strength=strength, found=found, evidence=evidence)
 
 
 def compared(row: Mapping[str, Any], found: Mapping[str, Any]) -> Comparison:
-    """Return the comparison that a row of a table asks for: see `cap.audit.tables`."""
-    words, unstated = "ours" in row, row.get("unstated", False)
-    if words:
-        seen = Seen(row["ours"].format_map(found), _holds(row.get("holds", False), found))
+    """Return the comparison that a row of a table asks for: see `cap.audit.tables`.
+
+    A number that is another one is corrected, words that are not so are refuted; what the paper
+    says too roughly, or of a procedure that it does not give, is imprecise; where it does not say
+    what is to be computed (a start, seeds), nothing found here can agree or differ.
+    """
+    if "ours" in row:
+        ours = row["ours"].format_map(found)
+        seen = _if(_holds(row.get("holds", False), found), Outcome.REFUTED)
     else:
-        seen = value(row["paper"], _part(row["value"], found))
-    agrees = not unstated and (seen.agrees or (seen.nearly and row.get("cut", False)))
-    nearly = seen.nearly and not unstated
-    text = "note" if agrees else "why"
-    return Comparison(
-        row["what"],
-        row["paper"],
-        seen.ours,
-        agrees,
-        NOT_ROUNDED if nearly and not agrees else row.get(text, "").format_map(found),
-        words,
-        imprecise=row.get("rough", False) or nearly,
-        unstated=unstated,
-    )
+        ours, seen = value(row["paper"], _part(row["value"], found))
+    outcome = seen
+    if row.get("unstated"):
+        outcome = Outcome.UNCHECKABLE
+    elif row.get("cut") and outcome is Outcome.IMPRECISE:
+        outcome = Outcome.CONFIRMED
+    elif row.get("rough") and outcome is not Outcome.CONFIRMED:
+        outcome = Outcome.IMPRECISE
+    text = "note" if outcome is Outcome.CONFIRMED else "why"
+    reason = row.get(text, "").format_map(found)
+    if seen is outcome is Outcome.IMPRECISE:
+        reason = NOT_ROUNDED
+    return Comparison(row["what"], row["paper"], ours, outcome, reason)
 
 
 def _holds(condition: str | bool, found: Mapping[str, Any]) -> bool:
@@ -90,7 +85,8 @@ def _holds(condition: str | bool, found: Mapping[str, Any]) -> bool:
         return condition
     if (relation := _RELATION.fullmatch(condition)) is None:
         return bool(_part(condition, found))
-    return bool(_RELATIONS[relation[2]](_part(relation[1], found), _part(relation[3], found)))
+    left, right = _part(relation[1], found), _part(relation[3], found)
+    return bool(getattr(operator, _RELATIONS[relation[2]])(left, right))
 
 
 def _part(text: str, found: Mapping[str, Any]) -> Any:
@@ -104,73 +100,66 @@ def _part(text: str, found: Mapping[str, Any]) -> Any:
 def value(paper: str, ours: Any) -> Seen:
     """Compare what is printed with a count, a number, what is proved, or what runs give."""
     if isinstance(ours, int):
-        return Seen(str(ours), int(paper) == ours)
+        return str(ours), _if(int(paper) == ours)
     if isinstance(ours, float):
-        return number(paper, ours)
+        if not math.isfinite(ours):
+            return str(ours), Outcome.CORRECTED
+        return f"{ours:.{digits(paper) + MORE}f}", rounded(paper, ours, ours)
     if not isinstance(ours[0], str):
-        return among(paper, ours)
-    return enclosure(paper, ours) if paper.startswith("[") else proved(paper, ours)
+        return _among(paper, sorted(ours))
+    low, *_, high = sorted(map(Fraction, (*ours, ours[-1])))  # of one, it is both
+    printed = paper.strip("[]").split(", ")
+    shown = f"{Decimal(ours[0]):.{max(map(digits, printed)) + MORE}f}{PROVED}"
+    if paper.startswith("["):
+        return shown, _if(Fraction(printed[0]) <= low and high <= Fraction(printed[1]))
+    return shown, rounded(paper, low, high)
 
 
-def number(paper: str, ours: float) -> Seen:
-    """Compare a float with a printed decimal."""
-    printed, value = Decimal(paper), Decimal(float(ours))
-    return _rounded(printed, _shown(value, printed), [value])
-
-
-def proved(paper: str, ours: Sequence[str]) -> Seen:
-    """Compare a proved enclosure, (lower, upper) in decimals, with a printed decimal."""
-    printed, ends = Decimal(paper), [Decimal(end) for end in ours]
-    return _rounded(printed, _shown(ends[0], printed) + PROVED, ends)
-
-
-def enclosure(paper: str, ours: Sequence[str]) -> Seen:
-    """Compare a proved enclosure with a printed one: does that hold it?"""
-    low, high = map(Decimal, paper.strip("[]").split(", "))
-    ends = [Decimal(end) for end in ours]
-    shown = _shown(ends[0], max(low, high, key=_digits)) + PROVED
-    return Seen(shown, low <= min(ends) and max(ends) <= high)
-
-
-def among(paper: str, ours: Iterable[float]) -> Seen:
+def _among(paper: str, ours: Sequence[float]) -> Seen:
     """Compare a printed number with those of several runs that only chance tells apart."""
-    printed, values = Decimal(paper), sorted(Decimal(float(value)) for value in ours)
-    decimals = "." in paper
-    near, digits = (unit(printed), _digits(printed) + 1) if decimals else (Decimal(0), 0)
-    shown = f"{values[0]:.{digits}f} to {values[-1]:.{digits}f} in {len(values)} runs"
-    return Seen(shown, values[0] - near <= printed <= values[-1] + near)
+    near, places = (unit(paper), digits(paper) + 1) if "." in paper else (Fraction(0), 0)
+    shown = f"{ours[0]:.{places}f} to {ours[-1]:.{places}f} in {len(ours)} runs"
+    low, high = Fraction(ours[0]) - near, Fraction(ours[-1]) + near
+    return shown, _if(low <= Fraction(paper) <= high)
 
 
-def _rounded(printed: Decimal, shown: str, values: Iterable[Decimal]) -> Seen:
-    """Compare a printed number with one that is among these or between them."""
-    away = max(abs(value - printed) if value.is_finite() else Decimal("Inf") for value in values)
-    last = unit(printed)
-    return Seen(shown, away <= last / 2, nearly=last / 2 < away <= last)
+def _if(agrees: bool, otherwise: Outcome = Outcome.CORRECTED) -> Outcome:
+    return Outcome.CONFIRMED if agrees else otherwise
 
 
-def _digits(value: Decimal) -> int:
+def rounded(printed: str, lower: Fraction | float, upper: Fraction | float) -> Outcome:
+    """Return the verdict on a printed decimal for a number in [lower, upper].
+
+    It is this number, rounded to its last digit; farther away, but by no more than a unit of this
+    digit, it is imprecise.  Raises `NotProved` if that depends on where it is there.
+    """
+    low, high = Fraction(lower), Fraction(upper)
+    own, last = Fraction(printed), unit(printed)
+    least, most = max(low - own, own - high, Fraction(0)), max(high - own, own - low)
+    if most <= last / 2:
+        return Outcome.CONFIRMED
+    if last / 2 < least and most <= last:
+        return Outcome.IMPRECISE
+    if least > last:
+        return Outcome.CORRECTED
+    raise NotProved("number", f"whether {printed} is right is undecided", {"in": (low, high)})
+
+
+def digits(printed: str) -> int:
     """Return how many digits there are after the point."""
-    exponent = value.as_tuple().exponent
-    return -exponent if isinstance(exponent, int) else 0
+    return max(0, -int(Decimal(printed).as_tuple().exponent))
 
 
-def unit(printed: Decimal) -> Decimal:
+def unit(printed: str) -> Fraction:
     """Return one unit of the last digit."""
-    return Decimal(1).scaleb(-_digits(printed))
-
-
-def _shown(value: Decimal, printed: Decimal) -> str:
-    """Return a value with some digits more than are printed, no more than a double has."""
-    if not value.is_finite():
-        return str(value)
-    return f"{value:.{max(0, _digits(printed)) + MORE}f}"
+    return Fraction(1, 10 ** digits(printed))
 
 
 def markdown(rows: Iterable[Comparison]) -> list[str]:
     """Return a table."""
     lines = ["| what | paper | ours | agrees? | why not, or a remark |", "|---|---|---|---|---|"]
+    words = {Outcome.CONFIRMED: "yes", Outcome.UNCHECKABLE: "not said"}
     for row in rows:
-        agrees = "not said" if row.unstated else "yes" if row.agrees else "**no**"
-        cells = (row.what, row.paper, row.ours, agrees, row.reason)
+        cells = (row.what, row.paper, row.ours, words.get(row.outcome, "**no**"), row.reason)
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return lines

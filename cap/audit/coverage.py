@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 
 from cap.audit import labels, ledger, subject
-from cap.audit.labels import Place
 
 
 def taken() -> dict[str, list[str]]:
@@ -36,17 +35,14 @@ def wrong() -> Iterator[str]:
 
 def lines() -> list[str]:
     """Return one line for each place, and what is wrong."""
-    places, ids = labels.stored().places, taken()
-    some = sum(bool(ids[place.label]) for place in places)
+    places, ids, why = labels.stored().places, taken(), reasons()
+    shown = []
+    for place in places:
+        name = f"{place.kind} {place.number}".strip()
+        words = ", ".join(ids[place.label]) or f"none: {why.get(place.label, 'FORGOTTEN')}"
+        shown.append(f"{place.label:<28} {name:<20} {words}")
+    claims, some = len(ledger.claims()), sum(bool(ids[place.label]) for place in places)
     summary = (
-        f"{len(places)} places: {some} with {len(ledger.claims())} claims, {len(reasons())} with a "
-        "reason for none"
+        f"{len(places)} places: {some} with {claims} claims, {len(why)} with a reason for none"
     )
-    shown = [_line(place, ids[place.label]) for place in places]
     return [*shown, "", summary, *(f"WRONG: {each}" for each in wrong())]
-
-
-def _line(place: Place, ids: list[str]) -> str:
-    name = f"{place.kind} {place.number}".strip()
-    words = ", ".join(ids) or f"none: {reasons().get(place.label, 'FORGOTTEN')}"
-    return f"{place.label:<28} {name:<20} {words}"

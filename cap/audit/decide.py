@@ -6,7 +6,6 @@ from functools import partial
 
 from cap.audit import cache, ledger, subject
 from cap.audit.claim import Claim
-from cap.audit.dependencies import digest
 from cap.audit.means import stored
 from cap.audit.means.need import noted
 from cap.audit.means.written import exists
@@ -90,7 +89,5 @@ def _told(parts: list[Part], progress: Progress) -> Iterator[Part]:
 def _part(paper: str, fresh: bool, names: Part) -> dict[str, Verdict]:
     """Decide claims of a paper by their ids, which any process knows."""
     subject.choose(paper)
-    claims = [ledger.claims()[name] for name in names]
-    for each in claims:
-        digest(each.module)  # of the sources as they are now, not as they may be edited meanwhile
-    return {each.id: decided(each, fresh=fresh) for each in claims}
+    cache.sources()  # as they are now, not as they may be edited meanwhile
+    return {name: decided(ledger.claims()[name], fresh=fresh) for name in names}

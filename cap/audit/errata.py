@@ -11,9 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from cap.audit import subject
-from cap.audit.manuscript import Manuscript
+from cap.audit.manuscript import Manuscript, faults
 from cap.audit.subject import cached
-from cap.audit.syntax import faults
 from cap.errors import BadInput
 
 
@@ -21,9 +20,7 @@ from cap.errors import BadInput
 class Change:
     """What is in the text so many times, what takes its place, and the claims that say why.
 
-    ``formula``: pieces ``tex`` of what is new, each with what it ``is``, or ``steps`` that hold for
-    it, in the names of the steps of the first claim: see `cap.audit.steps`.  The claim is decided
-    only if they agree.
+    The first claim is decided only if each ``formula`` agrees with its steps.
     """
 
     claims: Sequence[str]
@@ -46,6 +43,12 @@ def changes() -> tuple[Change, ...]:
 def of(claim: str) -> list[Change]:
     """Return the changes that a claim asks for."""
     return [each for each in changes() if claim in each.claims]
+
+
+def formulas(claim: str) -> list[tuple[dict[str, str], str]]:
+    """Return the formulas of changes of which a claim is the first, each with the new text."""
+    own = [each for each in changes() if each.claims[0] == claim]
+    return [(formula, each.new) for each in own for formula in each.formula]
 
 
 def corrected(manuscript: Manuscript) -> tuple[Manuscript, list[Change]]:

@@ -1,21 +1,19 @@
-"""Words with numbers in them: ``{name}``, or ``{name:places}``, rounded so that they stay true.
+"""Words with numbers in them, ``{name}`` or ``{name:8}``, rounded so that they stay true.
 
-{x}      words, or an expression; {x.name} or {x.0} of what has parts
-{x:8}    a number, enclosed and rounded outwards to 8 places
-{x:<4}   a bound from below, {x:>4} from above
-{x:in6}  a range in which something holds, rounded inwards
-{x:,3}   an exact decimal, with commas between thousands
+``docs/own-paper.md`` says which roundings there are.
 """
 
 import re
 from collections.abc import Callable, Mapping
 from decimal import Decimal
 from fractions import Fraction
+from functools import reduce
+from numbers import Rational
 from types import MappingProxyType
 from typing import Any
 
-from cap.audit.means import algebra, balls
-from cap.audit.means.stored import claimed
+from cap.audit.means import algebra
+from cap.audit.means.stored import claimed, part
 from cap.checker.kernel.shapes import Enclosure
 from cap.errors import NotProved
 from cap.sets import interval
@@ -23,12 +21,44 @@ from cap.sets.interval import Ball
 
 Balls = Mapping[Any, Ball]
 _HOLE = re.compile(r"\{([A-Za-z][\w-]*(?:\.\w+)*)(?::(<|>|in|,|)(\d+))?\}")
-_ROUNDED: dict[str, Callable[[Enclosure, int], str]] = {
-    "": balls.pair,
-    "<": lambda each, places: balls.below(each.lower, places),
-    ">": lambda each, places: balls.above(each.upper, places),
-    "in": balls.inner,
-    ",": lambda each, places: f"{Decimal(balls.pair(each, places)):,}",
+
+
+def ends(value: Any) -> tuple[Fraction, Fraction]:
+    """Return the ends of what a certificate claims, of a ball, or of an exact number."""
+    if isinstance(value, Enclosure):
+        return value.lower, value.upper
+    return (Fraction(value),) * 2 if isinstance(value, Rational) else interval.ends(value)
+
+
+def below(q: Fraction, places: int) -> str:
+    """Return a number, rounded down."""
+    return interval.decimal(q * 10**places // 1 / Fraction(10**places), places)
+
+
+def above(q: Fraction, places: int) -> str:
+    """Return a number, rounded up."""
+    return interval.decimal(-(-q * 10**places // 1) / Fraction(10**places), places)
+
+
+def pair(value: Any, places: int) -> str:
+    """Return an enclosure in words: [lower, upper], rounded outwards, or a number."""
+    lower, upper = ends(value)
+    low, high = below(lower, places), above(upper, places)
+    return low if low == high else f"[{low}, {high}]"
+
+
+def inner(value: Any, places: int) -> str:
+    """Return a range in which something holds, in words, rounded inwards."""
+    lower, upper = ends(value)
+    return f"[{above(lower, places)}, {below(upper, places)}]"
+
+
+_ROUNDED: dict[str, Callable[[Any, int], str]] = {
+    "": pair,
+    "in": inner,
+    ",": lambda value, places: f"{Decimal(pair(value, places)):,}",
+    "<": lambda value, places: below(ends(value)[0], places),
+    ">": lambda value, places: above(ends(value)[1], places),
 }
 
 
@@ -45,14 +75,12 @@ def filled(text: str, words: Mapping[str, object], balls: Balls = MappingProxyTy
 
 
 def _value(name: str, words: Mapping[str, object]) -> object:
-    if (value := words[name] if name in words else claimed(name)) is not None:
-        return value
-    first, *path = name.split(".")
-    if first not in words:
+    value = words[name] if name in words else claimed(name)
+    if value is None:
+        first, *path = name.split(".")
+        value = reduce(part, path, words.get(first))
+    if value is None:
         raise NotProved("audit", f"there are no words for {name!r}")
-    value = words[first]
-    for each in path:
-        value = value[int(each)] if isinstance(value, list) else getattr(value, each)
     return value
 
 
@@ -60,14 +88,7 @@ def _shown(value: Any, way: str, places: str | None, known: Balls) -> str:
     if places is None:
         words = value if isinstance(value, list) else [value]
         return ", ".join(algebra.shown(w) if hasattr(w, "free_symbols") else str(w) for w in words)
-    if isinstance(value, Enclosure):
-        return _ROUNDED[way](value, int(places))
-    if getattr(value, "is_Rational", False):
-        ends = (Fraction(int(value.p), int(value.q)),) * 2
-    elif isinstance(value, Fraction):
-        ends = (value, value)
-    else:
-        with balls.precisely():
-            ball = value if isinstance(value, Ball) else algebra.enclosure(value, known)
-            ends = interval.ends(ball)
-    return _ROUNDED[way](Enclosure(*ends, ("", "")), int(places))
+    if not isinstance(value, Enclosure | Ball | Rational):
+        with algebra.precisely():
+            value = algebra.enclosure(value, known)
+    return _ROUNDED[way](value, int(places))

@@ -1,55 +1,47 @@
-"""The findings: what claims that are not confirmed have in common, with all of their places."""
+"""What the claims come to: findings, and what became of the statements of the paper.
 
-from collections.abc import Mapping
+Their words were written for the verdicts that are recorded.
+"""
+
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 
-from cap.audit import subject
+from cap.audit import labels, subject
+from cap.audit.labels import Place
 from cap.audit.subject import cached
 from cap.audit.verdict import Outcome, Verdict
 
+CHANGED = "stands when changed"
+_STATUS = {  # others have the name of the verdict
+    Outcome.CONFIRMED: "stands",
+    Outcome.IMPRECISE: CHANGED,
+    Outcome.CORRECTED: CHANGED,
+    Outcome.REFUTED: "falls",
+}
 
-class Severity(StrEnum):
-    """What a finding is about."""
 
-    THEOREM = "theorem"  # a statement falls, or has to be changed
-    PROOF = "proof"  # a step, or a formula that others use
-    NUMBER = "number"  # numbers and figures
-    WORDING = "wording"
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Finding:
     """What is wrong, or right after all, and what the author has to change.
 
-    ``claims``: the core first; a name ending in ``*`` stands for those of a group that no other
-    finding names.  ``verdict`` is the one on the core for which the words were written.
+    It is about a ``theorem`` (a statement falls, or has to be changed), a ``proof`` (a step, or a
+    formula that others use), a ``number`` or figure, or ``wording``: its severity.  ``claims``: the
+    core first; a name ending in ``*`` stands for those of a group that no other finding names.
+    ``verdict`` is the one on the core for which the words were written.
     """
 
     title: str
-    severity: Severity
-    verdict: Outcome
-    claims: tuple[str, ...]
+    severity: str
+    verdict: str
+    claims: Sequence[str]
     says: str
     change: str
-
-    def words(self, verdict: Verdict) -> str:
-        """Return what it says, if it was written for the verdict that its core has."""
-        if self.verdict is verdict.outcome:
-            return self.says
-        return "(The verdict has changed; its consequence has to be written anew.)"
-
-
-_READ = {"severity": Severity, "verdict": Outcome, "claims": tuple}
 
 
 @cached
 def findings() -> tuple[Finding, ...]:
     """Return all findings, those that matter most first."""
-    entries = subject.data("findings.toml")["finding"]
-    return tuple(
-        Finding(**{**each, **{k: read(each[k]) for k, read in _READ.items()}}) for each in entries
-    )
+    return tuple(Finding(**each) for each in subject.data("findings.toml")["finding"])
 
 
 def members(verdicts: Mapping[str, Verdict]) -> dict[Finding, list[str]]:
@@ -62,3 +54,39 @@ def members(verdicts: Mapping[str, Verdict]) -> dict[Finding, list[str]]:
         for each in findings()
         for core in each.claims[:1]
     }
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement of the paper, and what may be cited instead of it.
+
+    The first of the claims ``decided_by`` is its core; the others are what it says besides.
+    """
+
+    label: str
+    decided_by: Sequence[str]
+    instead: str
+
+    @property
+    def place(self) -> Place:
+        """Where it stands."""
+        return labels.stored().place(self.label)
+
+    @property
+    def name(self) -> str:
+        """Its kind, number and title."""
+        title = f" ({self.place.title})" if self.place.title else ""
+        return f"{self.place.name}{title}"
+
+    def status(self, verdicts: dict[str, Verdict]) -> str:
+        """Return what became of it: the first claim decides; what stands may need a change."""
+        first, *others = (verdicts[name].outcome for name in self.decided_by)
+        if first is Outcome.CONFIRMED and any(each is not Outcome.CONFIRMED for each in others):
+            return CHANGED
+        return _STATUS.get(first, str(first))
+
+
+@cached
+def statements() -> tuple[Statement, ...]:
+    """Return the statements of the paper, in its order."""
+    return tuple(Statement(**each) for each in subject.data("statements.toml").get("statement", []))

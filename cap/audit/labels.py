@@ -17,16 +17,12 @@ from cap.audit import subject
 from cap.audit.manuscript import Manuscript
 from cap.audit.subject import cached
 
-_STATEMENTS = (
-    *("theorem", "lemma", "proposition", "corollary", "definition", "remark", "conjecture"),
-)
+_STATEMENTS = "theorem", "lemma", "proposition", "corollary", "definition", "remark", "conjecture"
 # What has a number: its kind, its counter, and its number by those of the section and of itself.
 _NUMBERED = {
     **{name: (name, "statement", "{0}.{1}") for name in _STATEMENTS},
-    "equation": ("equation", "equation", "({0}.{1})"),
-    "align": ("equation", "equation", "({0}.{1})"),
-    "figure": ("figure", "figure", "{1}"),
-    "table": ("table", "table", "{1}"),
+    **dict.fromkeys(("equation", "align"), ("equation", "equation", "({0}.{1})")),
+    **{name: (name, name, "{1}") for name in ("figure", "table")},
     "enumerate": ("item", "item", "{1}"),
     "section": ("section", "section", "{0}"),
     "subsection": ("subsection", "subsection", "{0}.{1}"),
@@ -47,14 +43,13 @@ _PICTURES = re.compile(r"\\includegraphics(?:\[[^]]*\])?\{\s*\}")
 
 @dataclass(frozen=True)
 class Place:
-    """A place: its label, its kind, number and section as printed, its title, its line."""
+    """A place: its label, its kind, number and section as printed, its title."""
 
     label: str
     kind: str
     number: str
     section: str
     title: str
-    line: int
 
     @property
     def name(self) -> str:
@@ -66,7 +61,7 @@ class Place:
 class Paper:
     """The places of the paper in its order, and a digest of the file they were read from.
 
-    ``lines``: those of the quotations, by the claims.  Counted in the file are the works that
+    ``lines``: where quotations begin, by the claims.  Counted in the file are the works that
     are cited, the entries or files of a bibliography, and the pictures without a file.  ``bound``
     is a digest of the quotations and the erratum that were found to fit the file.
     """
@@ -83,7 +78,7 @@ class Paper:
 
     def place(self, label: str) -> Place:
         """Return the place with this label; `KeyError` if there is none."""
-        return {place.label: place for place in self.places}[label]
+        return {each.label: each for each in self.places}[label]
 
 
 def read(path: Path) -> Paper:
@@ -112,27 +107,30 @@ class _Reader:
         self.heading = "", ""  # to which a label belongs that follows it, and its title
 
     def places(self, text: str) -> Iterator[Place]:
-        for token in _TOKEN.finditer(text):
-            line = text.count("\n", 0, token.start()) + 1
-            if token["section"]:
-                self.begin(token["section"])
-                self.heading = token["section"], token["name"]
-            elif token["appendix"]:
-                self.appendix, self.count["section"] = True, 0
-            elif token["begin"] == "abstract":
-                yield Place("abstract", "abstract", "", "0", "Abstract", line)
-            elif token["begin"] and token["begin"] != "document":
-                self.begin(token["begin"])
-                self.open.append((token["begin"], token["title"] or "", False))
-            elif token["item"]:
-                self.count["item"] += 1
-            elif token["label"]:
-                yield replace(self.labelled(), label=token["label"], line=line)
-            elif token["end"] not in ("abstract", "document") and self.open:
-                name, title, labelled = self.open.pop()
-                if name in _STATEMENTS and not labelled:
-                    place = self.place(name, title)
-                    yield replace(place, label=f"{name} {place.number}", line=line)
+        return filter(None, map(self.read, _TOKEN.finditer(text)))
+
+    def read(self, token: re.Match[str]) -> Place | None:
+        """Read what comes next; return the place that it makes, if it does."""
+        if token["section"]:
+            self.begin(token["section"])
+            self.heading = token["section"], token["name"]
+        elif token["appendix"]:
+            self.appendix, self.count["section"] = True, 0
+        elif token["begin"] == "abstract":
+            return Place("abstract", "abstract", "", "0", "Abstract")
+        elif token["begin"] and token["begin"] != "document":
+            self.begin(token["begin"])
+            self.open.append((token["begin"], token["title"] or "", False))
+        elif token["item"]:
+            self.count["item"] += 1
+        elif token["label"]:
+            return replace(self.labelled(), label=token["label"])
+        elif token["end"] not in ("abstract", "document") and self.open:
+            name, title, labelled = self.open.pop()
+            if name in _STATEMENTS and not labelled:
+                place = self.place(name, title)
+                return replace(place, label=f"{name} {place.number}")
+        return None
 
     def begin(self, name: str) -> None:
         """Count what begins; inside of it, others are counted from 0."""
@@ -158,16 +156,14 @@ class _Reader:
         number = self.count["section"]
         section = chr(ord("A") + number - 1) if self.appendix else str(number)
         printed = printed.format(section, self.count[counter])
-        return Place("", kind, printed, section, _plain(title), 0)
+        return Place("", kind, printed, section, _plain(title))
 
 
 def _plain(title: str) -> str:
-    """Return a title without the commands of TeX."""
-    without = re.sub(r"\\(?:Om|Omega)_\{\\rm (\w+)\}", r"Ω_\1", title)
-    for command, letter in (("Phi", "Φ"), ("PP", "Φ'"), ("Sigma", "Σ")):
-        without = re.sub(rf"\\{command}\b", letter, without)
-    without = without.replace('\\"o', "ö")
-    return re.sub(r"\s+", " ", re.sub(r"\\\w+|[{}$]", "", without)).strip()
+    """Return a title without the commands of TeX, but for those for which the paper has words."""
+    for command, words in subject.paper().get("titles", {}).items():
+        title = title.replace(command, words)
+    return " ".join(re.sub(r"\\\w+|[{}$]", "", title).split())
 
 
 def dumps(paper: Paper) -> str:

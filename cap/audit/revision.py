@@ -7,14 +7,14 @@ is gone from another version says that the claim has to be looked at again.
 import hashlib
 import json
 import re
-from dataclasses import dataclass, replace
-from decimal import Decimal
+from dataclasses import replace
 from enum import StrEnum
+from fractions import Fraction
 from pathlib import Path
 
 from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Kind
-from cap.audit.comparison import unit
+from cap.audit.comparison import rounded
 from cap.audit.manuscript import Manuscript
 from cap.audit.verdict import Outcome
 from cap.errors import BadInput
@@ -34,33 +34,27 @@ class State(StrEnum):
     GONE = "gone"
 
 
-@dataclass(frozen=True)
-class Sentence:
-    """The state of a claim's sentence, and what is seen."""
+def sentence(name: str, manuscript: Manuscript) -> tuple[State, str]:
+    """Return the state of the sentence of a claim, and what is seen of it.
 
-    claim: str
-    state: State
-    seen: str = ""
-
-
-def sentence(name: str, manuscript: Manuscript) -> Sentence:
-    """Return the state of the sentence of a claim; what is recorded says what number is right."""
+    What is recorded says what number is right.
+    """
     piece, wanted = ledger.quotes()[name], errata.of(name)
     done = [each.made(manuscript) for each in wanted]
     if wanted and all(done):
-        return Sentence(name, State.CORRECTED, "as the erratum has it")
+        return State.CORRECTED, "as the erratum has it"
     if manuscript.count(piece):
-        return Sentence(name, State.STANDS, "" if not any(done) else "corrected elsewhere only")
+        return State.STANDS, "corrected elsewhere only" if any(done) else ""
     if any(done):
-        return Sentence(name, State.CHANGED, "corrected in some places, not in all")
+        return State.CHANGED, "corrected in some places, not in all"
     if others := _others(piece, manuscript):
-        return Sentence(name, State.CORRECTED, f"the erratum has it, for {', '.join(others)}")
+        return State.CORRECTED, f"the erratum has it, for {', '.join(others)}"
     if not (numbers := _numbers(piece, manuscript)):
-        return Sentence(name, State.GONE, " ".join(piece.split()))
+        return State.GONE, " ".join(piece.split())
     found = recorded.recorded()[name].found
     right = all(agrees(each, found) for each in numbers)
     state = State.CORRECTED if right else State.CHANGED
-    return Sentence(name, state, f"now {', '.join(numbers)}; found: {found}")
+    return state, f"now {', '.join(numbers)}; found: {found}"
 
 
 def _others(piece: str, manuscript: Manuscript) -> list[str]:
@@ -92,21 +86,20 @@ def _numbers(piece: str, manuscript: Manuscript) -> list[str]:
     found = list(re.finditer(pattern, manuscript.text))
     if len(found) != 1:
         return []
-    old = [Decimal(each) for each in _NUMBER.findall(piece)]
-    return [new for was, new in zip(old, found[0].groups(), strict=True) if Decimal(new) != was]
+    both = zip(_NUMBER.findall(piece), found[0].groups(), strict=True)
+    return [new for old, new in both if Fraction(new) != Fraction(old)]
 
 
 def agrees(number: str, found: str) -> bool:
     """Return whether a printed number is one of those found, rounded to its last digit."""
-    printed = Decimal(number)
-    numbers = map(Decimal, _NUMBER.findall(found))
-    return any(abs(each - printed) <= unit(printed) / 2 for each in numbers)
+    numbers = map(Fraction, _NUMBER.findall(found))
+    return any(rounded(number, each, each) is Outcome.CONFIRMED for each in numbers)
 
 
 def compared(path: Path) -> list[str]:
     """Return how the places of a TeX file differ from those that are stored."""
     own, new = labels.stored(), labels.read(path)
-    before, now = ({p.label: replace(p, line=0) for p in paper.places} for paper in (own, new))
+    before, now = ({place.label: place for place in paper.places} for paper in (own, new))
     lines = [f"gone: {label}" for label in before.keys() - now]
     lines += [f"new: {label}" for label in now.keys() - before]
     changed = [label for label in before.keys() & now if before[label] != now[label]]
@@ -118,17 +111,17 @@ def compared(path: Path) -> list[str]:
 
 def told(manuscript: Manuscript) -> list[str]:
     """Return, in lines, which sentences are others now, and how many wrong ones are left."""
-    all_ = [sentence(name, manuscript) for name in ledger.quotes()]
-    others = [each for each in all_ if each.state is not State.STANDS or each.seen]
     known, claims = recorded.recorded(), ledger.claims()
-    wrong = [each for each in all_ if known[each.claim].outcome in WRONG]
-    left = [claims[each.claim].kind for each in wrong if each.state is State.STANDS]
-    stand = sum(each.state is State.STANDS for each in all_)
+    found = {name: sentence(name, manuscript) for name in claims}
+    stand = {name for name, (state, _) in found.items() if state is State.STANDS}
+    others = {name: each for name, each in found.items() if name not in stand or each[1]}
+    wrong = [name for name in claims if known[name].outcome in WRONG]
+    left = [claims[name].kind for name in wrong if name in stand]
     return [
-        *sorted(f"{each.state}: {each.claim}: {each.seen}" for each in others),
-        f"{stand} of {len(all_)} sentences are in this file as they were. Of {len(wrong)} that the "
-        f"audit corrects or refutes {len(left)} are left, {sum(kind in PRINTED for kind in left)} "
-        "of them formulas and numbers",
+        *sorted(f"{state}: {name}: {seen}" for name, (state, seen) in others.items()),
+        f"{len(stand)} of {len(found)} sentences are in this file as they were. Of {len(wrong)} "
+        f"that the audit corrects or refutes {len(left)} are left, "
+        f"{sum(kind in PRINTED for kind in left)} of them formulas and numbers",
     ]
 
 

@@ -1,24 +1,12 @@
 """Steps that are data: lines of algebra, each a definition, or what has to hold.
 
-    positive = "F f omega"               symbols: positive numbers, real ones, integers, or any
-    real = "t"
-    steps = '''
     rate = diff(F*cos(omega*t), t)       a name for an expression of sympy
     rate.subs(t, 0) == 0                 an identity, confirmed by sympy
-    2*f != f                             certain at an exact point, in balls
     pi/2 > 1                             a sign: of a number in balls, else by those of the symbols
     elliptic.twist > 0                   what elliptic.json claims, once the checker has accepted it
-    elliptic.hit_forcing > 0             each entry of a list, or of a table
-    "turn left" in segment.itinerary     an entry of a list
-    elliptic.box.x.lower < paper.r       an end of an enclosure; a parameter of the paper
-    elliptic.at == paper                 it is about the paper's parameters
-    labels.cited > 0                     of the places of the text: `cap.audit.labels.Paper`
     late = follow("0.1", "0.5", 2)       what a function finds of a module that the claim ``uses``
-    late.state[0] < 1                    balls, by what is claimed or found, are numbers in them
-    '''
 
-A function is called with exact numbers, balls, expressions and words.  What follows ``#`` says, for
-people, what is shown, or what would be the case if it were not.
+``docs/own-paper.md`` has all of them.
 """
 
 import re
@@ -27,13 +15,15 @@ from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from importlib import import_module
 from inspect import isroutine
+from numbers import Rational
 from types import SimpleNamespace
 from typing import Any
 
-from cap.audit import labels, tex
-from cap.audit.means import algebra, balls
+from cap.audit import errata, labels, tex
+from cap.audit.comparison import rounded
+from cap.audit.means import algebra
 from cap.audit.means.lazy import sympy as sp
-from cap.audit.means.need import need
+from cap.audit.means.need import made, need
 from cap.audit.means.stored import THE_PAPER, claimed
 from cap.audit.verdict import Outcome
 from cap.checker.kernel.shapes import Enclosure
@@ -58,16 +48,18 @@ _CLAIMED = re.compile(r"(?<![\w.])[a-z_]+(?:-\d+)?(?:\.\w+)+")
 class Steps:
     """The names that steps have defined, and the balls of the numbers that are enclosed.
 
-    Steps may call the functions of some modules, too.
+    Steps are those of some data, one after the other; they may call the functions of modules.
     """
 
-    def __init__(self, used: Iterable[str] = ()) -> None:
+    def __init__(self, *given: Given, used: Iterable[str] = ()) -> None:
         self.names: dict[str, Any] = {"paper": THE_PAPER, "labels": labels.stored()}
         self.balls: dict[Any, Ball] = {}
         for module in used:
             for name, each in vars(import_module(module)).items():
                 if getattr(each, "__module__", "") == module and isroutine(each):
                     self.names[name] = self._called(each)
+        for data in given:
+            self.make(data)
 
     def make(self, given: Given) -> None:
         """Declare the symbols, and make the steps; `NotProved` if one of them fails."""
@@ -102,7 +94,7 @@ class Steps:
         """Return a function for expressions."""
 
         def call(*given: Any, **named: Any) -> Any:
-            with balls.precisely():
+            with algebra.precisely():
                 options = {name: self._given(each) for name, each in named.items()}
                 return self._exact(function(*map(self._given, given), **options))
 
@@ -115,15 +107,15 @@ class Steps:
         """
         if isinstance(value, list | tuple):
             return tuple(map(self._given, value))
-        if getattr(value, "is_Rational", False):
-            return Fraction(int(value.p), int(value.q))
+        if isinstance(value, Rational):
+            return Fraction(value)
         number = isinstance(value, sp.Expr) and value.free_symbols <= self.balls.keys()
         return self.enclosed(value) if number else value
 
     def _exact(self, value: Any) -> Any:
         """Return what is claimed or found for an expression: for a ball a symbol, which has it."""
         if isinstance(value, Enclosure):
-            with balls.precisely():
+            with algebra.precisely():
                 return self._exact(interval.hull(*map(interval.ball, value[:2])))
         if isinstance(value, Ball):
             symbol = sp.Dummy(str(value), real=True)
@@ -164,6 +156,11 @@ class Steps:
             return bool(self.enclosed(value) > 0)
         return bool(sp.factor(sp.simplify(value)).is_positive)
 
+    def as_in_the_erratum(self, claim: str) -> None:
+        """Compare the formulas of the changes that a claim asks for with what was derived."""
+        for formula, text in errata.formulas(claim):
+            self.agrees(formula, text)
+
     def agrees(self, formula: Given, text: str) -> None:
         """Raise `NotProved` unless a formula of a text is what it should be.
 
@@ -179,33 +176,23 @@ class Steps:
             return
         derived = self._read(formula["is"])
         if _DECIMAL.fullmatch(formula["tex"]):
-            same = balls.compared(formula["tex"], self.enclosed(derived)) is Outcome.CONFIRMED
+            same = self.rounded(formula["tex"], derived) is Outcome.CONFIRMED
         else:
             same = bool(printed == derived) or algebra.same(printed, derived)
         need(same, f"the erratum has another formula: {printed} for {derived}")
 
+    def rounded(self, printed: str, value: Any) -> Outcome:
+        """Return the verdict on a printed decimal."""
+        made()
+        return rounded(printed, *interval.ends(self.enclosed(value)))
+
     def enclosed(self, value: Any) -> Ball:
         """Return an enclosure of a number."""
-        with balls.precisely():
+        with algebra.precisely():
             return algebra.enclosure(value, self.balls)
 
 
-def made(*given: Given, used: Iterable[str] = ()) -> Steps:
-    """Make the steps of some data, one after the other; they may call functions of modules."""
-    steps = Steps(used)
-    for each in given:
-        steps.make(each)
-    return steps
-
-
-def _formula(steps: Steps, _stated: str) -> Outcome:
-    """Compare the formula that is ``derived`` with the one that is ``printed``."""
-    return algebra.compared(steps.names["derived"], steps.names["printed"])
-
-
-def _number(steps: Steps, stated: str) -> Outcome:
-    """Compare the decimal that is stated with the ``value``."""
-    return balls.compared(stated, steps.enclosed(steps.names["value"]))
-
-
-RULES: dict[str, Callable[[Steps, str], Outcome]] = {"formula": _formula, "number": _number}
+RULES: dict[str, Callable[[Steps, str], Outcome]] = {  # of what is defined, and what is stated
+    "formula": lambda done, _: algebra.compared(done.names["derived"], done.names["printed"]),
+    "number": lambda done, stated: done.rounded(stated, done.names["value"]),
+}

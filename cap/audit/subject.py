@@ -1,12 +1,7 @@
 """The paper that is audited: a folder of `cap.audit.papers`, chosen by its name.
 
-Its files: ``labels.json``, the places; ``claims/``, the claims, and the functions that decide those
-that need some; ``means/``, what these functions and the steps of claims use; ``findings.toml``,
-``errata.toml`` and ``statements.toml``; ``recorded.json``, the verdicts; ``parameters.json``, those
-of its system, if it has one; ``tables/``, whose rows are claims, too; and ``paper.toml``: the
-tables, if there are some, and what finds their numbers, the groups of claims in their order, why
-some places have none, and which rows are decided elsewhere.
-Nothing outside of the folder knows what the paper says.
+Its files are described in ``docs/own-paper.md``.  Nothing outside of the folder knows what the
+paper says.
 """
 
 import json
@@ -71,9 +66,13 @@ def module(name: str) -> str:
 
 def data(name: str) -> dict[str, Any]:
     """Return what one of its files says, in TOML or JSON; nothing if it is not there."""
-    path = file(name)
-    read = tomllib.loads if path.suffix == ".toml" else json.loads
-    return read(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    return read(file(name)) if file(name).is_file() else {}
+
+
+def read(path: Path) -> dict[str, Any]:
+    """Return what a file says, in TOML or JSON."""
+    loads = tomllib.loads if path.suffix == ".toml" else json.loads
+    return loads(path.read_text(encoding="utf-8"))
 
 
 def store(name: str, text: str) -> None:

@@ -1,27 +1,6 @@
 """Tables as claims: files ``tables/NAME.toml`` of a paper, each row a claim that is decided singly.
 
-label = "fig:of-the-table"
-module = "package.module"          # whose functions find what rows ask for
-                                   # (title, data, draw, size: of its picture)
-[[row]]
-what = "cells of 3600"
-paper = "814"                      # what the paper states
-by = "counted"                     # a function of the module; it returns what it finds, by names
-module = "package.other"           # if it is a function of another module
-with = { side = 60 }               # what it is given
-steps = "low = 1/2"                # in the place of a function: see `cap.audit.steps`
-value = "cells"                    # what it finds under this name is compared: `comparison.value`
-ours = "from {low:.2f} on"         # or words, which are those of the paper if this ``holds``:
-holds = "low > 0.5"                # a name, or a relation; parts are called ``x[0]``, ``x[name]``
-why = "if not, that is why: {low}"
-note = "if so, a remark"
-where = "eq:place"                 # if that is not the table's label
-rough = true                       # if they differ, the paper is imprecise rather than wrong
-unstated = true                    # what would have to be computed is not said
-cut = true                         # dots follow the number: it need not be rounded
-
-``paper.toml`` lists the ``tables``, and names the module ``finds`` whose function of this name
-calls the functions.  Those must not depend on what was called before.
+``docs/own-paper.md`` has the form.  What a row asks for is found by a function, or by steps.
 """
 
 import json
@@ -31,13 +10,13 @@ from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
-from cap.audit import errata, given, steps, subject
+from cap.audit import errata, subject
 from cap.audit.claim import Claim, Kind, content
-from cap.audit.comparison import PROVED, Comparison, compared
+from cap.audit.comparison import Comparison, compared
 from cap.audit.filled import filled
-from cap.audit.steps import Given
+from cap.audit.steps import Given, Steps
 from cap.audit.subject import cached
-from cap.audit.verdict import Outcome, Strength, Verdict
+from cap.audit.verdict import Verdict
 from cap.errors import NotProved
 from cap.sets import interval
 
@@ -69,17 +48,15 @@ def claims() -> tuple[Claim, ...]:
 def _claim(table: Given, row: Given, quotes: Mapping[str, str]) -> Claim:
     label, what = table["label"], row["what"]
     name = f"{group(label)}.{_slug(what)}"
-    module = steps.__name__ if "steps" in row else row.get("module", table["module"])
     return Claim(
         id=name,
         where=row.get("where", label),
         kind=Kind.WORDS if "ours" in row else Kind.NUMBER,
         says=f"{what[0].upper()}{what[1:]}.",
         stated=row["paper"],
-        decide=partial(_decided, name, module, row),
+        decide=partial(_decided, name, row.get("module", table["module"]), row),
         quote=quotes.get(name, ""),
-        module=module,
-        content=content(row, [each.formula for each in errata.of(name)]),
+        content=content(row, errata.formulas(name)),
         table=label,
     )
 
@@ -103,7 +80,7 @@ def comparisons(label: str, find: Find) -> tuple[Comparison, ...]:
 
 def _by_steps(row: Given) -> Comparison:
     """Compare what the steps of a row define: words, or a number, which is enclosed."""
-    done, found = steps.made(row), {}
+    done, found = Steps(row), {}
     if name := row.get("value"):
         found = {name: interval.outward(done.enclosed(done.names[name]), PLACES)}
     words = {key: filled(row[key], done.names, done.balls) for key in WORDS if key in row}
@@ -119,13 +96,13 @@ def stated(what: str, label: str) -> str:
 
 
 def _decided(name: str, module: str, row: Given) -> Verdict:
-    given.as_in_the_erratum(name, steps.Steps())
+    Steps().as_in_the_erratum(name)
     if "steps" in row:
-        return verdict(_by_steps(row))
+        return _by_steps(row).verdict
     found = _found(module, row["by"], json.dumps(row.get("with", {})))
     if isinstance(found, str):
         raise NotProved("audit", found)
-    return verdict(compared(row, found))
+    return compared(row, found).verdict
 
 
 @cache
@@ -137,23 +114,3 @@ def _found(module: str, function: str, options: str) -> Found | str:
     except Exception as failure:  # noqa: BLE001 (what cannot be computed is no crash)
         return f"{module}.{function}: {type(failure).__name__}: {failure}"
     return found
-
-
-def verdict(row: Comparison) -> Verdict:
-    """Return what a comparison says of the paper.
-
-    A number that is another one is corrected, words that are not so are refuted; what the paper
-    says too roughly, or of a procedure that it does not give, is imprecise; where it does not say
-    what is to be computed, nothing is decided.
-    """
-    outcome = Outcome.REFUTED if row.words else Outcome.CORRECTED
-    strength = Strength.PROVED if row.rigorous else Strength.NUMERICAL
-    found = row.ours.replace(PROVED, "")
-    if row.unstated:
-        outcome, strength, found = Outcome.UNCHECKABLE, Strength.NONE, f"here: {found}"
-    elif row.agrees:
-        outcome = Outcome.CONFIRMED
-    elif row.imprecise:
-        outcome = Outcome.IMPRECISE
-    evidence = f"{row.reason}." if row.reason else ""
-    return Verdict(outcome=outcome, strength=strength, found=found, evidence=evidence)

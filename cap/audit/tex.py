@@ -8,38 +8,54 @@ with ±, are lists.
 
 import re
 from collections.abc import Mapping
+from tokenize import TokenError
 from typing import Any
 
+from cap.audit.means.lazy import parser
 from cap.audit.means.lazy import sympy as sp
 from cap.errors import NotProved
 
-_WHOLE = r"\\mathrm\{sech\}|_\{\\rm [a-z]+\}|\\dot +[a-z]"
-_TOKEN = re.compile(_WHOLE + r"|\\[A-Za-z]+|\d+(?:\.\d+)?|[A-Za-z]|[-+/^_{}()|*,]")
-_SKIP = re.compile(r"\\[,;! ]|\\(?:bigl|bigr|left|right|cdot|phantom\{-\})(?![A-Za-z])|[\s&]")
-_FUNCTIONS = {
-    **{f"\\{name}": name for name in ("sin", "cos", "sinh", "cosh")},
-    "\\arccos": "acos",
-    "\\arcsin": "asin",
-    "\\arctan": "atan",
-    "\\sgn": "sign",
-    "\\mathrm{sech}": "sech",
-    "\\sqrt": "sqrt",
-}
-_FRACTIONS = "\\frac", "\\dfrac", "\\tfrac"
-_BRACKETS = {"(": ")", "{": "}", "|": "|"}
-_DROPPED = "*", "-", "n"
+_SKIP = re.compile(r"\\[,;! ]|\\(?:bigl|bigr|left|right|cdot|phantom\{-\})(?![A-Za-z])|&")
+_NAME = re.compile(
+    r"(?:\\dot +(?P<dotted>[a-z])|\\(?P<long>[A-Za-z]+)|(?P<one>[A-Za-z]))"
+    r"(?:_\{\\rm (?P<word>[a-z]+)\}|_(?P<below>[A-Za-z\d*-]))?"
+)
+_SPELLED = {"lambda": "lam", "sgn": "sign", "dfrac": "frac", "tfrac": "frac", "arccos": "acos"}
+_SPELLED |= {"arcsin": "asin", "arctan": "atan"}
+_FUNCTIONS = "sin", "cos", "sinh", "cosh", "acos", "asin", "atan", "sign", "sech", "sqrt", "Abs"
+_FUNCTION = rf"\b(?:{'|'.join(_FUNCTIONS)})\b"
+_POWER = r"(?: ?\*\*(?:\w+| \( [^()]*\)))?"
+_AS_PYTHON = (  # one after the other
+    (r"\|([^|]*)\|", r" Abs (\1) "),
+    (r"\bfrac\s+(\d)(\d)(?!\d)", r"(\1/\2)"),
+    (r"\}\s*\{", ","),  # between the groups of a fraction
+    (r"\{", "("),
+    (r"\}", ")"),
+    (r"\^", "**"),
+    (r"([()])", r" \1 "),
+    (r"\s+", " "),
+    (rf"({_FUNCTION}) (\w+{_POWER}(?: (?!{_FUNCTION})[A-Za-z]\w*{_POWER})*)", r"\1 ( \2 )"),
+    (rf"({_FUNCTION}|\bfrac) \(", r"\1("),
+    (r"(?<=[\w)]) (?=[\w(])", "*"),
+)
 
 
 def expression(text: str, names: Mapping[str, Any]) -> Any:
     """Return the expression that a formula means; `NotProved` if it is not understood."""
-    reader = _Reader(text, names)
-    values = [reader.sum()]
-    while reader.next() == ",":
-        reader.take()
-        values.append(reader.sum())
-    if reader.tokens:
-        raise NotProved("tex", f"this is not understood: {' '.join(reader.tokens)}")
-    return values[0] if len(values) == 1 else values
+    code = _NAME.sub(_name, _SKIP.sub(" ", text.replace(r"\mathrm{sech}", r"\sech")))
+    if not re.fullmatch(r"(?:[\w\s(){}|^,/+-]|\d\.\d)*", code):
+        raise NotProved("tex", f"this is not understood: {text}")
+    for pattern, new in _AS_PYTHON:
+        code = re.sub(pattern, new, code)
+    known = {"pi": sp.pi, "e": sp.E, "frac": lambda above, below: above / below}
+    known |= {name: getattr(sp, name) for name in _FUNCTIONS}
+    exact = {"__builtins__": {}, "Integer": sp.Integer, "Rational": sp.Rational}
+    reading = parser.auto_number, parser.rationalize
+    try:
+        value = parser.parse_expr(code.strip(), {**known, **names}, reading, exact)
+    except (SyntaxError, NameError, TypeError, ValueError, TokenError) as error:
+        raise NotProved("tex", f"this is not understood: {text} ({error})") from None
+    return list(value) if isinstance(value, tuple) else value
 
 
 def meaning(text: str, names: Mapping[str, Any]) -> Any:
@@ -52,100 +68,8 @@ def meaning(text: str, names: Mapping[str, Any]) -> Any:
     return expression(parts[0] if len(parts) == 1 else ",".join(parts), names)
 
 
-class _Reader:
-    def __init__(self, text: str, names: Mapping[str, Any]) -> None:
-        left = _SKIP.sub(" ", text)
-        if unknown := _TOKEN.sub("", left).split():
-            raise NotProved("tex", f"this is not understood: {' '.join(unknown)}")
-        self.tokens: list[str] = _TOKEN.findall(left)
-        self.names, self.bars = {"pi": sp.pi, "e": sp.E, **names}, 0
-
-    def next(self) -> str:
-        return self.tokens[0] if self.tokens else ""
-
-    def take(self, *wanted: str) -> str:
-        """Take the next token, which must be one of those wanted, if any are named."""
-        if not self.tokens or (wanted and self.tokens[0] not in wanted):
-            raise NotProved("tex", f"here is no {' or '.join(wanted) or 'term'}: {self.tokens}")
-        return self.tokens.pop(0)
-
-    def sum(self) -> Any:
-        value = self.product()
-        while self.next() in ("+", "-"):
-            value = value + self.product() if self.take() == "+" else value - self.product()
-        return value
-
-    def product(self) -> Any:
-        if self.next() in ("+", "-"):
-            return -self.product() if self.take() == "-" else self.product()
-        value = self.power()
-        while self.next() not in ("", "+", "-", ")", "}", ",") and not (
-            self.bars and self.next() == "|"
-        ):
-            if self.next() == "/":
-                self.take()
-                value = value / self.power()
-            else:
-                value = value * self.power()
-        return value
-
-    def power(self) -> Any:
-        base = self.base()
-        if self.next() != "^":
-            return base
-        self.take()
-        return base ** (self.group() if self.next() == "{" else self.base())
-
-    def group(self, opening: str = "{", closing: str = "}") -> Any:
-        self.take(opening)
-        value = self.sum()
-        self.take(closing)
-        return value
-
-    def base(self) -> Any:
-        sign = self.take()
-        if sign in _BRACKETS:
-            self.tokens.insert(0, sign)
-            return self.bracket(sign)
-        if sign in _FRACTIONS:
-            return self.fraction()
-        if sign in _FUNCTIONS:
-            return getattr(sp, _FUNCTIONS[sign])(self.argument())
-        if sign[0].isdigit():
-            return sp.Rational(sign)
-        if sign.startswith("\\dot "):
-            return self.name(f"{sign[-1]}dot")
-        return self.name(sign.removeprefix("\\"))
-
-    def fraction(self) -> Any:
-        r"""Read what follows \frac: two groups, or two digits."""
-        if self.next() == "{":
-            return self.group() / self.group()
-        digits = self.take()
-        return sp.Rational(int(digits[:1]), int(digits[1:]))
-
-    def bracket(self, opening: str) -> Any:
-        self.bars += opening == "|"
-        value = self.group(opening, _BRACKETS[opening])
-        self.bars -= opening == "|"
-        return sp.Abs(value) if opening == "|" else value
-
-    def argument(self) -> Any:
-        if self.next() in _BRACKETS:
-            return self.bracket(self.next())
-        value = self.power()
-        while self.next().removeprefix("\\").isalpha() and self.next() not in _FUNCTIONS:
-            value = value * self.power()
-        return value
-
-    def name(self, name: str) -> Any:
-        if self.next() == "_":
-            self.take()
-            below = self.take()
-            name += "" if below in _DROPPED else below
-        elif self.next().startswith("_{"):
-            name += f"_{self.take()[6:-1]}"
-        name = "lam" if name == "lambda" else name
-        if name not in self.names:
-            raise NotProved("tex", f"{name} has no meaning here")
-        return self.names[name]
+def _name(found: re.Match[str]) -> str:
+    """Return a name as Python has it, between blanks."""
+    name = found["long"] or found["one"] or f"{found['dotted']}dot"
+    below = f"_{found['word']}" if found["word"] else (found["below"] or "").strip("*-n")
+    return f" {_SPELLED.get(name, name)}{below} "

@@ -87,7 +87,7 @@ def _certificate(name: str, theorem: type[Theorem]) -> Json:
             "claims": schema({field.name: field.shape for field in theorem.CLAIMS}),
             "hints": schema({field.name: field.shape for field in theorem.HINTS}),
             "cites": _ref("cites"),
-            "provenance": {"type": "object"},
+            "provenance": {"type": "object", "additionalProperties": {"type": "string"}},
         }
     )
 
@@ -226,12 +226,13 @@ def tabled(table: Table, kind: str) -> Iterator[str]:
 
 def cited(theorem: type[Theorem]) -> Iterator[str]:
     """Give the lines of the citations of a theorem."""
-    for cite in theorem.CITES:
+    cites = theorem.CITES or theorem.cited(theorem.PARTS)
+    for cite in cites:
         yield f"- `{cite['theorem']}` | `{cite['reference']}`"
         for hypothesis in cite["hypotheses"]:
             by = ", ".join(hypothesis["by"])
             yield f"  - `{hypothesis['name']}` | `{hypothesis['statement']}` | {by}"
-    if not theorem.CITES:
+    if not cites:
         yield "Nothing: the list is empty."
 
 

@@ -42,6 +42,4 @@ def example():
         calls.append(1)
         return said("confirmed", "yes", f"decided {len(calls)} times")
 
-    module = "cap.audit.papers.mixed_dynamics.claims.strobe"
-    one = Claim("strobe.example", "def:Phi", Kind.THEOREM, "An example.", "", decide, "", module)
-    return one, calls
+    return Claim("strobe.example", "def:Phi", Kind.THEOREM, "An example.", "", decide), calls

@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 from audit_verdicts import said
 
-from cap.audit import cache, dependencies
+from cap import tree
+from cap.audit import cache
 from cap.audit.decide import decided
 from cap.audit.means import stored
 from cap.audit.verdict import Outcome, Strength
@@ -26,7 +27,7 @@ def test_another_source_decides_anew(example, monkeypatch):
     """The digest of what decides the claim is part of the entry's name."""
     one, calls = example
     decided(one)
-    monkeypatch.setattr(cache, "digest", lambda _module: "another source")
+    monkeypatch.setattr(cache, "sources", lambda: "another source")
     decided(one)
     assert len(calls) == 2
 
@@ -91,53 +92,18 @@ def test_the_folder(monkeypatch, tmp_path):
     assert cache.folder() == tmp_path / "cap" / "audit"
 
 
-@pytest.mark.slow
-def test_dependencies_are_followed():
-    """Modules that are imported inside of functions, and by imported modules; not the libraries."""
-    found = dependencies.closure("cap.audit.papers.mixed_dynamics.claims.gallery")
-    assert {"cap.audit.means.stored", "cap.sets.interval", "cap.errors"} <= found
-    assert "cap.floats.engine.swarm" in found
-    assert "sympy" not in found
-    assert "cap.audit.papers.mixed_dynamics.claims.existence" not in found
-
-
-@pytest.mark.slow
-def test_modules_that_are_loaded_by_name_count():
-    """With the checker all of its theorems, with a proof all others."""
-    found = dependencies.closure("cap.audit.papers.mixed_dynamics.means.one_one")
-    assert {"cap.checker.theorems.capture", "cap.proofs.elliptic", "cap.proofs.theorems"} <= found
-
-
-@pytest.mark.slow
-def test_what_some_modules_import_counts():
-    """Those of a claim whose steps call functions of several."""
-    means = "cap.audit.papers.mixed_dynamics.means"
-    one, two = f"{means}.resonances", f"{means}.printed"
-    digests = {dependencies.digest(each) for each in (one, two, f"{one} {two}")}
-    assert len(digests) == 3
-
-
-def forget():
-    """Forget what is known of the sources."""
-    for each in vars(dependencies).values():
-        if hasattr(each, "cache_clear"):
-            each.cache_clear()
-
-
-@pytest.mark.parametrize("name", ["b.py", "b.json"])
-def test_a_digest_depends_on_every_source(monkeypatch, tmp_path, name):
-    """One letter in a module that is imported changes it, or in the data beside it."""
-    (tmp_path / "cap").mkdir()
-    (tmp_path / "cap" / "a.py").write_text("from cap import b\n")
-    (tmp_path / "cap" / "b.py").write_text("x = 1\n")
-    monkeypatch.setattr(dependencies, "ROOT", tmp_path)
+@pytest.mark.parametrize("name", ["cap/b.py", "cap/a/b.json", "proofs/b.py"])
+def test_the_digest_depends_on_every_source(monkeypatch, tmp_path, name):
+    """One letter in a module changes it, or in the data beside it; what is recorded does not."""
+    monkeypatch.setattr(tree, "ROOT", tmp_path / "cap")
+    file = tmp_path / name
+    file.parent.mkdir(parents=True)
     digests = []
-    for text in ("x = 1\n", "x = 2\n"):
-        (tmp_path / "cap" / name).write_text(text)
-        forget()
-        digests.append(dependencies.digest("cap.a"))
-    forget()
-    assert digests[0] != digests[1]
+    for text, recorded in (("x = 1", ""), ("x = 1", "{}"), ("x = 2", "{}")):
+        file.write_text(text)
+        file.with_name("recorded.json").write_text(recorded)
+        digests.append(cache.sources.__wrapped__())
+    assert digests[0] == digests[1] != digests[2]
 
 
 def test_verdicts_survive_the_way_to_the_cache_and_back(example):

@@ -79,7 +79,6 @@ def test_a_claim_that_cannot_be_decided(run, monkeypatch):
     def fail():
         raise ArithmeticError("broken")
 
-    fail.__module__ = claim.module
     monkeypatch.setitem(ledger.claims(), ONE, replace(claim, decide=fail))
     status, out, err = run("--only", ONE, "--fresh")
     assert status == 1

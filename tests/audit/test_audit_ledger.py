@@ -6,7 +6,7 @@ import pytest
 
 from cap.audit import coverage, errata, findings, labels, ledger, recorded, revision
 from cap.audit.claim import Kind
-from cap.audit.statements import statements
+from cap.audit.findings import statements
 from cap.audit.verdict import Outcome
 from cap.errors import BadInput
 
@@ -114,6 +114,7 @@ def test_findings_were_written_for_the_recorded_verdicts():
     known = recorded.recorded()
     all_ = findings.findings()
     assert [known[each.claims[0]].outcome for each in all_] == [each.verdict for each in all_]
+    assert {each.severity for each in all_} == {"theorem", "proof", "number", "wording"}
 
 
 def test_claims_are_chosen():

@@ -5,8 +5,9 @@ from fractions import Fraction
 import pytest
 from support import holds
 
+from cap.audit.comparison import rounded
+from cap.audit.filled import above, below, inner, pair
 from cap.audit.means import stored
-from cap.audit.means.balls import above, below, between, compared, inner, pair
 from cap.audit.means.need import noted
 from cap.audit.papers.mixed_dynamics.means import equation
 from cap.audit.papers.mixed_dynamics.means.melnikov import over_the_line
@@ -32,11 +33,12 @@ THIRDS = Enclosure(Fraction(1, 3), Fraction(2, 3), ("1/3", "2/3"))
 def test_numbers_of_the_paper():
     """Rounded, less than a unit of the last digit away, or not; a wide ball decides nothing."""
     with interval.workprec(60):
-        assert compared("3.14", interval.pi()) is Outcome.CONFIRMED
-        assert compared("3.15", interval.pi()) is Outcome.IMPRECISE
-        assert compared("3.16", interval.pi()) is Outcome.CORRECTED
-        with pytest.raises(NotProved, match="undecided"):
-            compared("3.16", interval.around(Fraction(315, 100), Fraction(1, 10)))
+        ends = interval.ends(interval.pi())
+    assert rounded("3.14", *ends) is Outcome.CONFIRMED
+    assert rounded("3.15", *ends) is Outcome.IMPRECISE
+    assert rounded("3.16", *ends) is Outcome.CORRECTED
+    with pytest.raises(NotProved, match="undecided"):
+        rounded("3.16", Fraction(305, 100), Fraction(325, 100))
 
 
 def test_roundings():
@@ -45,7 +47,7 @@ def test_roundings():
     assert inner(THIRDS, 2) == "[0.34, 0.66]"
     assert (below(THIRDS.lower, 1), above(THIRDS.upper, 1)) == ("0.3", "0.7")
     with interval.workprec(60):
-        assert between(interval.ball(Fraction(1, 4)), 2) == "0.25"
+        assert pair(interval.ball(Fraction(1, 4)), 2) == "0.25"
 
 
 def test_all_roots_are_found():

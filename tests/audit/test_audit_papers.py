@@ -50,7 +50,6 @@ def test_the_ledger_of_the_tables(tables):
 def test_claims_that_are_data_are_decided(tables, name):
     """As recorded: a wrong label, a right one, a row that crosses the table."""
     claim = ledger.claims()[name]
-    assert claim.module == deciding.__name__
     assert recorded.changes({name: decided(claim, fresh=True)}, whole=False) == []
 
 

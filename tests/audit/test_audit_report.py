@@ -10,11 +10,11 @@ from audit_verdicts import said
 
 from cap.audit import ledger, recorded
 from cap.audit.claim import Claim, Kind
+from cap.audit.findings import Statement
 from cap.audit.means.written import anchor, sections
 from cap.audit.report import latex
 from cap.audit.report.formats import FORMATS, WIDTH, escaped, written
 from cap.audit.report.view import Report
-from cap.audit.statements import Statement
 from cap.audit.verdict import Outcome
 
 ROOT = Path(__file__).resolve().parents[2]

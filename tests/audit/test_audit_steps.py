@@ -68,7 +68,7 @@ FAIL = [
 
 def made(lines):
     """Make steps with f > 0 and a real t."""
-    return steps.made({"positive": "f", "real": "t", "steps": lines}, used=[LINEAR])
+    return steps.Steps({"positive": "f", "real": "t", "steps": lines}, used=[LINEAR])
 
 
 @pytest.mark.slow
@@ -94,7 +94,7 @@ def test_what_is_no_step():
 
 def test_names_are_defined_in_order():
     """A later step uses what an earlier one defined; a common part comes first."""
-    done = steps.made({"positive": "a", "steps": "b = 2*a"}, {"steps": "c = b + a\nc == 3*a"})
+    done = steps.Steps({"positive": "a", "steps": "b = 2*a"}, {"steps": "c = b + a\nc == 3*a"})
     assert str(done.names["c"]) == "3*a"
 
 
@@ -114,13 +114,13 @@ labels.cited > 0
 def test_functions_that_are_used():
     """They are given exact numbers and balls; what they find has parts, which are numbers again."""
     used = [f"{MEANS}.{name}" for name in ("resonances", "equation", "orbits")]
-    done = steps.made({"steps": CALLED}, used=used)
+    done = steps.Steps({"steps": CALLED}, used=used)
     shown = filled("{late.words}: {late.times.0:2}, {theta.0:2}", done.names, done.balls)
     assert shown == "hit r, hit l: [1.09, 1.10], [0.96, 0.97]"
     assert "Fraction" not in done.names
     for wrong in ("kept(4, 1/5) == []", "late.state[0] < 0", "theta[0] > theta[1]"):
         with pytest.raises(NotProved):
-            steps.made({"steps": f"{CALLED}\n{wrong}"}, used=used)
+            steps.Steps({"steps": f"{CALLED}\n{wrong}"}, used=used)
 
 
 @pytest.mark.parametrize(
@@ -137,7 +137,7 @@ def test_functions_that_are_used():
 def test_words_are_filled(text, words):
     """Names, numbers rounded outwards, certificates; other braces stay."""
     lines = "b = 2*a", "third = Rational(1, 3)", "many = Rational(12347, 10)"
-    names = steps.made({"positive": "a", "steps": "\n".join(lines)}).names
+    names = steps.Steps({"positive": "a", "steps": "\n".join(lines)}).names
     assert filled(text, {**names, "x": "one"}) == words
 
 
@@ -200,9 +200,9 @@ def test_claims_on_stops_rest_on_the_equation():
     wrong = {**common, "steps": common["steps"].replace("force - f*s", "force + f*s")}
     assert wrong != common
     for each in claims:
-        steps.made(common, each)
+        steps.Steps(common, each)
         with pytest.raises(NotProved):
-            steps.made(wrong, each)
+            steps.Steps(wrong, each)
 
 
 @pytest.mark.parametrize(
@@ -214,9 +214,9 @@ def test_claims_on_the_lift_rest_on_the_wave(old, new):
     wrong = {**common, "steps": common["steps"].replace(old, new)}
     assert wrong != common
     for name in ("lift-is-unique", "signs-at-a-crossing", "walls-of-the-cover"):
-        steps.made(common, claims[name], used=[LINEAR])
+        steps.Steps(common, claims[name], used=[LINEAR])
         with pytest.raises(NotProved):
-            steps.made(wrong, claims[name], used=[LINEAR])
+            steps.Steps(wrong, claims[name], used=[LINEAR])
 
 
 @pytest.mark.parametrize(
@@ -234,10 +234,10 @@ def test_claims_on_the_lift_rest_on_the_wave(old, new):
 def test_other_data_decide_nothing(group, name, old, new):
     """The equation turned around, another constant or period, another value of f."""
     common, claims = data_of(group)
-    steps.made(common, claims[name])
+    steps.Steps(common, claims[name])
     assert old in claims[name]["steps"]
     with pytest.raises(NotProved):
-        steps.made(common, claims[name], {"steps": claims[name]["steps"].replace(old, new)})
+        steps.Steps(common, claims[name], {"steps": claims[name]["steps"].replace(old, new)})
 
 
 @pytest.mark.parametrize(
@@ -280,7 +280,7 @@ def test_what_is_found_elsewhere_decides_nothing(name, old, new):
     used = [subject.module(f"means.{each}") for each in claim.get("uses", "").split()]
     assert old in claim["steps"]
     with pytest.raises(NotProved):
-        steps.made(common, claim | {"steps": claim["steps"].replace(old, new)}, used=used)
+        steps.Steps(common, claim | {"steps": claim["steps"].replace(old, new)}, used=used)
 
 
 def test_another_orbit_does_not_persist(monkeypatch):

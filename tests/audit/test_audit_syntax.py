@@ -5,7 +5,7 @@ import re
 import pytest
 
 from cap.audit import errata, labels
-from cap.audit.syntax import faults
+from cap.audit.manuscript import faults
 from cap.errors import BadInput
 
 RIGHT = r"""\begin{proof}

@@ -126,7 +126,6 @@ def test_rows_become_claims(table):
     assert (words.found, words.evidence) == ("no", "for no.")
     assert [each.where for each in tables.claims()] == [LABEL, "eq:sali-def", *[LABEL] * 4]
     assert tables.claims()[0].id == "fig-sali.a-value"
-    assert tables.claims()[0].module == "own_finders"
 
 
 def test_a_row_is_decided_singly(table):
@@ -261,7 +260,7 @@ def test_rows_have_known_entries(label):
 )
 def test_rows_that_steps_decide(row, ours, outcome):
     """A number is enclosed, words are filled; what they find is proved."""
-    found = tables.verdict(tables._by_steps({"what": "x", "paper": "0.637", **row}))
+    found = tables._by_steps({"what": "x", "paper": "0.637", **row}).verdict
     assert (found.found, found.outcome, found.strength) == (ours, outcome, Strength.PROVED)
     assert found.evidence == ("0.4." if "why" in row else "")
 

@@ -110,7 +110,7 @@ def test_each_formula_of_the_erratum_is_compared(change, formula):
     """It agrees with the steps of its claim; another factor, or number, does not."""
     common, entry = data_of(change.claims[0])
     used = [subject.module(f"means.{each}") for each in entry.get("uses", "").split()]
-    made = steps.made(common, entry, used=used)
+    made = steps.Steps(common, entry, used=used)
     made.agrees(formula, change.new)
     refused = 0
     for other in others(formula["tex"]):

@@ -18,7 +18,7 @@ CHANGES = pytest.mark.parametrize("change", errata.changes(), ids=lambda each: e
 
 def state(name, text):
     """Return what became of a claim's sentence in a text."""
-    return revision.sentence(name, Manuscript(text)).state
+    return revision.sentence(name, Manuscript(text))[0]
 
 
 def test_pieces_are_found_however_lines_are_broken():

@@ -90,7 +90,8 @@ def test_orbits_at_a_wall_when_masses_are_released(cells):
     def delay(x, windows):
         M = proof.phi(windows).mechanics([x], [x], 2)
         first, *later = M.minima[1]
-        start = M.flight(1, first, M.variables[0], M.constant(x.integer(0)), later, at_rest=True)
+        start = M.flight(1, first, M.variables[0], M.constant(x.integer(0)))
+        start = start._replace(minima=later, at_rest=True)
         return float(proof.phi(windows).follow(M, start)[0][0].moment.t.value.lower) - release
 
     delays = [

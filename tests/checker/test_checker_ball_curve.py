@@ -76,11 +76,11 @@ LIES = {
     "a start on the curve": ("claims", "rise", "speed", "38/5", "not start below"),
     "a start at rest": ("claims", "rise", "speed", "0", "not positive"),
     "fewer impacts": ("claims", "rise", "impacts", "3", "at the end may be lower"),
-    "no rise": ("claims", "rise", "to", "4", "not claimed to rise"),
+    "no rise": ("claims", "rise", "to", CLAIMS["rise"]["speed"], "not claimed to rise"),
     "from another phase": ("claims", "fall", "phase", "3", "at the end may be higher"),
     "from the curve": ("claims", "fall", "speed", "38/5", "not start above"),
     "in fewer": ("claims", "fall", "impacts", "3", "at the end may be higher"),
-    "no fall": ("claims", "fall", "to", "1000", "not claimed to fall"),
+    "no fall": ("claims", "fall", "to", CLAIMS["fall"]["speed"], "not claimed to fall"),
 }
 
 

@@ -156,6 +156,8 @@ def test_cells_that_swap_places():
         ((*FLY, "field", "v"), [["-11/10"]], "not -h'' times a positive number"),
         ((*LEAVE, "value"), [["-1"], ["6/5", "sin"]], "not -h'' times a positive number"),
         ((*LEAVE, "value"), [["1"], ["-6/5", "sin"], ["1", "y"]], "not -h'' times"),
+        ((*LEAVE, "value"), [["-1/100"], ["3/250", "sin"]], "not -h'' times a positive number"),
+        ((*LEAVE, "value"), [["1", "sin", "sin"]], "not -h'' times a positive number"),
         (("parameters", "omega"), "101/100", "is not -e times|not stay 0"),
     ],
 )
@@ -174,6 +176,16 @@ def test_another_guard():
     """A second guard of the mode may be met."""
     ceiling = {"value": [["10"], ["-1", "y"]], "reset": {}, "to": ["fly"]}
     rejected(altered(*FLY, "guards", "ceiling", value=ceiling), "the mode has other guards")
+
+
+def test_a_third_variable():
+    """Shares of its range would be none of an area."""
+    given = json.loads(encode(GOOD))
+    given["parameters"]["state"].append("z")
+    for mode in given["parameters"]["modes"].values():
+        mode["field"]["z"] = []
+    given["claims"]["box"]["z"] = ["0", "1"]
+    rejected(given, "the state has not two variables")
 
 
 def test_a_guard_of_rest_may_be_a_multiple():

@@ -87,7 +87,7 @@ def test_the_phase(phase, far):
 def test_a_twist_that_may_vanish(monkeypatch):
     """An enclosure that is as narrow as its digits, but has 0 in it, is not enough."""
     tiny = Interval.enclosing(Fraction(-1, 10**15), Fraction(1, 10**15), 176)
-    monkeypatch.setattr(contact_elliptic, "twists", lambda _: [tiny])
+    monkeypatch.setattr(contact_elliptic.normal_form, "twists", lambda _: [tiny])
     near = [f"{sign}0.00000000001" for sign in ("-", "")]
     rejected(changed(SPRING, "claims", "twist", near), "twist does not exclude 0")
 

@@ -96,7 +96,7 @@ def flight(x, v, t, e, mu):
                 yield from (q.value, q.slope(0), q.slope(1))
             yield M.least_speed(start, when)
             yield from (q.value for q in M.parameters.values())
-            later = M.flight(-s, when, place, speed, M.minima[-s])
+            later = M.flight(-s, when, place, speed)
             for q in later.arc[:2]:
                 yield from (q.value, q.slope(1))
             yield from (m for minimum in M.minima[s] for m in (q.value for q in minimum))

@@ -35,9 +35,7 @@ def towards_a_stop(f, before, x=Fraction(0), s=-1):
     start = stop - 0.4
     v = s * 0.4 * float(f) - (math.sin(stop) - math.sin(start))
     moment = M.moment(M.constant(M.number(Fraction(start))))
-    flight = M.flight(
-        s, moment, M.constant(M.number(x)), M.constant(M.number(Fraction(v))), M.minima[s]
-    )
+    flight = M.flight(s, moment, M.constant(M.number(x)), M.constant(M.number(Fraction(v))))
     return M, flight, (Fraction(stop) - Fraction(1, 100), Fraction(stop) + Fraction(1, 100))
 
 

@@ -87,7 +87,7 @@ def test_a_verdict_loads_one_theorem_and_what_it_needs(theorem, tmp_path):
     """
     known = sorted((*STORED.glob("*.json"), *OWN.glob("*.json")))
     path = next(p for p in known if p.stem.split("-")[0] == theorem)
-    lie = changed(json.loads(path.read_text("utf-8")), "provenance", "nothing")
+    lie = changed(json.loads(path.read_text("utf-8")), "parameters", "nothing")
     path = tmp_path / path.name
     path.write_text(json.dumps(lie))
     modules = loaded(f"from cap import verify; verify.main([{str(path)!r}])")

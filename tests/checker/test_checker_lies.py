@@ -46,8 +46,5 @@ def test_a_twist_near_zero():
         f, *start = (mp.nstr(q, 30) for q in (orbit.alpha, *orbit.start))
     certificate = forge(parameters=PARAMETERS | {"f": f}, orbit=start, digits=6)
     rejected(certificate, "twist does not exclude 0")
-    for name in ("twist", "twist_action"):
-        touching = changed(certificate, "claims", name, ["-0.0000001", "0"])
-        rejected(touching, "twist does not exclude 0")
-    apart = changed(certificate, "claims", "twist", ["-0.0000001", "-0.0000000000001"])
-    rejected(apart, "twist_action does not exclude 0")
+    touching = changed(certificate, "claims", "twist", ["-0.0000001", "0"])
+    rejected(touching, "twist does not exclude 0")

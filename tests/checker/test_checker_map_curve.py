@@ -12,6 +12,7 @@ from cap.checker.kernel.certificate import read
 from cap.checker.kernel.fourier import Circle, Function
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.map_curve import MapCurve
+from cap.checker.tori import values
 from cap.checker.tori.values import extent
 from cap.checker.verdict import words
 from cap.command.outcome import seconds
@@ -98,6 +99,18 @@ def test_extent():
     low, high = extent(between)  # 2 sin(256 theta), 0 at all places
     assert low < -2
     assert high > 2
+
+
+def test_no_place_is_left_out(monkeypatch):
+    """Of 16 places: a peak, or a pit, at one of them, all but 0 at the others."""
+    monkeypatch.setattr(values, "PLACES", 16)
+    circle = Circle(7, Fraction(1, 10), 30)
+    for place in range(16):
+        turns = [(-1) ** place * np.exp(-2j * np.pi * k * place / 16) / 16 for k in range(8)]
+        parts = [(round(z.real * 10**30), round(z.imag * 10**30)) for z in turns]
+        parts[0] = parts[0][0], 0
+        low, high = extent(Function(circle, parts, 0))
+        assert max(high, -low) > 15 / 16  # what is added between two places is less than 0.7
 
 
 def image(first, second):

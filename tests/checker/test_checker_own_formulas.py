@@ -126,7 +126,8 @@ def test_flights_without_losses(monkeypatch, s):
     M = mechanics.Mechanics.__new__(mechanics.Mechanics)
     M.f, M.swing, M.sway = (Scalar(q) for q in (f, sympy.Rational(F / w), sympy.Rational(F / w**2)))
     start, end = (mechanics.Moment(Scalar(q), *both(sympy.Rational(w) * q)) for q in (t, T))
-    flight = M.flight(s, start, *map(Scalar, state.values()), [])
+    M.minima = {s: []}
+    flight = M.flight(s, start, *map(Scalar, state.values()))
     model = oscillator(omega=w, F=F, f=variable("f"), mu=Fraction(0))
     x, v = (from_the_model(model, z, state, (t, T), SYMBOLS, MODES[s]) for z in "xv")
     assert same(M.place(flight, end), x)

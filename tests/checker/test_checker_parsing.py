@@ -95,45 +95,50 @@ def test_small_integers_out_of_bounds_reject(literal):
 @pytest.mark.parametrize(
     ("data", "why"),
     [
-        (b"", "not JSON"),
-        (b"\x00\x01\x02\xff\xfe", "UTF-8"),
-        (b"\xff" * 100, "UTF-8"),
+        (b"", "not JSON in UTF-8"),
+        (b"\x00\x01\x02\xff\xfe", "can't decode"),
+        (b"\xff" * 100, "can't decode"),
         (b"\xef\xbb\xbf{}", "not JSON"),
         (b"{", "not JSON"),
         (b"{} {}", "not JSON"),
-        (b"[" * MAX_BYTES, "nested"),
-        (b'{"a":' * 100000, "nested"),
+        (b"[" * MAX_BYTES, "recursion"),
+        (b'{"a":' * 100000, "recursion"),
         (b" " * (MAX_BYTES + 1), "larger"),
         (b'{"a":"1","a":"1"}', "repeats"),
         (b'{"a":{"b":"1","b":"2"}}', "repeats"),
-        (b"1", "JSON number"),
-        (b"[1.5]", "JSON number"),
-        (b"[NaN]", "JSON number"),
-        (b"[-Infinity]", "JSON number"),
-        (b"[1e400]", "JSON number"),
-        (b"[" + b"9" * 5000 + b"]", "JSON number"),
-        (b"[true]", "not a string"),
-        (b'{"a":[{"b":null}]}', "not a string"),
         (b"{'a': 'b'}", "not JSON"),
         (b'["\x01"]', "not JSON"),
     ],
 )
 def test_files_that_are_no_certificates(data, why):
-    """Binary, truncated, repeated, deep and non-string JSON, each with its reason."""
+    """Binary, truncated, repeated and deep JSON, each with its reason."""
     with pytest.raises(Rejected, match=why):
         parsed(data)
 
 
 @pytest.mark.parametrize(("before", "after"), [("[", "]"), ('{"a": ', "}")])
-def test_nesting_is_limited_to_sixteen(before, after):
-    """A string inside 16 lists or objects is read; inside 17, and as far as JSON goes, rejects."""
-    for depth, fine in ((16, True), (17, False), (500, False), (100000, False)):
-        data = (before * depth + '"x"' + after * depth).encode()
-        if fine:
-            assert parsed(data)
-        else:
-            with pytest.raises(Rejected, match="nested too deeply"):
-                parsed(data)
+def test_what_is_nested_where_a_string_is_expected(good, before, after):
+    """Rejected at any depth, in claims and in what else is not read, as far as JSON goes."""
+    for path in (("claims", "trace"), ("cites",), ("provenance", "cap")):
+        bad = copy.deepcopy(good)
+        at(bad, path[:-1])[path[-1]] = "HERE"
+        for depth in (1, 17, 500, 100000):
+            deep = before * depth + '"x"' + after * depth
+            with pytest.raises(Rejected):
+                read(encode(bad).replace(b'"HERE"', deep.encode()))
+
+
+@pytest.mark.parametrize(
+    "junk", ["1", "-1.5", "NaN", "-Infinity", "1e400", "9" * 5000, "true", "false", "null", "[]"]
+)
+def test_no_leaf_is_anything_but_a_string(good, junk):
+    """JSON's own numbers of any size, true, false and null, anywhere, also in the provenance."""
+    leaves = [p for p in paths(good) if isinstance(at(good, p), str)]
+    for path in leaves:
+        bad = copy.deepcopy(good)
+        at(bad, path[:-1])[path[-1]] = "HERE"
+        with pytest.raises(Rejected, match=r"not a string|is none of|own list"):
+            read(encode(bad).replace(b'"HERE"', junk.encode()))
 
 
 @pytest.mark.parametrize("data", [b"[]", b'"text"', b"{}", b'[{"a": "b"}]'])
@@ -205,7 +210,7 @@ def test_every_leaf_is_checked(good, junk):
 BROKEN = {
     "format": (("format",), "cap-certificate/2", "format"),
     "theorem": (("theorem",), "hyperbolic", "theorem"),
-    "theorem unhashable": (("theorem",), ["elliptic"], "string"),
+    "theorem unhashable": (("theorem",), ["elliptic"], "theorem is none of"),
     "digits small": (("digits",), "5", "digits"),
     "digits large": (("digits",), "1001", "digits"),
     "bits small": (("hints", "bits"), "63", "bits is not between"),
@@ -217,7 +222,8 @@ BROKEN = {
     "many hits": (("hints", "hit_times"), [["1", "2"]] * 65, "1 to 64"),
     "hits are no list": (("hints", "hit_times"), {}, "1 to 64"),
     "hints are no object": (("hints",), [], "hints"),
-    "radius zero": (("hints", "radius"), "0", "radius"),
+    "radius zero": (("hints", "radius"), "0", "interior of its box"),
+    "radius negative": (("hints", "radius"), "-1/1000", "ends of an interval are not in order"),
     "omega zero": (("parameters", "omega"), "0", "omega"),
     "omega negative": (("parameters", "omega"), "-1", "omega"),
     "friction negative": (("parameters", "f"), "-1/5", "f < F"),

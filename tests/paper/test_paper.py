@@ -9,8 +9,8 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from cap.audit import dependencies
-from cap.audit.comparison import NOT_ROUNDED, Comparison, compared, markdown, number, proved
+from cap.audit.comparison import NOT_ROUNDED, Comparison, compared, markdown, value
+from cap.audit.verdict import Outcome
 from cap.errors import BadInput, NotProved
 from cap.explore import paper as command
 from cap.explore.arrays import load
@@ -139,25 +139,27 @@ def row(found, **entries):
 
 def test_a_number_agrees_if_it_is_rounded():
     """What is cut off is imprecise, unless the paper has dots; others do not agree."""
-    assert number("0.207", 0.20666).agrees
+    assert value("0.207", 0.20666)[1] is Outcome.CONFIRMED
     off = row(103.3055, paper="103.30")
-    assert (off.agrees, off.imprecise, off.reason) == (False, True, NOT_ROUNDED)
+    assert (off.agrees, off.outcome, off.reason) == (False, Outcome.IMPRECISE, NOT_ROUNDED)
     assert row(103.3055, paper="103.30", cut=True).agrees
     assert not row(103.3055, paper="103.20", cut=True).agrees
-    assert proved("3.14", ["3.1415", "3.1416"]).agrees
-    assert proved("3.15", ["3.1415", "3.1416"]).nearly
-    assert not number("0.467", 0.465904).agrees
-    assert not number("0.467", math.nan).agrees
+    assert value("3.14", ["3.1415", "3.1416"])[1] is Outcome.CONFIRMED
+    assert value("3.15", ["3.1415", "3.1416"])[1] is Outcome.IMPRECISE
+    assert value("0.467", 0.465904)[1] is Outcome.CORRECTED
+    assert value("0.467", math.nan)[1] is Outcome.CORRECTED
     assert row(0.1134, paper="-0.42", why="sign of {x}").reason == "sign of 0.1134"
     assert row(0.5, paper="0.5", why="why", note="a remark").reason == "a remark"
-    assert number("0.5", 0.5).ours == "0.5000"
-    assert number("14.4", 14.3774).ours == "14.3774"
+    assert value("0.5", 0.5)[0] == "0.5000"
+    assert value("14.4", 14.3774)[0] == "14.3774"
 
 
 def test_proved_numbers_and_enclosures():
-    """Both ends of what is proved must agree, or lie inside."""
-    assert proved("0.287", ["0.28695", "0.28696"]).ours == "0.286950 (proved)"
-    assert not proved("0.287", ["0.28695", "0.2896"]).agrees
+    """Both ends of what is proved must say the same, or lie inside."""
+    assert value("0.287", ["0.28695", "0.28696"])[0] == "0.286950 (proved)"
+    assert value("0.287", ["0.2895", "0.2896"])[1] is Outcome.CORRECTED
+    with pytest.raises(NotProved, match="undecided"):
+        value("0.287", ["0.28695", "0.2896"])
     assert row(["0.15", "0.2"], paper="[0.1, 0.3]").agrees
     assert not row(["0.09999", "0.10001"], paper="[0.1, 0.1]").agrees
 
@@ -192,7 +194,7 @@ def test_counts_words_and_runs():
 
 def test_a_table_is_markdown():
     """Bars inside cells are escaped."""
-    lines = markdown([Comparison("|v|", "1 | 2", "3", agrees=False, reason="why")])
+    lines = markdown([Comparison("|v|", "1 | 2", "3", Outcome.REFUTED, "why")])
     assert lines[-1] == "| \\|v\\| | 1 \\| 2 | 3 | **no** | why |"
     assert all(line.count("|") - line.count("\\|") == 6 for line in lines)
 
@@ -325,16 +327,6 @@ def test_what_is_not_proved_is_said(capsys, monkeypatch):
     monkeypatch.setattr(sketches, "cover", failing)
     assert command.run("fig:cover", [], lambda _words, _part: None) == 1
     assert "fig:cover: not proved: Lemma 1" in capsys.readouterr().err
-
-
-@pytest.mark.slow
-def test_tables_load_no_pictures():
-    """What a figure looks like does not count for its numbers: the audit's cache knows."""
-    for label in LABELS:
-        module = figure(label).module
-        found = dependencies.closure(module)
-        assert module in found
-        assert not [name for name in found if name.startswith("cap.pictures.paper")]
 
 
 def test_parameters_but_for_some():

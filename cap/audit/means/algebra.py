@@ -5,6 +5,7 @@ that they are not is certain, because both are enclosed at a rational point.
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager
 from fractions import Fraction
 from functools import reduce
 from operator import add, mul
@@ -27,17 +28,19 @@ _UNARY: dict[str, Callable[[Ball], Ball]] = {
 }
 
 
+def precisely() -> AbstractContextManager[None]:
+    """Compute with many digits."""
+    return interval.workprec(BITS)
+
+
 def same(left: Any, right: Any) -> bool:
     """Return whether the difference of two expressions, or matrices, simplifies to 0."""
     difference = left - right
     entries = list(difference) if isinstance(difference, sp.MatrixBase) else [difference]
-    return all(_vanishes(entry) for entry in entries)
-
-
-def _vanishes(expression: Any) -> bool:
-    if sp.expand(expression) == 0:
-        return True
-    return bool(sp.simplify(sp.expand(sp.expand_trig(expression))) == 0)
+    return all(
+        sp.expand(each) == 0 or sp.simplify(sp.expand(sp.expand_trig(each))) == 0
+        for each in entries
+    )
 
 
 def differs(left: Any, right: Any) -> bool:
@@ -47,17 +50,15 @@ def differs(left: Any, right: Any) -> bool:
         return any(differs(entry, 0) for entry in difference)
     free = sorted(difference.free_symbols, key=str)
     point = {symbol: Fraction(7 * k + 10, 5 * k + 13) for k, symbol in enumerate(free)}
-    with interval.workprec(BITS):
+    with precisely():
         value = enclosure(difference, point)
         return bool(value.is_finite() and (value > 0 or value < 0))
 
 
 def enclosure(expression: Any, point: Mapping[Any, Fraction | Ball] | None = None) -> Ball:
     """Return a ball that contains the expression at a point, at the current precision."""
-    values = {
-        symbol: interval.ball(value) if isinstance(value, Fraction | int) else value
-        for symbol, value in (point or {}).items()
-    }
+    known = {sp.pi: interval.pi(), **(point or {})}
+    values = {k: v if isinstance(v, Ball) else interval.ball(v) for k, v in known.items()}
     return _value(sp.sympify(expression), values)
 
 
@@ -65,39 +66,30 @@ def _value(expression: Any, values: Mapping[Any, Ball]) -> Ball:
     if expression in values:
         return values[expression]
     if expression.is_Rational:
-        return interval.ball(Fraction(int(expression.p), int(expression.q)))
-    if expression is sp.pi:
-        return interval.pi()
+        return interval.ball(Fraction(expression))
     arguments = [_value(each, values) for each in expression.args]
     if expression.is_Add or expression.is_Mul:
         return reduce(add if expression.is_Add else mul, arguments)
     if expression.is_Pow:
-        return _power(arguments, expression.exp)
+        base, power = arguments
+        if expression.exp.is_Rational and expression.exp.q <= 2:
+            return (base if expression.exp.q == 1 else base.sqrt()) ** int(expression.exp.p)
+        return base**power
     name = type(expression).__name__
     if name not in _UNARY:
         raise NotProved("algebra", f"no enclosure of {name} is known")
     return _UNARY[name](*arguments)
 
 
-def _power(arguments: list[Ball], exponent: Any) -> Ball:
-    base, power = arguments
-    if exponent.is_Integer:
-        return base ** int(exponent)
-    if exponent.is_Rational and exponent.q == 2:
-        return base.sqrt() ** int(exponent.p)
-    return base**power
-
-
 def shown(expression: Any) -> str:
     """Return an expression in one line for people."""
-    text = sp.sstr(expression).replace("**2", "²").replace("**3", "³").replace("**4", "⁴")
-    for name, letter in _GREEK.items():
-        text = text.replace(name, letter)
-    return str(text.replace("*", " "))
+    text: str = sp.sstr(expression)
+    for name, sign in zip(_NAMES.split(), "²³⁴ωθλεμταβπξ ", strict=True):
+        text = text.replace(name, sign)
+    return text
 
 
-_NAMES = "omega theta lambda epsilon mu tau alpha beta pi xi"
-_GREEK = dict(zip(_NAMES.split(), "ωθλεμταβπξ", strict=True))
+_NAMES = "**2 **3 **4 omega theta lambda epsilon mu tau alpha beta pi xi *"
 
 
 def compared(derived: Any, printed: Any) -> Outcome:

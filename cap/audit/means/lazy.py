@@ -16,3 +16,4 @@ class Lazy:
 
 
 sympy: Any = Lazy("sympy")
+parser: Any = Lazy("sympy.parsing.sympy_parser")

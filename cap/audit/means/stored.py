@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 from cap.audit import subject
 from cap.audit.means.need import made, need
 from cap.audit.subject import cached
-from cap.checker.kernel.shapes import Enclosure
+from cap.checker import verdict
+from cap.checker.kernel import certificate
+from cap.checker.kernel.rejection import Rejected
 from cap.errors import NotProved
 from cap.files import replacing
 from cap.tree import inside
@@ -68,32 +70,26 @@ def claimed(name: str) -> Any:
             return THE_PAPER
         value = {**found.claims, "at": found.parameters}
     for each in path:
-        value = _inside(value, each)
+        value = part(value, each)
         need(value is not None, f"{stem}.json claims no {name}")
     return value
 
 
-def _inside(value: Any, name: str) -> Any:
-    """Return what is of this name in a table, an enclosure or a list, or nothing."""
+def part(value: Any, name: str) -> Any:
+    """Return what is of this name in a table, a list, an enclosure or an object, or nothing."""
     if isinstance(value, dict):
         return value.get(name)
-    if isinstance(value, Enclosure) and name in ("lower", "upper"):
-        return getattr(value, name)
-    return value[int(name)] if isinstance(value, list | tuple) and name.isdigit() else None
+    if name.isdigit() and isinstance(value, list | tuple):
+        return value[int(name)]
+    return getattr(value, name, None)
 
 
 @cache
 def _accepted(name: str) -> Stored:
-    from cap.checker.kernel.certificate import read  # noqa: PLC0415 (the checker, where it is needed)
-    from cap.checker.kernel.rejection import Rejected  # noqa: PLC0415
-    from cap.checker.verdict import check  # noqa: PLC0415
-
-    path = FOLDER / name
-    need(path.is_file(), f"there is no certificate {name}")
-    data = path.read_bytes()
+    need((FOLDER / name).is_file(), f"there is no certificate {name}")
+    data, done = (FOLDER / name).read_bytes(), accepted().get(name) == digest(name)
     try:
-        done = accepted().get(name) == digest(name)
-        found = read(data) if done else check(data, lambda _step: None)
+        found = certificate.read(data) if done else verdict.check(data, lambda _step: None)
     except Rejected as reason:
         raise NotProved("audit", f"the checker rejects {name}: {reason}") from None
     return Stored(name, found.parameters._asdict(), found.claims)

@@ -2,7 +2,8 @@
 
 In a template ``{{ words | e }}`` are words that the format shows as they are, and between
 ``{% filter wrapped %}`` and ``{% endfilter %}`` stands a paragraph of a terminal.  Those of LaTeX
-have ``<<`` and ``<%`` in the place of these braces.
+have ``<<`` and ``<%`` in the place of these braces.  The paragraphs of ``front.txt`` are in each:
+the title, two lines that say what this is, and an introduction.
 """
 
 import html
@@ -16,8 +17,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from cap.audit import errata, labels, recorded
 from cap.audit.report import latex
-from cap.audit.report.data import data
-from cap.audit.report.view import INTRODUCTION, Report, identity, title
+from cap.audit.report.view import Report
 
 FORMATS = {
     "text": "audit.txt",
@@ -27,14 +27,17 @@ FORMATS = {
     "latex": "audit.tex",
 }
 WIDTH = 100  # of a terminal
-_TEX: dict[str, Any] = {
-    "block_start_string": "<%",
-    "block_end_string": "%>",
-    "variable_start_string": "<<",
-    "variable_end_string": ">>",
-    "comment_start_string": "<#",
-    "comment_end_string": "#>",
-}
+_ENDS = [
+    "block_start",
+    "block_end",
+    "variable_start",
+    "variable_end",
+    "comment_start",
+    "comment_end",
+]
+_TEX: dict[str, Any] = dict(
+    zip((f"{each}_string" for each in _ENDS), ["<%", "%>", "<<", ">>", "<#", "#>"], strict=True)
+)
 _MARKDOWN = re.compile(r"([\\`*_|<>\[\]~])")
 _ID = re.compile(r"\b[a-z]+(?:-[a-z0-9]+)*\.[a-z0-9]+(?:-[a-z0-9]+)*\b")
 
@@ -42,18 +45,16 @@ _ID = re.compile(r"\b[a-z]+(?:-[a-z0-9]+)*\.[a-z0-9]+(?:-[a-z0-9]+)*\b")
 def written(template: str, report: Report) -> str:
     """Return what a template makes of a report: an ``audit``, an ``erratum``, a ``summary``."""
     kind = template.rpartition(".")[2]
-    day, program = recorded.made()
-    environment = Environment(
+    plain = Environment(
         loader=PackageLoader(__package__),
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
         undefined=StrictUndefined,
         autoescape=False,  # noqa: S701 (each format escapes in its own way)
-        **(_TEX if kind in ("tex", "bib") else {}),
     )
-    environment.filters |= {
-        "json": lambda each: json.dumps(data(each), ensure_ascii=False, indent=1),
+    plain.filters |= {
+        "json": lambda each: json.dumps(each.data(), ensure_ascii=False, indent=1),
         "e": _ESCAPED.get(kind, str),
         "wrapped": wrapped,
         "code": code,
@@ -62,28 +63,27 @@ def written(template: str, report: Report) -> str:
         "typed": latex.typed,
         "breakable": latex.breakable,
     }
-    return environment.get_template(template).render(
+    day, program = recorded.made()
+    about = {"paper": labels.stored(), "day": day, "program": program}
+    title, paper, audit, *introduction = (
+        plain.get_template("front.txt").render(about).strip().split("\n\n")
+    )
+    own = plain.overlay(**_TEX) if kind in ("tex", "bib") else plain
+    return own.get_template(template).render(
+        **about,
+        title=title,
+        identity=[paper, audit],
+        introduction=introduction,
         report=report,
-        title=title(),
-        identity=identity(),
-        introduction=INTRODUCTION,
         changes=errata.changes(),
-        paper=labels.stored(),
-        day=day,
-        program=program,
     )
 
 
 def wrapped(text: str, first: str = "", rest: str = "") -> str:
     """Return a paragraph as lines of a terminal."""
-    lines = textwrap.wrap(
-        text,
-        WIDTH,
-        initial_indent=first,
-        subsequent_indent=rest,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
+    lines = textwrap.TextWrapper(
+        WIDTH, first, rest, break_long_words=False, break_on_hyphens=False
+    ).wrap(text)
     return "".join(f"{line}\n" for line in lines)
 
 

@@ -3,20 +3,14 @@
 import re
 import unicodedata
 
+_TEXTS = "backslash asciitilde asciicircum bar quotedbl asciigrave quotedblleft quotedblright"
 _SPECIAL = {
     **{sign: f"\\{sign}" for sign in "&%$#_{}"},
-    "\\": r"\textbackslash{}",
-    "~": r"\textasciitilde{}",
-    "^": r"\textasciicircum{}",
-    "<": r"$<$",
-    ">": r"$>$",
-    "|": r"\textbar{}",
-    '"': r"\textquotedbl{}",
-    "`": r"\textasciigrave{}",
+    **{sign: rf"\text{name}{{}}" for sign, name in zip('\\~^|"`“”', _TEXTS.split(), strict=True)},
+    "<": "$<$",
+    ">": "$>$",
     "−": "$-$",
     "…": r"\dots{}",
-    "“": r"\textquotedblleft{}",
-    "”": r"\textquotedblright{}",
 }
 _LETTERS = (
     ("αβγδεζηθκλμ", "alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu"),
@@ -28,27 +22,21 @@ _LETTERS = (
 _COMMANDS = {
     sign: name for signs, names in _LETTERS for sign, name in zip(signs, names.split(), strict=True)
 }
-_MARKS = {"\u0303": r"\tilde", "\u0304": r"\bar", "\u0302": r"\hat", "\u0308": r"\""}
+_MARKS = {
+    "\u0303": r"\ensuremath{\tilde{%s}}",
+    "\u0304": r"\ensuremath{\bar{%s}}",
+    "\u0302": r"\ensuremath{\hat{%s}}",
+    "\u0308": r"\"{%s}",
+}
 _PLACES = {"<super>": "textsuperscript", "<sub>": "textsubscript"}
-_BREAK = r"\1\\allowbreak{}"
-_CLUSTER = re.compile("(.)([\u0300-\u036f]*)", re.DOTALL)
 
 
 def escaped(text: str) -> str:
     """Return text for LaTeX; `ValueError` names a sign for which there is no way to write it."""
-    clusters = _CLUSTER.finditer(unicodedata.normalize("NFD", text))
-    signs = "".join(_marked(_sign(each[1]), each[2]) for each in clusters)
-    return signs.replace("--", "-{}-")  # no dash
-
-
-def _marked(letter: str, marks: str) -> str:
-    """Return a letter with the marks that are above it."""
-    for mark in marks:
-        accent = _MARKS[mark]
-        letter = (
-            f"{accent}{{{letter}}}" if mark == "\u0308" else rf"\ensuremath{{{accent}{{{letter}}}}}"
-        )
-    return letter
+    signs: list[str] = []
+    for sign in unicodedata.normalize("NFD", text):
+        signs.append(_MARKS[sign] % signs.pop() if sign in _MARKS else _sign(sign))
+    return "".join(signs).replace("--", "-{}-")  # no dash
 
 
 def _sign(sign: str) -> str:
@@ -66,7 +54,8 @@ def _sign(sign: str) -> str:
 
 def typed(text: str) -> str:
     """Return what is to be typed, which may be broken after its signs."""
-    return rf"\texttt{{{re.sub(r'([-/.])', _BREAK, escaped(text))}}}"
+    signs = re.sub(r"([-/.])", r"\1\\allowbreak{}", escaped(text))
+    return rf"\texttt{{{signs}}}"
 
 
 def breakable(text: str) -> str:

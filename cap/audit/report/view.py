@@ -7,44 +7,9 @@ from functools import cached_property
 from cap.audit import errata, labels, ledger, recorded, subject
 from cap.audit.claim import Claim
 from cap.audit.errata import Change
-from cap.audit.findings import Finding, members
+from cap.audit.findings import Finding, Statement, members, statements
 from cap.audit.labels import Place
-from cap.audit.statements import Statement, statements
 from cap.audit.verdict import Outcome, Verdict
-
-INTRODUCTION = (
-    "Claims of the paper, at least one from each of its labels that makes any: each with the words "
-    "of the TeX file from which it is taken and their line, a verdict that a program decides, what "
-    "is true, and how that was found. It is meant as a referee's report that the author can run: "
-    "every entry names the command that decides it again. Where the paper is right, this says so.",
-    "Verdicts. Confirmed: true as stated. Corrected: what is meant holds with another value or a "
-    "changed hypothesis, which is given. Refuted: false. Imprecise: the words say less, more, or "
-    "something else than what holds. Vacuous: about nothing. Open: neither proved nor refuted, in "
-    "the paper or here. Not checkable as stated: too little is said.",
-    "Evidence. Proved: in ball arithmetic, symbolically, or exhaustively, when the command runs. "
-    "Certified: by a stored certificate that an independent checker accepts, when the command "
-    "runs or, if it is one of the few that take long, when the verdicts were recorded. By "
-    "argument: by a written proof, in proofs/audit, of which a machine checked what it can. By "
-    "reading: the text alone shows it. Numerical: in doubles, by closed forms from event to "
-    "event, located up to rounding; what depends on chance, seeds or rounding says so. A printed "
-    "number is confirmed if it is what is found, rounded to its last digit. Never-stopping means: "
-    "the velocity never vanishes.",
-)
-
-
-def title() -> str:
-    """Return the title of the report."""
-    return f"Audit of “{labels.stored().title}”"
-
-
-def identity() -> list[str]:
-    """Return which paper this is about, and which program says so, in a line each."""
-    paper, (day, program) = labels.stored(), recorded.made()
-    return [
-        f"The paper: {paper.author}, “{paper.title}”. The TeX file with the SHA-256 digest "
-        f"{paper.sha256}; lines and quotations are of this file.",
-        f"The audit: {program}; verdicts last recorded on {day}.",
-    ]
 
 
 @dataclass(frozen=True)
@@ -68,45 +33,57 @@ class Entry:
         return f"{self.at.name}{label}"
 
     @property
-    def where(self) -> str:
-        """The place, the line, and what kind of claim it is."""
-        return f"{self.place}, line {self.line}, {self.claim.kind}"
-
-    @property
     def line(self) -> int:
         """The line of the TeX file in which its quotation begins; 0 if there is none."""
         return labels.stored().lines.get(self.claim.id, 0)
 
     @property
-    def quote(self) -> str:
-        """The words of the TeX file from which it is taken, on one line."""
-        return " ".join(self.claim.quote.split())
+    def where(self) -> str:
+        """The place, the line, and what kind of claim it is."""
+        return f"{self.place}, line {self.line}, {self.claim.kind}"
 
     @property
     def commands(self) -> list[str]:
         """What to run to decide the claim again."""
-        own = [f"python -m cap.audit --only {self.claim.id} --fresh"]
-        if self.claim.table:
-            own.append(f"{subject.paper()['compute']} {self.claim.table}")
-        name = self.verdict.certificate
-        return [*own, f"python -m cap.verify certificates/{name}"] if name else own
-
-    @property
-    def proof(self) -> str:
-        """The section of a written proof, from the root of the repository."""
-        return self.verdict.proof and f"proofs/audit/{self.verdict.proof}"
+        table, certificate = self.claim.table, self.verdict.certificate
+        found = [f"python -m cap.audit --only {self.claim.id} --fresh"]
+        found += [f"{subject.paper()['compute']} {table}"] if table else []
+        return found + ([f"python -m cap.verify certificates/{certificate}"] if certificate else [])
 
     def parts(self) -> dict[str, str]:
         """Return what is said of the claim, by what it is, without what there is nothing of."""
+        verdict = self.verdict
         parts = {
-            "text": self.quote,
+            "text": " ".join(self.claim.quote.split()),
             "stated": self.claim.stated,
-            "found": self.verdict.found,
-            "evidence": self.verdict.evidence,
-            "proof": self.proof,
-            "certificate": self.verdict.certificate and f"certificates/{self.verdict.certificate}",
+            "found": verdict.found,
+            "evidence": verdict.evidence,
+            "proof": verdict.proof and f"proofs/audit/{verdict.proof}",
+            "certificate": verdict.certificate and f"certificates/{verdict.certificate}",
         }
         return {name: words for name, words in parts.items() if words}
+
+    def data(self) -> dict[str, object]:
+        """Return what JSON has of it."""
+        claim, verdict, parts = self.claim, self.verdict, self.parts()
+        return {
+            "id": claim.id,
+            "where": claim.where,
+            "claim": claim.says,
+            "stated": claim.stated,
+            "found": verdict.found,
+            "verdict": verdict.outcome,
+            "strength": verdict.strength,
+            "evidence": verdict.evidence,
+            "command": " && ".join(self.commands),
+            "certificate": verdict.certificate,
+            "proof": parts.get("proof", ""),
+            "kind": claim.kind,
+            "section": self.at.section,
+            "place": self.place,
+            "line": self.line,
+            "quote": parts.get("text", ""),
+        }
 
 
 @dataclass(frozen=True)
@@ -123,8 +100,10 @@ class Found:
 
     @property
     def words(self) -> str:
-        """What it says; if the verdict on its core has changed, that it has to be written anew."""
-        return self.finding.words(self.core.verdict)
+        """What it says, if it was written for the verdict that its core has."""
+        if self.finding.verdict == self.core.verdict.outcome:
+            return self.finding.says
+        return "(The verdict has changed; its consequence has to be written anew.)"
 
     @property
     def lines(self) -> list[int]:
@@ -135,6 +114,16 @@ class Found:
     def where(self) -> str:
         """The place of its core, and its lines."""
         return f"{self.core.place}; lines {', '.join(map(str, self.lines))}"
+
+    def data(self) -> dict[str, object]:
+        """Return what JSON has of it."""
+        return {
+            **{name: getattr(self.finding, name) for name in ("title", "severity")},
+            "says": self.words,
+            "change": self.finding.change,
+            "claims": [entry.claim.id for entry in self.entries],
+            "lines": self.lines,
+        }
 
 
 @dataclass(frozen=True)
@@ -189,20 +178,18 @@ class Report:
 
     def counts(self) -> list[tuple[str, list[int]]]:
         """Return for each section, and for all, how many claims have each of `outcomes`."""
-        rows = []
-        for each in self.sections:
-            tally = Counter(entry.verdict.outcome for entry in each.entries)
-            name = each.heading.replace(". ", " ", 1)
-            rows.append((name, [tally[outcome] for outcome in self.outcomes]))
-        return [*rows, ("All", [self.tally[outcome] for outcome in self.outcomes])]
+        rows = [(each.heading.replace(". ", " ", 1), each.entries) for each in self.sections]
+        rows.append(("All", list(self.by_id.values())))
+        tallies = [
+            (name, Counter(each.verdict.outcome for each in entries)) for name, entries in rows
+        ]
+        return [(name, [tally[outcome] for outcome in self.outcomes]) for name, tally in tallies]
 
     @cached_property
     def findings(self) -> list[Found]:
         """The findings, with the entries of their claims."""
-        return [
-            Found(each, [self.by_id[name] for name in names])
-            for each, names in members(self.verdicts).items()
-        ]
+        found = members(self.verdicts)
+        return [Found(each, [self.by_id[name] for name in names]) for each, names in found.items()]
 
     @cached_property
     def statements(self) -> list[tuple[Statement, str]]:
@@ -213,3 +200,14 @@ class Report:
         """Return the changes of the erratum in a section, each with the core of its claims."""
         cores = [(each, self.by_id[each.claims[0]]) for each in errata.changes()]
         return [(change, core) for change, core in cores if core in section.entries]
+
+    def data(self) -> dict[str, object]:
+        """Return the claims, the findings, and what they are about, for JSON."""
+        paper, (day, program) = labels.stored(), recorded.made()
+        return {
+            "paper": {name: getattr(paper, name) for name in ("title", "author", "sha256")},
+            "program": program,
+            "recorded": day,
+            "claims": [each.data() for each in self.by_id.values()],
+            "findings": [each.data() for each in self.findings] if self.whole else [],
+        }

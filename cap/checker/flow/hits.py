@@ -58,7 +58,7 @@ def hit(M: Mechanics, flight: Flight, word: str, window: Ends) -> tuple[Hit, Fli
     speed = M.speed(flight, moment)
     v = lift(lambda u, e: u * e * -s, speed, M.e)
     found = Hit(word, moment, moment.cos.value * M.F, speed, flight)
-    return found, M.flight(-s, moment, M.constant(wall), v, M.minima[-s])
+    return found, M.flight(-s, moment, M.constant(wall), v)
 
 
 # the event times as jets

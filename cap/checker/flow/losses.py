@@ -17,7 +17,7 @@ from fractions import Fraction
 
 from cap.checker.flow.exponential import phi
 from cap.checker.flow.laws import laws
-from cap.checker.flow.mechanics import Box, Ends, Flight, Formula, Mechanics, Minima, Moment
+from cap.checker.flow.mechanics import Box, Ends, Flight, Formula, Mechanics, Moment
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, RealJet, lift
 from cap.checker.kernel.rejection import need
@@ -60,7 +60,7 @@ class Lossy(Mechanics):
         self.f = self.friction.value
         self.walls = {s: self.known(wall).value for s, wall in mass.walls.items()}
 
-    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:  # noqa: ARG002
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, list[Moment]]:  # noqa: ARG002
         """Return the moments of the local minima of p, with f/F as the model has it."""
         f, F = self.laws.mass.f, self.laws.mass.F
         need(not f.variables, "the friction is a parameter")
@@ -118,11 +118,9 @@ class Lossy(Mechanics):
             total = d * total + q
         return total
 
-    def flight(
-        self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
-    ) -> Flight:
+    def flight(self, s: int, start: Moment, x: Centred, v: Centred) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
         given = {"x": x, "v": v, COS: start.cos, SIN: start.sin}
         rest_x, rest_v = (self.of(q, given) for q in self.laws.rests[s].values())
         arc = (rest_x, rest_v, start.t, *self.parameters.values())
-        return Flight(s, arc, start, at_rest, minima)
+        return Flight(s, arc, start, self.minima[s])

@@ -44,9 +44,6 @@ class Moment(NamedTuple):
     sin: Centred
 
 
-Minima = list[Moment]
-
-
 class Flight(NamedTuple):
     """A flight of direction s from the moment start, at rest there or not.
 
@@ -57,8 +54,8 @@ class Flight(NamedTuple):
     s: int
     arc: Sequence[Centred]
     start: Moment
-    at_rest: bool
-    minima: Minima
+    minima: list[Moment]
+    at_rest: bool = False
 
 
 class Mechanics:
@@ -92,7 +89,7 @@ class Mechanics:
         jets = (Jet(self.order, {origin: z, unit: z.integer(1)}) for z in (m, box))
         return self.centred(*jets)
 
-    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, list[Moment]]:
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s.
 
         The ratio is f/F.
@@ -137,13 +134,11 @@ class Mechanics:
 
     # flights over the box
 
-    def flight(
-        self, s: int, start: Moment, x: Centred, v: Centred, minima: Minima, at_rest: bool = False
-    ) -> Flight:
+    def flight(self, s: int, start: Moment, x: Centred, v: Centred) -> Flight:
         """Return the flight of direction s that starts at a moment from (x, v)."""
         rest_x = lift(lambda x, cos: x + cos * self.sway, x, start.cos)
         rest_v = lift(lambda v, sin: v - sin * self.swing, v, start.sin)
-        return Flight(s, (rest_x, rest_v, start.t), start, at_rest, minima)
+        return Flight(s, (rest_x, rest_v, start.t), start, self.minima[s])
 
     def launch(self) -> Flight:
         """Return the first flight; the box must lie between the walls and away from v = 0."""
@@ -151,7 +146,7 @@ class Mechanics:
         need(self.is_between_walls(x.value), "the box is not certainly between the walls")
         need(not v.value.contains_zero(), "the velocity vanishes in the box")
         s = 1 if v.value.is_positive() else -1
-        return self.flight(s, self.at(self.period.integer(0)), x, v, self.minima[s])
+        return self.flight(s, self.at(self.period.integer(0)), x, v)
 
     def is_between_walls(self, x: Interval) -> bool:
         """Return whether x certainly lies strictly between the walls."""

@@ -91,7 +91,7 @@ def turn(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Flig
     need(side == -flight.s, "a turn to the side to which the mass moves")
     need((event.forcing * side - M.f).is_positive(), "the force may be too weak for a turn")
     v = M.constant(M.period.integer(0))
-    return event, M.flight(side, event.moment, x, v, M.minima[side], at_rest=True)
+    return event, M.flight(side, event.moment, x, v)._replace(at_rest=True)
 
 
 def stick(M: Lossy, flight: Flight, word: str, window: Ends) -> tuple[Event, Rest]:
@@ -113,5 +113,6 @@ def release(M: Mechanics, rest: Rest, word: str, window: Ends) -> tuple[Event, F
     need(len(ends) == 1, "no release to this side certainly follows")
     at, later = moments[ends[0]], moments[ends[0] + 1 :]
     need(at.t.value.lies_in(*window), "a release is not in its window")
-    start = M.flight(side, at, rest.x, M.constant(M.period.integer(0)), later, at_rest=True)
+    start = M.flight(side, at, rest.x, M.constant(M.period.integer(0)))
+    start = start._replace(minima=later, at_rest=True)
     return Event(word, at, at.cos.value * M.F), start

@@ -25,24 +25,13 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from itertools import product
 from operator import add
-from typing import Generic, Protocol, TypeVar
+from typing import Any, Generic, TypeVar
 
 from cap.checker.kernel.elementary import cos_sin
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
 
-
-class Scalar(Protocol):
-    """What a coefficient of a jet can do."""
-
-    def __add__(self: S, other: S, /) -> S: ...
-    def __mul__(self: S, other: S | int, /) -> S: ...
-    def __neg__(self: S) -> S: ...
-
-
-S = TypeVar("S", bound=Scalar)
-
-
+S = TypeVar("S", bound=Any)  # what a coefficient is: it has sums and products
 Power = tuple[int, ...]
 
 

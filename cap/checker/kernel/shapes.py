@@ -128,10 +128,9 @@ class Whole(NamedTuple):
 
     def __call__(self, value: Any, where: str) -> int:
         """Read it."""
-        small = re.fullmatch("0|[1-9][0-9]{0,5}", text(value, where)) is not None
-        need(small, f"{where} is not a small integer")
-        within = self.least <= int(value) <= self.most
-        need(within, f"{where} is not between {self.least} and {self.most}")
+        plain = re.fullmatch("0|[1-9][0-9]{0,5}", text(value, where)) is not None
+        within = plain and self.least <= int(value) <= self.most
+        need(within, f"{where} is not between {self.least} and {self.most}, as a plain integer")
         return int(value)
 
 
@@ -146,9 +145,4 @@ class Many(NamedTuple):
         """Read it."""
         listed = isinstance(value, list) and self.least <= len(value) <= self.most
         need(listed, f"{where} is not a list of {self.least} to {self.most}")
-        try:
-            if callable(self.shape):
-                return [self.shape(part, "") for part in value]
-            return [matched(part, self.shape, "") for part in value]
-        except Rejected:  # once more, to say where
-            return matched(value, [self.shape] * len(value), where)
+        return matched(value, [self.shape] * len(value), where)

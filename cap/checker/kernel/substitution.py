@@ -3,22 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import accumulate
+from operator import mul
 
 from cap.checker.kernel.jet import Jet, S
-
-
-def powers(jet: Jet[S], highest: int) -> list[Jet[S]]:
-    """Return jet^1, ..., jet^highest."""
-    result = [jet]
-    for _ in range(1, highest):
-        result.append(result[-1] * jet)
-    return result
 
 
 def substituted(polynomial: Jet[S], arguments: Sequence[Jet[S]]) -> Jet[S]:
     """Return a polynomial with jets in the place of its variables, all without constant term."""
     order = min(polynomial.order, arguments[0].order)
-    known = [powers(argument, order) for argument in arguments]
+    known = [list(accumulate([argument] * order, mul)) for argument in arguments]  # powers
     total = Jet[S](order, {})
     for power, c in polynomial.coefficients.items():
         first, *others = (known[n][k - 1] for n, k in enumerate(power) if k)

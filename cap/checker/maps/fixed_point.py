@@ -143,12 +143,10 @@ class FixedPoint(BetweenWalls):
 
     def localisation(self) -> Point:
         """Return K(S), which contains the fixed point."""
-        radius, scales = self.hints["radius"], (self.R, self.R * self.omega)
-        need(radius > 0, "radius is not positive")
-        centre = zip(self.hints["centre"], scales, strict=True)
-        small = [(m - radius * scale, m + radius * scale) for m, scale in centre]
-        sides = zip(small, self.box, strict=True)
-        need(all(z[0] <= s[0] and s[1] <= z[1] for s, z in sides), "S is not in the box")
+        sides = [self.hints["radius"] * scale for scale in (self.R, self.R * self.omega)]
+        small = [(m - a, m + a) for m, a in zip(self.hints["centre"], sides, strict=True)]
+        S = [Interval.enclosing(*side, self.hints["bits"]) for side in small]
+        need(self.is_in_the_box(S), "S is not in the box")
         result = self.krawczyk(small)
         self.step("K(S) lies in the interior of S, which lies in the box: K(S) contains P*")
         return result
@@ -174,8 +172,3 @@ class FixedPoint(BetweenWalls):
 def ends(claim: Enclosure) -> Ends:
     """Return the ends of an enclosure."""
     return claim.lower, claim.upper
-
-
-def contains(claim: Enclosure, q: int) -> bool:
-    """Return whether an enclosure contains a number."""
-    return claim.lower <= q <= claim.upper

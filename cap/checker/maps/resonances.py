@@ -8,7 +8,7 @@ from typing import Any
 
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import need
-from cap.checker.kernel.shapes import Enclosure, Field, Quantity, Table
+from cap.checker.kernel.shapes import Field, Quantity, Table
 from cap.checker.maps.normal_form import EllipticFrame
 
 RESONANCES = {name: Fraction(name) for name in ("0", "1/4", "1/3", "1/2")}
@@ -35,18 +35,13 @@ def rotation(frame: EllipticFrame, pi: Interval) -> dict[str, Any]:
     return {"rotation_angle": frame.angle, "rotation_number": number, "resonance_distances": far}
 
 
-def confirm_rotation(claims: Mapping[str, Any], below_pi: Fraction) -> None:
-    """Check what the claims of `ROTATION` must satisfy."""
-    angle, number = claims["rotation_angle"], claims["rotation_number"]
-    within = angle.lower > -below_pi and angle.upper < below_pi
-    need(within, "the rotation angle is not in (-pi, pi)")
-    need(without_zero(angle), "the rotation angle does not exclude 0")
-    in_order = number.lower > 0 and number.upper < Fraction(1, 2)
-    need(in_order, "the rotation number is not in (0, 1/2)")
+def confirm_rotation(claims: Mapping[str, Any]) -> None:
+    """Check that no resonance of order at most four is claimed to be possible."""
     distances = claims["resonance_distances"].values()
     need(all(d.lower > 0 for d in distances), "a resonance distance is not positive")
 
 
-def without_zero(claim: Enclosure) -> bool:
-    """Return whether a claim excludes 0."""
-    return claim.lower > 0 or claim.upper < 0
+def confirm_twist(claims: Mapping[str, Any]) -> None:
+    """Check that the twist claimed excludes 0."""
+    twist = claims["twist"]
+    need(twist.lower > 0 or twist.upper < 0, "twist does not exclude 0")

@@ -17,7 +17,7 @@ from typing import Any
 
 from cap.checker.flow.events import LossyMap
 from cap.checker.flow.losses import Lossy
-from cap.checker.flow.mechanics import Box, Ends, Minima, Moment
+from cap.checker.flow.mechanics import Box, Ends, Moment
 from cap.checker.kernel.arctangent import arccos, pi
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred, cos_sin_jet, lift
@@ -44,7 +44,7 @@ class Driven(Lossy):
         self.cosine, self.sine = (self.centred(*jets) for jets in zip(*pairs, strict=True))
         return {"f": lift(lambda cos: cos * F, self.cosine)}
 
-    def _minima(self, ratio: Fraction, periods: int) -> dict[int, Minima]:  # noqa: ARG002
+    def _minima(self, ratio: Fraction, periods: int) -> dict[int, list[Moment]]:  # noqa: ARG002
         """Return the moments in [0, horizon] at which p has its local minima, for each sign s."""
         half_turn = pi(self.bits)
 

@@ -108,7 +108,7 @@ class Sheared(NamedTuple):
         first, *later = M.minima[1]
         x = lift(_sum, y, moved)
         need(M.is_between_walls(x.value), "a release is not between the walls")
-        start = M.flight(1, first, x, zero, later, at_rest=True)
+        start = M.flight(1, first, x, zero)._replace(minima=later, at_rest=True)
         place, taken = next_release(M, phi, start)
         need(taken == self.half_periods, "the release map takes another time")
         return lift(_difference, place, moved)

@@ -164,7 +164,8 @@ class Attractor(BetweenWalls):
         """Return G over a set of places, as a jet in x."""
         M = self.phi(windows).mechanics([x], [x.midpoint()], order)
         first, *later = M.minima[1]
-        start = M.flight(1, first, M.variables[0], M.constant(x.integer(0)), later, at_rest=True)
+        start = M.flight(1, first, M.variables[0], M.constant(x.integer(0)))
+        start = start._replace(minima=later, at_rest=True)
         place, taken = next_release(M, self.phi(windows), start)
         need(taken == self.claims["half_periods"], "the release map takes another time")
         return place

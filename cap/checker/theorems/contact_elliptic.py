@@ -18,17 +18,12 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from cap.checker.kernel.citation import cite
-from cap.checker.kernel.classics import MOSER
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Many, Quantity, Table
-from cap.checker.maps.normal_form import (
-    elliptic_frame,
-    in_complex_coordinate,
-    told_form,
-    twists,
-)
-from cap.checker.maps.resonances import ROTATION, confirm_rotation, rotation, without_zero
+from cap.checker.kernel.twist_theorem import MOSER
+from cap.checker.maps import normal_form
+from cap.checker.maps.resonances import ROTATION, confirm_rotation, confirm_twist, rotation
 from cap.checker.system.strobe import Strobe
 from cap.checker.theorems.contacts import KRAWCZYK, ORBIT, ORBIT_HINTS, Contacts
 
@@ -80,13 +75,14 @@ class ContactElliptic(Contacts):
         self.confirm(point=strobe.point)
         self.step("motions near the orbit have its contacts, and Phi is analytic there")
         x, v = strobe.jet(ORDER)
-        frame = elliptic_frame([[z.coefficients[p] for p in ((1, 0), (0, 1))] for z in (x, v)])
+        rows = [[z.coefficients[p] for p in ((1, 0), (0, 1))] for z in (x, v)]
+        frame = normal_form.elliptic_frame(rows)
         self.confirm(**rotation(frame, self.pi()))
-        confirm_rotation(self.claims, self.pi().lower)
+        confirm_rotation(self.claims)
         self.step("the fixed point is elliptic, without resonance of order at most four")
-        (tau,) = twists(in_complex_coordinate(x, v, frame))
+        (tau,) = normal_form.twists(normal_form.in_complex_coordinate(x, v, frame))
         self.confirm(twist=tau)
-        need(without_zero(self.claims["twist"]), "twist does not exclude 0")
+        confirm_twist(self.claims)
         self.step("the normal form exists, preserves area, and its twist is not zero")
 
     def words(self) -> str:
@@ -99,10 +95,10 @@ class ContactElliptic(Contacts):
             f"map Phi from the state ({x}, {v}) at t = {claims['phase']} to that "
             f"{claims['periods']} x 2 pi/omega later preserves area near the point of this orbit, "
             f"in ({point}); this fixed point of it is elliptic, and has no resonance of order at "
-            f"most four: {told_form(x, v)}, with Theta in {claims['rotation_angle']}, the rotation "
-            f"number |Theta|/(2 pi) in {claims['rotation_number']}, and tau_1 in {claims['twist']},"
-            " which is not zero: hence (Moser) the fixed point is stable, and every neighbourhood "
-            "of it contains invariant closed curves around it"
+            f"most four: {normal_form.told_form(x, v)}, with Theta in {claims['rotation_angle']}, "
+            f"the rotation number |Theta|/(2 pi) in {claims['rotation_number']}, and tau_1 in "
+            f"{claims['twist']}, which is not zero: hence (Moser) the fixed point is stable, and "
+            "every neighbourhood of it contains invariant closed curves around it"
         )
 
 

@@ -15,22 +15,17 @@ from typing import Any
 
 from cap.checker.flow.itinerary import Passage
 from cap.checker.kernel.citation import cite
-from cap.checker.kernel.classics import MOSER
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.jet import Centred
 from cap.checker.kernel.optional import First, Maybe
 from cap.checker.kernel.reading import number
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity, Word, bound
+from cap.checker.kernel.twist_theorem import MOSER
+from cap.checker.maps import normal_form
 from cap.checker.maps.fixed_point import Point
 from cap.checker.maps.non_sticking import KRAWCZYK, NonSticking
-from cap.checker.maps.normal_form import (
-    elliptic_frame,
-    in_complex_coordinate,
-    told_form,
-    twists,
-)
-from cap.checker.maps.resonances import ROTATION, confirm_rotation, rotation, without_zero
+from cap.checker.maps.resonances import ROTATION, confirm_rotation, confirm_twist, rotation
 
 ORDERS = ("3", "5", "7", "9")
 
@@ -91,12 +86,12 @@ class Elliptic(NonSticking):
     def conclude(self, fixed_point: Point, orbit: Passage) -> None:
         """Prove ellipticity, the absence of low resonances, the twist, and the remainder."""
         x, v = orbit.x.box, orbit.v.box
-        frame = elliptic_frame([[w.coefficients[1, 0], w.coefficients[0, 1]] for w in (x, v)])
+        frame = normal_form.elliptic_frame([[w[1, 0], w[0, 1]] for w in (orbit.x, orbit.v)])
         self.confirm(**rotation(frame, self.pi()))
         taylor = {"x": self.taylor(orbit.x), "v": self.taylor(orbit.v)}
         self.confirm(taylor=taylor)
         self.step("the Taylor coefficients of Phi at P* contain what is computed")
-        tau, *higher = twists(in_complex_coordinate(x, v, frame))
+        tau, *higher = normal_form.twists(normal_form.in_complex_coordinate(x, v, frame))
         self.confirm(twist=tau, twist_action=tau * 2, higher_twists=higher)
         self.step("the normal form exists, preserves area, and has the twists claimed")
         self.ellipticity()
@@ -111,10 +106,9 @@ class Elliptic(NonSticking):
         """Check what the numbers claimed must satisfy."""
         trace = self.claims["trace"]
         need(trace.lower > -2 and trace.upper < 2, "the trace is not in (-2, 2)")
-        confirm_rotation(self.claims, self.pi().lower)
+        confirm_rotation(self.claims)
         self.step("P* is elliptic, without resonance of order at most four")
-        for name in ("twist", "twist_action"):
-            need(without_zero(self.claims[name]), f"{name} does not exclude 0")
+        confirm_twist(self.claims)
         self.step("the first twist is not zero")
 
     def remainder(self, fixed_point: Point) -> None:
@@ -145,10 +139,11 @@ class Elliptic(NonSticking):
         """Return the theorem in one line."""
         return self.statement(
             "the fixed point is elliptic with trace in {trace}, and has no resonance of order at "
-            f"most four: {told_form()}, with Theta in {{rotation_angle}}, the rotation number "
-            "|Theta|/(2 pi) in {rotation_number}, and tau_1 in {twist}, that is, in {twist_action} "
-            "per action |z|^2/2; so tau_1 is not zero: hence (Moser) the fixed point is stable, "
-            "and every neighbourhood of it contains invariant closed curves around it"
+            f"most four: {normal_form.told_form()}, with Theta in {{rotation_angle}}, the rotation "
+            "number |Theta|/(2 pi) in {rotation_number}, and tau_1 in {twist}, that is, in "
+            "{twist_action} per action |z|^2/2; so tau_1 is not zero: hence (Moser) the fixed "
+            "point is stable, and every neighbourhood of it contains invariant closed curves "
+            "around it"
         )
 
 

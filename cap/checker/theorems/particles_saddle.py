@@ -11,9 +11,9 @@ from fractions import Fraction
 
 from cap.checker.kernel.arctangent import arccos
 from cap.checker.kernel.citation import cite
-from cap.checker.kernel.classics import HADAMARD_PERRON
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
+from cap.checker.kernel.stable_manifolds import HADAMARD_PERRON
 from cap.checker.particles.periodic_orbit import KRAWCZYK, Located, PeriodicOrbit
 
 

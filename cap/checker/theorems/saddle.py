@@ -11,9 +11,9 @@ from typing import ClassVar
 
 from cap.checker.flow.itinerary import Passage
 from cap.checker.kernel.citation import Citation, cite
-from cap.checker.kernel.classics import HADAMARD_PERRON
 from cap.checker.kernel.rejection import need
 from cap.checker.kernel.shapes import Field, Quantity
+from cap.checker.kernel.stable_manifolds import HADAMARD_PERRON
 from cap.checker.maps.fixed_point import Point
 from cap.checker.maps.non_sticking import KRAWCZYK, NonSticking
 

@@ -12,7 +12,7 @@ from cap.checker.kernel.shapes import Enclosure
 from cap.checker.kernel.theorem import Theorem
 from cap.errors import BadInput
 from cap.floats.masses.mass_trajectory import trajectory
-from cap.floats.masses.particles import Particles
+from cap.floats.masses.particles import Particles, engine
 from cap.pictures.masses import MARKS, NAMES
 from cap.pictures.style import BLUE, CYCLE, GREEN, RED, UNITS, legend, star, walls
 from cap.pictures.theorems.parts import (
@@ -150,13 +150,11 @@ def _before(
     t, xi, *speeds = point
     p = system(theorem)
     places = {"hit r": (xi, float(p.r)), "hit l": (float(p.l), xi)}.get(word, (xi, xi))
-    x, v = list[float](), list[float]()
-    oscillators = Particles(p, tuple(masses)).oscillators()
-    for o, place, speed in zip(oscillators, places, speeds, strict=True):
-        flight, begin = o.launch(1 if speed > 0 else -1, o.moment(t), place, speed), o.moment(0.0)
-        x.append(o.position(flight, begin))
-        v.append(o.velocity(flight, begin))
-    return *x, *v
+    flow, angle = engine(Particles(p, tuple(masses))), float(p.omega) * t
+    mode = "".join("+" if speed > 0 else "-" for speed in speeds)
+    y = np.array([*places, *speeds, math.cos(angle), math.sin(angle), 1.0])
+    back = flow.exponentials[flow.modes.index(mode)].flown(y, np.array([-t]))
+    return tuple(back[0, : 2 * len(masses)].tolist())
 
 
 def _in_time(theorem: Theorem, axes: Axes, times: Sequence[Enclosure]) -> None:

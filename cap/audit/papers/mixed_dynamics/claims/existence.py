@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from cap.audit.means.balls import pair
+from cap.audit.filled import pair
 from cap.audit.means.need import need
 from cap.audit.means.stored import stored
 from cap.audit.steps import Words

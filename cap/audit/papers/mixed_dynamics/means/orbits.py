@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from fractions import Fraction
 
-from cap.audit.means.balls import between
+from cap.audit.filled import pair
 from cap.flow.propagation import Image, after_periods, at_time_zero, propagate
 from cap.parameters import PAPER, Parameters, at
 from cap.sets import interval, matrix
@@ -101,5 +101,5 @@ def _followed(p: Parameters, image: Image, box: str = "") -> Followed:
         trace=matrix.trace(image.monodromy),
         turning=turning,
         box=box,
-        events=", ".join(f"{each.word} at {between(each.time, 3)}" for each in image.events),
+        events=", ".join(f"{each.word} at {pair(each.time, 3)}" for each in image.events),
     )
