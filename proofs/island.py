@@ -28,7 +28,7 @@ from cap.errors import BadInput, NotProved
 from cap.floats import candidates
 from cap.floats.candidates import tori
 from cap.proofs.certified import Content
-from cap.proofs.fixed_point import Proof, Setting, assembled
+from cap.proofs.fixed_point import Proof, Setting, settled
 from cap.proofs.island_centre import Place, balls, centred, lemma_1_centre, located, state
 from cap.proofs.island_curve import MODES, Scale, approximate, lemma_2_curve, loosened, written
 from cap.proofs.rotation_choice import LARGEST, ROTATION, Sought, chosen, together
@@ -78,8 +78,7 @@ def prove(setting: Setting) -> Proof:
             setting.progress(f"alpha = {sought.rotation} is not proved: {reason.step}")
             failed = reason
         else:
-            proved = assembled("island", setting, strings, content)
-            return lambda _part: proved
+            return settled("island", setting, strings, content)
     raise failed
 
 

@@ -15,8 +15,9 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from cap.checker.kernel.alternatives import OneOrOther
 from cap.checker.kernel.certificate import DIGITS
-from cap.checker.kernel.choices import Cases, OneOrOther, OrNone
+from cap.checker.kernel.choices import Cases, OrNone
 from cap.checker.kernel.integers import Integer
 from cap.checker.kernel.later import Later
 from cap.checker.kernel.letters import Letters
