@@ -28,7 +28,7 @@ def pytest_report_header():
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Leave what repeats other tests to the slow ones."""
+    """Leave what repeats other tests, or is long and guards no theorem, to the slow ones."""
     names = repeated.listed()
     for item in items:
         if item.nodeid in names:
@@ -119,6 +119,13 @@ def impacts_computed_once():
 def legs_followed_once():
     """Let the checker follow the legs of a cell of orbits by contacts once for equal arguments."""
     with remembered.legs_followed_once():
+        yield
+
+
+@pytest.fixture(scope="module")
+def release_cells_proved_once():
+    """Let the checker prove a cell of times of releases once for equal arguments."""
+    with remembered.release_cells_proved_once():
         yield
 
 

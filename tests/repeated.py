@@ -1,13 +1,18 @@
-"""Which tests of the checker repeat others, and are left to the slow ones.
+"""Which tests repeat others, or are long and guard no theorem: they are left to the slow ones.
 
-    python tests/repeated.py    (writes tests/repeated.txt; the time of all tests)
+    python tests/repeated.py    (writes repeated.txt and long.txt beside it; the time of all tests)
 
-Each place where the checker rejects, with the words that it says, is to be reached by a test of the
-quick ones.  A test repeats others if it takes longer than `QUICK`, reaches only places that quicker
-tests reach, lets no sentence be made (what a theorem says is looked at by the quick ones), and does
-not change a certificate number by number.  In collection such tests are marked slow (`conftest`).
-As a plugin of pytest this module notes for each test its time, the places, and whether there was a
-sentence: `-p repeated`.
+Of the checker: each place where it rejects, with the words that it says, is to be reached by a test
+of the quick ones.  A test repeats others if it takes longer than `QUICK`, reaches only places that
+quicker tests reach, lets no sentence be made (what a theorem says is looked at by the quick ones),
+and does not change a certificate number by number.
+
+Of the prover, of floats, pictures, commands and the audit: what is proved is verified by the
+checker, and a stored certificate is made again by its command.  All else that takes longer than
+`LONG`, in a fresh clone, where functions are to be compiled, is listed.
+
+In collection such tests are marked slow (`conftest`).  As a plugin of pytest this module notes for
+each test its time, the places, and whether there was a sentence: `-p repeated`.
 """
 
 import json
@@ -15,22 +20,28 @@ import os
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import pytest
 
 TESTS = Path(__file__).parent
-LIST = TESTS / "repeated.txt"
+LIST, LENGTHY = TESTS / "repeated.txt", TESTS / "long.txt"
 ROOMS = "tests/checker/", "tests/certificate/"
 QUICK = 0.12  # seconds of processor time
 TAMPERING = "every_number", "every_end"  # who changes numbers one by one repeats nothing
+LONG = 0.3  # seconds of processor time, with that of the processes begun
+GUARDING = *ROOMS, "tests/formal/"
+GUARDS = (  # of other rooms: who looks at certificates that are written, or at the sources
+    *("reproduced", "same_bytes", "rejects", "satisfy_the_schema", "elliptic_proves"),
+    *("imports", "flights_stand"),
+)
 NOTES = "CAP_REPEATED"  # where they go: a directory
 
 
 def listed():
-    """Return the names of the tests that repeat others."""
-    return frozenset(LIST.read_text("utf-8").split("\n")) - {""}
+    """Return the names of the tests that repeat others, or are long."""
+    lines = [line for file in (LIST, LENGTHY) for line in file.read_text("utf-8").split("\n")]
+    return frozenset(lines) - {""}
 
 
 def repeating(notes):
@@ -46,12 +57,22 @@ def repeating(notes):
     return sorted(found)
 
 
+def lengthy(notes):
+    """Return the names of tests that are long, and guard no theorem."""
+    return sorted(
+        name
+        for name, seconds, *_ in notes
+        if seconds > LONG and not name.startswith(GUARDING) and not any(w in name for w in GUARDS)
+    )
+
+
 def main():
-    """Run all quick tests and those listed; write the list."""
-    LIST.write_text("", "utf-8")
+    """Run all quick tests and those listed; write the lists."""
+    for file in (LIST, LENGTHY):
+        file.write_text("", "utf-8")
     with tempfile.TemporaryDirectory() as place:
         path = os.pathsep.join([str(TESTS), os.environ.get("PYTHONPATH", "")])
-        words = [sys.executable, "-m", "pytest", "-p", "repeated", *map(str, ROOMS)]
+        words = [sys.executable, "-m", "pytest", "-p", "repeated"]
         env = {**os.environ, NOTES: place, "PYTHONPATH": path}
         subprocess.run(words, check=True, cwd=TESTS.parent, env=env)
         notes = [
@@ -59,7 +80,9 @@ def main():
             for file in Path(place).iterdir()
             for line in file.read_text("utf-8").splitlines()
         ]
-    LIST.write_text("".join(f"{name}\n" for name in repeating(notes)), "utf-8")
+    checking = [note for note in notes if note[0].startswith(ROOMS)]
+    for file, names in ((LIST, repeating(checking)), (LENGTHY, lengthy(notes))):
+        file.write_text("".join(f"{name}\n" for name in names), "utf-8")
 
 
 if NOTES in os.environ:
@@ -89,11 +112,11 @@ if NOTES in os.environ:
         """Note the time of a test, where the checker rejected in it, and if it said something."""
         _places.clear()
         _theorems.clear()
-        start = time.process_time()
+        start = sum(os.times()[:4])
         try:
             return (yield)
         finally:
-            took = time.process_time() - start
+            took = sum(os.times()[:4]) - start
             note = item.nodeid, took, sorted(_places), bool(_theorems)
             with (Path(os.environ[NOTES]) / str(os.getpid())).open("a", encoding="utf-8") as file:
                 file.write(json.dumps(note) + "\n")

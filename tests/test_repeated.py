@@ -1,4 +1,4 @@
-"""The list of tests that repeat others: it names tests that there are, and is made as it says."""
+"""The lists of tests left to the slow ones: of tests that there are, made as they say."""
 
 import subprocess
 import sys
@@ -29,12 +29,19 @@ def test_what_repeats():
     assert repeated.repeating(notes) == [f"{at}both again", f"{at}slow"]
 
 
+def test_what_is_long():
+    """Not what is quick, is of the checker, or looks at certificates that are written."""
+    names = "proofs/x.py::a", "proofs/x.py::quick", "proofs/x.py::b_reproduced", "checker/x.py::c"
+    notes = [(f"tests/{name}", 0.1 if "quick" in name else 2.0, [], False) for name in names]
+    assert repeated.lengthy(notes) == ["tests/proofs/x.py::a"]
+
+
 @pytest.mark.slow
 def test_all_that_are_listed_exist():
     """Each name is that of a test."""
-    words = ["-m", "pytest", "-n0", "--collect-only", "-m", "", *repeated.ROOMS]
+    words = ["-m", "pytest", "-n0", "--collect-only", "-m", ""]
     told = subprocess.run(
         [sys.executable, *words], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    assert repeated.listed()
+    assert all(file.read_text("utf-8") for file in (repeated.LIST, repeated.LENGTHY))
     assert repeated.listed() <= set(told.stdout.splitlines())

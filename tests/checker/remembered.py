@@ -3,12 +3,16 @@
 Every step of the checker stays as it is.
 """
 
-from __future__ import annotations
-
 import json
+from collections.abc import Mapping
 from contextlib import contextmanager
+from functools import singledispatch
+from types import FunctionType
 
 from cap.checker.kernel import certificate
+from cap.checker.particles.mechanics import Mechanics
+from cap.checker.system.model import Model
+from cap.checker.system.polynomial import Polynomial
 from checker.parts import Function, Interval, Jet, LossyMap, Pairs, PeriodMap, TaylorModel, home
 
 
@@ -111,12 +115,29 @@ def legs_followed_once():
     def once(proof, k, cell):
         given = proof.certificate.parameters, proof.claims["contacts"], proof.claims["periods"]
         hints = proof.hints["cuts"][k], proof.hints["bits"], proof.claims.get("symmetry")
-        key = repr(given), repr(hints), *cell.line, cell.error
+        key = given, hints, *cell.line, cell.error
         return _known(known, key, lambda: quiet(proof, k, cell))
 
     theorem.quiet = once
     yield
     theorem.quiet = quiet
+
+
+@contextmanager
+def release_cells_proved_once():
+    """Prove a cell of times of releases once for equal systems, cells, windows and limits."""
+    theorem, known = home("ContactAttractor"), {}
+    proved = theorem.cell
+
+    def once(F, periods, ends, windows):
+        system = F.model, F.contacts, F.bits, theorem.WORK
+        return _known(
+            known, (system, periods, ends, windows), lambda: proved(F, periods, ends, windows)
+        )
+
+    theorem.cell = once
+    yield
+    theorem.cell = proved
 
 
 @contextmanager
@@ -137,20 +158,67 @@ def hints_read_once():
     certificate.tabled = tabled
 
 
+@singledispatch
 def content(value):
     """Return a text that tells values apart by what they contain."""
-    if isinstance(value, Jet):
-        return f"jet {value.order} {content(sorted(value.coefficients.items()))}"
-    if isinstance(value, TaylorModel):
-        return f"model {value.coefficients} {value.error} {value.bits}"
-    if isinstance(value, Function):
-        circle = value.circle
-        return f"function {value.coefficients} {value.error} {circle.rho} {circle.unit}"
-    if isinstance(value, Interval):
-        return f"{value.lo} {value.hi} {value.bits}"
-    if isinstance(value, tuple | list):
-        return f"({', '.join(map(content, value))})"
-    return repr(value)
+    text = repr(value)
+    assert " at 0x" not in text, f"{text} is told apart by its address"
+    return text
+
+
+@content.register(tuple)
+@content.register(list)
+def _(several):
+    return f"({', '.join(map(content, several))})"
+
+
+@content.register
+def _(pairs: Mapping):
+    return f"{{{content(list(pairs.items()))}}}"
+
+
+@content.register
+def _(x: Interval):
+    return f"{x.lo} {x.hi} {x.bits}"
+
+
+@content.register
+def _(jet: Jet):
+    return f"jet {jet.order} {content(sorted(jet.coefficients.items()))}"
+
+
+@content.register
+def _(model: TaylorModel):
+    return f"model {model.coefficients} {model.error} {model.bits}"
+
+
+@content.register
+def _(function: Function):
+    circle = function.circle
+    return f"function {function.coefficients} {function.error} {circle.rho} {circle.unit}"
+
+
+@content.register
+def _(q: Polynomial):
+    return f"polynomial {sorted(q.terms.items())}"
+
+
+@content.register
+def _(system: Model):
+    return content((system.state, system.omega, system.times_pi, system.modes))
+
+
+@content.register
+def _(masses: Mechanics):
+    if type(masses) is Mechanics:  # all else is computed from these
+        return content(("Mechanics", masses.p, masses.bits))
+    return content((type(masses).__qualname__, vars(masses)))
+
+
+@content.register
+def _(function: FunctionType):
+    cells = function.__closure__ or ()
+    return content((function.__module__, function.__qualname__, [c.cell_contents for c in cells]))
 
 
 @contextmanager

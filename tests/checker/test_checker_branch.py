@@ -43,13 +43,18 @@ def flipping():
 
 
 def test_accepts(whole, short, flipping):
-    """Down to the end, with and without rotation number 1/2; both twists; other units."""
+    """Down to the end, with and without rotation number 1/2; both twists."""
     for certificate in (whole, short, flipping):
         assert len(verify(certificate)) == 9
         fits_the_schema(certificate)
     assert [q["ratio"] for q in whole["claims"]["resonances"]][-1] == "2/5"
     assert [q["ratio"] for q in flipping["claims"]["resonances"]] == [str(q) for q in RATIOS]
     assert {c["twist"] for c in flipping["claims"]["cells"]} == {"+", "-", "none"}
+
+
+@pytest.mark.slow
+def test_accepts_others():
+    """Another range, fewer digits, other units."""
     verify(forge_branch(first="0.2", width="0.03", last="0.3"))
     verify(forge_branch(digits=25, first="0.34", width="0.03"))
     scaled = {"F": "3", "omega": "2", "l": "1/4", "r": "7/4"}  # the same rho

@@ -16,6 +16,7 @@ from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.system.curve import Cell, Line, determinant, minors
+from cap.checker.system.curve_sentence import _values
 from cap.checker.theorems.contacts_branch import ContactsBranch
 from cap.checker.verdict import check, words
 
@@ -146,6 +147,10 @@ LIES = {
     ),
     "a preconditioner too small": (
         lambda given: given["hints"]["preconditioners"].__setitem__(3, [["1"] * 2] * 2),
+        "a preconditioner of another size",
+    ),
+    "a preconditioner with a short row": (
+        lambda given: given["hints"]["preconditioners"][3][1].pop(),
         "a preconditioner of another size",
     ),
     "a preconditioner left out": (
@@ -279,6 +284,16 @@ def test_a_system_of_a_parameter_alone():
 def thin(q):
     """Return the enclosure of a number."""
     return Interval.enclosing(Fraction(q), Fraction(q), 100)
+
+
+def test_what_the_parameter_lies_between():
+    """On a cell along another unknown, by its slope, either way, and its reach."""
+    half, nothing = Fraction(1, 2), Fraction(0)
+    for slope in (Fraction(3), Fraction(-3)):
+        cell = Line(0, (-half, Fraction(1)), (nothing, Fraction(7)), (1, slope), (0, half))
+        low, high = sorted((-half * slope, slope))
+        assert _values(cell) == (7 - half + low, 7 + half + high)
+    assert _values(cell._replace(along=1)) == (-half, 1)
 
 
 def test_minors_are_the_symmetric_functions():

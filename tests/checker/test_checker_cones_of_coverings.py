@@ -2,6 +2,7 @@
 
 import json
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 from cap.checker.coverings import cones, entropy
 from cap.checker.coverings.cones import carried, cone, rates, strip
-from cap.checker.coverings.covering import Parallelogram
+from cap.checker.coverings.covering import Box, Parallelogram
 from cap.checker.coverings.entropy import cone_rates
 from cap.checker.coverings.formulas import Map
 from cap.checker.coverings.planar import Planar
@@ -101,6 +102,20 @@ def test_no_strip(monkeypatch):
     monkeypatch.setattr(cones, "MOST", 2)
     with pytest.raises(Rejected, match="more than"):
         strip(Linear(), square(), square())
+
+
+def test_parts_cover_a_strip():
+    """They follow each other along both sides, from end to end."""
+    S = Box(-0.5, 0.3, 0.5, 0.6)
+    parts = list(cones._cut(S))
+    for first, last, a, b in (("p0", "p1", S.p0, S.p1), ("q0", "q1", S.q0, S.q1)):
+        sides = sorted({(getattr(part, first), getattr(part, last)) for part in parts})
+        assert sides[0][0] == a
+        assert sides[-1][1] == b
+        assert all(low < high for low, high in sides)
+        assert all(one[1] == two[0] for one, two in pairwise(sides))
+        assert len(sides) == cones.PARTS
+    assert len({*parts}) == cones.PARTS**2
 
 
 def test_a_strip_has_all_points():

@@ -21,6 +21,8 @@ from cap.checker.theorems import contact_attractor
 from cap.checker.verdict import check, words
 from checker.altered import changed, encode, fits_the_schema, rejected, verify
 
+pytestmark = pytest.mark.usefixtures("release_cells_proved_once")
+
 ROOT = Path(__file__).parents[2]
 BELT = json.loads((ROOT / "certificates/contact_attractor-1.json").read_text("utf-8"))
 TOSS = json.loads(

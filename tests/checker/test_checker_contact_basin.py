@@ -178,6 +178,16 @@ def test_another_guard():
     rejected(altered(*FLY, "guards", "ceiling", value=ceiling), "the mode has other guards")
 
 
+def test_a_third_variable():
+    """Shares of its range would be none of an area."""
+    given = json.loads(encode(GOOD))
+    given["parameters"]["state"].append("z")
+    for mode in given["parameters"]["modes"].values():
+        mode["field"]["z"] = []
+    given["claims"]["box"]["z"] = ["0", "1"]
+    rejected(given, "the state has not two variables")
+
+
 def test_a_guard_of_rest_may_be_a_multiple():
     """Or there may be none: then it rests for ever."""
     verify(altered(*LEAVE, "value", value=[["5"], ["-6", "sin"]]))

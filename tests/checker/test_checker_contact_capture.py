@@ -71,6 +71,7 @@ def test_what_is_told():
         (("start",), "2000000", "a time is larger"),
         (("mode",), "rest", "begin in another mode"),
         (("mode",), "nowhere", "begin in another mode"),
+        (("box",), {"y": ["0", "10"]}, "claims.box is not one of the state"),
         (("box", "y"), ["0", "11"], "may leave the states that were looked at"),
         (("box", "v"), ["-7", "5"], "may leave the states that were looked at"),
         (("falling",), "rest", "there is no such guard, or mode"),
@@ -201,6 +202,7 @@ def test_other_systems(path, value, why):
         ((*STOP, "to"), ["rest"], "stop of left does not lead to right"),
         ((*STOP, "to"), ["right", "held right"], "the mode held right may be open where h' is 0"),
         ((*STOP, "reset"), {"x": [["1"]]}, "stop of left changes the state"),
+        ((*STOP, "reset"), {"v": [["1/9"]]}, "stop of left changes the state"),
         ((*STOP, "reset"), {"v": [["-1/2", "v"]]}, None),
         ((*BACK, "value"), [["-1", "v"]], "no guard of right is h' times a negative number"),
         (("claims", "rising"), "right", "h' after a hit|to 0"),
@@ -294,6 +296,32 @@ def test_others_matter_no_longer_than_they_have_to():
     rejected(short, "z may leave its box")
 
 
+def test_others_that_the_clock_moves():
+    """z' is almost 0 when the motions begin, not later."""
+    given = with_another(RELEASED)
+    given["hints"]["pieces"][0]["others"]["z"] = ["-1/100", "1/100"]
+    for mode in given["parameters"]["modes"].values():
+        mode["field"]["z"] = [["707113/1000000"], ["1", "sin"]]
+    rejected(given, "z may leave its box")
+
+
+def rising(**box):
+    """Return the certificate of motions that begin in the mode that rises, at the wall."""
+    given = changed(TURNING, "claims", "mode", "left")
+    given["claims"]["box"] |= {"v": ["-0.03", "-0.001"]} | box
+    given["hints"]["state"] = {"x": "0.999", "v": "-0.01"}
+    return given
+
+
+def test_motions_that_begin_to_rise():
+    """They may not be beyond the wall; no first hit of theirs is followed."""
+    verify(rising())
+    rejected(rising(x=["0.998", "1.001"]), "h may be negative in the box")
+    followed = changed(rising(), "claims", "followed", "1")
+    hits = changed(followed, "hints", "pieces", 0, "hits", [["0.01", "0.02"]])
+    rejected(hits, "hits are followed from the falling mode")
+
+
 def test_for_ever_among_others():
     """What depends on other variables is not claimed for all times."""
     given = changed(without(MASSES, "claims", "rests_until"), "claims", "for_ever", "yes")
@@ -376,7 +404,10 @@ def test_a_part_that_is_left_out():
     box = {"y": ["-1.2", "1"], "v": ["0", "0"]}
     given = changed(changed(EVER, "claims", "box", box), "hints", "state", {"y": "1", "v": "0"})
     verify(changed(given, "hints", "tree", "0-."))
-    rejected(changed(given, "hints", "tree", "0.-"), "no states|left out may have")
+    rejected(changed(given, "hints", "tree", "0.-"), "left out may have states")
+    pieces = given["hints"]["pieces"] * 2
+    both = changed(changed(given, "hints", "tree", "0.."), "hints", "pieces", pieces)
+    rejected(both, "a piece has no states that are meant")
 
 
 def bounces(A, t, y, v):

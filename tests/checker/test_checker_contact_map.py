@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -114,6 +114,22 @@ def test_enclosures_contain_the_next_contact(name):
                 assert whole.lower <= new.mid <= whole.upper
                 moved = row[0] * dt + row[1] * dv
                 assert moved.lower - 1e-11 <= new.mid - old.mid <= moved.upper + 1e-11
+
+
+def test_a_divisor():
+    """The speed after a contact times D, over D, which depends on time and speed: the same map."""
+    given = system("1/2", "4/5")
+    reset = given["modes"]["fly"]["guards"]["table"]["reset"]["v"]
+    times = [["5"], ["1", "sin"], ["1/4", "v"]]
+    product = [[str(Fraction(a) * Fraction(b)), *m, *n] for a, *m in reset for b, *n in times]
+    table = given["modes"]["fly"]["guards"]["table"] | {"reset": {"v": product}, "divisor": times}
+    path = ("modes", "fly", "guards", "table")
+    g, same = mapped(ball("1/2", "4/5")), mapped(read(changed(given, *path, table)))
+    for t, v in ((0.3, -2.0), (-1.2, -4.0), (2.0, -3.0)):
+        one, other = (each.image(Double(t), Double(v)) for each in (g, same))
+        pairs = zip(one[:2], other[:2], strict=True), *map(zip, one.derivative, other.derivative)
+        for p, q in chain(*pairs):
+            assert abs(p.mid - q.mid) + q.rad < 1e-10
 
 
 def heights(A, t, v, d):

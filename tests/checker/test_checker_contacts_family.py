@@ -13,9 +13,10 @@ from own_systems import rejected
 
 from cap.certificate.writer import dumps
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.system.family import exact
+from cap.checker.system.family import Linear, _named, exact
 from cap.checker.system.model import Mode, Model
 from cap.checker.system.polynomial import ONE, Polynomial, variable
+from cap.checker.theorems.contacts_family import ContactsFamily
 from cap.checker.verdict import check, words
 
 STORED = json.loads(Path("certificates/contacts_family-1.json").read_text("utf-8"))
@@ -186,6 +187,15 @@ def test_more_frequencies_do_no_harm():
     check(dumps(more).encode(), lambda _: None)
 
 
+def test_one_contact():
+    """It is a round, too."""
+    hints = {"bits": 64, "parts": [], "cuts": [[{}]]}
+    claims = {"contacts": [{}], "quarters": [0], "states": [[(0, 1), (1, 0)]]}
+    ContactsFamily.limit(hints, claims)
+    with pytest.raises(Rejected, match=r"claims.states is not a list of 1"):
+        ContactsFamily.limit(hints, claims | {"states": []})
+
+
 def test_the_sentence():
     """It says for which c there are orbits, which, and what their multipliers are."""
     said = words(check(dumps(STORED).encode(), lambda _: None))
@@ -220,6 +230,17 @@ def test_more_variables():
 
 
 # flights
+
+
+@pytest.mark.parametrize("quarter", range(-3, 9))
+def test_the_clock_at_quarters(quarter):
+    """It turns by a right angle with each."""
+    found = _named(springs(), [Linear(Fraction(k), Fraction(1)) for k in range(4)], quarter)
+    turn = 1j**quarter
+    assert (found["cos"], found["sin"]) == tuple(
+        Polynomial.of(Fraction(round(part))) for part in (turn.real, turn.imag)
+    )
+    assert found["y"] == variable("c") + 2
 
 
 def springs():

@@ -13,6 +13,7 @@ import pytest
 from cap.checker.kernel.certificate import read
 from cap.checker.kernel.doubles import Double, enclosing
 from cap.checker.kernel.rejection import Rejected
+from cap.checker.theorems import converse
 from cap.checker.theorems.converse import Converse, flights, pieces
 from cap.checker.tori import segments
 from cap.checker.tori.rings import Ring, offsets
@@ -136,6 +137,40 @@ def test_a_ring():
     assert not ring.surrounds(Fraction(11, 100))
 
 
+def test_a_ring_that_is_no_square():
+    """The largest square about O that lies inside of a triangle, beside its corners."""
+    w = [(8, 1), (-3, 7), (-2, -5)]
+    ring = Ring(ORIGIN, [(a * 10**7, b * 10**7) for a, b in w])
+    for n in range(1, 400):
+        corners = [(x * n / 100, y * n / 100) for x in (-1, 1) for y in (-1, 1)]
+        inside = all(
+            (c - a) * (y - b) > (d - b) * (x - a)
+            for (a, b), (c, d) in pairwise([*w, w[0]])
+            for x, y in corners
+        )
+        assert ring.surrounds(Fraction(n, 100) * Fraction(10**7, 10**9)) == inside
+
+
+def test_points_on_a_triangle():
+    """On its edges, rounded or not, they are not certainly beyond it."""
+    rng = random.Random(13)  # noqa: S311
+    for _ in range(100):
+        places = [cmath.rect(rng.uniform(0.1, 1), x) * 10**9 for x in (0.2, 2.3, 4.4)]
+        w = [(round(z.real), round(z.imag)) for z in places]
+        ring, i = Ring(ORIGIN, w), rng.randrange(3)
+        part, beyond = Fraction(rng.randrange(1, 10**6), 10**6), 1 + Fraction(1, 10**9)
+        (a, b), (c, d) = w[i], w[(i + 1) % 3]
+        across = a + part * (c - a), b + part * (d - b)
+        for q, far in (
+            (across, False),
+            ((part * a, part * b), False),
+            ((part * c, part * d), False),
+            ((beyond * across[0], beyond * across[1]), True),
+        ):
+            x, y = (enclosing(Fraction(n) / 10**9) for n in q)
+            assert ring._beyond(i, (x, y)) == far
+
+
 def test_what_is_outside():
     """Segments of random size against a star: never said to be outside if a point is not."""
     rng = random.Random(3)  # noqa: S311
@@ -220,6 +255,19 @@ def test_segments_between_two_regions():
     assert max(z.r1, z.r2) < 1.001e-3
 
 
+def test_the_reach_of_a_segment():
+    """Not less than in fractions, also where the parts cancel and nothing is added across."""
+    rng = random.Random(17)  # noqa: S311
+    for n in range(300):
+        a, b, dy, p, q = (rng.uniform(-1, 1) for _ in range(5))
+        dv = -a * dy / b if n % 2 else rng.uniform(-1, 1)
+        r1, r2 = rng.choice([(0.0, 0.0), (rng.random(), rng.random())])
+        found = Segment(0.0, 0.0, dy, dv, p, q, r1, r2).reach(a, b)
+        a, b, dy, dv, p, q, r1, r2 = map(Fraction, (a, b, dy, dv, p, q, r1, r2))
+        exact = abs(a * dy + b * dv) + abs(a * p + b * q) * r1 + abs(b * p - a * q) * r2
+        assert 0 <= found - exact < Fraction(1, 10**12)
+
+
 def test_where_masses_stop():
     """The bounds that are added to Y - V pi and to Y, by sums over the time in which they stop."""
     alpha = float(AT[0])
@@ -270,6 +318,24 @@ def test_guards_of_axes_and_of_the_arccosine():
     assert segments._arccos(Double(0.98, 0.006)).rad > 0
     with pytest.raises(Rejected, match="arccosine"):
         segments._arccos(Double(0.98, 0.008))
+
+
+def test_all_edges_are_tasks(monkeypatch):
+    """However many there are in each, with their flights, and the ring before."""
+    theorem = Converse(read(encode(GOOD)), lambda _: None)
+    rings = [Ring(ORIGIN, SQUARE), Ring(ORIGIN, [(3 * a, 3 * b) for a, b in SQUARE])]
+    words = [",".join(f"{n} {k}" for k in range(1, 5)) for n in (1, 2)]
+    theorem.hints["flights"] = words
+    for size in (1, 2, 3, 4, 5):
+        monkeypatch.setattr(converse, "EDGES", size)
+        found = theorem.tasks(rings)
+        assert list(found) == [1, 2]
+        for ring, before, word, parts in zip(
+            rings, (None, rings[0]), words, found.values(), strict=True
+        ):
+            assert [edge for part in parts for edge in part[0]] == ring.edges()
+            assert [each for part in parts for each in part[1]] == list(flights(word))
+            assert all(part[2] is before for part in parts)
 
 
 def test_a_centre_that_may_be_outside():

@@ -11,11 +11,16 @@ from branches import certificate
 from own_systems import rejected
 
 from cap.certificate.writer import dumps
+from cap.checker.kernel.certificate import read
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
-from cap.checker.system.graze import inside, sign, turns
-from cap.checker.system.polynomial import Polynomial
+from cap.checker.system.contacts import Equations, Round
+from cap.checker.system.curve import Curve, Line, exact
+from cap.checker.system.graze import drift, inside, sign, turns
+from cap.checker.system.passage import Contact
+from cap.checker.system.polynomial import Polynomial, variable
 from cap.checker.system.quiet import Watched, stays_positive
+from cap.checker.theorems.contacts_branch import ContactsBranch
 from cap.checker.verdict import check, words
 
 G, E = 0.1, 0.5  # of the model
@@ -280,6 +285,28 @@ def test_what_is_needed_of_a_window():
     for beside in (interval("1/2", "3/4"), interval("5/4", "3/2")):
         with pytest.raises(Rejected, match="may not turn"):
             inside(Parabola(0), H, beside)
+
+
+@pytest.mark.slow
+def test_how_a_value_changes_without_a_clock():
+    """The first contact is at the time 0: beside differences between the ends of a cell."""
+    given = ContactsBranch(read(dumps(certificate("clock")).encode()), lambda _: None)
+    contacts = [Contact(**contact) for contact in given.claims["contacts"]]
+    given.orbit = Round(given.p, contacts, given.claims["periods"])
+    curve = Curve(Equations(given.orbit, given.hints["bits"]))
+    assert curve.equations.autonomous
+    cell = curve.cell(Line.of(given.claims["cells"][0]), given.hints["preconditioners"][0])
+    late = exact(curve.expanded(cell.box)[curve.equations.n + 1].lower / 2, cell.error[0])
+    rates = curve.rates(curve.steps(cell.box), cell.line.along)
+    for z in given.p.state[:-1]:
+        change, values = drift(curve, cell.box, rates, 0, late, variable(z)), []
+        for s in cell.line.ends:
+            w = cell.at(s)
+            leg = given.flights(curve, curve.expanded(w), curve.steps(w)[0], 0)
+            values.append(leg.over(variable(z), late))
+        between = (values[1] - values[0]) / exact(cell.line.ends[1] - cell.line.ends[0], late)
+        assert change.lower <= between.lower
+        assert between.upper <= change.upper
 
 
 def test_a_window_is_left_out():

@@ -3,6 +3,7 @@
 import json
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from cap.checker.kernel.fourier import Circle
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.theorems.island import Island
-from cap.checker.tori import between, invariant_curve, rotation
+from cap.checker.tori import between, invariant_curve, rotation, told
 from cap.checker.tori.half_period import Hit, Motion, States, cells
 from cap.checker.tori.invariant_curve import Near, Sizes, near
 from cap.checker.tori.written import coefficients, function
@@ -115,6 +116,7 @@ LIES = {
     "one hit": ("hints", "hits", HINTS["hits"][:1], "one hit"),
     "degree": ("hints", "degree", "8", "too many"),
     "work": ("hints", "places", "200000", "between"),
+    "coarser than a frame": ("hints", "places", "19", "between"),
 }
 
 
@@ -260,6 +262,42 @@ def test_a_segment_that_is_turned_both_ways():
         between.sense(Shear(lambda x: x - half), 1, ends, 3)
     with pytest.raises(Rejected, match="both ways"):
         between.sense(Shear(lambda x: x - half), 1, ends, 4)
+
+
+def test_all_of_a_segment_is_looked_at():
+    """Its pieces follow each other from one end to the other, in x and in v."""
+    exact = lambda q: Interval.enclosing(Fraction(q), Fraction(q), 96)  # noqa: E731
+    seen = []
+
+    class Shear:
+        def after(self, z):
+            seen.append(z)
+            (a, b), (c, d) = z.B
+            return z._replace(B=((a, b), (c + a, d + b)))
+
+    between.sense(Shear(), 1, ((exact(1), exact(-1)), (exact(5), exact(7))), 4)
+    for n, z in enumerate(seen):
+        for at, half, begin, step in ((z.x, z.B[0][0], 1, 1), (z.v, z.B[1][0], -1, 2)):
+            assert (at - half).lower <= begin + n * step <= (at - half).upper
+            assert (at + half).lower <= begin + (n + 1) * step <= (at + half).upper
+    assert len(seen) == 4
+
+
+def test_what_is_between_the_rotation_numbers():
+    """That of P* on either side of that of the curve, or about it."""
+    value = rotation.value([2], [1], 96)
+    a, b = value.lower, value.upper
+    for low, high, expected in (
+        ("1/10", "1/5", (Fraction(1, 5), a)),
+        ("1/2", "3/5", (b, Fraction(1, 2))),
+        ("1/5", "1/2", None),
+    ):
+        claims = {
+            "rotation_number": {"head": [2], "period": [1]},
+            "orbits": {"centre": SimpleNamespace(lower=Fraction(low), upper=Fraction(high))},
+        }
+        assert told.gap(claims) == expected
+    assert told.gap({}) is None
 
 
 def test_rotation_numbers_at_the_centre():

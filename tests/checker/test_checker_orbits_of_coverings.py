@@ -95,6 +95,19 @@ def test_a_degenerate_point():
         nearness(box, Round([box, box], (zero, zero), ((one, zero), (zero, one))))
 
 
+def test_how_far_a_fixed_point_is():
+    """Dg^n is about diag(3, 1/2), so C = diag(1/2, -2): not less than in fractions."""
+    source, zero = np.random.default_rng(11), Double(0.0)
+    for _ in range(20):
+        far, r, wide = (source.uniform(1e-6, 1e-3, 2).tolist() for _ in range(3))
+        box = Double(0.0, r[0]), Double(0.0, r[1])
+        D = (Double(3.0, wide[0]), zero), (zero, Double(0.5, wide[1]))
+        found = nearness(box, Round([box, box], (Double(far[0]), Double(far[1])), D))
+        for k, c in enumerate((Fraction(1, 2), Fraction(2))):
+            exact = c * (Fraction(far[k]) + Fraction(wide[k]) * Fraction(r[k]))
+            assert 0 <= Fraction(found[k]) - exact < Fraction(1, 10**12)
+
+
 def test_images_contain_those_of_points():
     """Eight times, of random boxes of the Hénon map: points, the midpoint, and the derivative."""
     g, source = Map(given("henon")), np.random.default_rng(5)

@@ -14,7 +14,7 @@ from support import seeded
 from cap.checker.kernel.interval import Interval
 from cap.checker.kernel.rejection import Rejected
 from cap.checker.particles.mechanics import Mechanics
-from cap.checker.particles.neighbours import Neighbours
+from cap.checker.particles.neighbours import Arc, Neighbours
 from cap.checker.system.masses import MassParameters
 from cap.floats.masses.particles import Particles, follow
 from cap.parameters import Parameters
@@ -92,6 +92,24 @@ def test_orbits_in_floats_are_enclosed(stored, near):
 def test_hints_and_claims_that_do_not_fit(stored, path, value, why):
     """Each for its reason, before the long computation."""
     rejected(changed(stored, *path, value), why)
+
+
+@pytest.mark.parametrize(("gap", "meet"), [("29/100000", True), ("33/100000", False)])
+def test_masses_that_meet_inside_a_flight(near, gap, meet):
+    """Both move to the right, the second, lighter one slower for a while: apart at both ends."""
+    gap, late = Fraction(gap), Fraction(-303, 50000)  # of the places, of the speeds
+    point = [near.M.number(q) for q in (Fraction(0), gap, Fraction(1), 1 + late)]
+    around = Neighbours(near.M, point, point, 1)
+    x, v = around.states[:2], around.states[2:]
+    arc = Arc(around.signs(v), around.instant(near.M.number(0)), x, v)
+    end = around.instant(near.M.number(Fraction(1, 5)))
+    after = around.at(arc, end)
+    assert (after[0][1].value - after[0][0].value).is_positive()
+    if meet:
+        with pytest.raises(Rejected, match="meet"):
+            around.quiet(arc, end, *after, met=False)
+    else:
+        around.quiet(arc, end, *after, met=False)
 
 
 def test_a_box_that_is_too_large(near, stored):

@@ -72,6 +72,17 @@ def test_the_second_derivative_is_that_of_differences():
     assert float((other - one).lower / h) == pytest.approx(float(found.lower), abs=1e-5)
 
 
+def test_the_second_derivative_with_a_divisor():
+    """v is reset to D/(2 D): that is 1/2, and x stays as it is."""
+    F, hint = releases(BELT), BELT["hints"]["cells"][9]
+    catch = ("parameters", "modes", "slower", "guards", "catch")
+    double = changed(BELT, *catch, "reset", "v", [["3/2"], ["1/2", "cos"], ["1/8", "x"]])
+    G = releases(changed(double, *catch, "divisor", [["3"], ["1", "cos"], ["1/4", "x"]]))
+    windows, t = [between(*ends) for ends in hint["windows"]], between(hint["to"], hint["to"])
+    one, other = (bend(each, t, each.over(t, windows)) for each in (F, G))
+    assert not (one - other).magnitude().upper > Fraction(1, 10**15)
+
+
 def test_laps():
     """A cell with a turn inside has two laps, one beside it one, though S contains 0 there."""
     assert tossed(TURN - 0.01, TURN + 0.01).laps == 2
